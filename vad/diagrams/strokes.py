@@ -1,0 +1,227 @@
+"""What a teacher draws, as frozen data: shapes, strokes, panels and the sheet that holds them.
+
+Nothing here knows colours, times or pixels.  Coordinates are complex numbers in the panel's own
+unit (mm, mm/s, mm/s² …) with x to the right and y up; the pole of a polygon is the origin.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Kind = Literal[
+    "fixed",  # position panel only: a pivot of the frame
+    "guide",  # position panel only: the line along which a block slides
+    "angle",  # position panel only: the arc of the driven link's angle
+    "pole",
+    "known",
+    "construction",
+    "intersection",
+    "result",
+]
+Component = Literal[
+    "normal", "tangential", "coriolis", "sliding", "relative", "absolute", "link"
+]
+PanelName = Literal["position", "velocity", "acceleration"]
+PANELS: tuple[PanelName, ...] = ("position", "velocity", "acceleration")
+
+
+@dataclass(frozen=True, slots=True)
+class Dot:
+    """A point with a letter: a pole, a fixed pivot or a crossing."""
+
+    at: complex
+
+
+@dataclass(frozen=True, slots=True)
+class Arrow:
+    """A vector from ``start`` to ``end``; in the position panel, the bar of a link.
+
+    ``tail`` and ``head`` are the letters of its two ends.
+    """
+
+    start: complex
+    end: complex
+    tail: str
+    head: str
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A construction line of unknown length through a known point.
+
+    It is drawn from ``through`` past ``until``, where it will be crossed; ``direction`` is a
+    unit vector that points that way.  ``square_to`` names the link that it is perpendicular
+    to ("BC"), or is None for a line parallel to a guide or a slot.
+    """
+
+    through: complex
+    direction: complex
+    until: complex
+    square_to: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Arc:
+    """A circular arc: the compass about ``centre``, or the angle of the driven link.
+
+    ``start`` and ``sweep`` are degrees, counter-clockwise positive.  ``through`` is the point
+    on a compass arc that the construction is after; None for an angle, whose radius is the
+    painter's affair (``radius`` is then the length of the driven link).
+    """
+
+    centre: complex
+    radius: float
+    start: float
+    sweep: float
+    through: complex | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Guide:
+    """The straight frame line through ``through``, hatched on the side away from the rod.
+
+    ``from_`` … ``to`` is the stretch that the sheet needs, ``side`` a unit vector that points
+    away from the rod, and None where the line is a slot in a moving link.
+    """
+
+    through: complex
+    direction: complex
+    side: complex | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """A sliding block at ``at``, its long side along ``direction``; ``on`` is the turning link
+    that it slides on, or None on a guide of the frame (or of a moving yoke)."""
+
+    at: complex
+    direction: complex
+    on: str | None = None
+
+
+Shape = Dot | Arrow | Line | Arc | Guide | Block
+
+
+@dataclass(frozen=True, slots=True)
+class Stroke:
+    """One thing drawn, with the sentence that goes with it.
+
+    Attributes
+    ----------
+    kind
+        The role of the stroke; style turns it into line width and dash.
+    label
+        What is written beside it: a letter, two letters, ``⟂ BC``, ``∥ guide`` …
+    shape
+        Its geometry.
+    caption
+        What the teacher says, with symbols, numbers, result and unit.
+    link
+        The link or slide that it belongs to, whose ink it takes; None for the frame.
+    component
+        Which part of which vector a known or result stroke is.
+    image
+        True for the vector to a point found by the velocity or acceleration image.
+    reveals
+        The rows of the results table whose cell in this panel is measured by this stroke.
+    """
+
+    kind: Kind
+    label: str
+    shape: Shape
+    caption: str
+    link: str | None = None
+    component: Component | None = None
+    image: bool = False
+    reveals: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Term:
+    """One vector of a loop equation: ``bc``, drawn by stroke number ``stroke`` of its panel
+    (None where it takes no stroke: a ground link, or a vector of length zero)."""
+
+    label: str
+    link: str | None
+    stroke: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class Equation:
+    """The loop equation under a panel: the sum of ``left`` equals the sum of ``right``."""
+
+    left: tuple[Term, ...]
+    right: tuple[Term, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class CoriolisInset:
+    """The rule of the Coriolis component in true directions (unit vectors).
+
+    ``slot`` is the direction of the turning link, ``sliding`` that of the block relative to
+    it, ``coriolis`` the result; ``sense`` is +1 for a counter-clockwise ω.  It is shown from
+    stroke number ``stroke`` of the acceleration panel on.
+    """
+
+    link: str
+    slide: str
+    slot: complex
+    sliding: complex
+    coriolis: complex
+    sense: int
+    stroke: int
+
+
+@dataclass(frozen=True, slots=True)
+class Panel:
+    """One of the three diagrams: its strokes in drawing order."""
+
+    name: PanelName
+    unit: str
+    strokes: tuple[Stroke, ...]
+    equations: tuple[Equation, ...] = ()
+    inset: CoriolisInset | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """One quantity of the results table: θ = 338.2°, with the value in full."""
+
+    symbol: str
+    value: float
+    unit: str
+    given: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One link or slide of the results table; ``cells`` holds a panel's cells by its name.
+
+    ``title`` and ``letters`` make its heading: "crank" and "AB", "slider" and "C".
+    """
+
+    key: str
+    title: str
+    letters: str
+    cells: dict[PanelName, tuple[Cell, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """Everything that is drawn for one pose of one mechanism: pure data, in drawing order.
+
+    ``parameters`` are (name, value, unit) as the title line shows them; ``rows`` are the
+    links, then the slides: their order gives each its ink.
+    """
+
+    mechanism: str
+    title: str
+    parameters: tuple[tuple[str, float, str], ...]
+    rows: tuple[Row, ...]
+    panels: tuple[Panel, ...]
+    language: str = "en"
+
+    def panel(self, name: str) -> Panel:
+        """Return the panel called ``name``."""
+        return next(panel for panel in self.panels if panel.name == name)

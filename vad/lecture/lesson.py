@@ -1,0 +1,51 @@
+"""When each stroke is drawn: a sheet laid out in time, as whole frames.
+
+In comes a sheet, out goes a `Lesson`; how a frame looks is known only to `vad.rendering`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from vad.diagrams.strokes import Panel, Sheet, Stroke
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One stroke in time: it grows for ``grow`` frames and then rests for ``hold``."""
+
+    panel: Panel
+    index: int
+    grow: int
+    hold: int
+
+    @property
+    def stroke(self) -> Stroke:
+        """The stroke that is drawn in this step."""
+        return self.panel.strokes[self.index]
+
+
+@dataclass(frozen=True, slots=True)
+class Lesson:
+    """A sheet that is drawn stroke by stroke.
+
+    ``opening`` frames show the empty page, ``closing`` frames the finished one.
+    """
+
+    sheet: Sheet
+    steps: tuple[Step, ...]
+    opening: int
+    closing: int
+    fps: float
+    size: tuple[int, int]
+    style: str = "paper"
+
+    @property
+    def frames(self) -> int:
+        """The number of frames."""
+        return self.opening + self.closing + sum(s.grow + s.hold for s in self.steps)
+
+    @property
+    def duration(self) -> float:
+        """The running time in seconds."""
+        return self.frames / self.fps
