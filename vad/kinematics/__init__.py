@@ -1,0 +1,1 @@
+"""How a mechanism moves: loops, four closed forms, rates by one crossing, lazy results."""

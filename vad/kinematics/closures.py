@@ -1,0 +1,209 @@
+"""The four closed forms of a loop with two unknowns; no iteration, no guess, no jump.
+
+Each takes the gap E, the known vector from the end of the first chain to the end of the second,
+and returns the two unknowns with ``sine``, the sine of the angle at which the construction lines
+of its polygons cross: zero at a dead centre, NaN where the links do not reach.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from vad.errors import AssemblyError
+from vad.kinematics.numbers import (
+    EPSILON,
+    NAN_VECTOR,
+    Number,
+    choose,
+    cross,
+    dot,
+    is_array,
+    sign,
+    sqrt,
+    vector,
+)
+
+
+class OpenLoop(AssemblyError):
+    """The chains of one pose miss each other by ``miss``, in the solver's length unit."""
+
+    def __init__(self, miss: float) -> None:
+        super().__init__(f"the links miss by {miss}")
+        self.miss = miss
+
+
+def _root(low: Number, high: Number, scale_low: Number, scale_high: Number) -> Number:
+    """Return √(low·high); a factor within 8 ε of its scale below zero counts as zero."""
+    product = low * high
+    if not is_array(product):
+        if product >= 0.0:
+            return math.sqrt(product)
+        short = low < -8 * EPSILON * scale_low or high < -8 * EPSILON * scale_high
+        return math.nan if short else 0.0
+    # NaN fails this comparison too, and takes the careful way.
+    if product.size and not product.min() >= 0.0:
+        short = (low < -8 * EPSILON * scale_low) | (high < -8 * EPSILON * scale_high)
+        product = np.where(short, np.nan, np.maximum(product, 0.0))
+    return np.sqrt(product)
+
+
+def _near_one(x: Number, other: Number) -> tuple[Number, Number]:
+    """Write a sine or cosine as x = side·(1 - rest); ``rest`` keeps its relative accuracy."""
+    return sign(x), other * other / (1.0 + abs(x))
+
+
+@dataclass(frozen=True)
+class GroundedCrank:
+    """The gap c + t·u of a loop whose only known moving bar is the driven crank u.
+
+    Where crank and ground are nearly in line the gap is a small difference of large lengths;
+    their differences are formed once, exactly, and what the angle adds is formed without
+    cancellation.  This keeps ω to full accuracy at change points.
+    """
+
+    c: complex
+    t: float
+
+    def gap(self, u: Number) -> Number:
+        """Return the gap for the crank's unit vector ``u``."""
+        side, rest = _near_one(u.real, u.imag)
+        c, t = self.c.real, self.t
+        x = choose(side, c + t, c - t) - t * (side * rest)
+        return vector(x, t * u.imag + self.c.imag)
+
+
+class Triangle(NamedTuple):
+    """A gap with what a triangle over it needs: |E|², σ² - |E|² and |E|² - δ²."""
+
+    gap: Number
+    square: Number
+    below_sum: Number
+    above_difference: Number
+
+
+class TwoAngles:
+    """Two bars r and q over the gap: a triangle (both link angles unknown).
+
+    The area comes from Heron's factors, never from acos: no digit is lost for a short bar.
+    """
+
+    def __init__(self, side: float, crank: GroundedCrank | None, r: float, q: float) -> None:
+        self.side = side
+        self.crank = crank
+        if crank is not None:
+            c, t = crank.c.real, crank.t
+            self._constants = [
+                (
+                    math.fsum((c, f)) ** 2,
+                    math.fsum((r, q, -c, -f)) * math.fsum((r, q, c, f)),
+                    math.fsum((c, f, q, -r)) * math.fsum((c, f, r, -q)),
+                )
+                for f in (t, -t)
+            ]
+
+    def _from_crank(self, u: Number) -> Triangle:
+        assert self.crank is not None
+        side, rest = _near_one(u.real, u.imag)
+        grown = (-2.0 * self.crank.c.real * self.crank.t) * (side * rest)
+        square, below, above = (choose(side, p, m) for p, m in zip(*self._constants, strict=True))
+        return Triangle(self.crank.gap(u), square + grown, below - grown, above + grown)
+
+    def close(
+        self, gap: Number, u: Number, r: Number, q: Number
+    ) -> tuple[Number, Number, Number]:
+        """Return the unit vectors of both bars and the sine between them."""
+        total, difference = r + q, r - q
+        if self.crank is not None:
+            gap, square, below, above = self._from_crank(u)
+        else:
+            square = dot(gap, gap)
+            length = sqrt(square)
+            below = (total - length) * (total + length)
+            above = (length - difference) * (length + difference)
+        spread = square + total * total
+        root = _root(below, above, spread, spread - 4.0 * r * q)
+        if not is_array(root):
+            if math.isnan(root):
+                length = math.sqrt(square)
+                raise OpenLoop(max(length - total, abs(difference) - length))
+            if square == 0.0:  # the bars fold onto each other and may turn together
+                return NAN_VECTOR, NAN_VECTOR, 0.0
+        half = (0.5 * self.side) * root
+        across = half / square
+        along = (0.5 * total * difference) / square
+        first = gap * vector((along + 0.5) / r, across / r)
+        second = gap * vector((along - 0.5) / q, across / q)
+        return first, second, half / (r * q)
+
+
+class AngleAndLength:
+    """A bar r from the gap onto a line along g: z = E + s·g (angle and length unknown)."""
+
+    def __init__(self, side: float, crank: GroundedCrank | None, r: float, g: complex) -> None:
+        self.side = side
+        self.g = g
+        # Only for a guide along the frame's own axis does the crank's sine give the height.
+        self.crank = crank if g == 1.0 else None
+        if self.crank is not None:
+            h, t = self.crank.c.imag, self.crank.t
+            self._constants = [
+                (math.fsum((r, -h, -f)), math.fsum((r, h, f)), h + f) for f in (t, -t)
+            ]
+
+    def close(self, gap: Number, u: Number, r: Number) -> tuple[Number, Number, Number]:
+        """Return the bar's unit vector, the length s and the sine between bar normal and g."""
+        along = -dot(self.g, gap)
+        if self.crank is not None:
+            side, rest = _near_one(u.imag, u.real)
+            sunk = self.crank.t * (side * rest)
+            below, above, height = (choose(side, p, m) for p, m in zip(*self._constants, strict=True))
+            below, above, height = below + sunk, above - sunk, height - sunk
+        else:
+            height = cross(self.g, gap)
+            below, above = r - height, r + height
+        spread = r + abs(height)
+        root = _root(below, above, spread, spread)
+        if not is_array(root) and math.isnan(root):
+            raise OpenLoop(abs(height) - r)
+        root = self.side * root
+        return self.g * vector(root / r, height / r), along + root, -root / r
+
+
+class Slot:
+    """A bar whose length slides: z = s·u lies on the gap itself (both on one vector)."""
+
+    def close(self, pin: Number) -> tuple[Number, Number, Number]:
+        """Return the link's unit vector, the length and 1: its lines cross at right angles.
+
+        With the pin on the pivot the length is zero and the unit vector NaN.
+        """
+        length = sqrt(dot(pin, pin))
+        if is_array(length):
+            return pin / np.where(length == 0.0, np.nan, length), length, length - length + 1.0
+        return (pin / length if length else NAN_VECTOR), length, 1.0
+
+
+class TwoLengths:
+    """Two slides along p and q: s·p - t·q = R (both lengths unknown)."""
+
+    def close(self, target: Number, p: complex, q: complex) -> tuple[Number, Number, Number]:
+        """Return both lengths and the sine between the lines."""
+        sine = cross(p, q)
+        return (*crossing(target, p, q, sine), target.real * 0.0 + sine)
+
+
+def crossing(target: Number, p: Number, q: Number, sine: Number) -> tuple[Number, Number]:
+    """Return x and y with x·p - y·q = target, where ``sine`` is the cross product p × q.
+
+    This is the whole of a velocity or acceleration polygon: two construction lines cross.
+
+    Examples
+    --------
+    >>> crossing(3 + 4j, 1 + 0j, 1j, 1.0)
+    (3.0, -4.0)
+    """
+    return cross(target, q) / sine, cross(target, p) / sine

@@ -1,0 +1,163 @@
+"""What a mechanism is made of: bars and slides that close in loops.
+
+A loop is two chains of vectors that end at the same point, with exactly two unknown scalars
+between them.  Omission declares the unknown: a bar turns by an unknown angle unless its link is
+driven or found in an earlier loop; a slide has an unknown length unless it is driven.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+from vad.errors import InputError
+
+
+@dataclass(frozen=True, slots=True)
+class Bar:
+    """A vector that turns with a link.
+
+    Attributes
+    ----------
+    ends
+        The letters of its tail and its head: ``"BC"``.
+    link
+        The link that it belongs to and whose angle it has.
+    length
+        Its length, or the name of the slide whose length it has.  A negative length points
+        against the link.
+    reverse
+        Whether the loop runs through it from head to tail; written ``-Bar(…)``.
+    """
+
+    ends: str
+    link: str
+    length: float | str
+    reverse: bool = False
+
+    def __neg__(self) -> Bar:
+        return replace(self, reverse=not self.reverse)
+
+
+@dataclass(frozen=True, slots=True)
+class Slide:
+    """A vector that changes its length along a line.
+
+    Attributes
+    ----------
+    ends
+        The letters of its tail and its head: ``"DC"``.
+    name
+        The slide whose length it has.
+    along
+        The direction of the line in degrees, or the name of the turning link that it slides
+        on.  On a link, the length itself is that of the link's bar; the slide adds the sliding
+        and the Coriolis component.
+    origin
+        Where a fixed line has its zero, as x + iy.
+    reverse
+        Whether the loop runs through it from head to tail; written ``-Slide(…)``.
+    """
+
+    ends: str
+    name: str
+    along: float | str
+    origin: complex = 0j
+    reverse: bool = False
+
+    def __neg__(self) -> Slide:
+        return replace(self, reverse=not self.reverse)
+
+
+Step = Bar | Slide
+
+
+class Scalar(NamedTuple):
+    """One scalar of the motion: the angle of a link or the length of a slide."""
+
+    kind: str
+    name: str
+
+    def __str__(self) -> str:
+        return f"the {self.kind} of {self.name}"
+
+
+def angle_of(link: str) -> Scalar:
+    """Name the angle of a link."""
+    return Scalar("angle", link)
+
+
+def length_of(slide: str) -> Scalar:
+    """Name the length of a slide."""
+    return Scalar("length", slide)
+
+
+def scalar_of(step: Step) -> Scalar:
+    """Name the scalar whose change moves the head of ``step`` against its tail."""
+    return angle_of(step.link) if isinstance(step, Bar) else length_of(step.name)
+
+
+@dataclass(frozen=True, slots=True)
+class Loop:
+    """Two chains that end at the same point.
+
+    For two unknown angles, ``open`` means that this point lies to the left of the line from the
+    known end of ``first`` to that of ``second``; for an angle and a length, the greater length.
+    """
+
+    first: tuple[Step, ...]
+    second: tuple[Step, ...]
+
+    def steps(self) -> Iterator[tuple[int, Step]]:
+        """Yield every step with its sign in ``second - first``, reversal included."""
+        for side, chain in ((-1, self.first), (1, self.second)):
+            for step in chain:
+                yield (-side if step.reverse else side), step
+
+
+@dataclass(frozen=True, slots=True)
+class Linkage:
+    """A mechanism as the solver and the polygon builder see it.
+
+    Attributes
+    ----------
+    driver
+        The angle that is turned or the length that is pushed.
+    loops
+        In the order in which they are solved and drawn.
+    images
+        Bars to further points of a link, found by proportion.
+    pivot
+        The letter of the fixed point at the origin.
+    ground
+        A second fixed point: its letter, distance and direction in degrees.
+    """
+
+    driver: Scalar
+    loops: tuple[Loop, ...]
+    images: tuple[Bar, ...] = ()
+    pivot: str = "A"
+    ground: tuple[str, float, float] | None = None
+    unknowns: tuple[tuple[Scalar, ...], ...] = field(init=False, default=())
+
+    def __post_init__(self) -> None:
+        known = {self.driver}
+        found = []
+        for number, loop in enumerate(self.loops, start=1):
+            scalars = dict.fromkeys(scalar_of(step) for _, step in loop.steps())
+            fresh = tuple(scalar for scalar in scalars if scalar not in known)
+            if len(fresh) != 2:
+                raise InputError(
+                    f"loop {number} has {len(fresh)} unknowns "
+                    f"({', '.join(map(str, fresh)) or 'none'}), not two",
+                    hint="each loop leaves exactly two angles or lengths to be found",
+                )
+            known.update(fresh)
+            found.append(fresh)
+        object.__setattr__(self, "unknowns", tuple(found))
+
+    @property
+    def frame(self) -> float:
+        """The direction of the ground link in degrees."""
+        return self.ground[2] if self.ground else 0.0

@@ -1,0 +1,388 @@
+"""The motion of a mechanism: poses, velocities and accelerations, each found when asked for.
+
+In comes a mechanism with the motion of its driver, out go links, points and slides as numbers in
+the user's units.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vad.errors import AssemblyError, DeadCentreError, InputError, unknown
+from vad.kinematics import sweep
+from vad.kinematics.closures import OpenLoop
+from vad.kinematics.linkage import Scalar, Slide, angle_of
+from vad.kinematics.numbers import Number, degrees_of, fold, is_array, positive
+from vad.kinematics.reach import closing_range
+from vad.kinematics.routes import Routes
+from vad.kinematics.solver import Pose, Rates, Solver, solver_of
+
+if TYPE_CHECKING:
+    from vad.mechanisms.mechanism import Mechanism
+
+
+def solve(mechanism: Mechanism, **inputs: Any) -> Motion:
+    """Solve one pose, or one for each element of the inputs' broadcast shape.
+
+    Nothing is computed yet: positions, velocities and accelerations are found when they are
+    asked for, each from the order below.
+
+    Parameters
+    ----------
+    mechanism
+        The mechanism with its dimensions.
+    **inputs
+        The motion of the driver: ``angle`` (degrees), ``omega`` (rad/s) and ``alpha`` (rad/s²)
+        of a crank, or ``position``, ``velocity`` and ``acceleration`` of a slide, as numbers or
+        arrays.  What is left out has the mechanism's default.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For an input that is unknown, or not a finite number.
+
+    Examples
+    --------
+    >>> import vad
+    >>> motion = vad.solve(vad.SliderCrank(crank=60, rod=140), angle=116.9, omega=11.59)
+    >>> round(motion.slide("slider").velocity, 6)
+    -490.028085
+    """
+    for name in inputs:
+        if name not in mechanism.inputs:
+            raise unknown("input", name, mechanism.inputs)
+    return Motion(mechanism, {
+        name: _checked(name, inputs.get(name, default))
+        for name, default in mechanism.inputs.items()
+    })
+
+
+#: Rates beyond this would overflow when they are squared and multiplied by a length.
+_LARGEST_RATE = 1e60
+
+
+def _checked(name: str, value: Any) -> Number:
+    if isinstance(value, float | int):
+        number = float(value)
+        if not math.isfinite(number):
+            raise InputError(f"{name}: must be a finite number, got {number}")
+        if name in ("omega", "alpha") and abs(number) > _LARGEST_RATE:
+            raise InputError(f"{name}: must be within ±{_LARGEST_RATE:g}, got {number:g}")
+        return number
+    if isinstance(value, str | bytes | bool):
+        raise InputError(f"{name}: must be a number or an array of numbers, got {value!r}")
+    try:
+        array = np.array(value, dtype=float)
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(f"{name}: must be a number or an array of numbers, got {value!r}") from None
+    if isinstance(value, np.generic):
+        return _checked(name, float(value))
+    return array
+
+
+class Motion:
+    """A mechanism in motion; made by `solve`.
+
+    Attributes
+    ----------
+    mechanism
+        The mechanism.
+    inputs
+        The motion of its driver, by name.
+    shape
+        The broadcast shape of the inputs; () for one pose.
+    """
+
+    def __init__(self, mechanism: Mechanism, inputs: dict[str, Number]) -> None:
+        self.mechanism = mechanism
+        self.inputs = inputs
+        self.solver: Solver = solver_of(mechanism)
+        self.many = any(is_array(value) for value in inputs.values())
+        if self.many:
+            try:
+                self.shape = np.broadcast_shapes(*map(np.shape, inputs.values()))
+            except ValueError:
+                shapes = ", ".join(f"{name} {np.shape(value)}" for name, value in inputs.items())
+                raise InputError(f"{'/'.join(inputs)}: shapes do not broadcast: {shapes}") from None
+        else:
+            self.shape = ()
+
+    # --- the three orders, each found once from the one below ---------------------------------
+
+    @cached_property
+    def pose(self) -> Pose:
+        """The position, in the solver's unit and frame; flat arrays of the driver's own shape."""
+        name, value = next(iter(self.inputs.items()))
+        if not is_array(value):
+            try:
+                return self.solver.positions(value)
+            except OpenLoop as gap:
+                raise _not_assembled(self.mechanism, name, value, gap.miss) from None
+        flat = value.ravel()
+        found = sweep.gather(flat.size, lambda part: self.solver.positions(flat[part]).flat())
+        return Pose.of(found)
+
+    @cached_property
+    def _whole_pose(self) -> Pose:
+        """The pose repeated to the shape of all inputs."""
+        if not self.many:
+            return self.pose
+        own = np.shape(next(iter(self.inputs.values())))
+        return Pose.of(sweep.expand(self.pose.flat(), own, self.shape))
+
+    @cached_property
+    def velocity(self) -> Rates:
+        """First derivatives, in the solver's unit."""
+        return self._rates(())
+
+    @cached_property
+    def acceleration(self) -> Rates:
+        """Second derivatives, in the solver's unit."""
+        return self._rates((self.velocity,))
+
+    def _rates(self, lower: tuple[Rates, ...]) -> Rates:
+        value = list(self.inputs.values())[len(lower) + 1]
+        pose = self._whole_pose
+        if not self.many:
+            return self.solver.rates(pose, lower, value)
+        if is_array(value):
+            value = np.broadcast_to(value, self.shape).ravel()
+
+        def solve_part(part: slice) -> dict[Scalar, Number]:
+            below = tuple(rates.cut(part) for rates in lower)
+            own = value[part] if is_array(value) else value
+            return self.solver.rates(pose.cut(part), below, own).flat()
+
+        return Rates.of(sweep.gather(math.prod(self.shape), solve_part))
+
+    # --- what the user sees -------------------------------------------------------------------
+
+    @cached_property
+    def routes(self) -> Routes:
+        """The ways along which points are reached."""
+        return Routes(self.solver)
+
+    def link(self, name: str) -> Link:
+        """Return the motion of a link.
+
+        Raises
+        ------
+        vad.errors.UsageError
+            For a name that the mechanism does not have.
+        """
+        if name not in self.links:
+            raise unknown("link", name, self.links)
+        return Link(self, name)
+
+    def point(self, letter: str) -> Point:
+        """Return the motion of a point."""
+        if letter not in self.points:
+            raise unknown("point", letter, self.points)
+        return Point(self, letter)
+
+    def slide(self, name: str) -> Slider:
+        """Return the motion of a slide."""
+        if name not in self.slides:
+            raise unknown("slide", name, self.slides)
+        return Slider(self, name)
+
+    @cached_property
+    def links(self) -> tuple[str, ...]:
+        """The names of the links."""
+        known = {scalar.name for scalar in self._scalars if scalar.kind == "angle"}
+        return tuple(name for name in self.mechanism.links if name in known)
+
+    @cached_property
+    def slides(self) -> tuple[str, ...]:
+        """The names of the slides."""
+        known = {scalar.name for scalar in self._scalars if scalar.kind == "length"}
+        return tuple(name for name in self.mechanism.slides if name in known)
+
+    @cached_property
+    def points(self) -> tuple[str, ...]:
+        """The letters of the points."""
+        return tuple(letter for letter in self.mechanism.points if letter in self.routes.hops)
+
+    @property
+    def _scalars(self) -> set[Scalar]:
+        linkage = self.solver.linkage
+        return {linkage.driver, *(scalar for pair in linkage.unknowns for scalar in pair)}
+
+    @property
+    def assembled(self) -> Any:
+        """Whether the links close: a bool, or an array of them; a dead centre counts as closed."""
+        if not self.many:
+            try:
+                return bool(self.pose.sine)
+            except AssemblyError:
+                return False
+        sines = [sine for sine in self._whole_pose.sine if is_array(sine)]
+        size = math.prod(self.shape)
+        closed = ~np.isnan(sum(sines)) if sines else np.ones(size, bool)
+        return closed.reshape(self.shape)
+
+    def table(self) -> str:
+        """Return the results as a table in plain text, with units."""
+        from vad.kinematics.report import table
+
+        return table(self)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the results as the JSON object of ``vad solve --json``."""
+        from vad.kinematics.report import to_dict
+
+        return to_dict(self)
+
+    def shaped(self, value: Number, *scales: Number) -> Number:
+        """Return a result in the user's shape, times ``scales``; never a view of the solution."""
+        if not self.many:
+            for scale in scales:
+                value = value * scale
+            return value
+        result = np.array(np.broadcast_to(value, math.prod(self.shape)))
+        for scale in scales:
+            if not (isinstance(scale, float) and scale == 1.0):
+                result *= scale
+        return result.reshape(self.shape)
+
+    def reckon(self, formula: Any, orders: int) -> Number:
+        """Evaluate ``formula(pose, rates)`` in the solution of up to ``orders`` derivatives."""
+        pose = self._whole_pose
+        rates = (self.velocity, self.acceleration)[:orders] if orders > 1 else (
+            (self.velocity,) if orders else ()
+        )
+        if not self.many:
+            return formula(pose, rates)
+
+        def part_of(part: slice) -> dict[str, Number]:
+            return {"": formula(pose.cut(part), tuple(rate.cut(part) for rate in rates))}
+
+        return sweep.gather(math.prod(self.shape), part_of)[""]
+
+
+class Link:
+    """The motion of one link: ``angle`` in degrees within [0, 360), ``omega``, ``alpha``."""
+
+    def __init__(self, motion: Motion, name: str) -> None:
+        self._motion = motion
+        self._name = name
+
+    @property
+    def angle(self) -> Number:
+        """Its direction in degrees, counter-clockwise from +x."""
+        motion, name = self._motion, self._name
+        if angle_of(name) == motion.solver.linkage.driver:
+            value = motion.inputs["angle"]
+            if is_array(value):
+                with np.errstate(invalid="ignore"):
+                    folded = fold(value)
+                value = np.where(folded < 0.0, folded + 360.0, folded)
+                value[value >= 360.0] = 0.0
+                return np.array(np.broadcast_to(value, motion.shape))
+            angle = positive(fold(value)) + 0.0
+            return np.full(motion.shape, angle) if motion.many else angle
+        turn = motion.solver.turn
+        if motion.many:
+            return motion.shaped(motion.reckon(
+                lambda pose, _: degrees_of(pose.unit[name] if turn == 1 else pose.unit[name] * turn), 0
+            ))
+        unit = motion.pose.unit[name]
+        if unit != unit:
+            raise DeadCentreError(f"{name}: its angle is undetermined at this dead centre")
+        return degrees_of(unit * turn)
+
+    @property
+    def omega(self) -> Number:
+        """Its angular velocity in rad/s."""
+        return self._motion.shaped(self._motion.velocity.turning[self._name])
+
+    @property
+    def alpha(self) -> Number:
+        """Its angular acceleration in rad/s²."""
+        return self._motion.shaped(self._motion.acceleration.turning[self._name])
+
+
+class Point:
+    """The motion of one point, as complex numbers x + iy in the user's length unit."""
+
+    def __init__(self, motion: Motion, letter: str) -> None:
+        self._motion = motion
+        self._letter = letter
+
+    def _outward(self, value: Number) -> Number:
+        solver = self._motion.solver
+        return self._motion.shaped(value, solver.turn, solver.scale)
+
+    @property
+    def position(self) -> Number:
+        """Where it is."""
+        routes, letter = self._motion.routes, self._letter
+        return self._outward(self._motion.reckon(lambda pose, _: routes.position(letter, pose), 0))
+
+    @property
+    def velocity(self) -> Number:
+        """Its velocity."""
+        return self._rate(1)
+
+    @property
+    def acceleration(self) -> Number:
+        """Its acceleration."""
+        return self._rate(2)
+
+    def _rate(self, orders: int) -> Number:
+        routes, letter = self._motion.routes, self._letter
+        return self._outward(
+            self._motion.reckon(lambda pose, rates: routes.rate(letter, pose, rates), orders)
+        )
+
+
+class Slider:
+    """The motion of one slide along its line, in the user's length unit."""
+
+    def __init__(self, motion: Motion, name: str) -> None:
+        self._motion = motion
+        self._name = name
+
+    @property
+    def position(self) -> Number:
+        """Its signed distance from the zero of its line."""
+        motion = self._motion
+        return motion.shaped(motion._whole_pose.length[self._name], motion.solver.scale)
+
+    @property
+    def velocity(self) -> Number:
+        """Its velocity along the line."""
+        motion = self._motion
+        return motion.shaped(motion.velocity.sliding[self._name], motion.solver.scale)
+
+    @property
+    def acceleration(self) -> Number:
+        """Its acceleration along the line."""
+        motion = self._motion
+        return motion.shaped(motion.acceleration.sliding[self._name], motion.solver.scale)
+
+    @property
+    def coriolis(self) -> Number:
+        """The magnitude of its Coriolis component 2·ω·v, or None on a line that does not turn."""
+        motion, name = self._motion, self._name
+        for step in motion.solver.steps:
+            if isinstance(step, Slide) and step.name == name and isinstance(step.along, str):
+                turning, sliding = motion.velocity.turning[step.along], motion.velocity.sliding[name]
+                return motion.shaped(abs(2.0 * turning * sliding), motion.solver.scale)
+        return None
+
+
+def _not_assembled(mechanism: Mechanism, name: str, value: float, miss: float) -> AssemblyError:
+    solver = solver_of(mechanism)
+    unit = "°" if name == "angle" else f" {mechanism.length_unit}"
+    miss *= solver.scale
+    message = f"{name} {value:g}{unit}: the links miss by {miss:.4g} {mechanism.length_unit}"
+    ranges = closing_range(mechanism)
+    if not ranges:
+        return AssemblyError(message, hint=f"with these lengths they close at no {name}")
+    words = " and ".join(f"{low:.6g}{unit} … {high:.6g}{unit}" for low, high in ranges)
+    return AssemblyError(message, hint=f"they close for {name} {words}")

@@ -1,0 +1,127 @@
+"""The results of a motion as text and as plain data for JSON."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vad.kinematics.numbers import Number
+
+if TYPE_CHECKING:
+    from vad.kinematics.motion import Motion
+
+
+def units(length_unit: str) -> dict[str, str]:
+    """Return the unit of every quantity."""
+    return {
+        "length": length_unit,
+        "angle": "deg",
+        "omega": "rad/s",
+        "alpha": "rad/s^2",
+        "velocity": f"{length_unit}/s",
+        "acceleration": f"{length_unit}/s^2",
+    }
+
+
+def _plain(value: Number) -> Any:
+    """Return a result as JSON holds it: numbers, [x, y] pairs, nested lists for arrays."""
+    if isinstance(value, np.ndarray):
+        if np.iscomplexobj(value):
+            value = np.stack([value.real, value.imag], axis=-1)
+        return (value + 0.0).tolist()
+    if isinstance(value, complex):
+        return [value.real + 0.0, value.imag + 0.0]
+    return value + 0.0
+
+
+def to_dict(motion: Motion) -> dict[str, Any]:
+    """Return everything about a motion as plain data (see `Motion.to_dict`)."""
+    mechanism = motion.mechanism
+    slides: dict[str, dict[str, Any]] = {}
+    for name in motion.slides:
+        slide = motion.slide(name)
+        slides[name] = {
+            key: _plain(getattr(slide, key)) for key in ("position", "velocity", "acceleration")
+        }
+        if slide.coriolis is not None:
+            slides[name]["coriolis"] = _plain(slide.coriolis)
+    return {
+        "mechanism": mechanism.name,
+        "parameters": mechanism.parameters(),
+        "input": {name: _plain(value) for name, value in motion.inputs.items()},
+        "assembly": mechanism.assembly if mechanism.two_assemblies else None,
+        "units": units(mechanism.length_unit),
+        "links": {
+            name: {key: _plain(getattr(motion.link(name), key)) for key in ("angle", "omega", "alpha")}
+            for name in motion.links
+        },
+        "points": {
+            letter: {
+                key: _plain(getattr(motion.point(letter), key))
+                for key in ("position", "velocity", "acceleration")
+            }
+            for letter in motion.points
+        },
+        "slides": slides,
+    }
+
+
+def table(motion: Motion) -> str:
+    """Return the results as aligned columns of text (see `Motion.table`)."""
+    data = to_dict(motion)
+    unit = data["units"]
+    blocks = [f"{motion.mechanism.title}  ({_inputs(data)})"]
+    if data["links"]:
+        head = ["link", f"angle, {unit['angle']}", f"omega, {unit['omega']}", f"alpha, {unit['alpha']}"]
+        rows = [
+            [f"{name} {motion.mechanism.links[name]}", *(_number(x) for x in link.values())]
+            for name, link in data["links"].items()
+        ]
+        blocks.append(_columns([head, *rows]))
+    lengths = [unit["length"], unit["velocity"], unit["acceleration"]]
+    names = ["position", "velocity", "acceleration"]
+    heads = [f"{name}, {of}" for name, of in zip(names, lengths, strict=True)]
+    if data["slides"]:
+        head = ["slide", *heads]
+        if any("coriolis" in slide for slide in data["slides"].values()):
+            head.append(f"coriolis, {unit['acceleration']}")
+        rows = [
+            [f"{name} {motion.mechanism.slides[name]}", *(_number(x) for x in slide.values())]
+            for name, slide in data["slides"].items()
+        ]
+        blocks.append(_columns([head, *rows]))
+    rows = [
+        [letter, *(_number(part) for pair in point.values() for part in pair)]
+        for letter, point in data["points"].items()
+    ]
+    head = ["point", "x", lengths[0], "v_x", lengths[1], "a_x", lengths[2]]
+    head[2::2] = [f"{axis}, {of}" for axis, of in zip(("y", "v_y", "a_y"), lengths, strict=True)]
+    blocks.append(_columns([head, *rows]))
+    return "\n\n".join(blocks)
+
+
+def _inputs(data: dict[str, Any]) -> str:
+    unit = data["units"] | {"position": data["units"]["length"]}
+    given = [f"{name} {_number(value)} {unit[name]}" for name, value in data["input"].items()]
+    if data["assembly"]:
+        given.append(data["assembly"])
+    return ", ".join(given)
+
+
+def _number(value: Any) -> str:
+    return f"{value:.12g}" if isinstance(value, float) else str(value)
+
+
+def _columns(rows: list[list[str]]) -> str:
+    count = max(len(row) for row in rows)
+    padded = [row + [""] * (count - len(row)) for row in rows]
+    widths = [max(len(row[i]) for row in padded) for i in range(count)]
+    lines = [
+        "  ".join(
+            cell.ljust(width) if i == 0 else cell.rjust(width)
+            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
+        ).rstrip()
+        for row in padded
+    ]
+    return "\n".join(lines)

@@ -1,0 +1,34 @@
+"""The double slider: a link between two guides, driven by one of its sliders."""
+
+from dataclasses import dataclass
+
+from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, length_of
+from vad.mechanisms.mechanism import Mechanism, angle, length
+
+
+@dataclass(frozen=True)
+class DoubleSlider(Mechanism):
+    """Slider A is pushed along its guide and moves B along its own through the link AB.
+
+    Both guides pass through O.  Open: B at the greater distance along its guide.
+    """
+
+    name = "double-slider"
+    title = "Double slider"
+    points = "OAB"
+    links = {"link": "AB"}
+    slides = {"slider_a": "A", "slider_b": "B"}
+    inputs = {"position": 500.0, "velocity": 2000.0, "acceleration": 1000.0}
+    two_assemblies = True
+
+    link: float = length(1000.0, "length of AB")
+    guide_a: float = angle(0.0, "direction of A's guide", keyword=False)
+    guide_b: float = angle(90.0, "direction of B's guide", keyword=False)
+
+    def linkage(self) -> Linkage:
+        """OA + AB = OB."""
+        loop = Loop(
+            first=(Slide("OA", "slider_a", self.guide_a), Bar("AB", "link", self.link)),
+            second=(Slide("OB", "slider_b", self.guide_b),),
+        )
+        return Linkage(length_of("slider_a"), (loop,), pivot="O")

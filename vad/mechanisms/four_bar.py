@@ -1,0 +1,35 @@
+"""The four-bar linkage: two pivots, three moving bars."""
+
+from dataclasses import dataclass
+
+from vad.kinematics.linkage import Bar, Linkage, Loop, angle_of
+from vad.mechanisms.mechanism import Mechanism, angle, length
+
+
+@dataclass(frozen=True)
+class FourBar(Mechanism):
+    """Crank AB turns the rocker DC through the coupler BC.
+
+    Open: C lies to the left of the line from B to D.
+    """
+
+    name = "four-bar"
+    title = "Four-bar"
+    points = "ABCD"
+    links = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
+    two_assemblies = True
+
+    ground: float = length(100.0, "distance AD of the pivots")
+    crank: float = length(40.0, "length of AB")
+    coupler: float = length(120.0, "length of BC")
+    rocker: float = length(80.0, "length of DC")
+    ground_angle: float = angle(0.0, "direction of AD")
+
+    def linkage(self) -> Linkage:
+        """AB + BC = AD + DC."""
+        loop = Loop(
+            first=(Bar("AB", "crank", self.crank), Bar("BC", "coupler", self.coupler)),
+            second=(Bar("DC", "rocker", self.rocker),),
+        )
+        ground = ("D", self.ground, self.ground_angle)
+        return Linkage(angle_of("crank"), (loop,), ground=ground)

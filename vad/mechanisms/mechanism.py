@@ -1,0 +1,110 @@
+"""The frame that every mechanism fills in: parameters, input, names and one linkage."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, fields
+from typing import Any, ClassVar
+
+from vad.errors import InputError, unknown
+from vad.kinematics.linkage import Linkage
+
+CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}
+ASSEMBLIES = ("open", "crossed")
+
+#: Every mechanism class by the name that the command line knows.
+MECHANISMS: dict[str, type[Mechanism]] = {}
+
+
+def length(default: float | None, help: str, *, signed: bool = False) -> Any:
+    """Declare a parameter that is a length; positive unless ``signed``, optional if None."""
+    metadata = {"quantity": "length", "help": help, "signed": signed}
+    return field(default=default, metadata=metadata)
+
+
+def angle(default: float, help: str, *, keyword: bool = True) -> Any:
+    """Declare a parameter that is an angle in degrees."""
+    metadata = {"quantity": "angle", "help": help, "signed": True}
+    return field(default=default, metadata=metadata, kw_only=keyword)
+
+
+def unit(default: str) -> Any:
+    """Declare the unit that labels lengths."""
+    metadata = {"quantity": "unit", "help": "the unit that labels lengths"}
+    return field(default=default, metadata=metadata, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """A linkage with its parameters; each kind is a subclass in a file of its own.
+
+    A subclass states its parameters as dataclass fields and, as class variables, its `name` on
+    the command line, its `title`, the `points`, `links` and `slides` that it reports (links with
+    the letters of their ends, slides with the letter that slides), its `inputs` with their
+    defaults, and whether it has `two_assemblies`.  `linkage` returns its loops.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For a parameter that is not finite, or not positive where it must be, or missing.
+    """
+
+    name: ClassVar[str]
+    title: ClassVar[str]
+    points: ClassVar[str]
+    links: ClassVar[dict[str, str]]
+    slides: ClassVar[dict[str, str]] = {}
+    inputs: ClassVar[dict[str, float]] = CRANK
+    two_assemblies: ClassVar[bool] = False
+
+    assembly: str = field(
+        default="open",
+        kw_only=True,
+        metadata={"quantity": "choice", "choices": ASSEMBLIES, "help": "which way it is assembled"},
+    )
+    length_unit: str = unit("mm")
+
+    def __init_subclass__(cls) -> None:
+        MECHANISMS[cls.name] = cls
+
+    def __post_init__(self) -> None:
+        for parameter in fields(self):
+            self._check(parameter.name, parameter.metadata)
+        self.linkage()
+
+    def _check(self, name: str, metadata: Any) -> None:
+        value = getattr(self, name)
+        if metadata["quantity"] == "choice":
+            if value not in metadata["choices"]:
+                raise unknown(name, str(value), metadata["choices"])
+        elif metadata["quantity"] == "unit":
+            if not isinstance(value, str) or not value.strip():
+                raise InputError(f"{name}: must be the name of a unit, got {value!r}")
+        elif value is not None:
+            object.__setattr__(self, name, self._number(name, value, metadata["signed"]))
+
+    @staticmethod
+    def _number(name: str, value: Any, signed: bool) -> float:
+        try:
+            number = float(value)
+        except (TypeError, ValueError, OverflowError):
+            raise InputError(f"{name}: must be one number, got {value!r}") from None
+        if not math.isfinite(number):
+            raise InputError(f"{name}: must be a finite number, got {number}")
+        if not signed and number <= 0.0:
+            hint = f"try {name} = {-number:g}" if number else None
+            raise InputError(f"{name}: must be positive, got {number:g}", hint=hint)
+        return number
+
+    def linkage(self) -> Linkage:
+        """Return the loops of this mechanism."""
+        raise TypeError(f"{type(self).__name__} declares no linkage")
+
+    def parameters(self) -> dict[str, float]:
+        """Return the numeric parameters that are set, by name."""
+        return {
+            parameter.name: getattr(self, parameter.name)
+            for parameter in fields(self)
+            if parameter.metadata["quantity"] in ("length", "angle")
+            and getattr(self, parameter.name) is not None
+        }

@@ -1,0 +1,43 @@
+"""The Whitworth quick return, with its optional ram."""
+
+from dataclasses import dataclass
+
+from vad.kinematics.linkage import Linkage
+from vad.kinematics.numbers import direction, fold
+from vad.mechanisms.mechanism import Mechanism, angle, length
+from vad.mechanisms.quick_return import quick_return
+
+
+@dataclass(frozen=True)
+class Whitworth(Mechanism):
+    """Crank AB turns the slotted lever DQ all the way round through a block at B.
+
+    The lever's arm DC points away from Q.  With a rod CE it pushes a ram E along y = ram_height,
+    the level of D unless given; open: the ram is to the right of C.
+    """
+
+    name = "whitworth"
+    title = "Whitworth quick return"
+    points = "ABDQCE"
+    links = {"crank": "AB", "lever": "DQ", "rod": "CE"}
+    slides = {"block": "B", "ram": "E"}
+
+    ground: float = length(40.0, "distance AD of the pivots")
+    crank: float = length(90.0, "length of AB")
+    arm: float = length(60.0, "length of DC")
+    rod: float | None = length(None, "length of CE, with a ram")
+    ram_height: float | None = length(None, "height of the ram's line above A", signed=True)
+    ground_angle: float = angle(-90.0, "direction of AD")
+
+    @property
+    def two_assemblies(self) -> bool:
+        """Only the ram can be assembled in two ways."""
+        return self.rod is not None
+
+    def linkage(self) -> Linkage:
+        """The tip C lies on the side away from Q."""
+        height = self.ram_height
+        if self.rod is not None and height is None:
+            height = self.ground * direction(fold(self.ground_angle)).imag
+        ground = (self.ground, self.ground_angle)
+        return quick_return(self.crank, -self.arm, ground, self.rod, height)
