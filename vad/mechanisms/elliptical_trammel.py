@@ -25,8 +25,8 @@ class EllipticalTrammel(Mechanism):
     def linkage(self) -> Linkage:
         """OA + AB = OB; the polygon begins at a, and the pole o is where its lines cross."""
         loop = Loop(
-            first=(Bar("AB", "link", self.link), -Slide("OB", "slider_b", 90.0)),
-            second=(-Slide("OA", "slider_a", 0.0),),
+            first=(-Slide("OA", "slider_a", 0.0),),
+            second=(Bar("AB", "link", self.link), -Slide("OB", "slider_b", 90.0)),
         )
         tracer = Bar("AP", "link", self.tracer)
         return Linkage(angle_of("link"), (loop,), images=(tracer,), pivot="O")

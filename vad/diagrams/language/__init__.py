@@ -1,0 +1,43 @@
+"""The sentences of the captions: one file per language, chosen by its two-letter code."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from pkgutil import iter_modules
+from typing import Any
+
+from vad.errors import unknown
+
+
+def languages() -> list[str]:
+    """Return the codes of the languages that there are."""
+    return sorted(module.name for module in iter_modules(__path__))
+
+
+class Language:
+    """The phrases of one language.
+
+    Examples
+    --------
+    >>> Language("en").say("found", letter="C")
+    'C is where they meet.'
+    """
+
+    def __init__(self, code: str) -> None:
+        if code not in languages():
+            raise unknown("language", code, languages())
+        table = import_module(f"{__name__}.{code}")
+        self.code = code
+        self._phrases: dict[str, str] = table.PHRASES
+        self._names: dict[str, str] = table.NAMES
+
+    def say(self, phrase: str, **parts: Any) -> str:
+        """Fill in one phrase; the names of links and slides are translated."""
+        for key in ("link", "slide"):
+            if key in parts:
+                parts[key] = self.name(parts[key])
+        return self._phrases[phrase].format(**parts)
+
+    def name(self, name: str) -> str:
+        """Return the name of a link, slide or parameter in this language."""
+        return self._names.get(name, name.replace("_", " "))
