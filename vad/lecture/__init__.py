@@ -1,0 +1,1 @@
+"""When each stroke is drawn: timing, easing and the state at a moment."""

@@ -1,0 +1,131 @@
+"""Laying a sheet out in time: how long each stroke grows, and how long it rests.
+
+In comes a sheet, out goes a `Lesson` in whole frames.
+"""
+
+from __future__ import annotations
+
+import math
+
+from vad.diagrams.strokes import Arc, Arrow, Line, Panel, Sheet, Stroke
+from vad.errors import UsageError
+from vad.lecture.lesson import Lesson, Step
+
+GROWTH = {
+    "fixed": 0.20,
+    "guide": 0.35,
+    "pole": 0.20,
+    "angle": 0.40,
+    "known": 0.50,
+    "construction": 0.60,
+    "intersection": 0.15,
+    "result": 0.50,
+}
+SHORT = 0.7  # of the time for a vector under a quarter of the panel's longest
+REST = 0.12
+REST_PER_WORD = 0.028
+OPENING = 0.4
+CLOSING = 1.5
+
+FPS = (1.0, 240.0)
+SMALLEST = (320, 240)
+LARGEST = (7680, 4320)
+
+
+def animate(
+    sheet: Sheet,
+    fps: float = 30,
+    size: tuple[int, int] = (1280, 720),
+    speed: float = 1.0,
+    style: str = "paper",
+) -> Lesson:
+    """Return the lesson in which ``sheet`` is drawn stroke by stroke.
+
+    Parameters
+    ----------
+    sheet
+        What is drawn.
+    fps
+        Frames per second, 1 to 240.
+    size
+        Width and height in pixels, 320×240 to 7680×4320.
+    speed
+        Divides all times: 2 is twice as fast.
+    style
+        The name of a style.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If a value is out of its range.
+    """
+    _check(fps, size, speed)
+
+    def count(seconds: float) -> int:
+        return max(1, round(seconds / speed * fps))
+
+    steps: list[Step] = []
+    clock = 0.0
+    for panel in sheet.panels:
+        longest = max((_length(stroke) for stroke in panel.strokes), default=0.0)
+        for index, stroke in enumerate(panel.strokes):
+            grow, hold = growth(stroke, longest), rest(stroke)
+            # Whole frames are counted from the start, so that roundings do not add up.
+            first = round(clock / speed * fps)
+            grown = round((clock + grow) / speed * fps)
+            clock += grow + hold
+            last = round(clock / speed * fps)
+            steps.append(_step(panel, index, first, grown, last))
+    return Lesson(
+        sheet, tuple(steps), count(OPENING), count(CLOSING), fps, (size[0], size[1]), style
+    )
+
+
+def _step(panel: Panel, index: int, first: int, grown: int, last: int) -> Step:
+    return Step(panel, index, grow=max(grown - first, 0), hold=max(last - grown, 0))
+
+
+def growth(stroke: Stroke, longest: float) -> float:
+    """Return how many seconds a stroke takes to draw; a short vector takes less."""
+    seconds = GROWTH[stroke.kind]
+    short = isinstance(stroke.shape, Arrow) and _length(stroke) < 0.25 * longest
+    return seconds * (SHORT if short else 1.0)
+
+
+def rest(stroke: Stroke) -> float:
+    """Return how many seconds a stroke rests: the longer its caption, the longer."""
+    return REST + REST_PER_WORD * len(stroke.caption.split())
+
+
+def _length(stroke: Stroke) -> float:
+    shape = stroke.shape
+    if isinstance(shape, Arrow):
+        return abs(shape.end - shape.start)
+    if isinstance(shape, Line):
+        return abs(shape.until - shape.through)
+    if isinstance(shape, Arc):
+        return abs(math.radians(shape.sweep)) * shape.radius
+    return 0.0
+
+
+def _check(fps: float, size: tuple[int, int], speed: float) -> None:
+    if not FPS[0] <= fps <= FPS[1]:
+        raise UsageError(
+            f"fps: must be between {FPS[0]:g} and {FPS[1]:g}, got {fps:g}", hint="try --fps 30"
+        )
+    if not 0.01 <= speed <= 1000 or math.isnan(speed):
+        raise UsageError(
+            f"speed: must be between 0.01 and 1000, got {speed:g}", hint="try --speed 1"
+        )
+    if len(size) != 2 or any(side != int(side) for side in size):
+        raise UsageError(
+            f"size: must be a width and a height in pixels, got {size}", hint="try 1280x720"
+        )
+    if not all(
+        low <= side <= high for low, side, high in zip(SMALLEST, size, LARGEST, strict=True)
+    ):
+        raise UsageError(
+            f"size: must be between {SMALLEST[0]}x{SMALLEST[1]} and "
+            f"{LARGEST[0]}x{LARGEST[1]}, got {size[0]}x{size[1]}",
+            hint="try 1280x720",
+        )

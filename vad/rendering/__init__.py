@@ -1,0 +1,1 @@
+"""How it looks: the page, the labels and the board that paints strokes."""

@@ -1,0 +1,218 @@
+"""The board: a sheet on a page in a style, as marks for any moment.
+
+In come a sheet, a size and a style; out go regions of the page, each with its marks, and the
+strokes that grow.  Everything is placed once, for the finished sheet; nothing moves later.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from dataclasses import dataclass
+
+from vad.diagrams.strokes import Panel, PanelName, Sheet, Stroke
+from vad.lecture.moment import Moment
+from vad.rendering.art import Level, Look, PanelArt
+from vad.rendering.equation import Foot, compose, foot_marks
+from vad.rendering.header import caption_lines, caption_marks, head_marks, title_marks
+from vad.rendering.marks import Mark
+from vad.rendering.mechanism import draw_mechanism
+from vad.rendering.page import GUTTER, GUTTER_TWO, MARGIN, Page, Rect, lay_out
+from vad.rendering.polygon import draw_polygon
+from vad.rendering.style import load_style
+from vad.rendering.table import State, Table
+
+
+@dataclass(frozen=True, slots=True)
+class Layer:
+    """One region of the page at a moment.
+
+    Marks ``over`` lie above what is growing in the region, ``under`` beneath it.  Two layers of
+    a region with the same ``key`` look the same.
+    """
+
+    region: str
+    area: Rect
+    key: Hashable
+    under: list[Mark]
+    over: list[Mark]
+
+
+class Board:
+    """A sheet laid out on a page.
+
+    Parameters
+    ----------
+    sheet
+        What is drawn.
+    size
+        Width and height in pixels.
+    style
+        The name of a style.
+    lesson
+        True where captions need room.
+    """
+
+    def __init__(
+        self, sheet: Sheet, size: tuple[int, int], style: str = "paper", lesson: bool = False
+    ) -> None:
+        self.sheet = sheet
+        self.style = load_style(style)
+        unit = min(float(size[1]), 0.75 * size[0])
+        self.look = Look.of(sheet, self.style, unit)
+        room = size[0] - 2 * MARGIN * unit
+        lines = caption_lines(sheet, room, unit) if lesson else 0
+        # A first layout tells the panels' width, the second knows how many lines they need.
+        first = lay_out(size, {panel.name: 1 for panel in sheet.panels}, len(sheet.rows), lines)
+        self.feet: dict[PanelName, Foot] = {
+            panel.name: compose(panel, first.panels[panel.name].drawing.width, unit)
+            for panel in sheet.panels
+        }
+        self.page: Page = lay_out(
+            size,
+            {name: len(foot.lines) for name, foot in self.feet.items()},
+            len(sheet.rows),
+            lines,
+        )
+        self.table = Table(sheet, self.page, self.look)
+        self.arts: dict[PanelName, PanelArt] = {
+            panel.name: self._draw(panel) for panel in sheet.panels
+        }
+
+    def _draw(self, panel: Panel) -> PanelArt:
+        drawing = self.page.panels[panel.name].drawing
+        if panel.name == "position":
+            return draw_mechanism(panel, drawing, self.look, self._sense())
+        return draw_polygon(panel, drawing, self.look)
+
+    def _sense(self) -> float:
+        """Return the given ω of the driven link, 0 where there is none."""
+        for row in self.sheet.rows:
+            for cell in row.cells.get("velocity", ()):
+                if cell.given and cell.symbol.startswith("ω"):
+                    return cell.value
+        return 0.0
+
+    def finished(self) -> Moment:
+        """Return the state in which all strokes are done."""
+        return Moment(tuple(len(panel.strokes) for panel in self.sheet.panels))
+
+    def stroke(self, moment: Moment) -> Stroke | None:
+        """Return the stroke of the current step."""
+        if moment.panel is None:
+            return None
+        return self.sheet.panels[moment.panel].strokes[moment.stroke]
+
+    def background(self) -> list[Mark]:
+        """Return what never changes: the title line."""
+        return title_marks(self.sheet, self.page, self.look)
+
+    def growing(self, moment: Moment) -> list[Mark]:
+        """Return the marks of the growing stroke, none where nothing grows."""
+        if moment.panel is None or moment.grown is None:
+            return []
+        art = self.arts[self.sheet.panels[moment.panel].name]
+        return art.growths[moment.stroke].draw(moment.grown)
+
+    def layers(self, moment: Moment) -> list[Layer]:
+        """Return the regions of the page; the one in which a stroke grows comes last."""
+        layers: list[Layer] = []
+        for index, panel in enumerate(self.sheet.panels):
+            done, begun = moment.done[index], moment.done[index] > 0 or moment.panel == index
+            layers.append(self._head(panel, begun))
+            layers.append(self._foot(panel, done, begun))
+        layers += [self._results(moment), self._caption(moment)]
+        for index, panel in enumerate(self.sheet.panels):
+            if index != moment.panel:
+                layers.append(self._panel(index, panel, moment))
+        if moment.panel is not None:
+            layers.append(self._panel(moment.panel, self.sheet.panels[moment.panel], moment))
+        return layers
+
+    def _span(self, panel: Panel) -> tuple[float, float]:
+        """Return left and right of a panel's region: its column and half the gutters."""
+        drawing = self.page.panels[panel.name].drawing
+        half = (GUTTER if self.page.columns else GUTTER_TWO) / 2 * self.look.unit
+        return drawing.left - half, drawing.right + half
+
+    def _head(self, panel: Panel, begun: bool) -> Layer:
+        place, (left, right) = self.page.panels[panel.name], self._span(panel)
+        area = Rect(left, place.drawing.top, right, place.rule + 0.006 * self.look.unit)
+        art = self.arts[panel.name]
+        marks = head_marks(panel, place, art.scale, begun, self.sheet.language, self.look)
+        return Layer(panel.name + " head", area, begun, marks, [])
+
+    def _foot(self, panel: Panel, done: int, begun: bool) -> Layer:
+        place, (left, right) = self.page.panels[panel.name], self._span(panel)
+        low = min(place.equations) - 0.012 * self.look.unit
+        area = Rect(left, low, right, place.drawing.bottom)
+        middle = place.drawing.centre.real
+        marks = (
+            foot_marks(self.feet[panel.name], place.equations, middle, done, self.look)
+            if begun
+            else []
+        )
+        return Layer(panel.name + " foot", area, (done, begun), marks, [])
+
+    def _results(self, moment: Moment) -> Layer:
+        names = [panel.name for panel in self.sheet.panels]
+        measured: dict[tuple[str, str], State] = {}
+        for panel, done in zip(self.sheet.panels, moment.done, strict=True):
+            for index, stroke in enumerate(panel.strokes[:done]):
+                for key in stroke.reveals:
+                    current = moment.panel is not None and moment.grown is None
+                    new = (
+                        current
+                        and index == moment.stroke
+                        and panel.name == names[moment.panel or 0]
+                    )
+                    measured[key, panel.name] = "new" if new else "measured"
+        given = {
+            (row.key, name)
+            for row in self.sheet.rows
+            for name, cells in row.cells.items()
+            if any(cell.given for cell in cells)
+        }
+
+        def state(key: str, name: PanelName) -> State:
+            return "given" if (key, name) in given else measured.get((key, name), "hidden")
+
+        page, unit = self.page, self.look.unit
+        if page.results:
+            area = page.results
+            area = Rect(
+                area.left - 1.0,
+                area.bottom - 0.012 * unit,
+                area.right + 1.0,
+                area.top - 0.006 * unit,
+            )
+        else:
+            low = page.rows[-1] - 0.012 * unit if page.rows else page.hairline
+            area = Rect(page.left - 1, low, page.right + 1, page.hairline + 2)
+        key = tuple(sorted(measured.items()))
+        return Layer("results", area, key, self.table.marks(state), [])
+
+    def _caption(self, moment: Moment) -> Layer:
+        page, unit = self.page, self.look.unit
+        top = (page.captions[0] + 0.038 * unit) if page.captions else 0.0
+        area = Rect(0.0, 0.0, float(page.width), top)
+        stroke = self.stroke(moment)
+        if not page.captions or stroke is None or moment.panel is None:
+            return Layer("caption", area, None, [], [])
+        panel = self.sheet.panels[moment.panel]
+        marks = caption_marks(self.sheet, panel, moment.stroke, page, self.look)
+        return Layer("caption", area, (moment.panel, moment.stroke), marks, [])
+
+    def _panel(self, index: int, panel: Panel, moment: Moment) -> Layer:
+        (left, right), drawing = self._span(panel), self.page.panels[panel.name].drawing
+        area = Rect(left, drawing.bottom, right, drawing.top)
+        growing = moment.grown is not None
+        level, lit = Level.LABEL, None
+        art = self.arts[panel.name]
+        if growing and moment.panel == index:
+            level = art.growths[moment.stroke].level
+        elif growing and moment.panel is not None:
+            lit = self.sheet.panels[moment.panel].strokes[moment.stroke].link
+            lit = lit if lit in art.glow else None
+        under, over = art.split(moment.done[index], level, lit)
+        key = (moment.done[index], lit, growing and moment.panel == index)
+        return Layer(panel.name, area, key, under, over)

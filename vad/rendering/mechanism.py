@@ -1,0 +1,233 @@
+"""The position panel: the mechanism as a skeleton of bars, joints, pivots, blocks and guides.
+
+In come a panel's strokes and its place, out goes a `PanelArt`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from vad.diagrams.strokes import Arc, Arrow, Block, Dot, Guide, Line, Panel, Stroke
+from vad.rendering import parts, vectors
+from vad.rendering.art import Growth, Level, Look, PanelArt
+from vad.rendering.labels import Obstacles
+from vad.rendering.marks import Mark, Pen, arc, polygon
+from vad.rendering.page import Rect, fill
+from vad.rendering.polygon import corners
+from vad.rendering.rotation import add_angle, add_sense, angle_radius
+from vad.rendering.supports import add_axes, add_pivots, guide_rail
+from vad.rendering.tools import compass, set_square, square_side, tip_dot
+from vad.rendering.vertices import Vertex, find_vertices, label_vertices
+
+NEAR = (0.014, 0.020, 0.028, 0.036)
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """What the drawing functions of this panel share."""
+
+    art: PanelArt
+    panel: Panel
+    drawing: Rect
+    look: Look
+    vertices: list[Vertex]
+    obstacles: Obstacles
+
+
+def draw_mechanism(panel: Panel, drawing: Rect, look: Look, sense: float) -> PanelArt:
+    """Return the art of the position panel; ``sense`` is the sign of the driven link's ω."""
+    art = PanelArt(fill(corners(panel), drawing, look.unit, position=True))
+    vertices = find_vertices(panel, art.scale, look.unit)
+    scene = Scene(art, panel, drawing, look, vertices, Obstacles(drawing))
+    carriers = {s.shape.on for s in panel.strokes if isinstance(s.shape, Block)}
+    for index, stroke in enumerate(panel.strokes):
+        _add_stroke(scene, stroke, index, carriers)
+    for vertex in vertices:
+        art.add(Level.DOT, min(vertex.since), [parts.joint(look, vertex.at)])
+        scene.obstacles.disc(vertex.at, (parts.JOINT + parts.JOINT_RIM / 2) * look.unit)
+    add_axes(art, panel, vertices, scene.obstacles, look)
+    for stroke in panel.strokes:
+        if stroke.kind == "angle" and isinstance(stroke.shape, Arc):
+            _block_arc(scene, stroke.shape)
+    add_pivots(art, panel, vertices, scene.obstacles, look)
+    radius = (parts.JOINT + parts.JOINT_RIM / 2) * look.unit
+    label_vertices(art, vertices, scene.obstacles, look, radius, NEAR)
+    for index, stroke in enumerate(panel.strokes):
+        if stroke.kind == "angle" and isinstance(stroke.shape, Arc):
+            add_angle(art, stroke, stroke.shape, index, scene.obstacles, look)
+            add_sense(art, panel, stroke.shape, sense, scene.obstacles, look)
+    art.growths += [_growth(scene, stroke, carriers) for stroke in panel.strokes]
+    return art
+
+
+def _block_arc(scene: Scene, shape: Arc) -> None:
+    from vad.rendering.rotation import arc_line
+
+    radius = angle_radius(scene.art, shape, scene.look)
+    points = arc_line(scene.art.scale(shape.centre), radius, shape.start, shape.sweep)
+    scene.obstacles.line(points, 0.0012 * scene.look.unit)
+
+
+def _bar(scene: Scene, stroke: Stroke, shape: Arrow, grown: float = 1.0) -> list[Mark]:
+    look = scene.look
+    start, end = scene.art.scale(shape.start), scene.art.scale(shape.end)
+    tip = start + grown * (end - start)
+    if abs(tip - start) < 0.25:
+        return []
+    ink, line = look.ink(stroke.link), look.line(stroke.link)
+    return vectors.along(
+        look.style, line, ink, vectors.BAR * look.unit, start, tip, "round"
+    )
+
+
+def _add_stroke(
+    scene: Scene, stroke: Stroke, index: int, carriers: set[str | None]
+) -> None:
+    art, look, shape = scene.art, scene.look, stroke.shape
+    ink = look.ink(stroke.link)
+    if isinstance(shape, Arrow):
+        level = Level.CARRIER if stroke.link in carriers else Level.STROKE
+        art.add(level, index + 1, _bar(scene, stroke, shape))
+        start, end = art.scale(shape.start), art.scale(shape.end)
+        width = vectors.BAR * look.unit * look.line(stroke.link).weight
+        scene.obstacles.line([start, end], width / 2)
+        glow = art.glow.setdefault(stroke.link or "", [])
+        glow.append(vectors.underlay(ink, vectors.BAR * look.unit, start, end))
+    elif isinstance(shape, Block):
+        at, on_lever = art.scale(shape.at), shape.on is not None
+        art.add(Level.BLOCK, index + 1, parts.block(look, at, shape.direction, on_lever, ink))
+        outline = parts.block_corners(look, at, shape.direction, on_lever)
+        rim = parts.BLOCK_RIM * look.unit
+        scene.obstacles.line([*outline, outline[0], outline[2]], rim / 2)
+        scene.obstacles.line([outline[1], outline[3]], rim / 2)
+        pen = Pen(ink, vectors.UNDERLAY * rim * 1.3, (), "butt", "round")
+        art.glow.setdefault(stroke.link or "", []).append(
+            polygon(outline, None, pen, vectors.UNDERLAY_ALPHA)
+        )
+    elif isinstance(shape, Guide):
+        start, end, away = guide_rail(scene.art, scene.panel, shape, scene.drawing, look)
+        art.add(Level.GROUND, index + 1, parts.rail(look, start, end, away))
+        if away:
+            thick = 0.5 * parts.TICK * look.unit * 0.72
+            scene.obstacles.line([start + away * thick, end + away * thick], thick)
+        else:
+            scene.obstacles.line([start, end], 1.0)
+    elif isinstance(shape, (Arc, Line)) and stroke.kind == "construction":
+        last = len(scene.panel.strokes)
+        art.add(Level.CONSTRUCTION, index + 1, _trace(scene, stroke, 1.0), last)
+
+
+def _trace(scene: Scene, stroke: Stroke, grown: float) -> list[Mark]:
+    """Return a construction of the position panel: a compass arc or a line."""
+    look, shape, scale = scene.look, stroke.shape, scene.art.scale
+    width = vectors.LIVE * look.unit
+    ink = look.ink(stroke.link)
+    if isinstance(shape, Arc):
+        pen = Pen(ink, width * 0.75, tuple(part * width for part in vectors.LIVE_DASH))
+        start, sweep = _visible(scene, shape)
+        radius = shape.radius * scale.factor
+        return [arc(scale(shape.centre), radius, start, sweep * max(grown, 0.01), pen)]
+    if isinstance(shape, Line):
+        start_at = scale(shape.through)
+        end = _end(scene, shape)
+        return [
+            vectors.construction(
+                ink, start_at, start_at + grown * (end - start_at), look.unit, done=False
+            )
+        ]
+    return []
+
+
+def _visible(scene: Scene, shape: Arc) -> tuple[float, float]:
+    """Return start and sweep of the part of a compass arc that lies in the panel."""
+    from vad.rendering.rotation import visible_part
+
+    scale = scene.art.scale
+    radius = shape.radius * scale.factor
+    return visible_part(scale(shape.centre), radius, shape, scene.drawing, scene.look.unit)
+
+
+def _end(scene: Scene, shape: Line) -> complex:
+    scale = scene.art.scale
+    return vectors.construction_end(
+        scale(shape.through),
+        shape.direction,
+        scale(shape.until),
+        scene.drawing,
+        scene.look.unit,
+    )
+
+
+def _growth(scene: Scene, stroke: Stroke, carriers: set[str | None]) -> Growth:
+    look, shape, scale = scene.look, stroke.shape, scene.art.scale
+    ink = look.ink(stroke.link)
+    if isinstance(shape, Arrow):
+        bar = shape
+        light = vectors.BAR * look.unit
+
+        def draw_bar(grown: float) -> list[Mark]:
+            start = scale(bar.start)
+            tip = start + grown * (scale(bar.end) - start)
+            return [vectors.underlay(ink, light, start, tip), *_bar(scene, stroke, bar, grown)]
+
+        return Growth(Level.CARRIER if stroke.link in carriers else Level.STROKE, draw_bar)
+    if isinstance(shape, Block):
+        at, way, on_lever = scale(shape.at), shape.direction, shape.on is not None
+        return Growth(
+            Level.BLOCK, lambda grown: parts.block(look, at, way, on_lever, ink, grown)
+        )
+    if isinstance(shape, Guide):
+        ends = guide_rail(scene.art, scene.panel, shape, scene.drawing, look)
+        return Growth(Level.GROUND, lambda grown: parts.rail(look, *ends, grown))
+    if isinstance(shape, Dot):
+        spot = scale(shape.at)
+        return Growth(Level.DOT, lambda grown: [parts.joint(look, spot, max(grown, 0.05))])
+    if stroke.kind == "angle" and isinstance(shape, Arc):
+        centre, radius = scale(shape.centre), angle_radius(scene.art, shape, look)
+        start, sweep = shape.start, shape.sweep
+        pen = Pen(look.style.grey, 0.0024 * look.unit)
+        return Growth(
+            Level.CONSTRUCTION,
+            lambda grown: [arc(centre, radius, start, sweep * max(grown, 0.01), pen)],
+        )
+    return Growth(Level.CONSTRUCTION, _tracing(scene, stroke))
+
+
+def _tracing(scene: Scene, stroke: Stroke) -> Callable[[float], list[Mark]]:
+    """Return how a construction of this panel grows, with the tool that draws it."""
+    import cmath
+    import math
+
+    look, shape, scale = scene.look, stroke.shape, scene.art.scale
+    ink = look.ink(stroke.link)
+    if isinstance(shape, Arc):
+        start, sweep = _visible(scene, shape)
+        centre, radius = scale(shape.centre), shape.radius * scale.factor
+
+        def draw_arc(grown: float) -> list[Mark]:
+            tip = centre + cmath.rect(radius, math.radians(start + grown * sweep))
+            return [
+                *_trace(scene, stroke, grown),
+                *compass(look, centre, tip),
+                tip_dot(look, ink, tip),
+            ]
+
+        return draw_arc
+    if not isinstance(shape, Line):
+        return lambda grown: []
+    line = shape
+    foot, end = scale(line.through), _end(scene, line)
+    points = [vertex.at for vertex in scene.vertices]
+    side = square_side(look, foot, end, line.direction, points, scene.drawing)
+
+    def draw_line(grown: float) -> list[Mark]:
+        tip = foot + grown * (end - foot)
+        return [
+            *set_square(look, tip, line.direction, side),
+            vectors.underlay(ink, vectors.LIVE * look.unit, foot, tip),
+            *_trace(scene, stroke, grown),
+            tip_dot(look, ink, tip),
+        ]
+
+    return draw_line

@@ -1,0 +1,257 @@
+"""Layout of the page: where title, panels, equations, results and caption go.
+
+In come the frame's size and the counts that need room, out go rectangles and baselines in
+pixels (y up).  All sizes are fractions of `Page.unit`, the frame's height (less on a tall page).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from vad.diagrams.strokes import PanelName
+
+MARGIN = 0.05
+GUTTER = 0.045
+GUTTER_TWO = 0.05
+NARROWEST_COLUMN = 0.436  # three columns from W/H = 1.5 on
+ROW_PITCH = 0.040
+ROW_PITCH_TWO = 0.050
+EQUATION_PITCH = 0.043
+CAPTION_PITCH = 0.046
+SIDE_PADDING = 0.075
+TOP_PADDING = 0.055
+BOTTOM_PADDING = 0.060
+BOTTOM_PADDING_POSITION = 0.090
+LONGEST_BAR = 0.12
+
+
+@dataclass(frozen=True, slots=True)
+class Rect:
+    """A rectangle in pixels, y up."""
+
+    left: float
+    bottom: float
+    right: float
+    top: float
+
+    @property
+    def width(self) -> float:
+        """Right less left."""
+        return self.right - self.left
+
+    @property
+    def height(self) -> float:
+        """Top less bottom."""
+        return self.top - self.bottom
+
+    @property
+    def centre(self) -> complex:
+        """The middle."""
+        return complex((self.left + self.right) / 2, (self.bottom + self.top) / 2)
+
+    def holds(self, point: complex, slack: float = 0.0) -> bool:
+        """Tell whether ``point`` lies inside, or outside by at most ``slack``."""
+        return (
+            self.left - slack <= point.real <= self.right + slack
+            and self.bottom - slack <= point.imag <= self.top + slack
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class PanelPlace:
+    """Where one panel stands: its rule and title, its drawing, its equation lines."""
+
+    rule: float
+    title: float
+    drawing: Rect
+    equations: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Page:
+    """Where everything stands.
+
+    Attributes
+    ----------
+    unit
+        What sizes are fractions of: the frame's height.
+    columns
+        True for side-by-side panels with the results beneath, False for two by two.
+    rows
+        Baselines of the results rows (columns only).
+    hairline
+        Height of the rule above them (columns only).
+    results
+        The quarter that holds the results table (two by two only).
+    captions
+        Baselines of the caption's lines, none in a still.
+    """
+
+    width: int
+    height: int
+    unit: float
+    columns: bool
+    title: float
+    panels: dict[PanelName, PanelPlace]
+    rows: tuple[float, ...]
+    hairline: float
+    results: Rect | None
+    captions: tuple[float, ...]
+
+    @property
+    def left(self) -> float:
+        """The left margin's edge."""
+        return MARGIN * self.unit
+
+    @property
+    def right(self) -> float:
+        """The right margin's edge."""
+        return self.width - MARGIN * self.unit
+
+
+def lay_out(
+    size: tuple[int, int],
+    equations: dict[PanelName, int],
+    rows: int,
+    caption_lines: int,
+) -> Page:
+    """Return the page for the panels named in ``equations`` (their numbers of foot lines)."""
+    unit = min(float(size[1]), 0.75 * size[0])
+    room = (size[0] - 2 * MARGIN * unit - (len(equations) - 1) * GUTTER * unit) / len(equations)
+    if room >= NARROWEST_COLUMN * unit:
+        return _side_by_side(size, unit, room, equations, rows, caption_lines)
+    return _two_by_two(size, unit, equations, caption_lines)
+
+
+def _captions(unit: float, lines: int) -> tuple[float, ...]:
+    return tuple((0.036 + CAPTION_PITCH * (lines - 1 - i)) * unit for i in range(lines))
+
+
+def _foot(lowest: float, lines: int, unit: float) -> tuple[float, ...]:
+    return tuple(lowest + EQUATION_PITCH * unit * (lines - 1 - i) for i in range(lines))
+
+
+def _drawing(
+    left: float, right: float, title: float, foot: Sequence[float], unit: float
+) -> Rect:
+    return Rect(left, max(foot) + 0.028 * unit, right, title - 0.015 * unit)
+
+
+def _side_by_side(
+    size: tuple[int, int],
+    unit: float,
+    room: float,
+    equations: dict[PanelName, int],
+    rows: int,
+    caption_lines: int,
+) -> Page:
+    height = size[1]
+    last = (0.051 if not caption_lines else 0.111 + CAPTION_PITCH * (caption_lines - 1)) * unit
+    baselines = tuple(last + ROW_PITCH * unit * (rows - 1 - i) for i in range(rows))
+    hairline = baselines[0] + 0.034 * unit
+    rule, title = height - 0.115 * unit, height - 0.155 * unit
+    panels: dict[PanelName, PanelPlace] = {}
+    for index, (name, lines) in enumerate(equations.items()):
+        left = MARGIN * unit + index * (room + GUTTER * unit)
+        foot = _foot(hairline + 0.030 * unit, max(lines, 1), unit)
+        drawing = _drawing(left, left + room, title, foot, unit)
+        panels[name] = PanelPlace(rule, title, drawing, foot)
+    return Page(
+        *size,
+        unit=unit,
+        columns=True,
+        title=height - 0.075 * unit,
+        panels=panels,
+        rows=baselines,
+        hairline=hairline,
+        results=None,
+        captions=_captions(unit, caption_lines),
+    )
+
+
+def _two_by_two(
+    size: tuple[int, int],
+    unit: float,
+    equations: dict[PanelName, int],
+    caption_lines: int,
+) -> Page:
+    width, height = size
+    room = (width - 2 * MARGIN * unit - GUTTER_TWO * unit) / 2
+    floor = (0.051 if not caption_lines else 0.103 + CAPTION_PITCH * (caption_lines - 1)) * unit
+    second = height * (1 - 0.522)
+    lefts = (MARGIN * unit, MARGIN * unit + room + GUTTER_TWO * unit)
+    slots = (
+        (lefts[0], height - 0.115 * unit, second + 0.040 * unit),
+        (lefts[1], height - 0.115 * unit, second + 0.040 * unit),
+        (lefts[1], second, floor),
+    )
+    panels: dict[PanelName, PanelPlace] = {}
+    for (name, lines), (left, rule, lowest) in zip(equations.items(), slots, strict=False):
+        foot = _foot(lowest, max(lines, 1), unit)
+        title = rule - 0.040 * unit
+        drawing = _drawing(left, left + room, title, foot, unit)
+        panels[name] = PanelPlace(rule, title, drawing, foot)
+    return Page(
+        width,
+        height,
+        unit=unit,
+        columns=False,
+        title=height - 0.075 * unit,
+        panels=panels,
+        rows=(),
+        hairline=0.0,
+        results=Rect(lefts[0], floor, lefts[0] + room, second),
+        captions=_captions(unit, caption_lines),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Scale:
+    """From panel coordinates to pixels: ``origin + factor * z``."""
+
+    origin: complex
+    factor: float
+
+    def __call__(self, z: complex) -> complex:
+        """Return the pixel position of the panel's point ``z``."""
+        return self.origin + self.factor * z
+
+
+def fill(points: Iterable[complex], drawing: Rect, unit: float, position: bool) -> Scale:
+    """Return the scale at which ``points`` fill the drawing less its padding, centred."""
+    pad = BOTTOM_PADDING_POSITION if position else BOTTOM_PADDING
+    inner = Rect(
+        drawing.left + SIDE_PADDING * unit,
+        drawing.bottom + pad * unit,
+        drawing.right - SIDE_PADDING * unit,
+        drawing.top - TOP_PADDING * unit,
+    )
+    all_points = list(points) or [0j]
+    xs = [p.real for p in all_points]
+    ys = [p.imag for p in all_points]
+    wide, high = max(xs) - min(xs), max(ys) - min(ys)
+    if not wide and not high:
+        return Scale(inner.centre, 1.0)
+    factor = min(
+        inner.width / wide if wide else math.inf, inner.height / high if high else math.inf
+    )
+    middle = complex(min(xs) + wide / 2, min(ys) + high / 2)
+    return Scale(inner.centre - factor * middle, factor)
+
+
+def scale_bar(factor: float, unit: float) -> float:
+    """Return the largest 1, 2 or 5 × 10ⁿ whose bar is no longer than 0.12.
+
+    Examples
+    --------
+    >>> scale_bar(factor=1.7, unit=720.0)
+    50.0
+    """
+    most = LONGEST_BAR * unit / factor * (1 + 1e-9)
+    power = 10.0 ** math.floor(math.log10(most))
+    for step in (5.0, 2.0):
+        if step * power <= most:
+            return step * power
+    return power

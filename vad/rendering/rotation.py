@@ -1,0 +1,173 @@
+"""The driven link's angle and sense of rotation, and the parts of arcs that show.
+
+In come an arc in panel coordinates and the strokes already placed, out go marks and labels.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+from vad.diagrams.strokes import Arc, Panel, Stroke
+from vad.rendering.art import Level, Look, PanelArt, Tag
+from vad.rendering.labels import CLEARANCE, Obstacles, Placed, beside, place
+from vad.rendering.marks import Mark, Pen, arc, polygon
+from vad.rendering.page import Rect
+from vad.rendering.text import roman, symbols
+from vad.rendering.vertices import halo, text_at, text_box
+
+RADIUS = 0.088
+SHARE_OF_CRANK = 0.9
+LINE = 0.0024
+SIZE = 0.033
+SENSE_RADII = (0.062, 0.074, 0.050, 0.104, 0.120)
+SENSE_SPANS = (78.0, 60.0, 44.0)
+SENSE_LEAD = 63.0
+SENSE_HEAD = 0.018
+
+
+def angle_radius(art: PanelArt, shape: Arc, look: Look) -> float:
+    """Return the radius of the angle's arc in pixels."""
+    return min(RADIUS * look.unit, SHARE_OF_CRANK * shape.radius * art.scale.factor)
+
+
+def arc_line(centre: complex, radius: float, start: float, sweep: float) -> list[complex]:
+    """Return points along an arc, close enough for keeping clear of it."""
+    count = max(2, math.ceil(abs(sweep) / 8.0) + 1)
+    return [
+        centre + cmath.rect(radius, math.radians(start + sweep * i / (count - 1)))
+        for i in range(count)
+    ]
+
+
+def add_angle(
+    art: PanelArt, stroke: Stroke, shape: Arc, index: int, obstacles: Obstacles, look: Look
+) -> None:
+    """Add the arc of the driven link's angle and its value."""
+    centre, radius = art.scale(shape.centre), angle_radius(art, shape, look)
+    pen = Pen(look.style.grey, LINE * look.unit)
+    if abs(shape.sweep) > 1e-6:
+        mark = arc(centre, radius, shape.start, shape.sweep, pen)
+        art.add(Level.CONSTRUCTION, index + 1, [mark])
+    runs, size = roman(stroke.label), SIZE * look.unit
+    wide, high = text_box(runs, size)
+    placed = _beside_arc(centre, radius, shape, wide, high, obstacles, look)
+    art.tags.append(Tag(stroke.label, placed.box))
+    marks = text_at(runs, runs, placed.centre, size, look.style.grey, halo(look))
+    art.add(Level.LABEL, index + 1, marks)
+
+
+def _beside_arc(
+    centre: complex,
+    radius: float,
+    shape: Arc,
+    wide: float,
+    high: float,
+    obstacles: Obstacles,
+    look: Look,
+) -> Placed:
+    unit = look.unit
+    for gap in (0.009, 0.018, 0.030):
+        centres = []
+        for share in (0.45, 0.55, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85):
+            way = cmath.exp(1j * math.radians(shape.start + share * shape.sweep))
+            centres.append(beside(centre + radius * way, way, gap * unit, wide, high))
+        free = obstacles.free(centres, wide, high, CLEARANCE * unit)
+        if free.any():
+            placed = Placed(centres[int(free.argmax())], wide, high)
+            obstacles.boxes.append(placed.box)
+            return placed
+    way = cmath.exp(1j * math.radians(shape.start + 0.5 * shape.sweep))
+    return place(obstacles, centre + radius * way, way, wide, high, unit)
+
+
+def add_sense(
+    art: PanelArt, panel: Panel, shape: Arc, sense: float, obstacles: Obstacles, look: Look
+) -> None:
+    """Add the ω arrow of the driven link in a free sector about its pivot."""
+    driven = next(
+        (i for i, stroke in enumerate(panel.strokes) if stroke.kind == "known"), None
+    )
+    if driven is None or not sense:
+        return
+    link = panel.strokes[driven].link
+    ink, unit = look.ink(link), look.unit
+    runs, size = symbols("ω"), SIZE * unit
+    wide, high = text_box(runs, size)
+    centre = art.scale(shape.centre)
+    crank = shape.start + shape.sweep
+    sign = math.copysign(1.0, sense)
+    for strict in (True, False):
+        for span in SENSE_SPANS:
+            for radius in SENSE_RADII:
+                for turn in sorted(range(0, 360, 15), key=lambda t: min(t, 360 - t)):
+                    middle = crank + sign * (SENSE_LEAD + turn)
+                    line = arc_line(centre, radius * unit, middle - span / 2, span)
+                    out = cmath.exp(1j * math.radians(middle))
+                    spot = beside(centre + radius * unit * out, out, 0.010 * unit, wide, high)
+                    grow = CLEARANCE * unit
+                    if not obstacles.free([spot], wide, high, grow)[0]:
+                        continue
+                    if strict and not obstacles.free(line, 0.0, 0.0, 0.008 * unit).all():
+                        continue
+                    if not strict and radius != SENSE_RADII[0]:
+                        continue
+                    marks = sense_arrow(
+                        centre, radius * unit, middle, sign * span, ink, 0.0032 * unit, unit
+                    )
+                    marks += text_at(runs, runs, spot, size, ink, halo(look))
+                    art.add(Level.LABEL, driven + 1, marks)
+                    placed = Placed(spot, wide, high)
+                    art.tags.append(Tag("ω", placed.box))
+                    obstacles.boxes.append(placed.box)
+                    obstacles.line(line, 0.004 * unit)
+                    return
+
+
+def sense_arrow(
+    centre: complex,
+    radius: float,
+    middle: float,
+    sweep: float,
+    ink: str,
+    width: float,
+    unit: float,
+) -> list[Mark]:
+    """Return a curved arrow about ``centre``, ``sweep`` degrees with its middle at ``middle``."""
+    head = SENSE_HEAD * unit
+    turn = math.copysign(math.degrees(0.8 * head / radius), sweep)
+    start, end = middle - sweep / 2, middle + sweep / 2
+    tip = centre + cmath.rect(radius, math.radians(end))
+    root = centre + cmath.rect(radius, math.radians(end - turn / 0.8))
+    way = (tip - root) / abs(tip - root)
+    half, notch = 0.4j * head * way, root + 0.24 * head * way
+    return [
+        arc(centre, radius, start, sweep - turn, Pen(ink, width)),
+        polygon([tip, root + half, notch, root - half], fill=ink),
+    ]
+
+
+def visible_part(
+    centre: complex, radius: float, shape: Arc, drawing: Rect, unit: float
+) -> tuple[float, float]:
+    """Return start and sweep of the stretch of a compass arc that lies in the panel.
+
+    The stretch holds the point that the construction is after, or is the whole arc.
+    """
+    steps = 48
+    inside = [
+        drawing.holds(
+            centre + cmath.rect(radius, math.radians(shape.start + shape.sweep * i / steps)),
+            -0.01 * unit,
+        )
+        for i in range(steps + 1)
+    ]
+    middle = steps // 2
+    if not inside[middle]:
+        return shape.start, shape.sweep
+    first = last = middle
+    while first > 0 and inside[first - 1]:
+        first -= 1
+    while last < steps and inside[last + 1]:
+        last += 1
+    return shape.start + shape.sweep * first / steps, shape.sweep * (last - first) / steps

@@ -1,0 +1,1 @@
+"""One file per style; its name is the style's name."""

@@ -1,0 +1,165 @@
+"""What holds the mechanism: axes of reference, fixed pivots, and the rails of its guides.
+
+In come the position panel's strokes and the vertices placed, out go marks and obstacles.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+from vad.diagrams.strokes import Arc, Arrow, Block, Dot, Guide, Panel
+from vad.rendering import parts
+from vad.rendering.art import Level, Look, PanelArt
+from vad.rendering.labels import Obstacles
+from vad.rendering.page import Rect
+from vad.rendering.vertices import Vertex
+
+REFERENCE = 0.164
+WAYS = (-1j, -1 + 0j, 1 + 0j, 1j)
+
+
+def _fixed(panel: Panel) -> list[tuple[int, complex]]:
+    return [
+        (index, stroke.shape.at)
+        for index, stroke in enumerate(panel.strokes)
+        if stroke.kind == "fixed" and isinstance(stroke.shape, Dot)
+    ]
+
+
+def add_axes(
+    art: PanelArt, panel: Panel, vertices: list[Vertex], obstacles: Obstacles, look: Look
+) -> None:
+    """Add the dash-dotted ground link, and the line from which the angle is measured."""
+    fixed = _fixed(panel)
+    lines: list[tuple[int, complex, complex]] = []
+    for (_, one), (index, other) in zip(fixed[:-1], fixed[1:], strict=True):
+        lines.append((index + 1, art.scale(one), art.scale(other)))
+    for index, stroke in enumerate(panel.strokes):
+        if stroke.kind == "angle" and isinstance(stroke.shape, Arc):
+            at = art.scale(stroke.shape.centre)
+            way = cmath.exp(1j * math.radians(stroke.shape.start))
+            along = any(
+                abs(((far - near) * way.conjugate()).imag) < 1.0
+                and ((far - near) * way.conjugate()).real > 0.1 * look.unit
+                for _, near, far in lines
+                if abs(near - at) < 1.0
+            )
+            if not along:
+                lines.append((index + 1, at, at + REFERENCE * look.unit * way))
+    for since, start, end in lines:
+        art.add(Level.GROUND, since, [parts.axis(look, start, end)])
+        obstacles.line([start, end], parts.AXIS * look.unit / 2)
+        for vertex in vertices:
+            if abs(vertex.at - start) < 1.0 and abs(end - start) > 1.0:
+                vertex.ways.append((end - start) / abs(end - start))
+            elif abs(vertex.at - end) < 1.0 and abs(end - start) > 1.0:
+                vertex.ways.append((start - end) / abs(end - start))
+
+
+def add_pivots(
+    art: PanelArt, panel: Panel, vertices: list[Vertex], obstacles: Obstacles, look: Look
+) -> None:
+    """Add the fixed pivots, each pointing where it is clear of the links: down if it can be."""
+    for index, point in _fixed(panel):
+        at = art.scale(point)
+        bars = [
+            (art.scale(s.shape.end) - art.scale(s.shape.start))
+            * (1 if abs(art.scale(s.shape.start) - at) < 1.0 else -1)
+            for s in panel.strokes
+            if isinstance(s.shape, Arrow)
+            and min(abs(art.scale(s.shape.start) - at), abs(art.scale(s.shape.end) - at)) < 1.0
+        ]
+        way, size = _orientation(at, bars, obstacles, look.unit)
+        lean = 1.0
+        if size < 1.0 and bars:
+            # Where no side is clear, at least the ticks lean away from the link.
+            nearest = max(bars, key=lambda bar: (bar / abs(bar) * way.conjugate()).real)
+            lean = 1.0 if (nearest * way.conjugate()).imag > 0 else -1.0
+        art.add(Level.GROUND, index + 1, parts.pivot(look, at, way, size, lean))
+        _block(obstacles, at, way, size, look.unit)
+        for vertex in vertices:
+            if abs(vertex.at - at) < 1.0:
+                vertex.ways.append(way)
+
+
+def _footprint(way: complex, size: float, unit: float) -> tuple[complex, float, float]:
+    """Return where, from its apex, the box of a pivot's lower part lies, and its size."""
+    deep = (parts.PIVOT_HEIGHT + 0.72 * parts.TICK - 0.016) * size * unit
+    wide = 2 * (parts.PIVOT_GROUND + 0.004) * size * unit
+    centre = way * (0.016 * size * unit + deep / 2)
+    return (centre, wide, deep) if way.imag else (centre, deep, wide)
+
+
+def _orientation(
+    at: complex, bars: list[complex], obstacles: Obstacles, unit: float
+) -> tuple[complex, float]:
+    def clear(way: complex, size: float) -> bool:
+        offset, wide, high = _footprint(way, size, unit)
+        apart = all((bar / abs(bar) * way.conjugate()).real < 0.62 for bar in bars if bar)
+        return apart and bool(obstacles.free([at + offset], wide, high, 1.0)[0])
+
+    for size in (1.0, 0.75):
+        for way in WAYS if size == 1.0 else WAYS[:1]:
+            if clear(way, size):
+                return way, size
+    for way in WAYS:
+        if clear(way, 0.75):
+            return way, 0.75
+    apart = [
+        max(((bar / abs(bar) * way.conjugate()).real for bar in bars if bar), default=0.0)
+        for way in WAYS
+    ]
+    return WAYS[apart.index(min(apart))], 0.75
+
+
+def _block(obstacles: Obstacles, at: complex, way: complex, size: float, unit: float) -> None:
+    base = at + parts.PIVOT_HEIGHT * size * unit * way
+    half = parts.PIVOT_HALF_BASE * size * unit * 1j * way
+    ground = (parts.PIVOT_GROUND + 0.008) * size * unit * 1j * way
+    obstacles.line([at, base + half, base - half, at], 1.5)
+    thick = 0.36 * parts.TICK * unit
+    obstacles.line([base - ground + way * thick, base + ground + way * thick], thick)
+
+
+def guide_rail(
+    art: PanelArt, panel: Panel, shape: Guide, drawing: Rect, look: Look
+) -> tuple[complex, complex, complex | None]:
+    """Return both ends of a guide's ground line and the side to hatch.
+
+    The line lies under the block; it stays in the panel by shifting along itself.
+    """
+    unit, way = look.unit, shape.direction
+    through = art.scale(shape.through)
+    blocks = [
+        art.scale(s.shape.at)
+        for s in panel.strokes
+        if isinstance(s.shape, Block) and _on_line(art.scale(s.shape.at), through, way)
+    ]
+    middle = blocks[0] if blocks else through
+    offset = (shape.side or 0j) * (parts.BLOCK[1] / 2) * unit
+    half = parts.GUIDE_LENGTH / 2 * unit
+    low, high = _stretch(middle + offset, way, drawing)
+    first, last = -half, half
+    if last > high:
+        first, last = max(low, first - (last - high)), high
+    if first < low:
+        first, last = low, min(high, last + (low - first))
+    return middle + offset + first * way, middle + offset + last * way, shape.side
+
+
+def _on_line(point: complex, through: complex, way: complex) -> bool:
+    return abs(((point - through) * way.conjugate()).imag) < 1.0
+
+
+def _stretch(at: complex, way: complex, drawing: Rect) -> tuple[float, float]:
+    """Return how far a line through ``at`` may run back and forth inside the drawing."""
+    low, high = -math.inf, math.inf
+    for ahead, least, most, here in (
+        (way.real, drawing.left, drawing.right, at.real),
+        (way.imag, drawing.bottom, drawing.top, at.imag),
+    ):
+        if abs(ahead) > 1e-9:
+            one, two = (least - here) / ahead, (most - here) / ahead
+            low, high = max(low, min(one, two)), min(high, max(one, two))
+    return low, high

@@ -1,0 +1,195 @@
+"""The results: one row per link or slide, which is the legend too.
+
+In come the sheet's rows and what has been measured so far, out go marks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+from vad.diagrams.strokes import Cell, PanelName, Row, Sheet
+from vad.rendering.art import Look
+from vad.rendering.marks import Mark, Pen, polyline
+from vad.rendering.numbers import number, with_unit
+from vad.rendering.page import ROW_PITCH_TWO, Page
+from vad.rendering.text import Runs, bold, fitted, roman, symbols, width, write
+from vad.rendering.vectors import BAR
+from vad.rendering.words import words
+
+SIZE = 0.0335
+LEAST = 0.024
+NAME_GAP = 0.0125
+VALUES = 0.2986
+EQUALS = 0.0315
+NUMBERS = 0.0620
+GIVEN_SIZE = 0.028
+HEAD_SIZE = 0.031
+
+State = Literal["hidden", "given", "new", "measured"]
+States = Callable[[str, PanelName], State]
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """The results of one sheet on one page."""
+
+    sheet: Sheet
+    page: Page
+    look: Look
+
+    def marks(self, state: States) -> list[Mark]:
+        """Return the table with each cell shown as ``state(row, panel)`` says."""
+        return self._columns(state) if self.page.columns else self._quarter(state)
+
+    def _name(self, row: Row, left: float, baseline: float, room: float) -> list[Mark]:
+        look = self.look
+        line, unit = look.line(row.key), look.unit
+        pen_width = 0.85 * BAR * unit * line.weight
+        dash = tuple(part * pen_width for part in line.dash)
+        y = baseline + 0.0068 * unit
+        key_end = left + look.style.key * unit
+        pen = Pen(look.ink(row.key), pen_width, dash)
+        marks = [polyline([complex(left, y), complex(key_end, y)], pen)]
+        runs = roman(row.title + " ") + symbols(row.letters)
+        at = complex(key_end + NAME_GAP * unit, baseline)
+        size = fitted(runs, SIZE * unit, LEAST * unit, room - look.style.key * unit - 0.02 * unit)
+        return marks + write(runs, at, size, look.style.text)
+
+    def _ink(self, state: State) -> str:
+        return self.look.style.grey if state == "given" else self.look.style.text
+
+    def _columns(self, state: States) -> list[Mark]:
+        unit = self.look.unit
+        marks: list[Mark] = []
+        noted = False
+        for index, (name, place) in enumerate(self.page.panels.items()):
+            left, right = place.drawing.left, place.drawing.right
+            y = self.page.hairline
+            pen = Pen(self.look.style.hairline, 0.0015 * unit)
+            marks.append(polyline([complex(left, y), complex(right, y)], pen))
+            shift = VALUES * unit if index == 0 else 0.0
+            for row, baseline in zip(self.sheet.rows, self.page.rows, strict=True):
+                if index == 0:
+                    marks += self._name(row, left, baseline, shift)
+                shown = state(row.key, name)
+                cells = row.cells.get(name, ())
+                if shown == "hidden" or not cells:
+                    continue
+                marks += self._cells(cells, shown, left + shift, right, baseline)
+                last = index == len(self.page.panels) - 1
+                if shown == "given" and last and not noted:
+                    marks += self._given(right, baseline)
+                    noted = True
+        return marks
+
+    def _given(self, right: float, baseline: float) -> list[Mark]:
+        note = roman(words(self.sheet.language).given)
+        size = GIVEN_SIZE * self.look.unit
+        return write(note, complex(right, baseline), size, self.look.style.grey, "right")
+
+    def _cells(
+        self, cells: tuple[Cell, ...], state: State, left: float, right: float, baseline: float
+    ) -> list[Mark]:
+        look, unit = self.look, self.look.unit
+        size, ink = SIZE * unit, self._ink(state)
+        dress = bold if state == "new" else _same
+        first = cells[0]
+        value = dress(roman(with_unit(number(first), first.unit)))
+        extra = cells[1] if len(cells) > 1 else None
+        note: Runs = ()
+        if extra:
+            text = with_unit(number(extra), extra.unit)
+            note = dress(symbols(extra.symbol) + roman(" = " + text))
+        need = NUMBERS * unit + width(value, size) + (width(note, size) + 0.02 * unit if extra else 0)
+        shrink = min(1.0, (right - left) / need)
+        size *= shrink
+        marks = write(dress(symbols(first.symbol)), complex(left, baseline), size, ink)
+        marks += write(
+            dress(roman("=")), complex(left + EQUALS * unit * shrink, baseline), size, ink
+        )
+        marks += write(value, complex(left + NUMBERS * unit * shrink, baseline), size, ink)
+        if extra:
+            marks += write(note, complex(right, baseline), size, look.style.text, "right")
+        return marks
+
+    def _quarter(self, state: States) -> list[Mark]:
+        """Return the table of the two-by-two page: units in the heads, numbers aligned."""
+        area, look, unit = self.page.results, self.look, self.look.unit
+        assert area is not None
+        names = list(self.page.panels)
+        groups: list[list[Row]] = []
+        for row in self.sheet.rows:
+            if groups and _head(groups[-1][0], names) == _head(row, names):
+                groups[-1].append(row)
+            else:
+                groups.append([row])
+        lines = sum(len(group) + sum(_extras(r, names) for r in group) for group in groups)
+        need = 0.040 + len(groups) * 0.0535 + lines * ROW_PITCH_TWO + (len(groups) - 1) * 0.026
+        squeeze = min(1.0, area.height / (need * unit))
+        title = area.top - 0.040 * unit
+        words_ = words(self.sheet.language)
+        marks = write(
+            bold(roman(words_.results)), complex(area.left, title), 0.037 * unit, look.style.text
+        )
+        marks += self._given(area.right, title) if _any_given(self.sheet) else []
+        y = title - 0.060 * unit * squeeze
+        rights = [area.right - (len(names) - 1 - i) * 0.146 * unit for i in range(len(names))]
+        for group in groups:
+            marks += self._head(group[0], names, rights, y)
+            line = y - 0.0135 * unit
+            pen = Pen(look.style.hairline, 0.0015 * unit)
+            marks.append(polyline([complex(area.left, line), complex(area.right, line)], pen))
+            y -= 0.0535 * unit * squeeze
+            for row in group:
+                marks += self._name(row, area.left, y, rights[0] - area.left - 0.08 * unit)
+                for depth in range(1 + _extras(row, names)):
+                    for name, right in zip(names, rights, strict=True):
+                        cells = row.cells.get(name, ())
+                        shown = state(row.key, name)
+                        if shown != "hidden" and depth < len(cells):
+                            marks += self._number(cells[depth], depth, shown, right, y)
+                    y -= ROW_PITCH_TWO * unit * squeeze
+            y -= 0.026 * unit * squeeze
+        return marks
+
+    def _head(
+        self, row: Row, names: list[PanelName], rights: list[float], baseline: float
+    ) -> list[Mark]:
+        marks: list[Mark] = []
+        size = HEAD_SIZE * self.look.unit
+        for name, right in zip(names, rights, strict=True):
+            cells = row.cells.get(name, ())
+            if cells:
+                runs = symbols(cells[0].symbol) + roman(", " + cells[0].unit)
+                at = complex(right, baseline)
+                marks += write(runs, at, size, self.look.style.grey, "right")
+        return marks
+
+    def _number(
+        self, cell: Cell, depth: int, state: State, right: float, baseline: float
+    ) -> list[Mark]:
+        runs = roman(number(cell))
+        if depth:
+            runs = symbols(cell.symbol) + roman(" = ") + runs
+        if state == "new":
+            runs = bold(runs)
+        ink = self._ink(state)
+        return write(runs, complex(right, baseline), SIZE * self.look.unit, ink, "right")
+
+
+def _same(runs: Runs) -> Runs:
+    return runs
+
+
+def _head(row: Row, names: list[PanelName]) -> list[tuple[str, str]]:
+    return [(c.symbol, c.unit) for name in names for c in row.cells.get(name, ())[:1]]
+
+
+def _extras(row: Row, names: list[PanelName]) -> int:
+    return max((len(row.cells.get(name, ())) - 1 for name in names), default=0)
+
+
+def _any_given(sheet: Sheet) -> bool:
+    return any(c.given for row in sheet.rows for cells in row.cells.values() for c in cells)

@@ -1,0 +1,123 @@
+"""The lettered points of a panel, and their labels.
+
+In come strokes and a scale, out go vertices (coincident ones share a dot and a label) and,
+once they are placed, the marks of their labels.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from vad.diagrams.strokes import Arrow, Dot, Panel
+from vad.rendering.art import Level, Look, PanelArt, Tag
+from vad.rendering.labels import Obstacles, outward, place
+from vad.rendering.marks import Mark, Pen, polyline
+from vad.rendering.page import Scale
+from vad.rendering.text import Runs, outline, symbols, write
+from vad.rendering.vectors import direction_of
+
+LABEL = 0.040
+HALO = 0.009
+COINCIDENT = 0.012
+LEADER_WIDTH = 0.0018
+
+
+@dataclass
+class Vertex:
+    """A point with its letters; ``since`` holds the number of strokes at which each appears."""
+
+    at: complex
+    letters: list[str] = field(default_factory=list)
+    since: list[int] = field(default_factory=list)
+    ways: list[complex] = field(default_factory=list)
+    fixed: bool = False
+
+    @property
+    def label(self) -> str:
+        """The letters, as they are written at last."""
+        return ", ".join(self.letters)
+
+
+def find_vertices(panel: Panel, scale: Scale, unit: float) -> list[Vertex]:
+    """Return the vertices of ``panel`` in the order in which they appear."""
+    found: list[Vertex] = []
+
+    def vertex(letters: str, z: complex, since: int) -> Vertex:
+        at = scale(z)
+        near = [v for v in found if abs(v.at - at) < COINCIDENT * unit]
+        if near:
+            spot = min(near, key=lambda v: abs(v.at - at))
+        else:
+            spot = Vertex(at)
+            found.append(spot)
+        for letter in letters.split(","):
+            if letter.strip() and letter.strip() not in spot.letters:
+                spot.letters.append(letter.strip())
+                spot.since.append(since)
+        return spot
+
+    for index, stroke in enumerate(panel.strokes):
+        shape = stroke.shape
+        if isinstance(shape, Dot):
+            spot = vertex(stroke.label, shape.at, index + 1)
+            spot.fixed = spot.fixed or stroke.kind == "fixed"
+        elif isinstance(shape, Arrow):
+            tail = vertex(shape.tail, shape.start, index + 1)
+            head = vertex(shape.head, shape.end, index + 1)
+            way = direction_of(scale(shape.start), scale(shape.end))
+            tail.ways.append(way)
+            head.ways.append(-way)
+    return [spot for spot in found if spot.letters]
+
+
+def text_box(runs: Runs, size: float) -> tuple[float, float]:
+    """Return the width and height of the ink of a line of text."""
+    shape = outline(runs)
+    return (shape.right - shape.left) * size, (shape.top - shape.bottom) * size
+
+
+def text_at(
+    runs: Runs, whole: Runs, centre: complex, size: float, ink: str, halo: Pen | None
+) -> list[Mark]:
+    """Return text so placed that the ink box of ``whole`` is centred at ``centre``."""
+    shape = outline(whole)
+    middle = complex(shape.left + shape.right, shape.bottom + shape.top) / 2
+    return write(runs, centre - middle * size, size, ink, halo=halo)
+
+
+def halo(look: Look) -> Pen:
+    """Return the background pen beneath labels."""
+    return Pen(look.style.background, HALO * look.unit, (), "round", "round")
+
+
+def label_vertices(
+    art: PanelArt,
+    vertices: Sequence[Vertex],
+    obstacles: Obstacles,
+    look: Look,
+    radius: float,
+    near: Sequence[float],
+) -> None:
+    """Place the labels of all vertices, each once for all strokes, and add them to ``art``."""
+    unit, size = look.unit, LABEL * look.unit
+    for vertex in vertices:
+        whole = symbols(vertex.label)
+        wide, high = text_box(whole, size)
+        placed = place(
+            obstacles, vertex.at, outward(vertex.ways), wide, high, unit, radius, near
+        )
+        art.tags.append(Tag(vertex.label, placed.box))
+        if placed.leader:
+            pen = Pen(look.style.grey, LEADER_WIDTH * unit)
+            art.add(Level.LABEL, vertex.since[0], [polyline(placed.leader, pen)])
+        for count, since in enumerate(vertex.since, start=1):
+            until = min([s for s in vertex.since[count:] if s > since], default=None)
+            if count < len(vertex.since) and vertex.since[count] == since:
+                continue
+            runs = symbols(", ".join(vertex.letters[:count]))
+            marks = text_at(runs, whole, placed.centre, size, look.style.text, halo(look))
+            if until is None:
+                art.add(Level.LABEL, since, marks)
+            else:
+                art.add(Level.LABEL, since, marks, until)
