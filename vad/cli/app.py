@@ -1,0 +1,129 @@
+"""The command line as a whole: the card, the list and the four verbs with their options."""
+
+from __future__ import annotations
+
+import json
+
+import click
+
+from vad import __version__
+from vad.cli import actions, catalogue, values
+from vad.cli.groups import HelpfulCommand, MechanismGroup
+from vad.cli.options import named_option
+from vad.diagrams.language import languages
+from vad.diagrams.strokes import PANELS
+from vad.errors import unknown
+from vad.mechanisms import MECHANISMS
+from vad.rendering.style import style_names
+
+CARD = """\
+vad draws velocity and acceleration polygons: as numbers, as a picture, as a film.
+
+Try
+  vad solve slider-crank --angle 116.9
+  vad draw four-bar --crank "4 cm" --omega "120 rpm" -o four-bar.png
+  vad animate slider-crank -o lecture.mp4
+
+vad list names the mechanisms; vad solve NAME --help shows their dimensions."""
+
+
+class App(click.Group):
+    """The commands; a misspelt one is answered with the nearest."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Return the command that ``args`` begins with."""
+        name = args[0]
+        if name not in self.commands:
+            wrong = unknown("command", name, self.commands)
+            if name in MECHANISMS:
+                wrong.hint = f"vad solve {name}"
+            raise wrong
+        return super().resolve_command(ctx, args)
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Read the options before the command."""
+        try:
+            return super().parse_args(ctx, args)
+        except click.NoSuchOption as error:
+            raise unknown("option", error.option_name, ["--help", "--version"]) from None
+
+
+@click.group(
+    "vad",
+    cls=App,
+    invoke_without_command=True,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+@click.version_option(__version__, message="vad %(version)s")
+@click.pass_context
+def app(ctx: click.Context) -> None:
+    """Velocity and acceleration polygons of mechanisms, solved, drawn and animated."""
+    if ctx.invoked_subcommand is None:
+        click.echo(CARD)
+
+
+@app.command("list", cls=HelpfulCommand)
+@click.option("--json", "as_json", is_flag=True, help="As JSON, with every default.")
+def list_mechanisms(as_json: bool) -> None:
+    """Name the mechanisms."""
+    if as_json:
+        click.echo(json.dumps(catalogue.entries(), ensure_ascii=False, indent=1))
+    else:
+        click.echo(catalogue.table())
+
+
+_SHEET = [
+    click.Option(
+        ["--panels"],
+        callback=values.several("panel", PANELS),
+        multiple=True,
+        metavar="NAME,NAME",
+        help=f"some of {', '.join(PANELS)}  [all]",
+    ),
+    named_option("style", "style", style_names(), "how it looks  [paper]"),
+    named_option("language", "language", languages(), "of titles and captions  [en]"),
+]
+_FILM = [
+    click.Option(["--fps"], type=float, help="frames per second  [30]"),
+    click.Option(["--size"], callback=values.size(), metavar="WxH", help="in pixels  [1280x720]"),
+    click.Option(["--speed"], type=float, help="2 is twice as fast  [1]"),
+]
+
+
+def _output(files: str) -> click.Option:
+    return click.Option(["-o", "--output"], required=True, metavar="FILE", help=files)
+
+
+for verb in (
+    MechanismGroup(
+        "solve",
+        "Print the numbers of one pose.",
+        actions.solve,
+        [click.Option(["--json", "as_json"], is_flag=True, help="as JSON, with all digits")],
+    ),
+    MechanismGroup(
+        "draw",
+        "Draw the polygons of one pose.",
+        actions.draw,
+        [_output("FILE.png, FILE.svg, FILE.pdf or FILE.json"), *_SHEET],
+    ),
+    MechanismGroup(
+        "animate",
+        "Make a film that draws the polygons stroke by stroke.",
+        actions.animate,
+        [_output("FILE.mp4, FILE.gif or FOLDER/"), *_SHEET, *_FILM],
+    ),
+    MechanismGroup(
+        "sweep",
+        "Write the numbers over a turn, as a table or a plot.",
+        actions.sweep,
+        [
+            _output("FILE.csv or FILE.png"),
+            click.Option(["--steps"], type=int, help="number of poses, both ends included  [361]"),
+        ],
+        ranged=True,
+    ),
+):
+    app.add_command(verb)

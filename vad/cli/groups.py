@@ -1,0 +1,113 @@
+"""``vad VERB NAME``: in come words, out goes the command of one verb for one mechanism.
+
+The command for a mechanism is made when its name has been read, with that mechanism's options.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+import click
+
+from vad.cli.options import build, mechanism_options
+from vad.errors import UsageError, unknown
+from vad.mechanisms import MECHANISMS
+
+# Called with the mechanism, its inputs and the verb's own options.
+Action = Callable[..., None]
+
+
+class HelpfulCommand(click.Command):
+    """A command that answers a misspelt option with the nearest one."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Read the options."""
+        words = list(args)
+        try:
+            rest = super().parse_args(ctx, args)
+        except click.NoSuchOption as error:
+            # click takes -crank for -c -r …; the word as it was written is more use.
+            word = next((w for w in words if w.startswith(error.option_name)), error.option_name)
+            names = [name for option in self.get_params(ctx) for name in option.opts]
+            raise unknown("option", word.partition("=")[0], names) from None
+        return rest
+
+
+class MechanismGroup(click.Group):
+    """One verb, with a command for every mechanism.
+
+    Parameters
+    ----------
+    name, help
+        The verb and what it does.
+    action
+        What is done with the mechanism, its inputs and the values of ``options``.
+    options
+        The verb's own options.
+    ranged
+        Whether the input runs over a range instead of standing at one place.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        help: str,
+        action: Action,
+        options: Sequence[click.Option],
+        ranged: bool = False,
+    ) -> None:
+        super().__init__(name, help=help, subcommand_metavar="NAME [OPTIONS]")
+        self.action = action
+        self.options = options
+        self.ranged = ranged
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Bring NAME to the front, wherever it stands among the options."""
+        place = _first_word(args, self.options)
+        if place is None:
+            if not {"-h", "--help"}.intersection(args):
+                raise UsageError(
+                    f"{self.name} needs the name of a mechanism",
+                    hint=f"vad {self.name} slider-crank; vad list names them all",
+                )
+        else:
+            args = [args[place], *args[:place], *args[place + 1 :]]
+        return super().parse_args(ctx, args)
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Return the names of all mechanisms."""
+        return list(MECHANISMS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command:
+        """Return the command for the mechanism called ``cmd_name``."""
+        kind = MECHANISMS.get(cmd_name)
+        if kind is None:
+            raise unknown("mechanism", cmd_name, MECHANISMS)
+
+        def act(**values: Any) -> None:
+            mechanism, inputs, own = build(kind, values)
+            self.action(mechanism, inputs, **own)
+
+        return HelpfulCommand(
+            cmd_name,
+            params=[*mechanism_options(kind, self.ranged), *self.options],
+            callback=act,
+            help=kind.__doc__,
+            short_help=kind.title,
+        )
+
+
+def _first_word(args: Sequence[str], options: Iterable[click.Option]) -> int | None:
+    """Return the place of the first word that is neither an option nor an option's value."""
+    alone = {name for option in options if option.is_flag for name in option.opts}
+    alone |= {"-h", "--help"}
+    skip = False
+    for place, word in enumerate(args):
+        if skip:
+            skip = False
+        elif not word.startswith("-"):
+            return place
+        elif word == "-o" or word.startswith("--"):
+            skip = "=" not in word and word not in alone
+    return None

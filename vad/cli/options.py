@@ -1,0 +1,122 @@
+"""Options made from a mechanism's own fields: in comes its class, out come click's parameters.
+
+A value that is not given is not passed on, so that every default stands in one place only: the
+mechanism's file.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Collection, Mapping
+from typing import Any
+
+import click
+
+from vad.cli import values
+from vad.mechanisms import Mechanism
+from vad.units import scene_unit
+
+_INPUT_HELP = {
+    "angle": "angle of the driven link",
+    "omega": "its angular velocity",
+    "alpha": "its angular acceleration",
+    "position": "position of the driven slide",
+    "velocity": "its velocity",
+    "acceleration": "its acceleration",
+}
+
+
+def mechanism_options(kind: type[Mechanism], ranged: bool = False) -> list[click.Parameter]:
+    """Return the options that set a mechanism's parameters and its input.
+
+    Parameters
+    ----------
+    kind
+        The mechanism's class.
+    ranged
+        Whether the driven link or slide runs ``--from`` one place ``--to`` another instead of
+        standing at one.
+    """
+    fields = dataclasses.fields(kind)
+    numbers = [field for field in fields if field.metadata["quantity"] in ("length", "angle")]
+    others = [field for field in fields if field not in numbers]
+    unit = length_unit_of(kind)
+    place, *rates = kind.inputs
+    if ranged:
+        ends = ("0 deg", "360 deg") if place == "angle" else ("where it closes",) * 2
+        names = (["--from", "start"], ["--to", "stop"])
+        driven = [
+            _quantity_option(name, place, f"{which} {place} of the driver  [{end}]", unit)
+            for name, which, end in zip(names, ("first", "last"), ends, strict=True)
+        ]
+    else:
+        driven = [_input_option(kind, place, unit)]
+    return [
+        *(_field_option(field, unit) for field in numbers),
+        *driven,
+        *(_input_option(kind, name, unit) for name in rates),
+        *(_field_option(field, unit) for field in others),
+    ]
+
+
+def build(
+    kind: type[Mechanism], given: Mapping[str, Any]
+) -> tuple[Mechanism, dict[str, float], dict[str, Any]]:
+    """Return the mechanism and the inputs that ``given`` describes, and what else was given."""
+    names = {field.name for field in dataclasses.fields(kind)}
+    rest = {name: value for name, value in given.items() if value not in (None, ())}
+    parameters = {name: rest.pop(name) for name in list(rest) if name in names}
+    inputs = {name: rest.pop(name) for name in list(rest) if name in kind.inputs}
+    return kind(**parameters), inputs, rest
+
+
+def length_unit_of(kind: type[Mechanism]) -> str:
+    """Return the unit in which a mechanism's default lengths are."""
+    fields = {field.name: field for field in dataclasses.fields(kind)}
+    return str(fields["length_unit"].default)
+
+
+def flag(name: str) -> str:
+    """Return the option's name for a parameter's.
+
+    Examples
+    --------
+    >>> flag("ground_angle")
+    '--ground-angle'
+    """
+    return "--" + name.replace("_", "-")
+
+
+def named_option(name: str, what: str, names: Collection[str], text: str) -> click.Option:
+    """Return an option that takes one of a few names."""
+    read, metavar = values.one_of(what, names), "|".join(names)
+    return click.Option([flag(name), name], callback=read, metavar=metavar, help=text)
+
+
+def _field_option(field: dataclasses.Field[Any], unit: str) -> click.Option:
+    """Return the option that sets one field of a mechanism."""
+    name, default = field.name, field.default
+    quantity, text = field.metadata["quantity"], field.metadata["help"]
+    if quantity == "choice":
+        return named_option(name, name, field.metadata["choices"], f"{text}  [{default}]")
+    if quantity == "unit":
+        # Read before all others, because lengths are converted to it.
+        return click.Option(
+            [flag(name), name],
+            callback=values.length_unit(),
+            is_eager=True,
+            metavar="UNIT",
+            help=f"{text}  [{default}]",
+        )
+    shown = "none" if default is None else f"{default:.6g} {scene_unit(quantity, unit)}"
+    return _quantity_option([flag(name), name], quantity, f"{text}  [{shown}]", unit)
+
+
+def _input_option(kind: type[Mechanism], name: str, unit: str) -> click.Option:
+    shown = f"{kind.inputs[name]:.6g} {scene_unit(name, unit)}"
+    return _quantity_option([flag(name)], name, f"{_INPUT_HELP[name]}  [{shown}]", unit)
+
+
+def _quantity_option(names: list[str], quantity: str, text: str, unit: str) -> click.Option:
+    read = values.quantity(quantity, unit)
+    return click.Option(names, callback=read, metavar=quantity.upper(), help=text)

@@ -1,0 +1,98 @@
+"""The process around a command: signals, streams that go away, and what must not be printed."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import sys
+from types import FrameType
+
+_SIGNALS = [
+    getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
+]
+# The exit code of a program whose reader has gone away, as a shell reports it.
+_BROKEN_PIPE = 128 + 13
+
+
+class Interrupted(BaseException):
+    """The process was asked to stop; files in the making clean up as for any exception."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__(number)
+        self.exit_code = 128 + number
+
+
+def main() -> int:
+    """Run the command line of this process and return its exit code."""
+    _open_standard_streams()
+    try:
+        _raise_on_signals()
+        _quieten()
+        from vad.cli.run import run
+
+        code = run(sys.argv[1:])
+        _flush()
+        return code
+    except Interrupted as stop:
+        _say("error: interrupted")
+        return stop.exit_code
+    except BrokenPipeError:
+        _abandon_stdout()
+        return _BROKEN_PIPE
+    except OSError as error:
+        _abandon_stdout()
+        _say(f"error: cannot write: {error.strerror or error}")
+        return 1
+
+
+def _open_standard_streams() -> None:
+    """Give closed streams a descriptor, lest the next file be opened under their number."""
+    for descriptor in (0, 1, 2):
+        try:
+            os.fstat(descriptor)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)
+    for stream in (sys.stdout, sys.stderr):
+        if stream is not None and hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")  # an ω on a Latin terminal is a ?, not a crash
+
+
+def _quieten() -> None:
+    """Keep libraries from writing to stderr, unless Python was asked for warnings."""
+    import logging
+    import warnings
+
+    logging.getLogger().addHandler(logging.NullHandler())
+    if not sys.warnoptions:
+        warnings.simplefilter("ignore")
+
+
+def _raise_on_signals() -> None:
+    """Turn the signals that this process does not ignore into `Interrupted`."""
+
+    def stop(number: int, _frame: FrameType | None) -> None:
+        for other in caught:
+            signal.signal(other, signal.SIG_IGN)  # nothing may disturb the clearing up
+        raise Interrupted(number)
+
+    caught = [each for each in _SIGNALS if signal.getsignal(each) is not signal.SIG_IGN]
+    for each in caught:
+        signal.signal(each, stop)
+
+
+def _flush() -> None:
+    for stream in (sys.stdout, sys.stderr):
+        if stream is not None:
+            stream.flush()
+
+
+def _say(line: str) -> None:
+    """Write ``line`` to stderr if anybody listens."""
+    with contextlib.suppress(OSError):
+        print(line, file=sys.stderr, flush=True)
+
+
+def _abandon_stdout() -> None:
+    """Let Python's own last flush go nowhere, where it cannot fail."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)

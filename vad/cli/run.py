@@ -1,0 +1,69 @@
+"""One call of the command line: errors become two lines on stderr and an exit code."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+
+import click
+
+from vad.errors import UsageError, VadError
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Carry out ``arguments`` and return the exit code.
+
+    It is 0, or 1 for a mechanism or file that cannot be, or 2 for wrong usage.
+
+    Examples
+    --------
+    >>> run(["sovle", "four-bar"])
+    2
+    """
+    from vad.cli.app import app
+
+    try:
+        with app.make_context("vad", list(arguments)) as context:
+            app.invoke(context)
+    except click.exceptions.Exit as done:
+        return done.exit_code
+    except click.ClickException as error:
+        return _report(*_in_words(error), exit_code=2)
+    except VadError as error:
+        return _report(str(error), error.hint, 2 if isinstance(error, UsageError) else 1)
+    except MemoryError:
+        return _report("out of memory", "fewer --steps or a smaller --size")
+    except Exception as error:
+        if isinstance(error, OSError) or os.environ.get("VAD_DEBUG"):
+            raise
+        problem = f"{type(error).__name__}: {error}"
+        return _report(f"internal fault ({problem})", "VAD_DEBUG=1 shows where it happened")
+    return 0
+
+
+def _in_words(error: click.ClickException) -> tuple[str, str | None]:
+    """Return click's complaint as a message and a hint, in the form of this program's own."""
+    context = getattr(error, "ctx", None)
+    hint = f"see {context.command_path} --help" if context else None
+    if isinstance(error, click.MissingParameter) and isinstance(error.param, click.Option):
+        name = error.param.opts[0]
+        return f"{name} is missing", f"{name} {error.param.help}"
+    if isinstance(error, click.BadOptionUsage) and "requires" in error.message:
+        return f"{error.option_name} needs a value", hint
+    if isinstance(error, click.BadParameter) and error.param is not None:
+        return f"{error.param.opts[-1]}: {error.message.rstrip('.')}", hint
+    message = error.format_message().rstrip(".")
+    return message[:1].lower() + message[1:], hint
+
+
+def _report(message: str, hint: str | None = None, exit_code: int = 1) -> int:
+    print(_one_line(f"error: {message}"), file=sys.stderr)
+    if hint:
+        print(_one_line(f"hint: {hint}"), file=sys.stderr)
+    return exit_code
+
+
+def _one_line(text: str) -> str:
+    """Return ``text`` without line breaks and control characters, which a name may hold."""
+    return "".join(c if c.isprintable() else "?" for c in " ".join(text.split()))

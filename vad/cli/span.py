@@ -1,0 +1,50 @@
+"""The poses of a sweep: in come a mechanism and the ends that were given, out go its inputs."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vad.errors import AssemblyError, UsageError
+from vad.kinematics.reach import closing_range
+from vad.mechanisms import Mechanism
+
+LARGEST = 1_000_000
+
+
+def places(
+    mechanism: Mechanism, start: float | None = None, stop: float | None = None, steps: int = 361
+) -> NDArray[np.float64]:
+    """Return ``steps`` places of the driver, evenly spaced from ``start`` to ``stop``.
+
+    What is left out is a whole turn of a driven link, or the widest range in which a driven
+    slide closes.
+
+    Raises
+    ------
+    UsageError
+        If the number of steps or the ends make no range.
+    AssemblyError
+        If the mechanism closes nowhere.
+    """
+    if not 2 <= steps <= LARGEST:
+        raise UsageError(f"--steps: must be from 2 to {LARGEST}, got {steps}")
+    if "angle" in mechanism.inputs:
+        first, last = 0.0, 360.0
+    elif start is None or stop is None:
+        first, last = _widest(mechanism)
+    first = first if start is None else start
+    last = last if stop is None else stop
+    if not math.isfinite(last - first) or first == last:
+        raise UsageError(f"--from, --to: {first:g} to {last:g} is no range")
+    return np.linspace(first, last, steps)
+
+
+def _widest(mechanism: Mechanism) -> tuple[float, float]:
+    """Return the widest range of the driver that closes, the greater one of two equal ones."""
+    ranges = closing_range(mechanism)
+    if not ranges:
+        raise AssemblyError("with these lengths the links close nowhere")
+    return max(ranges, key=lambda ends: (float(f"{ends[1] - ends[0]:.6g}"), ends[1]))

@@ -1,0 +1,81 @@
+"""The kinds of value that an option takes: in comes the word, out comes what it says.
+
+Each function returns a callback for `click.Option`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection
+from typing import Any
+
+import click
+
+from vad import units
+from vad.errors import UsageError, unknown
+
+Callback = Callable[[click.Context, click.Parameter, Any], Any]
+
+
+def quantity(name: str, length_unit: str) -> Callback:
+    """Read a number in the scene's unit, or with a unit of its own.
+
+    ``length_unit`` is that of the scene where the command line does not say another.
+    """
+
+    def value_of(word: str, ctx: click.Context) -> float:
+        return units.read(word, name, ctx.params.get("length_unit") or length_unit)
+
+    return _callback(value_of)
+
+
+def length_unit() -> Callback:
+    """Read the name of a unit of length."""
+    return _callback(lambda word, _: units.check_length_unit(word))
+
+
+def one_of(what: str, names: Collection[str]) -> Callback:
+    """Read one of a few names; a misspelt one is answered with the nearest."""
+    return _callback(lambda word, _: _known(what, word, names))
+
+
+def several(what: str, names: Collection[str]) -> Callback:
+    """Read some of a few names, from words with commas between them, each name once."""
+
+    def names_of(words: tuple[str, ...], _: click.Context) -> tuple[str, ...]:
+        parts = [part.strip() for word in words for part in word.split(",")]
+        return tuple(dict.fromkeys(_known(what, part, names) for part in parts))
+
+    return _callback(names_of)
+
+
+def size() -> Callback:
+    """Read the width and the height of a picture in pixels."""
+
+    def size_of(word: str, _: click.Context) -> tuple[int, int]:
+        numbers = re.fullmatch(r"\s*(\d{1,9})\s*[x×X*]\s*(\d{1,9})\s*", word)
+        if numbers is None:
+            raise UsageError(f"'{word}' is not a size", hint="as in 1280x720")
+        return int(numbers[1]), int(numbers[2])
+
+    return _callback(size_of)
+
+
+def _callback(read: Callable[[Any, click.Context], Any]) -> Callback:
+    """Leave out what is not given, and put the option's name before what is wrong."""
+
+    def called(ctx: click.Context, param: click.Parameter, value: Any) -> Any:
+        if value is None:
+            return None
+        try:
+            return read(value, ctx)
+        except UsageError as error:
+            raise UsageError(f"{param.opts[0]}: {error}", error.hint) from None
+
+    return called
+
+
+def _known(what: str, name: str, names: Collection[str]) -> str:
+    if name not in names:
+        raise unknown(what, name, names)
+    return name

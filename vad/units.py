@@ -1,0 +1,172 @@
+"""Numbers as people write them: in comes "6 cm" or "120 rpm", out goes 60.0 or 12.56….
+
+A bare number is in the scene's unit already and is taken as it stands.  The conversion is done
+with 28 decimal digits and rounded once, and pint is loaded only when a unit is written.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from decimal import Decimal
+from functools import cache
+from typing import TYPE_CHECKING
+
+from vad.errors import UsageError
+
+if TYPE_CHECKING:
+    from pint import UnitRegistry
+
+_SCENE = {
+    "length": "{}",
+    "angle": "deg",
+    "omega": "rad/s",
+    "alpha": "rad/s^2",
+    "position": "{}",
+    "velocity": "{}/s",
+    "acceleration": "{}/s^2",
+}
+# What a quantity is called in a sentence, and a few of its units.
+_WORDS = {
+    "length": ("a unit of length", "mm, cm, m, in, ft"),
+    "angle": ("a unit of angle", "deg, rad, turn"),
+    "omega": ("a unit of turning speed", "rad/s, deg/s, rpm"),
+    "alpha": ("a unit of angular acceleration", "rad/s^2, deg/s^2, rpm/s"),
+    "position": ("a unit of length", "mm, cm, m, in, ft"),
+    "velocity": ("a unit of velocity", "mm/s, m/s, ft/min"),
+    "acceleration": ("a unit of acceleration", "mm/s^2, m/s^2, ft/s^2"),
+}
+_LENGTHS = frozenset(("mm", "cm", "m", "km", "in", "ft", "yd"))
+
+# A table of our own rather than pint's, in which a radian is no mere number: "2 Hz" is then not
+# taken for 2 rad/s, nor "50 percent" for half a radian.
+_DEFINITIONS = """
+micro- = 1e-6 = µ- = μ- = u-
+milli- = 1e-3 = m-
+centi- = 1e-2 = c-
+kilo- = 1e3 = k-
+metre = [length] = m = meter
+inch = 25.4 * millimetre = in = inches
+foot = 12 * inch = ft = feet
+yard = 3 * foot = yd
+mile = 1760 * yard = mi
+radian = [angle] = rad
+turn = 6.28318530717958647692528676655900577 * radian = _ = rev = revolution
+degree = turn / 360 = deg = °
+gon = turn / 400 = _ = grad
+second = [time] = s = sec
+minute = 60 * second = min
+hour = 60 * minute = h
+rpm = turn / minute
+rps = turn / second
+""".strip().splitlines()
+
+_WRITTEN = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([^\W\d_].*?|°.*?)\s*")
+_POWER = r"(?:(?:\^|\*\*)-?[1-3]|⁻?[¹²³])?"
+_NAME = rf"(?:[^\W\d_]+|°){_POWER}"
+_UNIT = re.compile(rf"{_NAME}(?:(?:\s*[/*·]\s*|\s+){_NAME}){{0,3}}")
+
+
+def scene_unit(quantity: str, length_unit: str = "mm") -> str:
+    """Return the unit in which the program takes and gives a quantity.
+
+    Parameters
+    ----------
+    quantity
+        One of length, angle, omega, alpha, position, velocity and acceleration.
+    length_unit
+        The unit of the scene's lengths.
+
+    Examples
+    --------
+    >>> scene_unit("acceleration", "ft")
+    'ft/s^2'
+    """
+    return _SCENE[quantity].format(length_unit)
+
+
+def read(text: str, quantity: str, length_unit: str = "mm") -> float:
+    """Return the number that ``text`` says, in the scene's unit.
+
+    Parameters
+    ----------
+    text
+        A number in any notation, with or without a unit.
+    quantity, length_unit
+        As for `scene_unit`.
+
+    Raises
+    ------
+    UsageError
+        If it is no number, or its unit is unknown or of another quantity.
+
+    Examples
+    --------
+    >>> read("-4e-05", "alpha"), read("6 cm", "length"), read("90deg/s", "omega")
+    (-4e-05, 60.0, 1.5707963267948966)
+    """
+    text = text.replace("\N{MINUS SIGN}", "-")
+    try:
+        return float(text)
+    except ValueError:
+        written = _WRITTEN.fullmatch(text)
+    if written is None:
+        raise UsageError(f"'{text}' is not a number", hint=_example(text, quantity))
+    number, unit = written.groups()
+    factor = _factor(unit, quantity, length_unit)
+    value = float(number)
+    if value == 0.0 or math.isinf(value):
+        return value  # decimal arithmetic would choke on an exponent of twenty digits
+    return float(Decimal(number) * factor)
+
+
+def _example(text: str, quantity: str) -> str:
+    """Return what to write in place of ``text``."""
+    if re.search(r"\d,\d", text):
+        return "with a point, as in 1.5"
+    return f"write 60 or '60 {_WORDS[quantity][1].split(',')[0]}'"
+
+
+def check_length_unit(name: str) -> str:
+    """Return ``name`` if lengths can be given in it.
+
+    Raises
+    ------
+    UsageError
+        If it is not the name of a unit of length.
+
+    Examples
+    --------
+    >>> check_length_unit("ft")
+    'ft'
+    """
+    if name not in _LENGTHS:
+        _factor(name if name.isalpha() else "", "length", "mm", written=name)
+    return name
+
+
+def _factor(unit: str, quantity: str, length_unit: str, written: str | None = None) -> Decimal:
+    """Return how many of the scene's unit make one ``unit``, which was given as ``written``."""
+    what, examples = _WORDS[quantity]
+    wrong = UsageError(f"'{unit if written is None else written}' is not {what}", f"try {examples}")
+    if not _UNIT.fullmatch(unit):
+        raise wrong
+    from pint.errors import PintError
+
+    registry = _registry()
+    target = scene_unit(quantity, length_unit)
+    try:
+        one = registry.Quantity(Decimal(1), registry.parse_units(unit))
+        return Decimal(one.to(target).magnitude)
+    except PintError:
+        raise wrong from None
+
+
+@cache
+def _registry() -> UnitRegistry[Decimal]:
+    """Return the table of units; the first call loads pint."""
+    from pint import UnitRegistry
+
+    registry: UnitRegistry[Decimal] = UnitRegistry(None, non_int_type=Decimal)
+    registry.load_definitions(_DEFINITIONS)
+    return registry
