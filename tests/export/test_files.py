@@ -1,0 +1,256 @@
+from __future__ import annotations
+
+import os
+import signal
+import stat
+import threading
+from pathlib import Path
+
+import pytest
+
+from vad.errors import ExportError
+from vad.export import files
+
+Interruption = [KeyboardInterrupt, SystemExit, ValueError, MemoryError]
+
+
+def ours(path: Path) -> bool:
+    return path.name.startswith("ours")
+
+
+def fill(folder: Path, text: str = "new") -> None:
+    (folder / "ours").write_text(text)
+
+
+@pytest.fixture
+def umask() -> int:
+    old = os.umask(0o022)
+    os.umask(old)
+    return old
+
+
+class TestNewFile:
+    def test_appears_when_it_is_complete(self, folder: Path) -> None:
+        with files.new_file("a.bin") as stream:
+            stream.write(b"whole")
+            stream.flush()
+            assert not Path("a.bin").exists()
+        assert Path("a.bin").read_bytes() == b"whole"
+        assert os.listdir() == ["a.bin"]
+
+    def test_old_file_stays_until_then(self, folder: Path) -> None:
+        Path("a.bin").write_bytes(b"old")
+        with files.new_file("a.bin") as stream:
+            stream.write(b"new")
+            stream.flush()
+            assert Path("a.bin").read_bytes() == b"old"
+        assert Path("a.bin").read_bytes() == b"new"
+
+    @pytest.mark.parametrize("kind", Interruption)
+    def test_nothing_remains_of_an_unfinished_one(
+        self, folder: Path, kind: type[BaseException]
+    ) -> None:
+        Path("a.bin").write_bytes(b"old")
+        with pytest.raises(kind), files.new_file("a.bin") as stream:
+            stream.write(b"half")
+            raise kind
+        assert os.listdir() == ["a.bin"]
+        assert Path("a.bin").read_bytes() == b"old"
+
+    @pytest.mark.parametrize("mask", [0o022, 0o027, 0o077])
+    def test_permissions_are_those_of_any_new_file(self, folder: Path, mask: int) -> None:
+        old = os.umask(mask)
+        try:
+            with files.new_file("a.bin") as stream:
+                stream.write(b"x")
+        finally:
+            os.umask(old)
+        assert stat.S_IMODE(os.stat("a.bin").st_mode) == 0o666 & ~mask
+
+    def test_stream_can_be_reopened_by_its_name(self, folder: Path) -> None:
+        with files.new_file("a.bin") as stream:
+            Path(stream.name).write_bytes(b"by name")
+        assert Path("a.bin").read_bytes() == b"by name"
+
+    def test_link_is_followed(self, folder: Path) -> None:
+        Path("far").mkdir()
+        Path("far/a.bin").write_bytes(b"old")
+        Path("near.bin").symlink_to("far/a.bin")
+        with files.new_file("near.bin") as stream:
+            stream.write(b"new")
+        assert Path("near.bin").is_symlink()
+        assert Path("far/a.bin").read_bytes() == b"new"
+
+    def test_longest_name_that_a_folder_can_hold(self, folder: Path) -> None:
+        name = "x" * 251 + ".bin"
+        with files.new_file(name) as stream:
+            stream.write(b"x")
+        assert os.listdir() == [name]
+
+    def test_missing_folder(self, folder: Path) -> None:
+        with pytest.raises(ExportError, match="folder 'no such/er' does not exist") as caught:
+            files.new_file("no such/er/a.bin").__enter__()
+        assert caught.value.hint == "create it first: mkdir -p 'no such/er'"
+
+    def test_file_in_place_of_the_folder(self, folder: Path) -> None:
+        Path("plain").touch()
+        with pytest.raises(ExportError, match="'plain' is not a folder"):
+            files.new_file("plain/a.bin").__enter__()
+
+    def test_folder_in_place_of_the_file(self, folder: Path) -> None:
+        Path("a.bin").mkdir()
+        with pytest.raises(ExportError, match=r"'a\.bin' is a folder"):
+            files.new_file("a.bin").__enter__()
+
+    def test_device_is_not_replaced(self, folder: Path) -> None:
+        os.mkfifo("pipe")
+        with pytest.raises(ExportError, match="'pipe' is not a file"):
+            files.new_file("pipe").__enter__()
+        assert Path("pipe").is_fifo()
+
+    @pytest.mark.parametrize("closed", [".", "a.bin"])
+    def test_no_permission(
+        self, folder: Path, closed: str, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        Path("a.bin").touch()
+        shut = Path(closed).resolve()
+        # The one who runs the tests may be allowed everything: ask as somebody who is not.
+        monkeypatch.setattr(os, "access", lambda path, _mode: Path(path) != shut)
+        with pytest.raises(ExportError, match="no permission"):
+            files.new_file("a.bin").__enter__()
+
+    def test_what_the_system_says_is_passed_on(self, folder: Path) -> None:
+        with (
+            pytest.raises(ExportError, match=r"^'a\.bin' cannot be written: no space left"),
+            files.new_file("a.bin"),
+        ):
+            raise OSError(28, "No space left on device")
+        assert os.listdir() == []
+
+
+class TestNewFolder:
+    def test_appears_when_it_is_complete(self, folder: Path) -> None:
+        with files.new_folder("film", ours) as part:
+            fill(part)
+            assert not Path("film").exists()
+        assert Path("film/ours").read_text() == "new"
+        assert os.listdir() == ["film"]
+
+    def test_permissions_are_those_of_any_new_folder(self, folder: Path, umask: int) -> None:
+        with files.new_folder("film", ours) as part:
+            fill(part)
+        assert stat.S_IMODE(os.stat("film").st_mode) == 0o777 & ~umask
+
+    @pytest.mark.parametrize("held", [[], ["ours_1", "ours_2"]])
+    def test_replaces_its_own_kind(self, folder: Path, held: list[str]) -> None:
+        Path("film").mkdir()
+        for name in held:
+            Path("film", name).touch()
+        with files.new_folder("film/", ours) as part:
+            fill(part)
+            assert sorted(os.listdir("film")) == held
+        assert os.listdir("film") == ["ours"]
+        assert os.listdir() == ["film"]
+
+    def test_loses_nothing_else(self, folder: Path) -> None:
+        Path("film").mkdir()
+        Path("film/ours_1").touch()
+        Path("film/thesis.tex").touch()
+        with pytest.raises(ExportError, match=r"holds 'thesis\.tex', which would be lost"):
+            files.new_folder("film", ours).__enter__()
+        assert sorted(os.listdir("film")) == ["ours_1", "thesis.tex"]
+
+    def test_loses_nothing_that_came_meanwhile(self, folder: Path) -> None:
+        Path("film").mkdir()
+        with pytest.raises(ExportError, match="holds"), files.new_folder("film", ours) as part:
+            fill(part)
+            Path("film/thesis.tex").touch()
+        assert os.listdir("film") == ["thesis.tex"]
+        assert os.listdir() == ["film"]
+
+    @pytest.mark.parametrize("kind", Interruption)
+    def test_nothing_remains_of_an_unfinished_one(
+        self, folder: Path, kind: type[BaseException]
+    ) -> None:
+        Path("film").mkdir()
+        fill(Path("film"), "old")
+        with pytest.raises(kind), files.new_folder("film", ours) as part:
+            fill(part)
+            raise kind
+        assert os.listdir() == ["film"]
+        assert Path("film/ours").read_text() == "old"
+
+    def test_old_one_comes_back_if_the_new_one_cannot_take_its_place(
+        self, folder: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        Path("film").mkdir()
+        fill(Path("film"), "old")
+        rename = os.rename
+
+        def failing(source: Path, target: Path) -> None:
+            if source.suffix == ".part":
+                raise KeyboardInterrupt
+            rename(source, target)
+
+        monkeypatch.setattr(os, "rename", failing)
+        with pytest.raises(KeyboardInterrupt), files.new_folder("film", ours) as part:
+            fill(part)
+        assert os.listdir() == ["film"]
+        assert Path("film/ours").read_text() == "old"
+
+    def test_file_in_place_of_the_folder(self, folder: Path) -> None:
+        Path("film").touch()
+        with pytest.raises(ExportError, match="'film' is a file, not a folder"):
+            files.new_folder("film", ours).__enter__()
+
+    @pytest.mark.parametrize("path", [".", ".."])
+    def test_the_current_folder_is_not_replaced(
+        self, folder: Path, path: str, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        Path("ours").mkdir()
+        monkeypatch.chdir("ours")
+        with pytest.raises(ExportError, match="the folder that you are in"):
+            files.new_folder(path, ours).__enter__()
+
+
+class TestTermination:
+    @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+    def test_becomes_an_exception_while_a_file_is_written(
+        self, folder: Path, number: signal.Signals
+    ) -> None:
+        with pytest.raises(SystemExit) as caught, files.new_file("a.bin") as stream:
+            stream.write(b"half")
+            signal.raise_signal(number)
+        assert caught.value.code == 128 + number
+        assert os.listdir() == []
+        assert signal.getsignal(number) is signal.SIG_DFL
+
+    def test_handler_is_restored(self, folder: Path) -> None:
+        with files.new_file("a.bin"):
+            assert signal.getsignal(signal.SIGTERM) is not signal.SIG_DFL
+        assert signal.getsignal(signal.SIGTERM) is signal.SIG_DFL
+
+    def test_handler_of_the_application_is_left_alone(self, folder: Path) -> None:
+        heard: list[int] = []
+
+        def handler(number: int, _frame: object) -> None:
+            heard.append(number)
+
+        signal.signal(signal.SIGTERM, handler)
+        try:
+            with files.new_file("a.bin"):
+                signal.raise_signal(signal.SIGTERM)
+            assert signal.getsignal(signal.SIGTERM) is handler
+        finally:
+            signal.signal(signal.SIGTERM, signal.SIG_DFL)
+        assert heard == [signal.SIGTERM]
+
+    def test_other_threads_write_too(self, folder: Path) -> None:
+        def work() -> None:
+            with files.new_file("a.bin") as stream:
+                stream.write(b"threaded")
+
+        thread = threading.Thread(target=work)
+        thread.start()
+        thread.join()
+        assert Path("a.bin").read_bytes() == b"threaded"

@@ -1,0 +1,166 @@
+"""Files and folders that appear whole or not at all.
+
+In comes a path, out goes a stream or an empty folder beside it; when the caller has filled it, it
+takes the path's place in one step.  Until then whatever stood there stays as it was, and after an
+error, an interrupt or a request to terminate nothing half-written remains.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import secrets
+import shlex
+import shutil
+import signal
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from types import FrameType
+from typing import BinaryIO
+
+from vad.errors import ExportError
+
+
+@contextmanager
+def new_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
+    """Yield a stream whose bytes become the file ``path`` when the block ends without error.
+
+    The stream can be read, sought and reopened by its ``name``; the file gets the permissions of
+    any new file (the umask).
+
+    Raises
+    ------
+    vad.errors.ExportError
+        If the file cannot be written.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> folder = Path(tempfile.mkdtemp())
+    >>> with new_file(folder / "note.txt") as stream:
+    ...     _ = stream.write(b"whole")
+    ...     list(folder.glob("*.txt"))
+    []
+    >>> (folder / "note.txt").read_text()
+    'whole'
+    """
+    final = _place(path)
+    if final.is_dir():
+        raise ExportError(f"'{path}' is a folder, not a file", hint="name a file inside it")
+    if final.exists() and not final.is_file():
+        raise ExportError(f"'{path}' is not a file that can be replaced")
+    if final.exists() and not os.access(final, os.W_OK):
+        raise ExportError(f"no permission to replace '{path}'")
+    part = final.with_name(f".vad-{secrets.token_hex(4)}.part")
+    with _explained(path), terminated_by_exception():
+        try:
+            with open(part, "x+b") as stream:
+                yield stream
+            os.replace(part, final)
+        finally:
+            part.unlink(missing_ok=True)
+
+
+@contextmanager
+def new_folder(path: str | os.PathLike[str], replaceable: Callable[[Path], bool]) -> Iterator[Path]:
+    """Yield an empty folder that becomes the folder ``path`` when the block ends without error.
+
+    Parameters
+    ----------
+    path
+        Where the folder is to be.
+    replaceable
+        Says of a file whether the program has made it.  An existing folder is replaced only if
+        this is true of everything in it.
+
+    Raises
+    ------
+    vad.errors.ExportError
+        If the folder cannot be written, or holds anything else.
+    """
+    final = _place(path)
+    name = final.with_name(f".vad-{secrets.token_hex(4)}")
+    part, old = name.with_suffix(".part"), name.with_suffix(".old")
+    with _explained(path), terminated_by_exception():
+        _check_folder(path, final, replaceable)
+        try:
+            part.mkdir()
+            yield part
+            _check_folder(path, final, replaceable)
+            if final.exists():
+                os.rename(final, old)
+            os.rename(part, final)
+        finally:
+            if old.exists() and not final.exists():
+                os.rename(old, final)
+            shutil.rmtree(part, ignore_errors=True)
+            shutil.rmtree(old, ignore_errors=True)
+
+
+@contextmanager
+def terminated_by_exception() -> Iterator[None]:
+    """Let a request to terminate raise `SystemExit`, so that blocks are left in good order.
+
+    This holds for SIGTERM and SIGHUP in the main thread, where nobody else handles them.
+    """
+    caught: list[signal.Signals] = []
+
+    def stop(number: int, _frame: FrameType | None) -> None:
+        for each in caught:
+            signal.signal(each, signal.SIG_IGN)  # a second one must not disturb the clearing up
+        raise SystemExit(128 + number)
+
+    try:
+        if threading.current_thread() is threading.main_thread():
+            for name in ("SIGTERM", "SIGHUP"):
+                number = getattr(signal, name, None)
+                if number is not None and signal.getsignal(number) is signal.SIG_DFL:
+                    caught.append(number)
+                    signal.signal(number, stop)
+        yield
+    finally:
+        for each in caught:
+            signal.signal(each, signal.SIG_DFL)
+
+
+def _place(path: str | os.PathLike[str]) -> Path:
+    """Return where ``path`` really is (behind links), in a folder that can be written."""
+    final = Path(os.path.realpath(path))
+    folder, shown = final.parent, Path(path).parent
+    if not folder.exists():
+        hint = f"create it first: mkdir -p {shlex.quote(str(shown))}"
+        raise ExportError(f"folder '{shown}' does not exist", hint=hint)
+    if not folder.is_dir():
+        raise ExportError(f"'{shown}' is not a folder")
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise ExportError(f"no permission to write in the folder '{shown}'")
+    return final
+
+
+def _check_folder(
+    path: str | os.PathLike[str], final: Path, replaceable: Callable[[Path], bool]
+) -> None:
+    if not final.exists():
+        return
+    if not final.is_dir():
+        raise ExportError(f"'{path}' is a file, not a folder", hint="name another folder")
+    with contextlib.suppress(OSError):
+        if final.samefile(Path.cwd()) or final in Path.cwd().parents:
+            hint = "name a folder of its own, such as frames/"
+            raise ExportError(f"'{path}' is the folder that you are in", hint=hint)
+    foreign = next((each.name for each in sorted(final.iterdir()) if not replaceable(each)), None)
+    if foreign is not None:
+        hint = "name a new folder, or an empty one"
+        raise ExportError(f"folder '{path}' holds '{foreign}', which would be lost", hint=hint)
+
+
+@contextmanager
+def _explained(path: str | os.PathLike[str]) -> Iterator[None]:
+    """Turn what the operating system says into an error of this program."""
+    try:
+        yield
+    except OSError as error:
+        reason = (error.strerror or str(error)).lower()
+        raise ExportError(f"'{path}' cannot be written: {reason}") from error
