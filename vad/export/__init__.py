@@ -1,0 +1,110 @@
+"""Where a sheet or a lesson goes: one module per format, chosen by the path's extension.
+
+In comes a `Sheet` or a `Lesson` and a path, out goes a file (or a folder of frames) that appears
+whole or not at all.  A format is a module with one function and one line in `FORMATS`::
+
+    def write(thing, target, **options) -> None
+
+``target`` is an open binary file (a folder's path for the format ``"/"``), which takes its place
+when ``write`` returns.
+"""
+
+from __future__ import annotations
+
+import os
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+from vad.diagrams.strokes import Sheet
+from vad.errors import UsageError
+from vad.export import files
+from vad.lecture.lesson import Lesson
+
+FOLDER = "/"
+
+#: What can be saved as what: extension -> module, which is imported when it is used.
+FORMATS: dict[type, dict[str, str]] = {
+    Sheet: {
+        ".png": "vad.export.png",
+        ".svg": "vad.export.svg",
+        ".pdf": "vad.export.pdf",
+        ".json": "vad.export.sheet_json",
+    },
+    Lesson: {
+        ".mp4": "vad.export.mp4",
+        ".gif": "vad.export.gif",
+        ".srt": "vad.export.srt",
+        ".vtt": "vad.export.vtt",
+        FOLDER: "vad.export.frames",
+    },
+}
+
+_NAMES: dict[type, str] = {Sheet: "a picture", Lesson: "a film"}
+
+
+def save(thing: Sheet | Lesson, path: str | os.PathLike[str], **options: Any) -> None:
+    """Save a picture or a film; the path's extension chooses the format.
+
+    Parameters
+    ----------
+    thing
+        A `Sheet` (.png, .svg, .pdf, .json) or a `Lesson` (.mp4, .gif, .srt, .vtt, or a folder of
+        PNG frames: a path that ends in ``/``, has no extension, or is an existing folder).
+    path
+        Where to.  What stands there is replaced when the new file is complete, and not before.
+    **options
+        Handed to the format.  Every format of a lesson takes ``progress``, which is called with
+        the number of frames that are done and their total.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If there is no such format for such a thing.
+    vad.errors.ExportError
+        If the file or folder cannot be written.
+    """
+    extension = format_of(type(thing), path)
+    module = import_module(FORMATS[type(thing)][extension])
+    if extension == FOLDER:
+        with files.new_folder(path, module.is_frame) as folder:
+            module.write(thing, folder, **options)
+    else:
+        with files.new_file(path) as stream:
+            module.write(thing, stream, **options)
+
+
+def format_of(kind: type, path: str | os.PathLike[str]) -> str:
+    """Return the key of `FORMATS` by which a thing of type ``kind`` is saved as ``path``.
+
+    Examples
+    --------
+    >>> format_of(Sheet, "four-bar.PNG"), format_of(Lesson, "frames/")
+    ('.png', '/')
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If there is none.
+    """
+    if kind not in FORMATS:
+        raise UsageError(f"a {kind.__name__} cannot be saved", hint="draw or animate it first")
+    formats, text = FORMATS[kind], os.fspath(path)
+    extension = Path(text).suffix.lower()
+    named_as_folder = text.endswith(("/", os.sep)) or extension == ""
+    if named_as_folder or (extension not in formats and Path(text).is_dir()):
+        extension = FOLDER
+    if extension in formats:
+        return extension
+    raise UsageError(f"{_NAMES[kind]} cannot be saved as '{text}'", hint=_what_works(kind))
+
+
+def _what_works(kind: type) -> str:
+    """Say what can be saved as what, ``kind`` first."""
+    kinds = sorted(FORMATS, key=lambda each: each is not kind)
+    return "; ".join(f"{_NAMES[each]} as {_listed(FORMATS[each])}" for each in kinds)
+
+
+def _listed(formats: dict[str, str]) -> str:
+    names = ["a folder of PNG frames (frames/)" if each == FOLDER else each for each in formats]
+    return ", ".join(names[:-1]) + " or " + names[-1]

@@ -1,0 +1,35 @@
+"""The frames of a lesson, and their rate, as the encoders take them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+
+from vad.lecture.lesson import Lesson
+from vad.rendering.frame import Frame
+
+#: Called with how many frames are done and how many there will be.
+Progress = Callable[[int, int], None]
+
+
+def painted(lesson: Lesson, progress: Progress | None = None) -> Iterator[Frame]:
+    """Yield the frames of ``lesson``; tell ``progress`` whenever one has been consumed."""
+    from vad.rendering.film import frames
+
+    done = 0
+    for frame in frames(lesson):
+        yield frame
+        done += frame.repeats
+        if progress is not None:
+            progress(done, lesson.frames)
+
+
+def rate(fps: float) -> Fraction:
+    """Return the frame rate as a fraction that a file can state.
+
+    Examples
+    --------
+    >>> rate(30.0), rate(29.97), rate(30000 / 1001)
+    (Fraction(30, 1), Fraction(2997, 100), Fraction(30000, 1001))
+    """
+    return Fraction(fps).limit_denominator(1001)
