@@ -1,0 +1,220 @@
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.export import synthetic
+from tests.export.synthetic import SHEET, as_film_module, lesson
+from vad.errors import ExportError, UsageError
+from vad.export import FORMATS, format_of, save
+from vad.lecture.lesson import Lesson
+from vad.rendering.frame import Frame
+
+FILMS = ["film.mp4", "film.gif", "film/"]
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {str(path): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+@pytest.mark.parametrize("path", [*FILMS, "film.srt", "film.vtt", "film", "FILM.GIF"])
+def test_a_film_is_saved_by_extension(folder: Path, painter: None, path: str) -> None:
+    save(lesson(), path)
+    assert os.listdir() == [path.rstrip("/")]
+    assert Path(path).is_dir() == ("." not in path)
+
+
+def test_an_existing_folder_takes_frames(folder: Path, painter: None) -> None:
+    Path("lecture.3").mkdir()
+    save(lesson(), "lecture.3")
+    assert "frame_0001.png" in os.listdir("lecture.3")
+
+
+def test_paths_may_be_paths(folder: Path) -> None:
+    save(SHEET, folder / "sheet.json")
+    assert os.listdir() == ["sheet.json"]
+
+
+@pytest.mark.parametrize(
+    ("thing", "path"),
+    [
+        (SHEET, "a.mp4"),
+        (SHEET, "a.xyz"),
+        (SHEET, "a"),
+        (SHEET, "a/"),
+        (lesson(), "a.svg"),
+        (lesson(), "a.png"),
+        (lesson(), "a.mkv"),
+    ],
+)
+def test_misuse_is_answered_with_what_works(folder: Path, thing: object, path: str) -> None:
+    with pytest.raises(UsageError, match=f"cannot be saved as '{path}'") as caught:
+        save(thing, path)  # type: ignore[arg-type]
+    assert caught.value.hint is not None
+    assert {".png", ".svg", ".pdf", ".json", ".mp4", ".gif", "(frames/)"} <= set(
+        caught.value.hint.replace(",", " ").replace(";", " ").split()
+    )
+    assert os.listdir() == []
+
+
+def test_what_can_be_saved_comes_first_in_the_hint() -> None:
+    with pytest.raises(UsageError) as caught:
+        format_of(Lesson, "film.mkv")
+    assert str(caught.value.hint).startswith("a film as .mp4, .gif")
+
+
+def test_other_things_cannot_be_saved(folder: Path) -> None:
+    with pytest.raises(UsageError, match="a str cannot be saved"):
+        save("text", "a.png")  # type: ignore[arg-type]
+
+
+def test_a_folder_in_place_of_a_file(folder: Path) -> None:
+    Path("film.mp4").mkdir()
+    with pytest.raises(ExportError, match=r"'film\.mp4' is a folder"):
+        save(lesson(), "film.mp4")
+
+
+def test_formats_are_not_imported_before_they_are_used() -> None:
+    heavy = "{'matplotlib', 'av', 'PIL', 'vad.export.mp4', 'vad.export.gif'}"
+    code = f"import sys, vad.export; assert not {heavy} & set(sys.modules)"
+    subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=True)
+
+
+@pytest.mark.parametrize("path", [*FILMS, "film.srt", "film.vtt"])
+def test_progress_counts_every_frame(folder: Path, painter: None, path: str) -> None:
+    calls: list[tuple[int, int]] = []
+    film = lesson()
+    save(film, path, progress=lambda done, total: calls.append((done, total)))
+    assert calls == sorted(calls)
+    assert calls[-1] == (film.frames, film.frames)
+
+
+@pytest.mark.parametrize("path", FILMS)
+def test_same_film_same_bytes(folder: Path, painter: None, path: str) -> None:
+    saved = []
+    for _ in range(2):
+        save(lesson(), path)
+        saved.append(contents(folder))
+    assert saved[0] == saved[1]
+
+
+class TestInterruption:
+    """Whenever it comes, the old film stays and nothing else does."""
+
+    @pytest.mark.parametrize("path", FILMS)
+    @pytest.mark.parametrize("kind", [KeyboardInterrupt, SystemExit, OSError])
+    def test_at_any_frame(
+        self, folder: Path, path: str, kind: type[BaseException], monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        stop_at = 0
+
+        def stopping(film: Lesson) -> Iterator[Frame]:
+            for number, frame in enumerate(synthetic.frames(film)):
+                if number == stop_at:
+                    raise kind(28, "No space left on device")
+                yield frame
+
+        monkeypatch.setitem(sys.modules, "vad.rendering.film", as_film_module(stopping))
+        film = lesson(steps=2)
+        pictures = len(list(synthetic.frames(film)))
+        stop_at = pictures
+        save(film, path)
+        old = contents(folder)
+        for moment in range(pictures):
+            stop_at = moment
+            for target in (path, "new_" + path):
+                with pytest.raises(ExportError if kind is OSError else kind):
+                    save(film, target)
+            assert contents(folder) == old
+            assert os.listdir() == [path.rstrip("/")]
+
+    @pytest.mark.parametrize("path", FILMS)
+    def test_by_a_signal_from_outside(self, folder: Path, path: str) -> None:
+        code = """
+import sys, time
+from tests.export import synthetic
+from vad.export import save
+
+def slow(film):
+    for number, frame in enumerate(synthetic.frames(film)):
+        if number == 7:
+            print("half way", flush=True)
+            time.sleep(60)
+        yield frame
+
+sys.modules["vad.rendering.film"] = synthetic.as_film_module(slow)
+save(synthetic.lesson(), sys.argv[1])
+"""
+        environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+        if not path.endswith("/"):
+            Path(path).write_bytes(b"old")
+        old = contents(folder)
+        with subprocess.Popen(
+            [sys.executable, "-c", code, path], env=environment, stdout=subprocess.PIPE
+        ) as process:
+            assert process.stdout is not None
+            assert process.stdout.readline() == b"half way\n"
+            process.terminate()
+            assert process.wait(10) == 128 + 15
+        assert contents(folder) == old
+        assert len(os.listdir()) == len(old)
+
+
+@pytest.mark.parametrize("path", FILMS)
+def test_full_disk(folder: Path, path: str) -> None:
+    """A file that cannot grow stands for a disk that is full, at whatever byte that happens."""
+    code = """
+import resource, sys
+from pathlib import Path
+from tests.export import synthetic
+from vad.errors import ExportError
+from vad.export import save
+
+sys.modules["vad.rendering.film"] = synthetic.as_film_module()
+film = synthetic.lesson()
+save(film, sys.argv[1])
+made = Path(sys.argv[1])
+size = max(each.stat().st_size for each in (made.iterdir() if made.is_dir() else [made]))
+for limit in (0, size // 4, size // 2, size - 1):
+    resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY))
+    try:
+        save(film, "new_" + sys.argv[1])
+    except ExportError as error:
+        assert "cannot be written: " in str(error), error
+    else:
+        raise AssertionError(limit)
+"""
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    subprocess.run([sys.executable, "-B", "-c", code, path], env=environment, check=True)
+    assert os.listdir() == [path.rstrip("/")]
+
+
+@pytest.mark.parametrize("path", FILMS)
+def test_memory_does_not_grow_with_the_film(folder: Path, path: str) -> None:
+    code = """
+import resource, sys
+from tests.export import synthetic
+from vad.export import save
+
+def peak(steps):
+    save(synthetic.lesson(steps=steps, size=(320, 180)), sys.argv[1])
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+
+sys.modules["vad.rendering.film"] = synthetic.as_film_module()
+once, tenfold = peak(20), peak(200)
+assert tenfold < 1.1 * once, (once, tenfold)
+"""
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    subprocess.run([sys.executable, "-c", code, path], env=environment, check=True)
+
+
+def test_every_format_is_registered_once() -> None:
+    modules = [module for formats in FORMATS.values() for module in formats.values()]
+    assert all(module.startswith("vad.export.") for module in modules)
+    assert all(key == key.lower() for formats in FORMATS.values() for key in formats)
