@@ -70,19 +70,24 @@ class GroundedCrank:
 
     def gap(self, u: Number) -> Number:
         """Return the gap for the crank's unit vector ``u``."""
-        side, rest = _near_one(u.real, u.imag)
+        return self.gap_from(u, *_near_one(u.real, u.imag))
+
+    def gap_from(self, u: Number, side: Number, rest: Number) -> Number:
+        """Return the gap for a cosine that is written as side·(1 - rest)."""
         c, t = self.c.real, self.t
         x = choose(side, c + t, c - t) - t * (side * rest)
         return vector(x, t * u.imag + self.c.imag)
 
 
 class Triangle(NamedTuple):
-    """A gap with what a triangle over it needs: |E|², σ² - |E|² and |E|² - δ²."""
+    """A gap with the two bars over it: |E|², σ² - |E|², |E|² - δ², r and q."""
 
     gap: Number
     square: Number
     below_sum: Number
     above_difference: Number
+    r: Number
+    q: Number
 
 
 class TwoAngles:
@@ -91,41 +96,47 @@ class TwoAngles:
     The area comes from Heron's factors, never from acos: no digit is lost for a short bar.
     """
 
-    def __init__(self, side: float, crank: GroundedCrank | None, r: float, q: float) -> None:
+    def __init__(
+        self, side: float, crank: GroundedCrank | None, sizes: tuple[float, float] | None
+    ) -> None:
         self.side = side
-        self.crank = crank
-        if crank is not None:
-            c, t = crank.c.real, crank.t
-            self._constants = [
-                (
-                    math.fsum((c, f)) ** 2,
-                    math.fsum((r, q, -c, -f)) * math.fsum((r, q, c, f)),
-                    math.fsum((c, f, q, -r)) * math.fsum((c, f, r, -q)),
-                )
-                for f in (t, -t)
-            ]
+        if crank is None or sizes is None:
+            return
+        self.crank, self.sizes = crank, sizes
+        r, q = sizes
+        c = crank.c.real
+        self._constants = [
+            (
+                math.fsum((c, t)) ** 2,
+                math.fsum((r, q, -c, -t)) * math.fsum((r, q, c, t)),
+                math.fsum((c, t, q, -r)) * math.fsum((c, t, r, -q)),
+            )
+            for t in (crank.t, -crank.t)
+        ]
 
-    def _from_crank(self, u: Number) -> Triangle:
-        assert self.crank is not None
+    def over_crank(self, u: Number) -> Triangle:
+        """Return the triangle over a grounded crank's gap."""
         side, rest = _near_one(u.real, u.imag)
         grown = (-2.0 * self.crank.c.real * self.crank.t) * (side * rest)
         square, below, above = (choose(side, p, m) for p, m in zip(*self._constants, strict=True))
-        return Triangle(self.crank.gap(u), square + grown, below - grown, above + grown)
+        gap = self.crank.gap_from(u, side, rest)
+        return Triangle(gap, square + grown, below - grown, above + grown, *self.sizes)
 
-    def close(
-        self, gap: Number, u: Number, r: Number, q: Number
-    ) -> tuple[Number, Number, Number]:
-        """Return the unit vectors of both bars and the sine between them."""
+    def over_gap(self, gap: Number, r: Number, q: Number) -> Triangle:
+        """Return the triangle over any other gap."""
         total, difference = r + q, r - q
-        if self.crank is not None:
-            gap, square, below, above = self._from_crank(u)
-        else:
-            square = dot(gap, gap)
-            length = sqrt(square)
-            below = (total - length) * (total + length)
-            above = (length - difference) * (length + difference)
-        spread = square + total * total
-        root = _root(below, above, spread, spread - 4.0 * r * q)
+        square = dot(gap, gap)
+        length = sqrt(square)
+        below = (total - length) * (total + length)
+        above = (length - difference) * (length + difference)
+        return Triangle(gap, square, below, above, r, q)
+
+    def close(self, triangle: Triangle) -> tuple[Number, Number, Number]:
+        """Return the unit vectors of both bars and the sine between them."""
+        gap, square, below, above, r, q = triangle
+        total, difference = r + q, r - q
+        spread = total * total
+        root = _root(below, above, square + spread, square + difference * difference)
         if not is_array(root):
             if math.isnan(root):
                 length = math.sqrt(square)
@@ -145,6 +156,7 @@ class AngleAndLength:
 
     def __init__(self, side: float, crank: GroundedCrank | None, r: float, g: complex) -> None:
         self.side = side
+        self.r = r
         self.g = g
         # Only for a guide along the frame's own axis does the crank's sine give the height.
         self.crank = crank if g == 1.0 else None
@@ -154,8 +166,9 @@ class AngleAndLength:
                 (math.fsum((r, -h, -f)), math.fsum((r, h, f)), h + f) for f in (t, -t)
             ]
 
-    def close(self, gap: Number, u: Number, r: Number) -> tuple[Number, Number, Number]:
+    def close(self, gap: Number, u: Number) -> tuple[Number, Number, Number]:
         """Return the bar's unit vector, the length s and the sine between bar normal and g."""
+        r = self.r
         along = -dot(self.g, gap)
         if self.crank is not None:
             side, rest = _near_one(u.imag, u.real)
@@ -173,27 +186,15 @@ class AngleAndLength:
         return self.g * vector(root / r, height / r), along + root, -root / r
 
 
-class Slot:
-    """A bar whose length slides: z = s·u lies on the gap itself (both on one vector)."""
+def slot(pin: Number) -> tuple[Number, Number]:
+    """Return the unit vector and the length of a vector: a slotted link that points at its pin.
 
-    def close(self, pin: Number) -> tuple[Number, Number, Number]:
-        """Return the link's unit vector, the length and 1: its lines cross at right angles.
-
-        With the pin on the pivot the length is zero and the unit vector NaN.
-        """
-        length = sqrt(dot(pin, pin))
-        if is_array(length):
-            return pin / np.where(length == 0.0, np.nan, length), length, length - length + 1.0
-        return (pin / length if length else NAN_VECTOR), length, 1.0
-
-
-class TwoLengths:
-    """Two slides along p and q: s·p - t·q = R (both lengths unknown)."""
-
-    def close(self, target: Number, p: complex, q: complex) -> tuple[Number, Number, Number]:
-        """Return both lengths and the sine between the lines."""
-        sine = cross(p, q)
-        return (*crossing(target, p, q, sine), target.real * 0.0 + sine)
+    With the pin on the pivot the length is zero and the unit vector NaN.
+    """
+    length = sqrt(dot(pin, pin))
+    if is_array(length):
+        return pin / np.where(length == 0.0, np.nan, length), length
+    return (pin / length if length else NAN_VECTOR), length
 
 
 def crossing(target: Number, p: Number, q: Number, sine: Number) -> tuple[Number, Number]:

@@ -7,19 +7,20 @@ the user's units.
 from __future__ import annotations
 
 import math
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vad.errors import AssemblyError, DeadCentreError, InputError, unknown
+from vad.errors import AssemblyError, InputError, unknown
 from vad.kinematics import sweep
 from vad.kinematics.closures import OpenLoop
-from vad.kinematics.linkage import Scalar, Slide, angle_of
-from vad.kinematics.numbers import Number, degrees_of, fold, is_array, positive
+from vad.kinematics.linkage import Scalar, angle_of, length_of
+from vad.kinematics.numbers import Number, is_array
 from vad.kinematics.reach import closing_range
-from vad.kinematics.routes import Routes
-from vad.kinematics.solver import Pose, Rates, Solver, solver_of
+from vad.kinematics.routes import Routes, routes_of
+from vad.kinematics.solver import Solver, solver_of
+from vad.kinematics.state import Pose, Rates
+from vad.kinematics.views import Link, Point, Slider
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
@@ -110,12 +111,22 @@ class Motion:
                 raise InputError(f"{'/'.join(inputs)}: shapes do not broadcast: {shapes}") from None
         else:
             self.shape = ()
+        # Plain attributes: functools.cached_property takes a lock, a tenth of a pose's time.
+        self._pose: Pose | None = None
+        self._whole_pose: Pose | None = None
+        self._velocity: Rates | None = None
+        self._acceleration: Rates | None = None
 
     # --- the three orders, each found once from the one below ---------------------------------
 
-    @cached_property
+    @property
     def pose(self) -> Pose:
         """The position, in the solver's unit and frame; flat arrays of the driver's own shape."""
+        if self._pose is None:
+            self._pose = self._positions()
+        return self._pose
+
+    def _positions(self) -> Pose:
         name, value = next(iter(self.inputs.items()))
         if not is_array(value):
             try:
@@ -126,27 +137,33 @@ class Motion:
         found = sweep.gather(flat.size, lambda part: self.solver.positions(flat[part]).flat())
         return Pose.of(found)
 
-    @cached_property
-    def _whole_pose(self) -> Pose:
+    @property
+    def whole_pose(self) -> Pose:
         """The pose repeated to the shape of all inputs."""
-        if not self.many:
+        own = np.shape(next(iter(self.inputs.values()))) if self.many else ()
+        if own == self.shape:
             return self.pose
-        own = np.shape(next(iter(self.inputs.values())))
-        return Pose.of(sweep.expand(self.pose.flat(), own, self.shape))
+        if self._whole_pose is None:
+            self._whole_pose = Pose.of(sweep.expand(self.pose.flat(), own, self.shape))
+        return self._whole_pose
 
-    @cached_property
+    @property
     def velocity(self) -> Rates:
         """First derivatives, in the solver's unit."""
-        return self._rates(())
+        if self._velocity is None:
+            self._velocity = self._rates(())
+        return self._velocity
 
-    @cached_property
+    @property
     def acceleration(self) -> Rates:
         """Second derivatives, in the solver's unit."""
-        return self._rates((self.velocity,))
+        if self._acceleration is None:
+            self._acceleration = self._rates((self.velocity,))
+        return self._acceleration
 
     def _rates(self, lower: tuple[Rates, ...]) -> Rates:
         value = list(self.inputs.values())[len(lower) + 1]
-        pose = self._whole_pose
+        pose = self.whole_pose
         if not self.many:
             return self.solver.rates(pose, lower, value)
         if is_array(value):
@@ -161,10 +178,10 @@ class Motion:
 
     # --- what the user sees -------------------------------------------------------------------
 
-    @cached_property
+    @property
     def routes(self) -> Routes:
         """The ways along which points are reached."""
-        return Routes(self.solver)
+        return routes_of(self.solver)
 
     def link(self, name: str) -> Link:
         """Return the motion of a link.
@@ -174,7 +191,7 @@ class Motion:
         vad.errors.UsageError
             For a name that the mechanism does not have.
         """
-        if name not in self.links:
+        if angle_of(name) not in self.solver.scalars:
             raise unknown("link", name, self.links)
         return Link(self, name)
 
@@ -186,31 +203,26 @@ class Motion:
 
     def slide(self, name: str) -> Slider:
         """Return the motion of a slide."""
-        if name not in self.slides:
+        if length_of(name) not in self.solver.scalars:
             raise unknown("slide", name, self.slides)
         return Slider(self, name)
 
-    @cached_property
+    @property
     def links(self) -> tuple[str, ...]:
         """The names of the links."""
-        known = {scalar.name for scalar in self._scalars if scalar.kind == "angle"}
-        return tuple(name for name in self.mechanism.links if name in known)
-
-    @cached_property
-    def slides(self) -> tuple[str, ...]:
-        """The names of the slides."""
-        known = {scalar.name for scalar in self._scalars if scalar.kind == "length"}
-        return tuple(name for name in self.mechanism.slides if name in known)
-
-    @cached_property
-    def points(self) -> tuple[str, ...]:
-        """The letters of the points."""
-        return tuple(letter for letter in self.mechanism.points if letter in self.routes.hops)
+        names = self.mechanism.links
+        return tuple(name for name in names if angle_of(name) in self.solver.scalars)
 
     @property
-    def _scalars(self) -> set[Scalar]:
-        linkage = self.solver.linkage
-        return {linkage.driver, *(scalar for pair in linkage.unknowns for scalar in pair)}
+    def slides(self) -> tuple[str, ...]:
+        """The names of the slides."""
+        names = self.mechanism.slides
+        return tuple(name for name in names if length_of(name) in self.solver.scalars)
+
+    @property
+    def points(self) -> tuple[str, ...]:
+        """The letters of the points."""
+        return tuple(letter for letter in self.mechanism.points if letter in self.routes.letters)
 
     @property
     def assembled(self) -> Any:
@@ -220,7 +232,7 @@ class Motion:
                 return bool(self.pose.sine)
             except AssemblyError:
                 return False
-        sines = [sine for sine in self._whole_pose.sine if is_array(sine)]
+        sines = [sine for sine in self.whole_pose.sine if is_array(sine)]
         size = math.prod(self.shape)
         closed = ~np.isnan(sum(sines)) if sines else np.ones(size, bool)
         return closed.reshape(self.shape)
@@ -251,10 +263,12 @@ class Motion:
 
     def reckon(self, formula: Any, orders: int) -> Number:
         """Evaluate ``formula(pose, rates)`` in the solution of up to ``orders`` derivatives."""
-        pose = self._whole_pose
-        rates = (self.velocity, self.acceleration)[:orders] if orders > 1 else (
-            (self.velocity,) if orders else ()
-        )
+        pose = self.whole_pose
+        rates: tuple[Rates, ...] = ()
+        if orders == 1:
+            rates = (self.velocity,)
+        elif orders == 2:
+            rates = (self.velocity, self.acceleration)
         if not self.many:
             return formula(pose, rates)
 
@@ -262,118 +276,6 @@ class Motion:
             return {"": formula(pose.cut(part), tuple(rate.cut(part) for rate in rates))}
 
         return sweep.gather(math.prod(self.shape), part_of)[""]
-
-
-class Link:
-    """The motion of one link: ``angle`` in degrees within [0, 360), ``omega``, ``alpha``."""
-
-    def __init__(self, motion: Motion, name: str) -> None:
-        self._motion = motion
-        self._name = name
-
-    @property
-    def angle(self) -> Number:
-        """Its direction in degrees, counter-clockwise from +x."""
-        motion, name = self._motion, self._name
-        if angle_of(name) == motion.solver.linkage.driver:
-            value = motion.inputs["angle"]
-            if is_array(value):
-                with np.errstate(invalid="ignore"):
-                    folded = fold(value)
-                value = np.where(folded < 0.0, folded + 360.0, folded)
-                value[value >= 360.0] = 0.0
-                return np.array(np.broadcast_to(value, motion.shape))
-            angle = positive(fold(value)) + 0.0
-            return np.full(motion.shape, angle) if motion.many else angle
-        turn = motion.solver.turn
-        if motion.many:
-            return motion.shaped(motion.reckon(
-                lambda pose, _: degrees_of(pose.unit[name] if turn == 1 else pose.unit[name] * turn), 0
-            ))
-        unit = motion.pose.unit[name]
-        if unit != unit:
-            raise DeadCentreError(f"{name}: its angle is undetermined at this dead centre")
-        return degrees_of(unit * turn)
-
-    @property
-    def omega(self) -> Number:
-        """Its angular velocity in rad/s."""
-        return self._motion.shaped(self._motion.velocity.turning[self._name])
-
-    @property
-    def alpha(self) -> Number:
-        """Its angular acceleration in rad/s²."""
-        return self._motion.shaped(self._motion.acceleration.turning[self._name])
-
-
-class Point:
-    """The motion of one point, as complex numbers x + iy in the user's length unit."""
-
-    def __init__(self, motion: Motion, letter: str) -> None:
-        self._motion = motion
-        self._letter = letter
-
-    def _outward(self, value: Number) -> Number:
-        solver = self._motion.solver
-        return self._motion.shaped(value, solver.turn, solver.scale)
-
-    @property
-    def position(self) -> Number:
-        """Where it is."""
-        routes, letter = self._motion.routes, self._letter
-        return self._outward(self._motion.reckon(lambda pose, _: routes.position(letter, pose), 0))
-
-    @property
-    def velocity(self) -> Number:
-        """Its velocity."""
-        return self._rate(1)
-
-    @property
-    def acceleration(self) -> Number:
-        """Its acceleration."""
-        return self._rate(2)
-
-    def _rate(self, orders: int) -> Number:
-        routes, letter = self._motion.routes, self._letter
-        return self._outward(
-            self._motion.reckon(lambda pose, rates: routes.rate(letter, pose, rates), orders)
-        )
-
-
-class Slider:
-    """The motion of one slide along its line, in the user's length unit."""
-
-    def __init__(self, motion: Motion, name: str) -> None:
-        self._motion = motion
-        self._name = name
-
-    @property
-    def position(self) -> Number:
-        """Its signed distance from the zero of its line."""
-        motion = self._motion
-        return motion.shaped(motion._whole_pose.length[self._name], motion.solver.scale)
-
-    @property
-    def velocity(self) -> Number:
-        """Its velocity along the line."""
-        motion = self._motion
-        return motion.shaped(motion.velocity.sliding[self._name], motion.solver.scale)
-
-    @property
-    def acceleration(self) -> Number:
-        """Its acceleration along the line."""
-        motion = self._motion
-        return motion.shaped(motion.acceleration.sliding[self._name], motion.solver.scale)
-
-    @property
-    def coriolis(self) -> Number:
-        """The magnitude of its Coriolis component 2·ω·v, or None on a line that does not turn."""
-        motion, name = self._motion, self._name
-        for step in motion.solver.steps:
-            if isinstance(step, Slide) and step.name == name and isinstance(step.along, str):
-                turning, sliding = motion.velocity.turning[step.along], motion.velocity.sliding[name]
-                return motion.shaped(abs(2.0 * turning * sliding), motion.solver.scale)
-        return None
 
 
 def _not_assembled(mechanism: Mechanism, name: str, value: float, miss: float) -> AssemblyError:

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from vad.kinematics.linkage import Bar, Slide
-from vad.kinematics.linkage import Step as LoopStep
+from functools import lru_cache
+
+from vad.kinematics.linkage import Bar, Slide, Step
 from vad.kinematics.numbers import Number
-from vad.kinematics.solver import Pose, Rates, Solver
+from vad.kinematics.solver import Solver
+from vad.kinematics.state import Pose, Rates
 
-Hop = tuple[int, LoopStep]
+@lru_cache(maxsize=64)
+def routes_of(solver: Solver) -> Routes:
+    """Return the routes of a solver, found once."""
+    return Routes(solver)
 
 
-def _rank(step: LoopStep) -> int:
-    """Prefer fixed guides, then bars, then slides on a link: the fewest roundings first."""
-    if isinstance(step, Bar):
-        return 1
-    return 2 if isinstance(step.along, str) else 0
+Hop = tuple[int, Step]
+Route = tuple[str, tuple[Hop, ...]]
 
 
 class Routes:
@@ -22,30 +24,20 @@ class Routes:
 
     def __init__(self, solver: Solver) -> None:
         self._solver = solver
-        self.start = {letter: letter for letter in solver.fixed}
-        self.hops: dict[str, tuple[Hop, ...]] = {letter: () for letter in solver.fixed}
-        while found := self._next():
-            letter, tail, hop = found
-            self.start[letter] = self.start[tail]
-            self.hops[letter] = (*self.hops[tail], hop)
+        # A lever's point under its block is where the pin is, but moves as the lever turns.
+        self._places = _shortest(solver, slotted_bar=3.0)
+        self._motions = _shortest(solver, slotted_bar=1.0)
 
-    def _next(self) -> tuple[str, str, Hop] | None:
-        """Return a letter not reached yet, the letter before it and the hop between them."""
-        candidates = []
-        for step in self._solver.steps:
-            for way, (tail, head) in ((1, step.ends), (-1, reversed(step.ends))):
-                if tail in self.hops and head not in self.hops:
-                    hops = len(self.hops[tail])
-                    candidates.append(((hops, _rank(step)), head, tail, (way, step)))
-        if not candidates:
-            return None
-        _, head, tail, hop = min(candidates, key=lambda candidate: candidate[0])
-        return head, tail, hop
+    @property
+    def letters(self) -> frozenset[str]:
+        """Every letter that can be reached."""
+        return frozenset(self._places)
 
     def position(self, letter: str, pose: Pose) -> Number:
         """Return the position of a point in the solver's unit and frame."""
-        total: Number = self._solver.fixed[self.start[letter]]
-        for way, step in self.hops[letter]:
+        start, hops = self._places[letter]
+        total: Number = self._solver.fixed[start]
+        for way, step in hops:
             if isinstance(step, Slide):
                 total = total + way * self._solver.shift(step)
             total = total + way * self._solver.displacement(step, pose)
@@ -54,7 +46,31 @@ class Routes:
     def rate(self, letter: str, pose: Pose, rates: tuple[Rates, ...]) -> Number:
         """Return the velocity (one order in ``rates``) or acceleration (two) of a point."""
         total: Number = 0j
-        for way, step in self.hops[letter]:
-            for part in self._solver.components(step, pose, rates):
-                total = total + (way * part.amount) * part.direction
+        for way, step in self._motions[letter][1]:
+            for _, direction, amount in self._solver.components(step, pose, rates):
+                total = total + (way * amount) * direction
         return total
+
+
+def _shortest(solver: Solver, slotted_bar: float) -> dict[str, Route]:
+    """Return the cheapest route to each letter; guides of the frame round least."""
+
+    def cost(step: Step) -> float:
+        if isinstance(step, Bar):
+            return slotted_bar if isinstance(step.length, str) else 1.0
+        return 1.0 if isinstance(step.along, str) else 0.5
+
+    routes: dict[str, Route] = {letter: (letter, ()) for letter in solver.fixed}
+    costs = dict.fromkeys(solver.fixed, 0.0)
+    while True:
+        candidates = [
+            (costs[tail] + cost(step), head, tail, (way, step))
+            for step in solver.steps
+            for way, (tail, head) in ((1, step.ends), (-1, step.ends[::-1]))
+            if tail in routes and head not in routes
+        ]
+        if not candidates:
+            return routes
+        total, head, tail, hop = min(candidates, key=lambda candidate: candidate[0])
+        start, hops = routes[tail]
+        routes[head], costs[head] = (start, (*hops, hop)), total

@@ -1,0 +1,79 @@
+"""What the solver passes on: a pose, its rates, and the components of one step's motion."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from vad.kinematics import sweep
+from vad.kinematics.linkage import Scalar, angle_of, length_of
+from vad.kinematics.numbers import Number
+
+
+class Component(NamedTuple):
+    """One part of a step's velocity or acceleration: ``amount`` along the unit ``direction``.
+
+    ``name`` is the textbook's: normal, tangential, coriolis or sliding.  An ``amount`` of None
+    stands for the unknown one, of which only the direction is known yet.
+    """
+
+    name: str
+    direction: Number
+    amount: Number | None
+
+
+@dataclass(slots=True)
+class Pose:
+    """Unit vector of every link, length of every slide, and of every loop the sine at which its
+    construction lines cross."""
+
+    unit: dict[str, Number]
+    length: dict[str, Number]
+    sine: list[Number]
+
+    def flat(self) -> dict[Any, Number]:
+        """Return all values in one dictionary."""
+        units = {angle_of(name): value for name, value in self.unit.items()}
+        lengths = {length_of(name): value for name, value in self.length.items()}
+        return units | lengths | dict(enumerate(self.sine))
+
+    @classmethod
+    def of(cls, values: dict[Any, Number]) -> Pose:
+        """Return the pose whose `flat` is ``values``."""
+        pose = cls({}, {}, [])
+        for key, value in values.items():
+            if isinstance(key, Scalar):
+                (pose.unit if key.kind == "angle" else pose.length)[key.name] = value
+            else:
+                pose.sine.append(value)
+        return pose
+
+    def cut(self, part: slice) -> Pose:
+        """Return the poses in ``part``."""
+        sines = sweep.cut(dict(enumerate(self.sine)), part)
+        return Pose(sweep.cut(self.unit, part), sweep.cut(self.length, part), list(sines.values()))
+
+
+@dataclass(slots=True)
+class Rates:
+    """First or second derivatives: of every link's angle and of every slide's length."""
+
+    turning: dict[str, Number]
+    sliding: dict[str, Number]
+
+    def flat(self) -> dict[Scalar, Number]:
+        """Return all values in one dictionary."""
+        turning = {angle_of(name): value for name, value in self.turning.items()}
+        return turning | {length_of(name): value for name, value in self.sliding.items()}
+
+    @classmethod
+    def of(cls, values: dict[Scalar, Number]) -> Rates:
+        """Return the rates whose `flat` is ``values``."""
+        rates = cls({}, {})
+        for key, value in values.items():
+            (rates.turning if key.kind == "angle" else rates.sliding)[key.name] = value
+        return rates
+
+    def cut(self, part: slice) -> Rates:
+        """Return the rates of the poses in ``part``."""
+        return Rates(sweep.cut(self.turning, part), sweep.cut(self.sliding, part))

@@ -1,0 +1,127 @@
+"""The motion of one link, point or slide, in the user's units: scalars or arrays, never views of
+the solution."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from vad.errors import DeadCentreError
+from vad.kinematics.linkage import Slide, angle_of
+from vad.kinematics.numbers import Number, degrees_of, fold, is_array, positive
+
+if TYPE_CHECKING:
+    from vad.kinematics.motion import Motion
+
+
+class Link:
+    """The motion of one link: ``angle`` in degrees within [0, 360), ``omega``, ``alpha``."""
+
+    def __init__(self, motion: Motion, name: str) -> None:
+        self._motion = motion
+        self._name = name
+
+    @property
+    def angle(self) -> Number:
+        """Its direction in degrees, counter-clockwise from +x."""
+        motion, name = self._motion, self._name
+        if angle_of(name) == motion.solver.linkage.driver:
+            value = motion.inputs["angle"]
+            if is_array(value):
+                with np.errstate(invalid="ignore"):
+                    folded = fold(value)
+                value = np.where(folded < 0.0, folded + 360.0, folded)
+                value[value >= 360.0] = 0.0
+                return np.array(np.broadcast_to(value, motion.shape))
+            angle = positive(fold(value)) + 0.0
+            return np.full(motion.shape, angle) if motion.many else angle
+        turn = motion.solver.turn
+        if motion.many:
+            return motion.shaped(motion.reckon(
+                lambda pose, _: degrees_of(pose.unit[name] if turn == 1 else pose.unit[name] * turn), 0
+            ))
+        unit = motion.pose.unit[name]
+        if unit != unit:
+            raise DeadCentreError(f"{name}: its angle is undetermined at this dead centre")
+        return degrees_of(unit * turn)
+
+    @property
+    def omega(self) -> Number:
+        """Its angular velocity in rad/s."""
+        return self._motion.shaped(self._motion.velocity.turning[self._name])
+
+    @property
+    def alpha(self) -> Number:
+        """Its angular acceleration in rad/s²."""
+        return self._motion.shaped(self._motion.acceleration.turning[self._name])
+
+
+class Point:
+    """The motion of one point, as complex numbers x + iy in the user's length unit."""
+
+    def __init__(self, motion: Motion, letter: str) -> None:
+        self._motion = motion
+        self._letter = letter
+
+    def _outward(self, value: Number) -> Number:
+        solver = self._motion.solver
+        return self._motion.shaped(value, solver.turn, solver.scale)
+
+    @property
+    def position(self) -> Number:
+        """Where it is."""
+        routes, letter = self._motion.routes, self._letter
+        return self._outward(self._motion.reckon(lambda pose, _: routes.position(letter, pose), 0))
+
+    @property
+    def velocity(self) -> Number:
+        """Its velocity."""
+        return self._rate(1)
+
+    @property
+    def acceleration(self) -> Number:
+        """Its acceleration."""
+        return self._rate(2)
+
+    def _rate(self, orders: int) -> Number:
+        routes, letter = self._motion.routes, self._letter
+        return self._outward(
+            self._motion.reckon(lambda pose, rates: routes.rate(letter, pose, rates), orders)
+        )
+
+
+class Slider:
+    """The motion of one slide along its line, in the user's length unit."""
+
+    def __init__(self, motion: Motion, name: str) -> None:
+        self._motion = motion
+        self._name = name
+
+    @property
+    def position(self) -> Number:
+        """Its signed distance from the zero of its line."""
+        motion = self._motion
+        return motion.shaped(motion.whole_pose.length[self._name], motion.solver.scale)
+
+    @property
+    def velocity(self) -> Number:
+        """Its velocity along the line."""
+        motion = self._motion
+        return motion.shaped(motion.velocity.sliding[self._name], motion.solver.scale)
+
+    @property
+    def acceleration(self) -> Number:
+        """Its acceleration along the line."""
+        motion = self._motion
+        return motion.shaped(motion.acceleration.sliding[self._name], motion.solver.scale)
+
+    @property
+    def coriolis(self) -> Number:
+        """The magnitude of its Coriolis component 2·ω·v, or None on a line that does not turn."""
+        motion, name = self._motion, self._name
+        for step in motion.solver.steps:
+            if isinstance(step, Slide) and step.name == name and isinstance(step.along, str):
+                turning, sliding = motion.velocity.turning[step.along], motion.velocity.sliding[name]
+                return motion.shaped(abs(2.0 * turning * sliding), motion.solver.scale)
+        return None
