@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vad.errors import AssemblyError, InputError, unknown
+from vad.errors import AssemblyError, DeadCentreError, InputError, unknown
 from vad.kinematics import sweep
 from vad.kinematics.closures import OpenLoop
 from vad.kinematics.linkage import Scalar, angle_of, length_of
@@ -56,32 +56,41 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion:
     for name in inputs:
         if name not in mechanism.inputs:
             raise unknown("input", name, mechanism.inputs)
-    return Motion(mechanism, {
-        name: _checked(name, inputs.get(name, default))
-        for name, default in mechanism.inputs.items()
-    })
+    solver = solver_of(mechanism)
+    turns = solver.linkage.driver.kind == "angle"
+    # Beyond this, squares of rates times lengths would leave the range of double precision.
+    largest = 1e60 * (1.0 if turns else solver.scale)
+    return Motion(
+        mechanism,
+        {
+            name: _checked(
+                name, inputs.get(name, default), math.inf if name == "angle" else largest
+            )
+            for name, default in mechanism.inputs.items()
+        },
+    )
 
 
-#: Rates beyond this would overflow when they are squared and multiplied by a length.
-_LARGEST_RATE = 1e60
-
-
-def _checked(name: str, value: Any) -> Number:
-    if isinstance(value, float | int):
+def _checked(name: str, value: Any, largest: float) -> Number:
+    """Return an input as a float, or as a new array in which what is not finite is NaN."""
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, float | int) and not isinstance(value, bool):
         number = float(value)
         if not math.isfinite(number):
             raise InputError(f"{name}: must be a finite number, got {number}")
-        if name in ("omega", "alpha") and abs(number) > _LARGEST_RATE:
-            raise InputError(f"{name}: must be within ±{_LARGEST_RATE:g}, got {number:g}")
+        if abs(number) > largest:
+            raise InputError(f"{name}: must be within ±{largest:g}, got {number:g}")
         return number
-    if isinstance(value, str | bytes | bool):
-        raise InputError(f"{name}: must be a number or an array of numbers, got {value!r}")
     try:
+        if isinstance(value, str | bytes | bool):
+            raise TypeError
         array = np.array(value, dtype=float)
     except (TypeError, ValueError, OverflowError):
-        raise InputError(f"{name}: must be a number or an array of numbers, got {value!r}") from None
-    if isinstance(value, np.generic):
-        return _checked(name, float(value))
+        wanted = "must be a number or an array of numbers"
+        raise InputError(f"{name}: {wanted}, got {value!r}") from None
+    if not math.isinf(largest):
+        array[~(np.abs(array) <= largest)] = np.nan
     return array
 
 
@@ -111,6 +120,8 @@ class Motion:
                 raise InputError(f"{'/'.join(inputs)}: shapes do not broadcast: {shapes}") from None
         else:
             self.shape = ()
+        first = next(iter(inputs.values()))
+        self._driver: Number = np.asarray(first) if self.many else first
         # Plain attributes: functools.cached_property takes a lock, a tenth of a pose's time.
         self._pose: Pose | None = None
         self._whole_pose: Pose | None = None
@@ -127,20 +138,19 @@ class Motion:
         return self._pose
 
     def _positions(self) -> Pose:
-        name, value = next(iter(self.inputs.items()))
-        if not is_array(value):
+        if not self.many:
             try:
-                return self.solver.positions(value)
+                return self.solver.positions(self._driver)
             except OpenLoop as gap:
-                raise _not_assembled(self.mechanism, name, value, gap.miss) from None
-        flat = value.ravel()
+                raise _not_assembled(self.mechanism, self._driver, gap.miss) from None
+        flat = self._driver.ravel()
         found = sweep.gather(flat.size, lambda part: self.solver.positions(flat[part]).flat())
         return Pose.of(found)
 
     @property
     def whole_pose(self) -> Pose:
         """The pose repeated to the shape of all inputs."""
-        own = np.shape(next(iter(self.inputs.values()))) if self.many else ()
+        own = np.shape(self._driver)
         if own == self.shape:
             return self.pose
         if self._whole_pose is None:
@@ -254,6 +264,10 @@ class Motion:
         if not self.many:
             for scale in scales:
                 value = value * scale
+            if value != value:
+                raise DeadCentreError("the result is undetermined at this dead centre")
+            if value - value != 0:
+                raise InputError("the result leaves the range of double precision")
             return value
         result = np.array(np.broadcast_to(value, math.prod(self.shape)))
         for scale in scales:
@@ -278,8 +292,9 @@ class Motion:
         return sweep.gather(math.prod(self.shape), part_of)[""]
 
 
-def _not_assembled(mechanism: Mechanism, name: str, value: float, miss: float) -> AssemblyError:
+def _not_assembled(mechanism: Mechanism, value: float, miss: float) -> AssemblyError:
     solver = solver_of(mechanism)
+    name = next(iter(mechanism.inputs))
     unit = "°" if name == "angle" else f" {mechanism.length_unit}"
     miss *= solver.scale
     message = f"{name} {value:g}{unit}: the links miss by {miss:.4g} {mechanism.length_unit}"

@@ -42,7 +42,7 @@ class Link:
                 lambda pose, _: degrees_of(pose.unit[name] if turn == 1 else pose.unit[name] * turn), 0
             ))
         unit = motion.pose.unit[name]
-        if unit != unit:
+        if unit != unit:  # NaN
             raise DeadCentreError(f"{name}: its angle is undetermined at this dead centre")
         return degrees_of(unit * turn)
 
