@@ -380,7 +380,8 @@ class Problem:
             misses = [eq.c0 for eq in self.pose(self.drive().c0, unknowns).equations]
             steps = solve_linear(self.jacobian(unknowns), misses)
             unknowns = [value - step for value, step in zip(unknowns, steps, strict=True)]
-        noise = max(abs(value) for value in unknowns) * mpf(10) ** (5 - DIGITS)
+        points = self.pose(self.drive().c0, unknowns).points.values()
+        noise = max(abs(series(point).c0) for point in points) * mpf(10) ** (25 - DIGITS)
         for value, step in zip(unknowns, steps, strict=True):
             if abs(step) > max(abs(value) * mpf(10) ** -50, noise):
                 raise ArithmeticError("Newton's method has not converged")
@@ -424,13 +425,9 @@ class Quantity:
     value: Any
     terms: Mapping[str, Any]
 
-    def kappa(self, part: Callable[[Any], Any] = lambda x: x, only: tuple[str, ...] = ()) -> Any:
-        """Return the condition number of the value, of its real or of its imaginary part.
-
-        ``only`` restricts the sum to the named numbers.
-        """
-        terms = [abs(part(t)) for name, t in self.terms.items() if not only or name in only]
-        return abs(part(self.value)) + mp.fsum(terms)
+    def kappa(self, part: Callable[[Any], Any] = lambda x: x) -> Any:
+        """Return the condition number of the value, or of its real or imaginary part."""
+        return abs(part(self.value)) + mp.fsum(abs(part(term)) for term in self.terms.values())
 
 
 def exact(name: str, number: Any) -> Any:
