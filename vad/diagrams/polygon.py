@@ -21,6 +21,7 @@ from vad.diagrams.strokes import (
     Equation,
     Line,
     Panel,
+    PanelName,
     Stroke,
     Term,
 )
@@ -65,6 +66,8 @@ class _Polygon:
         linkage = self.scene.motion.solver.linkage
         fixed = self.scene.motion.solver.fixed
         known: set[Scalar] = {self.scene.driver}
+        if self.nothing == 0.0:
+            return self._still()
         if all(chain.start in fixed for chains in self.loops for chain in chains):
             self._pole()
         for number, chains in enumerate(self.loops):
@@ -72,9 +75,20 @@ class _Polygon:
             known.update(linkage.unknowns[number])
             self.equations.append(equation(linkage.loops[number], *sides))
             self._images(known)
-        name = "velocity" if self.order == 1 else "acceleration"
+        return self._framed()
+
+    def _framed(self) -> Panel:
+        name: PanelName = "velocity" if self.order == 1 else "acceleration"
         unit = self.scene.rate_unit(self.order)
         return Panel(name, unit, tuple(self.strokes), tuple(self.equations), self.inset)
+
+    def _still(self) -> Panel:
+        """Return the panel of a mechanism that stands still: the pole alone."""
+        motion = self.scene.motion
+        label = ",".join(self._letter(letter) for letter in motion.solver.fixed)
+        rows = (*motion.links, *motion.slides)
+        self._add(Stroke("pole", label, Dot(0j), self.say.still(), reveals=rows))
+        return self._framed()
 
     def _add(self, stroke: Stroke) -> int:
         self.strokes.append(stroke)
@@ -96,9 +110,9 @@ class _Polygon:
         self._add(Stroke("pole", ",".join(letters), Dot(0j), self.say.pole(letters)))
 
     def _share_pole(self, letter: str) -> None:
-        """Write a point that stands still beside the pole's letters."""
-        pole = self.strokes[0]
-        if pole.kind == "pole":
+        """Write a point that does not move, though it could, beside the pole's letters."""
+        if self.strokes and self.strokes[0].kind == "pole":
+            pole = self.strokes[0]
             self.strokes[0] = replace(pole, label=f"{pole.label},{letter}")
 
     # --- one loop -----------------------------------------------------------------------------
