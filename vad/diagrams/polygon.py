@@ -164,7 +164,7 @@ class _Polygon:
             begun.setdefault(step, tip.name)
             last = all(other.step is not step for other in drawn[number + 1 :])
             name = self._end_name(chain, part, last)
-            lettered = last and chain.wholly_known(step) and part.name != "coriolis"
+            lettered = last and chain.wholly_known(step) and not _on_link(step)
             self._arrow("known", part, tip, name, self._at(step.ends[1]) if lettered else None)
             side.add(step, Term(self.strokes[-1].label, _owner(step), len(self.strokes) - 1))
             if lettered and begun[step] != self.strokes[-1].shape.tail:  # type: ignore[union-attr]
@@ -309,6 +309,11 @@ class _Polygon:
                 self._add(
                     Stroke("result", start + name, arrow, caption, bar.link, "absolute", image=True)
                 )
+
+
+def _on_link(step: Step) -> bool:
+    """Tell whether a step slides on a turning link: its end is a stage, no point of the link."""
+    return isinstance(step, Slide) and isinstance(step.along, str)
 
 
 def _owner(step: Step) -> str:

@@ -26,7 +26,7 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
     >>> closing_range(FourBar())
     [(0.0, 360.0)]
     >>> [(round(a, 2), round(b, 2)) for a, b in closing_range(FourBar(crank=130))]
-    [(22.62, 337.38)]
+    [(13.33, 120.25), (239.75, 346.67)]
     """
     solver = solver_of(mechanism)
     turns = solver.linkage.driver.kind == "angle"

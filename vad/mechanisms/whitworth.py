@@ -1,9 +1,9 @@
 """The Whitworth quick return, with its optional ram."""
 
+import math
 from dataclasses import dataclass
 
 from vad.kinematics.linkage import Linkage
-from vad.kinematics.numbers import direction, fold
 from vad.mechanisms.mechanism import Mechanism, angle, length
 from vad.mechanisms.quick_return import quick_return
 
@@ -38,6 +38,6 @@ class Whitworth(Mechanism):
         """The tip C lies on the side away from Q."""
         height = self.ram_height
         if self.rod is not None and height is None:
-            height = self.ground * direction(fold(self.ground_angle)).imag
+            height = self.ground * math.sin(math.radians(self.ground_angle))
         ground = (self.ground, self.ground_angle)
         return quick_return(self.crank, -self.arm, ground, self.rod, height)
