@@ -157,3 +157,15 @@ def test_memory_that_is_not_there(vad, monkeypatch):
 
     monkeypatch.setattr(catalogue, "table", fail)
     assert complaint(vad("list"), 1)[0] == "out of memory"
+
+
+def test_options_before_the_command(vad):
+    _, hint = complaint(vad("--json", "list"), 2)
+    assert "after the command" in hint
+
+
+@pytest.mark.parametrize("verb", ["draw", "animate", "sweep"])
+def test_a_file_s_name_that_is_too_long(vad, verb, tmp_path):
+    path = tmp_path / ("x" * 300 + {"draw": ".png", "animate": ".mp4", "sweep": ".csv"}[verb])
+    error, _ = complaint(vad(verb, "scotch-yoke", "-o", str(path)), 1)
+    assert "name too long" in error.lower()

@@ -129,3 +129,7 @@ def test_json_holds_every_digit(vad):
     motion = library.solve(library.FourBar(), angle=75.0)
     found = solved(vad, "four-bar", "--angle", "75")
     assert found["links"]["rocker"]["alpha"] == motion.link("rocker").alpha
+
+
+def test_two_dashes_end_the_options(vad):
+    assert vad("solve", "--", "four-bar").code == 0

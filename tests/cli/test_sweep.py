@@ -105,3 +105,8 @@ def test_an_older_file_is_replaced_only_by_a_whole_one(vad, tmp_path):
     assert path.read_text() == "old"
     assert vad("sweep", "four-bar", "-o", str(path)).code == 0
     assert path.read_text().startswith("angle [deg]")
+
+
+def test_an_equals_sign_after_the_short_option_is_no_part_of_the_name(vad, tmp_path):
+    assert vad("sweep", "four-bar", f"-o={tmp_path}/a.csv").code == 0
+    assert [each.name for each in tmp_path.iterdir()] == ["a.csv"]

@@ -47,7 +47,10 @@ class App(click.Group):
         try:
             return super().parse_args(ctx, args)
         except click.NoSuchOption as error:
-            raise unknown("option", error.option_name, ["--help", "--version"]) from None
+            wrong = unknown("option", error.option_name, ["--help", "--version"])
+            if not error.option_name.startswith(("--h", "--v")):
+                wrong.hint = "other options stand after the command; see vad --help"
+            raise wrong from None
 
 
 @click.group(
@@ -93,7 +96,13 @@ _FILM = [
 
 
 def _output(files: str) -> click.Option:
-    return click.Option(["-o", "--output"], required=True, metavar="FILE", help=files)
+    return click.Option(
+        ["-o", "--output"],
+        required=True,
+        callback=lambda _, __, path: path.removeprefix("="),  # -o=FILE, which click lets stand
+        metavar="FILE",
+        help=files,
+    )
 
 
 for verb in (

@@ -108,6 +108,6 @@ def _first_word(args: Sequence[str], options: Iterable[click.Option]) -> int | N
             skip = False
         elif not word.startswith("-"):
             return place
-        elif word == "-o" or word.startswith("--"):
+        elif word == "-o" or (word.startswith("--") and word != "--"):
             skip = "=" not in word and word not in alone
     return None

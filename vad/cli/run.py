@@ -34,8 +34,12 @@ def run(arguments: Sequence[str]) -> int:
         return _report(str(error), error.hint, 2 if isinstance(error, UsageError) else 1)
     except MemoryError:
         return _report("out of memory", "fewer --steps or a smaller --size")
+    except OSError as error:
+        if error.filename is None:
+            raise  # standard output, which is the affair of the process
+        return _report(f"'{os.fsdecode(error.filename)}': {error.strerror}")
     except Exception as error:
-        if isinstance(error, OSError) or os.environ.get("VAD_DEBUG"):
+        if os.environ.get("VAD_DEBUG"):
             raise
         problem = f"{type(error).__name__}: {error}"
         return _report(f"internal fault ({problem})", "VAD_DEBUG=1 shows where it happened")

@@ -1,0 +1,130 @@
+"""``vad compare``: one pose by every method, as a table of results, errors and time.
+
+In come a mechanism and its input, out goes text or JSON.  The methods, and mpmath with them, are
+loaded when the command is called.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from vad.cli.groups import MechanismGroup
+from vad.mechanisms import Mechanism
+from vad.units import scene_unit
+
+if TYPE_CHECKING:
+    from vad.methods.comparison import Comparison, Row
+
+_REFERENCE = "50 digits"
+# What a scalar's two derivatives are called: for the table, for JSON, and as a quantity.
+_SIGNS = {"angle": ("ω", "α"), "length": ("v", "a")}
+_NAMES = {"angle": ("omega", "alpha"), "length": ("velocity", "acceleration")}
+
+
+def compare(mechanism: Mechanism, inputs: dict[str, Any], as_json: bool = False) -> None:
+    """Print the results of every method for one pose."""
+    from vad.methods.comparison import compare
+
+    comparison = compare(mechanism, inputs)
+    if as_json:
+        data = _data(mechanism, inputs, comparison)
+        click.echo(json.dumps(data, ensure_ascii=False))
+    else:
+        click.echo(_table(mechanism, inputs, comparison))
+
+
+def _table(mechanism: Mechanism, inputs: dict[str, Any], comparison: Comparison) -> str:
+    columns = [(scalar, order) for order in (1, 2) for scalar in comparison.truth]
+    signs = [f"{_SIGNS[scalar.kind][order - 1]} {scalar.name}" for scalar, order in columns]
+    names = [_NAMES[scalar.kind][order - 1] for scalar, order in columns]
+    units = [scene_unit(name, mechanism.length_unit) for name in names]
+    lines = [["method", *signs, "error", "time"], ["", *units, "", "µs"]]
+    notes = ["error: the largest of all, positions too; relative, an angle's in radians"]
+    for row in comparison.rows:
+        numbers, ends = ["–"] * len(columns), ["–", "–"]
+        if row.found is None:
+            notes.append(f"{row.method}: {row.problem}")
+        else:
+            numbers = [f"{row.found[scalar][order]:.8g}" for scalar, order in columns]
+            ends = [_power(row.error), f"{row.seconds * 1e6:.0f}"]
+        lines.append([row.method, *numbers, *ends])
+    exact = [f"{float(comparison.truth[scalar][order]):.8g}" for scalar, order in columns]
+    lines.append([_REFERENCE, *exact])
+    given = ", ".join(
+        f"{name} {value:.6g} {scene_unit(name, mechanism.length_unit)}"
+        for name, value in {**mechanism.inputs, **inputs}.items()
+    )
+    return "\n\n".join([f"{mechanism.title}  ({given})", _aligned(lines), "\n".join(notes)])
+
+
+def _power(error: float) -> str:
+    """Return an error as a power of ten.
+
+    Examples
+    --------
+    >>> _power(3.2e-16), _power(0.0)
+    ('3e-16', '0')
+    """
+    return f"{error:.0e}" if error else "0"
+
+
+def _aligned(lines: list[list[str]]) -> str:
+    widths: dict[int, int] = {}
+    for line in lines:
+        for place, cell in enumerate(line):
+            widths[place] = max(widths.get(place, 0), len(cell))
+    return "\n".join(
+        "  ".join(
+            cell.rjust(widths[place]) if place else cell.ljust(widths[place])
+            for place, cell in enumerate(line)
+        ).rstrip()
+        for line in lines
+    )
+
+
+def _data(mechanism: Mechanism, inputs: dict[str, Any], comparison: Comparison) -> dict[str, Any]:
+    return {
+        "mechanism": mechanism.name,
+        "parameters": mechanism.parameters(),
+        "input": {**mechanism.inputs, **inputs},
+        "assembly": mechanism.assembly if mechanism.two_assemblies else None,
+        "methods": [_row(row) for row in comparison.rows],
+        "reference": {"method": _REFERENCE, **_results(comparison.truth)},
+    }
+
+
+def _row(row: Row) -> dict[str, Any]:
+    if row.found is None:
+        return {"method": row.method, "problem": row.problem}
+    return {
+        "method": row.method,
+        **_results(row.found),
+        "error": row.error,
+        "seconds": row.seconds,
+    }
+
+
+def _results(found: Any) -> dict[str, Any]:
+    """Return the results in the form of ``vad solve --json``."""
+    links, slides = {}, {}
+    for scalar, jet in found.items():
+        value, rate, second = map(float, jet)
+        if scalar.kind == "angle":
+            angle = math.degrees(value) % 360.0 % 360.0
+            links[scalar.name] = {"angle": angle, "omega": rate, "alpha": second}
+        else:
+            slides[scalar.name] = {"position": value, "velocity": rate, "acceleration": second}
+    return {"links": links, "slides": slides}
+
+
+#: The command.
+command = MechanismGroup(
+    "compare",
+    "Solve one pose by six methods, side by side.",
+    compare,
+    [click.Option(["--json", "as_json"], is_flag=True, help="as JSON, with all digits")],
+)
