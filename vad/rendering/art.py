@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from enum import IntEnum
 
 from vad.diagrams.strokes import Sheet
+from vad.rendering.labels import ALWAYS, Obstacles, Span
 from vad.rendering.marks import Mark
 from vad.rendering.page import Rect, Scale
 from vad.rendering.style import Line, Style
@@ -41,7 +42,10 @@ class Look:
     @classmethod
     def of(cls, sheet: Sheet, style: Style, unit: float) -> Look:
         """Return the look of ``sheet``: rows take their inks in order."""
-        return cls(style, unit, {row.key: index for index, row in enumerate(sheet.rows)})
+        rows: dict[str, int] = {}
+        for index, row in enumerate(sheet.rows):
+            rows.setdefault(row.key, index)  # an actuator is a link and a slide: one ink
+        return cls(style, unit, rows)
 
     def ink(self, link: str | None) -> str:
         """Return the colour of a link or slide; grey for the frame."""
@@ -72,10 +76,11 @@ class Growth:
 
 @dataclass(frozen=True, slots=True)
 class Tag:
-    """A placed label as the overlap count sees it; ``kind`` tells labels from leaders."""
+    """A placed label as the overlap count sees it, and the strokes done while it shows."""
 
     text: str
     box: Rect
+    span: Span = ALWAYS
 
 
 @dataclass
@@ -84,6 +89,8 @@ class PanelArt:
 
     Attributes
     ----------
+    obstacles
+        All strokes, at their finished length, and the boxes of the labels.
     items
         What is there after a number of strokes.
     growths
@@ -95,6 +102,7 @@ class PanelArt:
     """
 
     scale: Scale
+    obstacles: Obstacles
     items: list[Item] = field(default_factory=list)
     growths: list[Growth] = field(default_factory=list)
     glow: dict[str, list[Mark]] = field(default_factory=dict)

@@ -20,6 +20,7 @@ from vad.rendering.page import GUTTER, GUTTER_TWO, MARGIN, Page, Rect, lay_out
 from vad.rendering.polygon import draw_polygon
 from vad.rendering.style import load_style
 from vad.rendering.table import State, Table
+from vad.rendering.words import words
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +83,7 @@ class Board:
         drawing = self.page.panels[panel.name].drawing
         if panel.name == "position":
             return draw_mechanism(panel, drawing, self.look, self._sense())
-        return draw_polygon(panel, drawing, self.look)
+        return draw_polygon(panel, drawing, self.look, words(self.sheet.language).coriolis)
 
     def _sense(self) -> float:
         """Return the given ω of the driven link, 0 where there is none."""
@@ -166,15 +167,9 @@ class Board:
                         and panel.name == names[moment.panel or 0]
                     )
                     measured[key, panel.name] = "new" if new else "measured"
-        given = {
-            (row.key, name)
-            for row in self.sheet.rows
-            for name, cells in row.cells.items()
-            if any(cell.given for cell in cells)
-        }
 
         def state(key: str, name: PanelName) -> State:
-            return "given" if (key, name) in given else measured.get((key, name), "hidden")
+            return measured.get((key, name), "hidden")
 
         page, unit = self.page, self.look.unit
         if page.results:

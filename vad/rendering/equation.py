@@ -16,7 +16,7 @@ from vad.rendering.text import Runs, roman, symbols, width, write
 SIZE = 0.036
 LEAST = 0.028
 PENDING = 0.42
-SPACE = 0.26  # about a sign, in type sizes
+SPACE = 0.24  # about a sign, in type sizes
 LOOP_SPACE = 1.3
 
 

@@ -114,8 +114,10 @@ class _Painter:
         self._dirty = box
 
     def _reach(self, marks: list[Mark], also: Box = EMPTY) -> Box:
-        """Return the box that painting ``marks`` touches: theirs, that of the frame before, and
-        those of all marks above that meet it, in turn."""
+        """Return the box that painting ``marks`` touches.
+
+        It holds theirs, that of the frame before, and in turn those of the marks above it.
+        """
         box = _union(also, self._dirty)
         for mark in marks:
             box = _union(box, self._box(mark))

@@ -8,74 +8,117 @@ from __future__ import annotations
 
 import cmath
 import math
+from dataclasses import dataclass
 
 from vad.diagrams.strokes import CoriolisInset
 from vad.rendering import vectors
 from vad.rendering.art import Level, Look, PanelArt, Tag
-from vad.rendering.labels import Obstacles, beside
-from vad.rendering.marks import Mark, Pen, arc, disc, polygon, polyline
+from vad.rendering.labels import Obstacles, Placed, beside
+from vad.rendering.marks import Mark, Pen, disc, polygon, polyline
 from vad.rendering.page import Rect
+from vad.rendering.rotation import sense_arrow
 from vad.rendering.style import mix
-from vad.rendering.text import outline, symbols
+from vad.rendering.text import Runs, roman, symbols
 from vad.rendering.vertices import halo, text_at, text_box
 
-SIDE = 0.185  # of the square that holds the picture, without its caption
-STEP = 0.02
 NAME_SIZE = 0.030
+CAPTION_SIZE = 0.028
+CAPTION_ABOVE = 0.006
+CAPTION_BELOW = 0.012
+DEEP, WIDE = 0.24, 0.19  # what it takes at most, below or beside a polygon
+STEP = 0.02
 LEVER = 0.075
 BLOCK = (0.046, 0.030)
 
 
-def room_for_inset(obstacles: Obstacles, drawing: Rect, unit: float) -> tuple[complex, bool]:
-    """Return the centre of the emptiest corner, and whether it is free of strokes."""
-    half = SIDE * unit / 2
-    spots = [
-        complex(x, y)
-        for y in (drawing.bottom + half, drawing.top - half)
-        for x in (drawing.left + half, drawing.right - half)
-    ]
-    inward = [
-        spot + complex(dx, dy) * STEP * unit
-        for spot in spots
-        for dx in range(-10, 11)
-        for dy in range(-3, 4)
-        if drawing.holds(spot + complex(dx, dy) * STEP * unit, -half + 1e-6)
-    ]
-    free = obstacles.free(spots, 2 * half, 2 * half, 0.0)
-    if free.any():
-        return spots[int(free.argmax())], True
-    free = obstacles.free(inward, 2 * half, 2 * half, 0.0)
-    if free.any():
-        return inward[int(free.argmax())], True
-    return spots[0], False
+@dataclass(frozen=True, slots=True)
+class Inset:
+    """The picture about the origin with the box that it fills, and the size of its caption."""
+
+    marks: list[Mark]
+    names: list[Tag]
+    box: Rect
+    caption: Runs
+    caption_box: tuple[float, float]
+    stroke: int
 
 
-def add_inset(
-    art: PanelArt, inset: CoriolisInset, drawing: Rect, obstacles: Obstacles, look: Look
-) -> None:
-    """Add the inset to a panel's art, and its box to the obstacles."""
-    centre, _ = room_for_inset(obstacles, drawing, look.unit)
-    marks, tags = _picture(inset, centre, look)
-    art.add(Level.STROKE, inset.stroke + 1, marks)
-    art.tags += tags
-    half = SIDE * look.unit / 2
-    obstacles.boxes.append(
-        Rect(centre.real - half, centre.imag - half, centre.real + half, centre.imag + half)
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """Where an inset stands: the origin of its picture, and the middle of its caption."""
+
+    origin: complex
+    caption: complex
+
+
+def draw_inset(inset: CoriolisInset, caption: str, look: Look) -> Inset:
+    """Return the inset, not yet in its place."""
+    marks, names = _picture(inset, look)
+    boxes = [mark.box for mark in marks]
+    box = Rect(
+        min(b[0] for b in boxes),
+        min(b[1] for b in boxes),
+        max(b[2] for b in boxes),
+        max(b[3] for b in boxes),
     )
+    runs = roman(caption, lambda token: token == "v")
+    return Inset(marks, names, box, runs, text_box(runs, CAPTION_SIZE * look.unit), inset.stroke)
+
+
+def find_spot(obstacles: Obstacles, drawing: Rect, inset: Inset, unit: float) -> Spot | None:
+    """Return the emptiest corner for picture and caption, None where strokes fill them all."""
+    box, (wide, high) = inset.box, inset.caption_box
+    below = high + (CAPTION_ABOVE + CAPTION_BELOW) * unit
+    half_x, half_y = box.width / 2, box.height / 2
+    low, top = drawing.bottom + below + half_y, drawing.top - half_y
+    left, right = drawing.left + half_x, drawing.right - half_x
+    if low > top or left > right or wide > drawing.width - 2.0:
+        return None
+    centres: list[complex] = []
+    captions: list[complex] = []
+    for depth in range(int((top - low) / (STEP * unit)) + 1):
+        for inward in range(min(6, int((right - left) / (STEP * unit)) + 1)):
+            away = complex(inward, depth) * STEP * unit
+            for x in (left + away.real, right - away.real):
+                for y in (low + away.imag, top - away.imag):
+                    middle = max(x, drawing.left + wide / 2 + 1.0)
+                    middle = min(middle, drawing.right - wide / 2 - 1.0)
+                    centres.append(complex(x, y))
+                    drop = half_y + CAPTION_ABOVE * unit + high / 2
+                    captions.append(complex(middle, y - drop))
+    edge = 1e-6  # a box that just fits its corner is inside
+    free = obstacles.free(centres, box.width - edge, box.height - edge, 0.0)
+    free &= obstacles.free(captions, wide, high, 0.003 * unit)
+    if not free.any():
+        return None
+    best = int(free.argmax())
+    return Spot(centres[best] - box.centre, captions[best])
+
+
+def add_inset(art: PanelArt, inset: Inset, spot: Spot, look: Look) -> None:
+    """Add the inset to a panel's art, and its boxes to the obstacles."""
+    size, grey = CAPTION_SIZE * look.unit, look.style.grey
+    marks = [mark.moved(spot.origin) for mark in inset.marks]
+    marks += text_at(inset.caption, inset.caption, spot.caption, size, grey, None)
+    art.add(Level.STROKE, inset.stroke + 1, marks)
+    caption = Placed(spot.caption, *inset.caption_box).box
+    picture = inset.box.moved(spot.origin)
+    art.tags += [Tag(name.text, name.box.moved(spot.origin)) for name in inset.names]
+    art.tags.append(Tag("Coriolis", caption))
+    art.obstacles.box(picture)
+    art.obstacles.box(caption)
 
 
 def _arrow(look: Look, link: str, start: complex, end: complex) -> list[Mark]:
-    return vectors.vector(
-        look.style, look.line(None), look.ink(link), start, end, look.unit, whole=True
-    )
+    line, ink = look.style.line(None), look.ink(link)
+    return vectors.vector(look.style, line, ink, start, end, look.unit, whole=True)
 
 
-def _picture(inset: CoriolisInset, centre: complex, look: Look) -> tuple[list[Mark], list[Tag]]:
+def _picture(inset: CoriolisInset, look: Look) -> tuple[list[Mark], list[Tag]]:
     unit = look.unit
     slot, sliding, turned = inset.slot, inset.sliding, inset.coriolis
     lever, block = look.ink(inset.link), look.ink(inset.slide)
-    # The picture leans towards 2ωv; shifting it back centres it in its square.
-    middle = centre - 0.022 * unit * turned
+    middle = 0j
     ends = middle - LEVER * unit * slot, middle + LEVER * unit * slot
     marks = [polyline(ends, Pen(lever, 0.0066 * unit, (), "round"))]
     along, across = BLOCK[0] / 2 * unit * slot, BLOCK[1] / 2 * unit * 1j * slot
@@ -83,33 +126,42 @@ def _picture(inset: CoriolisInset, centre: complex, look: Look) -> tuple[list[Ma
     shape += [middle - along - across, middle + along - across]
     tint = mix(block, look.style.background, 0.12)
     marks.append(polygon(shape, tint, Pen(block, 0.0030 * unit)))
-    marks += _arrow(look, inset.slide, middle, middle + 0.088 * unit * turned)
+    tip = middle + 0.085 * unit * turned
+    marks += _arrow(look, inset.slide, middle, tip)
     marks.append(disc(middle, 0.0052 * unit, block))
-    foot = middle - 0.036 * unit * turned - 0.042 * unit * sliding
+    foot = middle - 0.033 * unit * turned - 0.042 * unit * sliding
     marks += _arrow(look, inset.slide, foot, foot + 0.084 * unit * sliding)
-    # ω turns about the lever's lower end of the picture, on the side of 2ωv.
-    start = cmath.phase(-sliding * cmath.exp(1j * inset.sense * math.radians(18)))
-    radius = 0.062 * unit
-    begin, sweep = math.degrees(start), inset.sense * 46.0
-    pen = Pen(lever, 0.0030 * unit)
-    marks.append(arc(middle, radius, begin, sweep * 0.86, pen))
-    tip = middle + cmath.rect(radius, math.radians(begin + sweep))
-    heading = cmath.exp(1j * math.radians(begin + sweep)) * 1j * inset.sense
-    head = 0.015 * unit
-    back = tip - head * heading
-    marks.append(
-        polygon([tip, back + 0.4j * head * heading, back - 0.4j * head * heading], fill=lever)
-    )
+    # ω turns from the lever's end that v leaves, towards 2ωv or away from it.
+    start = math.degrees(cmath.phase(-sliding)) + inset.sense * 14.0
+    sweep, radius = inset.sense * 48.0, 0.060 * unit
+    turn = start + sweep / 2
+    marks += sense_arrow(middle, radius, turn, sweep, lever, 0.0030 * unit, 0.8 * unit)
+    out = cmath.exp(1j * math.radians(turn))
     tags: list[Tag] = []
-    out = cmath.exp(1j * math.radians(begin + sweep / 2))
     for text, at, way, ink in (
-        ("2ωv", middle + 0.088 * unit * turned, turned, block),
-        ("v", foot + 0.05 * unit * sliding, -turned, block),
+        ("2ωv", tip - 0.016 * unit * turned, -sliding, block),
+        ("v", foot + 0.034 * unit * sliding, -turned, block),
         ("ω", middle + radius * out, out, lever),
     ):
-        runs = symbols(text)
-        wide, high = text_box(runs, NAME_SIZE * unit)
-        spot = beside(at, way, 0.010 * unit, wide, high)
-        marks += text_at(runs, runs, spot, NAME_SIZE * unit, ink, halo(look))
-        assert outline(runs).advance > 0
+        runs, size = symbols(text), NAME_SIZE * unit
+        wide, high = text_box(runs, size)
+        where = beside(at, way, 0.010 * unit, wide, high)
+        marks += text_at(runs, runs, where, size, ink, halo(look))
+        tags.append(Tag(text, Placed(where, wide, high).box))
     return marks, tags
+
+
+def reserved(drawing: Rect, unit: float) -> list[Rect]:
+    """Return smaller drawings that leave room for an inset below, above or beside them."""
+    deep, wide = DEEP * unit, WIDE * unit
+    rooms: list[Rect] = []
+    for share in (0.25, 0.5, 0.75, 1.0):
+        down, aside = share * deep, share * wide
+        left, bottom, right, top = drawing.left, drawing.bottom, drawing.right, drawing.top
+        rooms += [
+            Rect(left, bottom + down, right, top),
+            Rect(left, bottom, right, top - down),
+            Rect(left + aside, bottom, right, top),
+            Rect(left, bottom, right - aside, top),
+        ]
+    return [room for room in rooms if room.height > 0.18 * unit and room.width > 0.2 * unit]

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,7 @@ from numpy.typing import NDArray
 from vad.rendering.page import Rect
 
 Reals = NDArray[np.float64]
+Complexes = NDArray[np.complex128]
 Bools = NDArray[np.bool_]
 
 GAP = 0.014
@@ -25,22 +27,43 @@ LEADER = 0.06
 TURN = math.tau / 16
 
 
+Span = tuple[int, int]  # shown while the first ≤ strokes done < the second
+ALWAYS: Span = (0, 1_000_000)
+
+
+def together(one: Span, other: Span) -> bool:
+    """Tell whether two spans of a panel's strokes have a moment in common."""
+    return one[0] < other[1] and other[0] < one[1]
+
+
 @dataclass
 class Obstacles:
     """What labels keep clear of: straight strokes with a half width, boxes, and an edge."""
 
     edge: Rect
-    lines: list[tuple[complex, complex, float]] = field(default_factory=list)
-    boxes: list[Rect] = field(default_factory=list)
+    lines: list[tuple[complex, complex, float, Span]] = field(default_factory=list)
+    boxes: list[tuple[Rect, Span]] = field(default_factory=list)
 
-    def line(self, points: Sequence[complex], half_width: float) -> None:
+    def line(self, points: Sequence[complex], half_width: float, span: Span = ALWAYS) -> None:
         """Add a polyline."""
         for start, end in zip(points[:-1], points[1:], strict=True):
-            self.lines.append((start, end, half_width))
+            self.lines.append((start, end, half_width, span))
 
-    def disc(self, centre: complex, radius: float) -> None:
+    def disc(self, centre: complex, radius: float, span: Span = ALWAYS) -> None:
         """Add a dot."""
-        self.lines.append((centre, centre, radius))
+        self.lines.append((centre, centre, radius, span))
+
+    def box(self, box: Rect, span: Span = ALWAYS) -> None:
+        """Add a box."""
+        self.boxes.append((box, span))
+
+    def during(self, span: Span) -> Obstacles:
+        """Return only what shows at some time in ``span``."""
+        return Obstacles(
+            self.edge,
+            [line for line in self.lines if together(line[3], span)],
+            [box for box in self.boxes if together(box[1], span)],
+        )
 
     def free(self, centres: Sequence[complex], wide: float, high: float, grow: float) -> Bools:
         """Tell for each centre whether a box there, grown, meets nothing."""
@@ -50,7 +73,7 @@ class Obstacles:
         edge = self.edge
         free = (x - half_x >= edge.left) & (x + half_x <= edge.right)
         free &= (y - half_y >= edge.bottom) & (y + half_y <= edge.top)
-        for box in self.boxes:
+        for box, _ in self.boxes:
             free &= (
                 (x - half_x >= box.right)
                 | (x + half_x <= box.left)
@@ -58,37 +81,54 @@ class Obstacles:
                 | (y + half_y <= box.bottom)
             )
         if self.lines and free.any():
-            free &= ~self._meets(x, y, half_x, half_y).any(axis=1)
+            starts = np.array([line[0] for line in self.lines])
+            ends = np.array([line[1] for line in self.lines])
+            halves = np.array([line[2] for line in self.lines])
+            sides = np.full(len(x), half_x), np.full(len(x), half_y)
+            free &= ~_meets(at, sides, starts, ends, halves).any(axis=1)
         return free
 
-    def _meets(self, x: Reals, y: Reals, half_x: float, half_y: float) -> Bools:
-        """Tell which boxes (rows) meet which lines (columns), by the slab method."""
-        starts = np.array([line[0] for line in self.lines])
-        ways = np.array([line[1] for line in self.lines]) - starts
-        halves = np.array([line[2] for line in self.lines])
-        enter = np.zeros((len(x), len(starts)))
-        leave = np.ones_like(enter)
-        for centre, half, start, way in (
-            (x, half_x, starts.real, ways.real),
-            (y, half_y, starts.imag, ways.imag),
-        ):
-            low = centre[:, None] - half - halves - start
-            high = centre[:, None] + half + halves - start
-            still = np.abs(way) < 1e-9
-            step = np.where(still, 1.0, way)
-            first, last = low / step, high / step
-            inside = (low <= 0) & (high >= 0)
-            first, last = np.minimum(first, last), np.maximum(first, last)
-            enter = np.maximum(enter, np.where(still, np.where(inside, 0.0, 2.0), first))
-            leave = np.minimum(leave, np.where(still, np.where(inside, 1.0, -1.0), last))
-        meets: Bools = enter <= leave
-        return meets
-
-    def crossed(self, start: complex, end: complex) -> bool:
-        """Tell whether a leader from ``start`` to ``end`` passes through a box or a stroke."""
+    def crossed(self, start: complex, end: complex) -> Literal["nothing", "strokes", "labels"]:
+        """Tell what a leader from ``start`` to ``end`` would pass through, the worst of it."""
+        if not self.clear_of_labels(start, end, 1.5):
+            return "labels"
         steps = max(2, int(abs(end - start) / 3.0))
         centres = [start + (end - start) * i / steps for i in range(1, steps)]
-        return not bool(self.free(centres, 0.0, 0.0, 1.0).all())
+        return "nothing" if self.free(centres, 0.0, 0.0, 1.0).all() else "strokes"
+
+    def clear_of_labels(self, start: complex, end: complex, half_width: float) -> bool:
+        """Tell whether a straight stroke would meet no box."""
+        if not self.boxes:
+            return True
+        at = np.array([box.centre for box, _ in self.boxes])
+        wide = np.array([box.width / 2 for box, _ in self.boxes])
+        high = np.array([box.height / 2 for box, _ in self.boxes])
+        line = np.array([start]), np.array([end]), np.array([half_width])
+        return not bool(_meets(at, (wide, high), *line).any())
+
+
+def _meets(
+    at: Complexes, sides: tuple[Reals, Reals], starts: Complexes, ends: Complexes, halves: Reals
+) -> Bools:
+    """Tell which boxes (rows) meet which lines (columns), by the slab method."""
+    ways = ends - starts
+    enter = np.zeros((len(at), len(starts)))
+    leave = np.ones_like(enter)
+    for centre, half, start, way in (
+        (at.real, sides[0], starts.real, ways.real),
+        (at.imag, sides[1], starts.imag, ways.imag),
+    ):
+        low = (centre - half)[:, None] - halves - start
+        high = (centre + half)[:, None] + halves - start
+        still = np.abs(way) < 1e-9
+        step = np.where(still, 1.0, way)
+        one, other = low / step, high / step
+        inside = (low <= 0) & (high >= 0)
+        first = np.where(still, np.where(inside, 0.0, 2.0), np.minimum(one, other))
+        last = np.where(still, np.where(inside, 1.0, -1.0), np.maximum(one, other))
+        enter, leave = np.maximum(enter, first), np.minimum(leave, last)
+    meets: Bools = enter <= leave
+    return meets
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,37 +183,82 @@ def place(
     unit: float,
     radius: float = 0.0,
     near: Sequence[float] = (GAP, 0.020),
+    rivals: Sequence[complex] = (),
 ) -> Placed:
     """Place one label beside ``at`` and add it to the obstacles.
 
     ``near`` are distances (fractions of ``unit``) at which no leader is needed; ``radius`` is
-    that of the dot.  Farther out a free spot whose leader crosses nothing is preferred.
+    that of the dot.  Farther than the first of them a label must stand clearly nearer to its own
+    dot than to the ``rivals``.  With a leader, one that crosses nothing is preferred.
     """
     grow = CLEARANCE * unit
     for gap in near:
         centres = [
             beside(at, way, gap * unit + radius, wide, high) for way in fan(first, 16)
         ]
-        free = obstacles.free(centres, wide, high, grow)
-        if free.any():
-            return _settle(obstacles, Placed(centres[int(free.argmax())], wide, high))
-    fallback: Placed | None = None
-    gap = LEADER
-    while gap * unit < obstacles.edge.width + obstacles.edge.height:
-        centres = [
-            beside(at, way, gap * unit + radius, wide, high) for way in fan(first, 32)
-        ]
         for index in np.flatnonzero(obstacles.free(centres, wide, high, grow)):
+            spot = Placed(centres[int(index)], wide, high)
+            if gap <= near[0] or _belongs(spot, at, rivals):
+                return _settle(obstacles, spot)
+    fallback: Placed | None = None
+    bare: Placed | None = None
+    for tight, centres in _far(obstacles.edge, at, first, wide, high, unit, radius):
+        if fallback or (bare and tight):
+            break
+        for index in np.flatnonzero(obstacles.free(centres, wide, high, 0.5 if tight else grow)):
             spot = _led(at, centres[int(index)], wide, high, radius, unit)
             assert spot.leader is not None
-            if not obstacles.crossed(spot.leader[0], spot.leader[1]):
+            crossed = obstacles.crossed(*spot.leader)
+            if crossed == "nothing":
                 return _settle(obstacles, spot)
-            fallback = fallback or spot
-        if fallback and gap > 4 * LEADER:
-            break
-        gap *= 1.35
-    spot = fallback or Placed(beside(at, first, GAP * unit + radius, wide, high), wide, high)
-    return _settle(obstacles, spot)
+            if crossed == "strokes":
+                fallback = fallback or spot
+            bare = bare or Placed(spot.centre, wide, high)
+    last = Placed(beside(at, first, GAP * unit + radius, wide, high), wide, high)
+    return _settle(obstacles, fallback or bare or last)
+
+
+def _far(
+    edge: Rect,
+    at: complex,
+    first: complex,
+    wide: float,
+    high: float,
+    unit: float,
+    radius: float,
+) -> Iterator[tuple[bool, list[complex]]]:
+    """Yield spots farther and farther from ``at``; then the whole panel, at last in tight fit."""
+    ways = fan(first, 32)
+    near: list[complex] = []
+    for growth in range(5):
+        gap = LEADER * 1.35**growth * unit + radius
+        near += [beside(at, way, gap, wide, high) for way in ways]
+    yield False, near
+    grid = _grid(edge, at, 0.008 * unit)
+    yield False, grid
+    yield True, grid
+
+
+def _grid(edge: Rect, at: complex, step: float) -> list[complex]:
+    """Return points all over ``edge``, the nearest to ``at`` first."""
+    points = [
+        complex(edge.left + i * step, edge.bottom + j * step)
+        for i in range(1, int(edge.width / step))
+        for j in range(1, int(edge.height / step))
+    ]
+    return sorted(points, key=lambda point: abs(point - at))
+
+
+def _belongs(spot: Placed, at: complex, rivals: Iterable[complex]) -> bool:
+    """Tell whether a label stands clearly nearer to ``at`` than to any rival."""
+    own = _distance(spot.box, at)
+    return all(_distance(spot.box, rival) > 1.4 * own for rival in rivals)
+
+
+def _distance(box: Rect, point: complex) -> float:
+    aside = max(box.left - point.real, point.real - box.right, 0.0)
+    above = max(box.bottom - point.imag, point.imag - box.top, 0.0)
+    return math.hypot(aside, above)
 
 
 def _led(
@@ -190,7 +275,7 @@ def _led(
 
 
 def _settle(obstacles: Obstacles, placed: Placed) -> Placed:
-    obstacles.boxes.append(placed.box)
+    obstacles.box(placed.box)
     if placed.leader:
         obstacles.line(placed.leader, 1.0)
     return placed

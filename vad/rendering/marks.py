@@ -50,9 +50,9 @@ class Mark:
         right, top = self.vertices.max(axis=0)
         return left - pad, bottom - pad, right + pad, top + pad
 
-    def faded(self, alpha: float) -> Mark:
-        """Return the mark with its alpha multiplied."""
-        return replace(self, alpha=self.alpha * alpha)
+    def moved(self, by: complex) -> Mark:
+        """Return the mark shifted."""
+        return replace(self, vertices=self.vertices + (by.real, by.imag))
 
 
 def _points(points: Sequence[complex]) -> Points:

@@ -16,7 +16,7 @@ from vad.rendering.marks import Mark, Pen, arc, polygon
 from vad.rendering.page import Rect, fill
 from vad.rendering.polygon import corners
 from vad.rendering.rotation import add_angle, add_sense, angle_radius
-from vad.rendering.supports import add_axes, add_pivots, guide_rail
+from vad.rendering.supports import add_axes, add_pivots, block_guide, guide_marks
 from vad.rendering.tools import compass, set_square, square_side, tip_dot
 from vad.rendering.vertices import Vertex, find_vertices, label_vertices
 
@@ -37,14 +37,22 @@ class Scene:
 
 def draw_mechanism(panel: Panel, drawing: Rect, look: Look, sense: float) -> PanelArt:
     """Return the art of the position panel; ``sense`` is the sign of the driven link's ω."""
-    art = PanelArt(fill(corners(panel), drawing, look.unit, position=True))
+    scale = fill(corners(panel), drawing, look.unit, position=True)
+    art = PanelArt(scale, Obstacles(drawing))
     vertices = find_vertices(panel, art.scale, look.unit)
-    scene = Scene(art, panel, drawing, look, vertices, Obstacles(drawing))
+    scene = Scene(art, panel, drawing, look, vertices, art.obstacles)
     carriers = {s.shape.on for s in panel.strokes if isinstance(s.shape, Block)}
     for index, stroke in enumerate(panel.strokes):
         _add_stroke(scene, stroke, index, carriers)
+    poles = [
+        art.scale(s.shape.at)
+        for s in panel.strokes
+        if s.kind == "pole" and isinstance(s.shape, Dot)
+    ]
     for vertex in vertices:
-        art.add(Level.DOT, min(vertex.since), [parts.joint(look, vertex.at)])
+        pin = all(abs(vertex.at - pole) > 1.0 for pole in poles)
+        mark = parts.joint(look, vertex.at) if pin else parts.point(look, vertex.at)
+        art.add(Level.DOT, min(vertex.since), [mark])
         scene.obstacles.disc(vertex.at, (parts.JOINT + parts.JOINT_RIM / 2) * look.unit)
     add_axes(art, panel, vertices, scene.obstacles, look)
     for stroke in panel.strokes:
@@ -106,13 +114,9 @@ def _add_stroke(
             polygon(outline, None, pen, vectors.UNDERLAY_ALPHA)
         )
     elif isinstance(shape, Guide):
-        start, end, away = guide_rail(scene.art, scene.panel, shape, scene.drawing, look)
-        art.add(Level.GROUND, index + 1, parts.rail(look, start, end, away))
-        if away:
-            thick = 0.5 * parts.TICK * look.unit * 0.72
-            scene.obstacles.line([start + away * thick, end + away * thick], thick)
-        else:
-            scene.obstacles.line([start, end], 1.0)
+        marks = guide_marks(art, scene.panel, stroke, scene.drawing, look, 1.0)
+        art.add(Level.GROUND, index + 1, marks)
+        block_guide(art, scene.panel, shape, scene.drawing, scene.obstacles, look)
     elif isinstance(shape, (Arc, Line)) and stroke.kind == "construction":
         last = len(scene.panel.strokes)
         art.add(Level.CONSTRUCTION, index + 1, _trace(scene, stroke, 1.0), last)
@@ -160,8 +164,8 @@ def _end(scene: Scene, shape: Line) -> complex:
 
 
 def _growth(scene: Scene, stroke: Stroke, carriers: set[str | None]) -> Growth:
-    look, shape, scale = scene.look, stroke.shape, scene.art.scale
-    ink = look.ink(stroke.link)
+    art, look, shape = scene.art, scene.look, stroke.shape
+    scale, ink = art.scale, look.ink(stroke.link)
     if isinstance(shape, Arrow):
         bar = shape
         light = vectors.BAR * look.unit
@@ -178,13 +182,16 @@ def _growth(scene: Scene, stroke: Stroke, carriers: set[str | None]) -> Growth:
             Level.BLOCK, lambda grown: parts.block(look, at, way, on_lever, ink, grown)
         )
     if isinstance(shape, Guide):
-        ends = guide_rail(scene.art, scene.panel, shape, scene.drawing, look)
-        return Growth(Level.GROUND, lambda grown: parts.rail(look, *ends, grown))
+        return Growth(
+            Level.GROUND,
+            lambda grown: guide_marks(art, scene.panel, stroke, scene.drawing, look, grown),
+        )
     if isinstance(shape, Dot):
         spot = scale(shape.at)
-        return Growth(Level.DOT, lambda grown: [parts.joint(look, spot, max(grown, 0.05))])
+        draw = parts.point if stroke.kind == "pole" else parts.joint
+        return Growth(Level.DOT, lambda grown: [draw(look, spot, max(grown, 0.05))])
     if stroke.kind == "angle" and isinstance(shape, Arc):
-        centre, radius = scale(shape.centre), angle_radius(scene.art, shape, look)
+        centre, radius = scale(shape.centre), angle_radius(art, shape, look)
         start, sweep = shape.start, shape.sweep
         pen = Pen(look.style.grey, 0.0024 * look.unit)
         return Growth(

@@ -17,10 +17,10 @@ def plain(value: float) -> str:
 
     Examples
     --------
-    >>> plain(-30.0), plain(0.05), plain(2000000.0)
+    >>> plain(-30.0), plain(0.05), plain(2e6)
     ('−30', '0.05', '2×10⁶')
     """
-    return _typeset(f"{value:.6g}")
+    return _typeset(f"{value:.5g}")
 
 
 def measured(value: float) -> str:
@@ -28,19 +28,15 @@ def measured(value: float) -> str:
 
     Examples
     --------
-    >>> measured(160.0), measured(-3005.4), measured(1234567.0), measured(0.0)
-    ('160.0', '−3005', '1.235×10⁶', '0')
+    >>> measured(160.0), measured(-3005.4), measured(17321.0), measured(1234567.0)
+    ('160.0', '−3005', '17320', '1.235×10⁶')
     """
     if value == 0 or not math.isfinite(value):
         return "0" if value == 0 else "–"
-    return _typeset(f"{value:#.4g}" if abs(value) < 99999.5 else _large(value))
-
-
-def _large(value: float) -> str:
-    # Up to a million the digits are easier to read than a power of ten.
-    if abs(value) < 999950:
-        return f"{round(value, -int(math.floor(math.log10(abs(value)))) + 3):.0f}"
-    return f"{value:.3e}"
+    if 9999.5 <= abs(value) < 999950:
+        # Up to a million the digits are easier to read than a power of ten.
+        return _typeset(f"{round(value, 3 - math.floor(math.log10(abs(value)))):.0f}")
+    return _typeset(f"{value:#.4g}")
 
 
 def _typeset(text: str) -> str:

@@ -51,6 +51,12 @@ class Rect:
         """The middle."""
         return complex((self.left + self.right) / 2, (self.bottom + self.top) / 2)
 
+    def moved(self, by: complex) -> Rect:
+        """Return the rectangle shifted."""
+        return Rect(
+            self.left + by.real, self.bottom + by.imag, self.right + by.real, self.top + by.imag
+        )
+
     def holds(self, point: complex, slack: float = 0.0) -> bool:
         """Tell whether ``point`` lies inside, or outside by at most ``slack``."""
         return (

@@ -14,6 +14,7 @@ from vad.rendering.style import mix
 
 JOINT = 0.0105
 JOINT_RIM = 0.0036
+POINT = 0.0068
 PIVOT_HEIGHT = 0.044
 PIVOT_HALF_BASE = 0.026
 PIVOT_GROUND = 0.036
@@ -33,6 +34,11 @@ def joint(look: Look, at: complex, grown: float = 1.0) -> Mark:
     unit = look.unit
     pen = Pen(look.style.text, JOINT_RIM * unit)
     return disc(at, JOINT * unit * grown, look.style.background, pen)
+
+
+def point(look: Look, at: complex, grown: float = 1.0) -> Mark:
+    """Return a point that is no joint."""
+    return disc(at, POINT * look.unit * grown, look.style.text)
 
 
 def ticks(
@@ -100,6 +106,16 @@ def rail(
     marks = [polyline([start, tip], Pen(look.style.grey, 0.0026 * look.unit))]
     hatch = ticks(look, start, tip, away) if away else None
     return [*marks, hatch] if hatch else marks
+
+
+def slot(look: Look, start: complex, end: complex, ink: str, grown: float = 1.0) -> list[Mark]:
+    """Return the slot of a moving link: two edges, closed at both ends."""
+    tip = start + grown * (end - start)
+    if abs(tip - start) < 1e-6:
+        return []
+    half = (BLOCK[1] / 2 + BLOCK_RIM) * look.unit * 1j * (end - start) / abs(end - start)
+    edge = [start + half, tip + half, tip - half, start - half]
+    return [polygon(edge, None, Pen(ink, BLOCK_RIM * look.unit, (), "butt", "round"))]
 
 
 def axis(look: Look, start: complex, end: complex) -> Mark:

@@ -20,8 +20,19 @@ RADIUS = 0.088
 SHARE_OF_CRANK = 0.9
 LINE = 0.0024
 SIZE = 0.033
-SENSE_RADII = (0.062, 0.074, 0.050, 0.104, 0.120)
-SENSE_SPANS = (78.0, 60.0, 44.0)
+SENSE_SIZES = (  # radius and span, the best first
+    (0.062, 78.0),
+    (0.074, 78.0),
+    (0.062, 60.0),
+    (0.074, 60.0),
+    (0.088, 60.0),
+    (0.050, 70.0),
+    (0.062, 46.0),
+    (0.074, 46.0),
+    (0.104, 46.0),
+    (0.120, 40.0),
+)
+SHARES = (0.45, 0.55, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85, 0.05, 0.95)
 SENSE_LEAD = 63.0
 SENSE_HEAD = 0.018
 
@@ -67,15 +78,15 @@ def _beside_arc(
     look: Look,
 ) -> Placed:
     unit = look.unit
-    for gap in (0.009, 0.018, 0.030):
+    for gap in (0.011, 0.016, 0.022, 0.032, 0.045):
         centres = []
-        for share in (0.45, 0.55, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85):
+        for share in SHARES:
             way = cmath.exp(1j * math.radians(shape.start + share * shape.sweep))
             centres.append(beside(centre + radius * way, way, gap * unit, wide, high))
         free = obstacles.free(centres, wide, high, CLEARANCE * unit)
         if free.any():
             placed = Placed(centres[int(free.argmax())], wide, high)
-            obstacles.boxes.append(placed.box)
+            obstacles.box(placed.box)
             return placed
     way = cmath.exp(1j * math.radians(shape.start + 0.5 * shape.sweep))
     return place(obstacles, centre + radius * way, way, wide, high, unit)
@@ -98,30 +109,29 @@ def add_sense(
     crank = shape.start + shape.sweep
     sign = math.copysign(1.0, sense)
     for strict in (True, False):
-        for span in SENSE_SPANS:
-            for radius in SENSE_RADII:
-                for turn in sorted(range(0, 360, 15), key=lambda t: min(t, 360 - t)):
-                    middle = crank + sign * (SENSE_LEAD + turn)
-                    line = arc_line(centre, radius * unit, middle - span / 2, span)
-                    out = cmath.exp(1j * math.radians(middle))
-                    spot = beside(centre + radius * unit * out, out, 0.010 * unit, wide, high)
-                    grow = CLEARANCE * unit
-                    if not obstacles.free([spot], wide, high, grow)[0]:
-                        continue
-                    if strict and not obstacles.free(line, 0.0, 0.0, 0.008 * unit).all():
-                        continue
-                    if not strict and radius != SENSE_RADII[0]:
-                        continue
-                    marks = sense_arrow(
-                        centre, radius * unit, middle, sign * span, ink, 0.0032 * unit, unit
-                    )
-                    marks += text_at(runs, runs, spot, size, ink, halo(look))
-                    art.add(Level.LABEL, driven + 1, marks)
-                    placed = Placed(spot, wide, high)
-                    art.tags.append(Tag("ω", placed.box))
-                    obstacles.boxes.append(placed.box)
-                    obstacles.line(line, 0.004 * unit)
-                    return
+        for radius, span in SENSE_SIZES:
+            for turn in sorted(range(0, 360, 15), key=lambda t: min(t, 360 - t)):
+                middle = crank + sign * (SENSE_LEAD + turn)
+                line = arc_line(centre, radius * unit, middle - span / 2, span)
+                out = cmath.exp(1j * math.radians(middle))
+                spot = beside(centre + radius * unit * out, out, 0.010 * unit, wide, high)
+                if not obstacles.free([spot], wide, high, CLEARANCE * unit)[0]:
+                    continue
+                if strict and not obstacles.free(line, 0.0, 0.0, 0.008 * unit).all():
+                    continue
+                chords = zip(line[:-1], line[1:], strict=True)
+                if not all(obstacles.clear_of_labels(*ends, 0.004 * unit) for ends in chords):
+                    continue
+                marks = sense_arrow(
+                    centre, radius * unit, middle, sign * span, ink, 0.0032 * unit, unit
+                )
+                marks += text_at(runs, runs, spot, size, ink, halo(look))
+                art.add(Level.LABEL, driven + 1, marks)
+                placed = Placed(spot, wide, high)
+                art.tags.append(Tag("ω", placed.box))
+                obstacles.box(placed.box)
+                obstacles.line(line, 0.004 * unit)
+                return
 
 
 def sense_arrow(

@@ -8,10 +8,11 @@ from __future__ import annotations
 import cmath
 import math
 
-from vad.diagrams.strokes import Arc, Arrow, Block, Dot, Guide, Panel
+from vad.diagrams.strokes import Arc, Arrow, Block, Dot, Guide, Panel, Stroke
 from vad.rendering import parts
 from vad.rendering.art import Level, Look, PanelArt
 from vad.rendering.labels import Obstacles
+from vad.rendering.marks import Mark
 from vad.rendering.page import Rect
 from vad.rendering.vertices import Vertex
 
@@ -122,42 +123,112 @@ def _block(obstacles: Obstacles, at: complex, way: complex, size: float, unit: f
     obstacles.line([base - ground + way * thick, base + ground + way * thick], thick)
 
 
+def guide_marks(
+    art: PanelArt, panel: Panel, stroke: Stroke, drawing: Rect, look: Look, grown: float
+) -> list[Mark]:
+    """Return a guide of the frame, or the slot of a moving link, drawn as far as ``grown``."""
+    shape = stroke.shape
+    assert isinstance(shape, Guide)
+    if shape.side is None:
+        return parts.slot(look, *slot_ends(art, panel, shape, drawing, look),
+                          look.ink(stroke.link), grown)
+    start, end, origin, middle = guide_rail(art, panel, shape, drawing, look)
+    marks = parts.rail(look, start, end, shape.side, grown)
+    if origin is not None and abs(middle - origin) > 1.0:
+        marks.append(parts.axis(look, origin, origin + grown * (middle - origin)))
+    return marks
+
+
+def block_guide(
+    art: PanelArt,
+    panel: Panel,
+    shape: Guide,
+    drawing: Rect,
+    obstacles: Obstacles,
+    look: Look,
+) -> None:
+    """Add a guide to what labels keep clear of."""
+    if shape.side is None:
+        start, end = slot_ends(art, panel, shape, drawing, look)
+        half = (parts.BLOCK[1] / 2 + parts.BLOCK_RIM) * look.unit * 1j * shape.direction
+        edge = [start + half, end + half, end - half, start - half, start + half]
+        obstacles.line(edge, parts.BLOCK_RIM * look.unit / 2)
+        obstacles.line([start, end], 2.0)
+        return
+    start, end, origin, middle = guide_rail(art, panel, shape, drawing, look)
+    thick = 0.36 * parts.TICK * look.unit
+    way = shape.direction * 0.006 * look.unit
+    away = shape.side * thick
+    obstacles.line([start + away - way, end + away + way], thick + 1.0)
+    if origin is not None:
+        obstacles.line([origin, middle], parts.AXIS * look.unit / 2)
+
+
+def slot_ends(
+    art: PanelArt, panel: Panel, shape: Guide, drawing: Rect, look: Look
+) -> tuple[complex, complex]:
+    """Return both ends of a slot: past its block, and as far as the point that carries it."""
+    through, way = art.scale(shape.through), shape.direction
+    past = (parts.BLOCK[0] / 2 + 0.014) * look.unit
+    reach = [0.0]
+    for spot in _blocks_on(art, panel, through, way):
+        along = ((spot - through) * way.conjugate()).real
+        reach += [along - past, along + past]
+    low, high = _stretch(through, way, drawing, 0.004 * look.unit)
+    return through + max(min(reach), low) * way, through + min(max(reach), high) * way
+
+
 def guide_rail(
     art: PanelArt, panel: Panel, shape: Guide, drawing: Rect, look: Look
-) -> tuple[complex, complex, complex | None]:
-    """Return both ends of a guide's ground line and the side to hatch.
+) -> tuple[complex, complex, complex | None, complex]:
+    """Return both ends of a guide's ground line, its origin where that is a point, its block.
 
     The line lies under the block; it stays in the panel by shifting along itself.
     """
     unit, way = look.unit, shape.direction
     through = art.scale(shape.through)
-    blocks = [
-        art.scale(s.shape.at)
-        for s in panel.strokes
-        if isinstance(s.shape, Block) and _on_line(art.scale(s.shape.at), through, way)
-    ]
+    blocks = _blocks_on(art, panel, through, way)
     middle = blocks[0] if blocks else through
     offset = (shape.side or 0j) * (parts.BLOCK[1] / 2) * unit
     half = parts.GUIDE_LENGTH / 2 * unit
-    low, high = _stretch(middle + offset, way, drawing)
+    low, high = _stretch(middle + offset, way, drawing, 0.010 * unit)
     first, last = -half, half
     if last > high:
         first, last = max(low, first - (last - high)), high
     if first < low:
         first, last = low, min(high, last + (low - first))
-    return middle + offset + first * way, middle + offset + last * way, shape.side
+    poles = [
+        art.scale(s.shape.at)
+        for s in panel.strokes
+        if s.kind == "pole" and isinstance(s.shape, Dot)
+    ]
+    origin = next((pole for pole in poles if abs(pole - through) < 1.0), None)
+    foot = middle + offset
+    return foot + first * way, foot + last * way, origin, middle
+
+
+def _blocks_on(art: PanelArt, panel: Panel, through: complex, way: complex) -> list[complex]:
+    return [
+        art.scale(s.shape.at)
+        for s in panel.strokes
+        if isinstance(s.shape, Block)
+        and abs((s.shape.direction * way.conjugate()).imag) < 0.01
+        and _on_line(art.scale(s.shape.at), through, way)
+    ]
 
 
 def _on_line(point: complex, through: complex, way: complex) -> bool:
     return abs(((point - through) * way.conjugate()).imag) < 1.0
 
 
-def _stretch(at: complex, way: complex, drawing: Rect) -> tuple[float, float]:
+def _stretch(
+    at: complex, way: complex, drawing: Rect, inset: float
+) -> tuple[float, float]:
     """Return how far a line through ``at`` may run back and forth inside the drawing."""
     low, high = -math.inf, math.inf
     for ahead, least, most, here in (
         (way.real, drawing.left, drawing.right, at.real),
-        (way.imag, drawing.bottom, drawing.top, at.imag),
+        (way.imag, drawing.bottom + inset, drawing.top - inset, at.imag),
     ):
         if abs(ahead) > 1e-9:
             one, two = (least - here) / ahead, (most - here) / ahead

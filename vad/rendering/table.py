@@ -27,7 +27,7 @@ NUMBERS = 0.0620
 GIVEN_SIZE = 0.028
 HEAD_SIZE = 0.031
 
-State = Literal["hidden", "given", "new", "measured"]
+State = Literal["hidden", "new", "measured"]
 States = Callable[[str, PanelName], State]
 
 
@@ -57,13 +57,10 @@ class Table:
         size = fitted(runs, SIZE * unit, LEAST * unit, room - look.style.key * unit - 0.02 * unit)
         return marks + write(runs, at, size, look.style.text)
 
-    def _ink(self, state: State) -> str:
-        return self.look.style.grey if state == "given" else self.look.style.text
-
     def _columns(self, state: States) -> list[Mark]:
         unit = self.look.unit
         marks: list[Mark] = []
-        noted = False
+        noted = self._noted()
         for index, (name, place) in enumerate(self.page.panels.items()):
             left, right = place.drawing.left, place.drawing.right
             y = self.page.hairline
@@ -73,16 +70,22 @@ class Table:
             for row, baseline in zip(self.sheet.rows, self.page.rows, strict=True):
                 if index == 0:
                     marks += self._name(row, left, baseline, shift)
-                shown = state(row.key, name)
-                cells = row.cells.get(name, ())
-                if shown == "hidden" or not cells:
-                    continue
-                marks += self._cells(cells, shown, left + shift, right, baseline)
-                last = index == len(self.page.panels) - 1
-                if shown == "given" and last and not noted:
+                marks += self._cells(
+                    row.cells.get(name, ()), state(row.key, name), left + shift, right, baseline
+                )
+                if noted == (row.key, name):
                     marks += self._given(right, baseline)
-                    noted = True
+                    noted = None
         return marks
+
+    def _noted(self) -> tuple[str, PanelName] | None:
+        """Return the cell beside which "given" is written: one with room, far right and high."""
+        for name in reversed(list(self.page.panels)):
+            for row in self.sheet.rows:
+                cells = row.cells.get(name, ())
+                if len(cells) == 1 and cells[0].given:
+                    return row.key, name
+        return None
 
     def _given(self, right: float, baseline: float) -> list[Mark]:
         note = roman(words(self.sheet.language).given)
@@ -92,27 +95,38 @@ class Table:
     def _cells(
         self, cells: tuple[Cell, ...], state: State, left: float, right: float, baseline: float
     ) -> list[Mark]:
-        look, unit = self.look, self.look.unit
-        size, ink = SIZE * unit, self._ink(state)
-        dress = bold if state == "new" else _same
-        first = cells[0]
-        value = dress(roman(with_unit(number(first), first.unit)))
-        extra = cells[1] if len(cells) > 1 else None
-        note: Runs = ()
-        if extra:
-            text = with_unit(number(extra), extra.unit)
-            note = dress(symbols(extra.symbol) + roman(" = " + text))
-        need = NUMBERS * unit + width(value, size) + (width(note, size) + 0.02 * unit if extra else 0)
-        shrink = min(1.0, (right - left) / need)
-        size *= shrink
-        marks = write(dress(symbols(first.symbol)), complex(left, baseline), size, ink)
-        marks += write(
-            dress(roman("=")), complex(left + EQUALS * unit * shrink, baseline), size, ink
-        )
-        marks += write(value, complex(left + NUMBERS * unit * shrink, baseline), size, ink)
-        if extra:
-            marks += write(note, complex(right, baseline), size, look.style.text, "right")
+        """Return the first cell after ``left`` and a second one before ``right``."""
+        unit = self.look.unit
+        values = [self._dressed(cell, state, roman(_reading(cell))) for cell in cells]
+        signs = [
+            self._dressed(cell, state, symbols(cell.symbol) + roman(" = ")) for cell in cells
+        ]
+        need = sum(width(runs, SIZE * unit) for runs in (*values, *signs[1:]))
+        shrink = min(1.0, (right - left) / (need + (NUMBERS + 0.02 * len(signs[1:])) * unit))
+        size = SIZE * unit * shrink
+        marks: list[Mark] = []
+        for count, (cell, value, sign) in enumerate(zip(cells, values, signs, strict=True)):
+            if state == "hidden" and not cell.given:
+                continue
+            ink = self._ink(cell)
+            if count:
+                marks += write(sign + value, complex(right, baseline), size, ink, "right")
+                continue
+            columns = (
+                (self._dressed(cell, state, symbols(cell.symbol)), 0.0),
+                (self._dressed(cell, state, roman("=")), EQUALS),
+                (value, NUMBERS),
+            )
+            for runs, offset in columns:
+                at = complex(left + offset * unit * shrink, baseline)
+                marks += write(runs, at, size, ink)
         return marks
+
+    def _ink(self, cell: Cell) -> str:
+        return self.look.style.grey if cell.given else self.look.style.text
+
+    def _dressed(self, cell: Cell, state: State, runs: Runs) -> Runs:
+        return bold(runs) if state == "new" and not cell.given else runs
 
     def _quarter(self, state: States) -> list[Mark]:
         """Return the table of the two-by-two page: units in the heads, numbers aligned."""
@@ -146,10 +160,9 @@ class Table:
                 marks += self._name(row, area.left, y, rights[0] - area.left - 0.08 * unit)
                 for depth in range(1 + _extras(row, names)):
                     for name, right in zip(names, rights, strict=True):
-                        cells = row.cells.get(name, ())
-                        shown = state(row.key, name)
-                        if shown != "hidden" and depth < len(cells):
-                            marks += self._number(cells[depth], depth, shown, right, y)
+                        for cell in row.cells.get(name, ())[depth : depth + 1]:
+                            shown = state(row.key, name)
+                            marks += self._number(cell, depth, shown, right, y)
                     y -= ROW_PITCH_TWO * unit * squeeze
             y -= 0.026 * unit * squeeze
         return marks
@@ -170,17 +183,18 @@ class Table:
     def _number(
         self, cell: Cell, depth: int, state: State, right: float, baseline: float
     ) -> list[Mark]:
+        if state == "hidden" and not cell.given:
+            return []
         runs = roman(number(cell))
         if depth:
             runs = symbols(cell.symbol) + roman(" = ") + runs
-        if state == "new":
-            runs = bold(runs)
-        ink = self._ink(state)
-        return write(runs, complex(right, baseline), SIZE * self.look.unit, ink, "right")
+        runs = self._dressed(cell, state, runs)
+        size = SIZE * self.look.unit
+        return write(runs, complex(right, baseline), size, self._ink(cell), "right")
 
 
-def _same(runs: Runs) -> Runs:
-    return runs
+def _reading(cell: Cell) -> str:
+    return with_unit(number(cell), cell.unit)
 
 
 def _head(row: Row, names: list[PanelName]) -> list[tuple[str, str]]:

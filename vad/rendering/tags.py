@@ -6,7 +6,7 @@ In come a stroke's ends and a string, out goes a placed label that touches nothi
 from __future__ import annotations
 
 from vad.rendering.art import Look
-from vad.rendering.labels import CLEARANCE, Obstacles, Placed, beside, place
+from vad.rendering.labels import ALWAYS, CLEARANCE, Obstacles, Placed, Span, beside, place
 from vad.rendering.text import Runs
 from vad.rendering.vertices import text_box
 
@@ -22,8 +22,24 @@ def place_along(
     runs: Runs,
     look: Look,
     size: float = SIZE,
+    span: Span = ALWAYS,
 ) -> Placed:
-    """Place a label beside the stroke from ``start`` to ``end``, nearest its middle."""
+    """Place a label beside the stroke from ``start`` to ``end``, nearest its middle.
+
+    It keeps clear of what shows while it shows, in the ``span`` of strokes done.
+    """
+    everything = obstacles
+    obstacles = everything.during(span)
+    placed = _along(obstacles, start, end, runs, look, size)
+    everything.box(placed.box, span)
+    if placed.leader:
+        everything.line(placed.leader, 1.0, span)
+    return placed
+
+
+def _along(
+    obstacles: Obstacles, start: complex, end: complex, runs: Runs, look: Look, size: float
+) -> Placed:
     unit = look.unit
     wide, high = text_box(runs, size * unit)
     span = end - start
@@ -38,7 +54,5 @@ def place_along(
         ]
         free = obstacles.free(centres, wide, high, CLEARANCE * unit)
         if free.any():
-            placed = Placed(centres[int(free.argmax())], wide, high)
-            obstacles.boxes.append(placed.box)
-            return placed
+            return Placed(centres[int(free.argmax())], wide, high)
     return place(obstacles, (start + end) / 2, normal, wide, high, unit, near=())

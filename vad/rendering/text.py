@@ -36,7 +36,7 @@ _GREEK = re.compile(r"[α-ωΑ-Ω]")
 SCRIPT_SIZE = 0.7
 SUBSCRIPT_DROP = -0.16
 SUPERSCRIPT_RISE = 0.38
-PRIME_GAP = 0.05  # an italic letter leans into the prime that follows it
+PRIME_GAP = 0.03  # an italic letter leans into the prime that follows it
 _EM = 100.0
 
 
@@ -79,8 +79,6 @@ def roman(text: str, italic: Callable[[str], bool] = lambda _: False) -> Runs:
             runs.append(Run(_SUPERSCRIPTS[token], "roman", 1))
         elif _GREEK.match(token) or (token[0].isalpha() and italic(token)):
             runs.append(Run(token, "italic"))
-        elif token == "″":
-            runs.append(Run("′′"))
         else:
             runs.append(Run(token))
     return tuple(runs)
@@ -150,7 +148,7 @@ def outline(runs: Runs) -> Outline:
         size = SCRIPT_SIZE if run.script else 1.0
         rise = {-1: SUBSCRIPT_DROP, 0: 0.0, 1: SUPERSCRIPT_RISE}[run.script]
         for letter in run.text:
-            if letter == "′" and slanted:
+            if letter in "′″" and slanted:
                 pen += PRIME_GAP
             shape, kind, advance = _glyph(run.face, letter)
             if len(shape):

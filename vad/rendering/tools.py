@@ -20,12 +20,14 @@ LEAD = 0.035
 WINDOW = 0.42
 
 
-def right_angle(look: Look, ink: str, at: complex, way: complex, stub: complex) -> list[Mark]:
+def right_angle(
+    look: Look, ink: str, at: complex, way: complex, stub: complex, length: float = STUB
+) -> list[Mark]:
     """Return the right angle at ``at`` between a line along ``way`` and a link along ``stub``."""
     side = SQUARE * look.unit
     pen = Pen(ink, THIN * look.unit)
     return [
-        polyline([at, at + STUB * look.unit * stub], pen, 0.7),
+        polyline([at, at + length * look.unit * stub], pen, 0.7),
         polyline([at + side * stub, at + side * (stub + way), at + side * way], pen),
     ]
 

@@ -104,8 +104,10 @@ def label_vertices(
     for vertex in vertices:
         whole = symbols(vertex.label)
         wide, high = text_box(whole, size)
+        rivals = [other.at for other in vertices if other is not vertex]
+        first = outward(vertex.ways)
         placed = place(
-            obstacles, vertex.at, outward(vertex.ways), wide, high, unit, radius, near
+            obstacles, vertex.at, first, wide, high, unit, radius, near, rivals
         )
         art.tags.append(Tag(vertex.label, placed.box))
         if placed.leader:
