@@ -1,0 +1,33 @@
+"""Six ways to solve a mechanism, for comparison: the three of the textbooks and their rivals.
+
+In comes a `Problem`, the loop equations of a mechanism with the motion of its driver; every method
+is a function that returns the positions, rates and second derivatives of what is unknown.  The
+methods are independent of the solver and of each other as far as can be, and nothing but
+``vad compare`` and tests uses them.
+"""
+
+from collections.abc import Callable
+
+from vad.methods import (
+    closed_form,
+    construction,
+    finite_differences,
+    loop_closure,
+    newton,
+    unit_vectors,
+)
+from vad.methods.equations import Found, Jet, Problem, problem_of
+
+Method = Callable[[Problem], Found]
+
+#: The methods by the name that a table shows.
+METHODS: dict[str, Method] = {
+    "construction": construction.solve,
+    "unit vectors": unit_vectors.solve,
+    "loop closure": loop_closure.solve,
+    "closed form": closed_form.solve,
+    "Newton": newton.solve,
+    "finite differences": finite_differences.solve,
+}
+
+__all__ = ["METHODS", "Found", "Jet", "Method", "Problem", "problem_of"]

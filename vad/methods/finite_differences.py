@@ -1,0 +1,54 @@
+"""Finite differences: the positions of three moments, subtracted and divided.
+
+In comes a problem, out go its results.  Position and assembly are those of the closed form, whose
+positions are differenced.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from vad.kinematics.linkage import Scalar
+from vad.methods import closed_form
+from vad.methods.equations import Found, Jet, Problem
+
+#: The best step for second differences is about the fourth root of ε.
+STEP = 1e-4
+
+
+def solve(problem: Problem, step: float = STEP) -> Found:
+    """Solve one pose by central differences in time.
+
+    Parameters
+    ----------
+    problem
+        The problem.
+    step
+        How far the driver moves between two moments: in radians, or beside the largest length.
+    """
+    size = 1.0 if problem.driver.kind == "angle" else problem.size
+    fastest = max(abs(problem.drive.rate) / size, math.sqrt(abs(problem.drive.second) / size))
+    time = step / fastest if fastest else 1.0
+    before, now, after = (closed_form.positions(_at(problem, t)) for t in (-time, 0.0, time))
+    results = {}
+    for scalar, value in now.items():
+        ahead = _change(scalar, value, after[scalar])
+        behind = _change(scalar, before[scalar], value)
+        results[scalar] = Jet(value, (ahead + behind) / (2 * time), (ahead - behind) / time**2)
+    return results
+
+
+def _at(problem: Problem, time: float) -> Problem:
+    """Return the problem some time later."""
+    value, rate, second = problem.drive
+    way = rate * time + second * time**2 / 2
+    if problem.driver.kind == "angle":
+        way = math.degrees(way)
+    return replace(problem, drive=Jet(value + way, rate + second * time, second))
+
+
+def _change(scalar: Scalar, start: float, end: float) -> float:
+    """Return what is between two values; for angles the short way round."""
+    change = end - start
+    return math.remainder(change, math.tau) if scalar.kind == "angle" else change

@@ -1,0 +1,154 @@
+"""Newton's iteration on all loop equations at once; the rates by one linear system each.
+
+In comes a problem, out go its results.  The iteration has no rule for the assembly: it begins
+with the drawing, read off as a drawing is (whole degrees, hundredths of the largest length), and
+refuses to answer if it has run over to the other side.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vad.kinematics.linkage import Scalar
+from vad.methods import construction
+from vad.methods.equations import Found, Problem, Values, Vector, driven, found, polar
+
+TOLERANCE = 1e-10
+_MOST_STEPS = 50
+
+
+def solve(problem: Problem, tolerance: float = TOLERANCE, start: Values | None = None) -> Found:
+    """Solve one pose by iteration.
+
+    Parameters
+    ----------
+    problem
+        The problem.
+    tolerance
+        The iteration ends with a step that is smaller: in radians, or beside the largest length.
+    start
+        Where to begin, with the assembly chosen; the drawing if it is left out.
+
+    Raises
+    ------
+    ArithmeticError
+        If the iteration does not converge, or converges to the other assembly.
+    """
+    value, rate, second = driven(problem)
+    value.update(_positions(problem, value, tolerance, start or sketch(problem)))
+    matrix = _jacobian(problem, value)
+    unknowns = problem.unknowns
+    # The equations' own derivatives with the unknown rates left out give the right-hand sides.
+    rest = {**dict.fromkeys(unknowns, 0.0), **rate}
+    rate.update(_named(unknowns, np.linalg.solve(matrix, -_derivative(problem, value, rest, None))))
+    rest = {**dict.fromkeys(unknowns, 0.0), **second}
+    second.update(
+        _named(unknowns, np.linalg.solve(matrix, -_derivative(problem, value, rate, rest)))
+    )
+    return found(problem, value, rate, second)
+
+
+def sketch(problem: Problem) -> dict[Scalar, float]:
+    """Return the position read off a drawing, with a pencil's accuracy."""
+    value = driven(problem)[0]
+    for equation in problem.equations:
+        for scalar, exact in construction.position(equation, value, problem.side).items():
+            grain = math.pi / 180 if scalar.kind == "angle" else problem.size / 100
+            value[scalar] = grain * round(exact / grain)
+    return value
+
+
+def _positions(
+    problem: Problem, driver: Values, tolerance: float, start: Values
+) -> dict[Scalar, float]:
+    unknowns = problem.unknowns
+    grains = np.array([1.0 if scalar.kind == "angle" else problem.size for scalar in unknowns])
+    place = np.array([start[scalar] for scalar in unknowns])
+    for _ in range(_MOST_STEPS):
+        value = {**driver, **_named(unknowns, place)}
+        step = np.linalg.solve(_jacobian(problem, value), -_residual(problem, value))
+        place = place + step
+        if np.abs(step / grains).max() <= tolerance:
+            break
+    else:
+        raise ArithmeticError("the iteration does not converge")
+    value = {**driver, **_named(unknowns, place)}
+    if not _on_its_side(problem, value):
+        raise ArithmeticError("the iteration has found the other assembly")
+    return value
+
+
+def _named(unknowns: tuple[Scalar, ...], numbers: NDArray[Any]) -> dict[Scalar, float]:
+    return dict(zip(unknowns, numbers.tolist(), strict=True))
+
+
+def _parts(value: complex) -> list[float]:
+    return [value.real, value.imag]
+
+
+def _residual(problem: Problem, value: Values) -> NDArray[np.float64]:
+    """Return by how much the loops do not close."""
+    gaps = []
+    for equation in problem.equations:
+        gap = equation.constant
+        for vector in equation.vectors:
+            size, angle = polar(vector, value)
+            gap += size * complex(math.cos(angle), math.sin(angle))
+        gaps += _parts(gap)
+    return np.array(gaps)
+
+
+def _jacobian(problem: Problem, value: Values) -> NDArray[np.float64]:
+    """Return the derivatives of the equations by the unknowns."""
+    unknowns = problem.unknowns
+    columns = []
+    for scalar in unknowns:
+        moved = {**dict.fromkeys(unknowns, 0.0), problem.driver: 0.0, scalar: 1.0}
+        columns.append(_derivative(problem, value, moved, None))
+    return np.column_stack(columns)
+
+
+def _derivative(
+    problem: Problem, value: Values, rate: Values, second: Values | None
+) -> NDArray[np.float64]:
+    """Return the equations' first derivative in time, or the second if ``second`` is given."""
+    rows = []
+    for equation in problem.equations:
+        total = 0j
+        for vector in equation.vectors:
+            size, angle = polar(vector, value)
+            unit = complex(math.cos(angle), math.sin(angle))
+            omega, sliding = _rates(vector, rate)
+            if second is None:
+                total += (sliding + 1j * omega * size) * unit
+            else:
+                alpha, outward = _rates(vector, second)
+                across = alpha * size + 2 * omega * sliding
+                total += (outward - omega**2 * size + 1j * across) * unit
+        rows += _parts(total)
+    return np.array(rows)
+
+
+def _rates(vector: Vector, rates: Values) -> tuple[float, float]:
+    """Return how fast a vector turns and how fast its signed length grows."""
+    return rates.get(vector.angle, 0.0), vector.sign * rates.get(vector.length, 0.0)
+
+
+def _on_its_side(problem: Problem, value: Values) -> bool:
+    """Tell on which side the loops have closed, by the angle between their unknown vectors."""
+    for equation in problem.equations:
+        if len(equation.carriers) == 1 or equation.unknowns[0].kind == "length":
+            continue  # there is one assembly only
+        (size, angle), (_, other_angle) = (polar(v, value) for v in equation.carriers)
+        if equation.carriers[1].angle in equation.unknowns:
+            area = math.sin(other_angle - angle)
+        else:
+            sign = equation.carriers[1].sign
+            area = -size * sign * math.cos(other_angle - angle)
+        if area * problem.side < 0.0:
+            return False
+    return True
