@@ -7,7 +7,7 @@ import json
 import click
 
 from vad import __version__
-from vad.cli import actions, catalogue, values
+from vad.cli import actions, catalogue, compare, values
 from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import named_option
 from vad.diagrams.language import languages
@@ -136,3 +136,4 @@ for verb in (
     ),
 ):
     app.add_command(verb)
+app.add_command(compare.command)

@@ -55,7 +55,7 @@ def _table(mechanism: Mechanism, inputs: dict[str, Any], comparison: Comparison)
     exact = [f"{float(comparison.truth[scalar][order]):.8g}" for scalar, order in columns]
     lines.append([_REFERENCE, *exact])
     given = ", ".join(
-        f"{name} {value:.6g} {scene_unit(name, mechanism.length_unit)}"
+        f"{name} {value:.12g} {scene_unit(name, mechanism.length_unit)}"
         for name, value in {**mechanism.inputs, **inputs}.items()
     )
     return "\n\n".join([f"{mechanism.title}  ({given})", _aligned(lines), "\n".join(notes)])
