@@ -6,7 +6,7 @@ strokes that grow.  Everything is placed once, for the finished sheet; nothing m
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 
 from vad.diagrams.strokes import Panel, PanelName, Sheet, Stroke
@@ -27,15 +27,14 @@ from vad.rendering.words import words
 class Layer:
     """One region of the page at a moment.
 
-    Marks ``over`` lie above what is growing in the region, ``under`` beneath it.  Two layers of
-    a region with the same ``key`` look the same.
+    Two layers of a region with the same ``key`` look the same; only where it changes need
+    ``draw`` be called.  It returns the marks beneath what grows in the region, and those above.
     """
 
     region: str
     area: Rect
     key: Hashable
-    under: list[Mark]
-    over: list[Mark]
+    draw: Callable[[], tuple[list[Mark], list[Mark]]]
 
 
 class Board:
@@ -139,20 +138,26 @@ class Board:
         place, (left, right) = self.page.panels[panel.name], self._span(panel)
         area = Rect(left, place.drawing.top, right, place.rule + 0.006 * self.look.unit)
         art = self.arts[panel.name]
-        marks = head_marks(panel, place, art.scale, begun, self.sheet.language, self.look)
-        return Layer(panel.name + " head", area, begun, marks, [])
+        language = self.sheet.language
+
+        def draw() -> tuple[list[Mark], list[Mark]]:
+            return head_marks(panel, place, art.scale, begun, language, self.look), []
+
+        return Layer(panel.name + " head", area, begun, draw)
 
     def _foot(self, panel: Panel, done: int, begun: bool) -> Layer:
         place, (left, right) = self.page.panels[panel.name], self._span(panel)
         low = min(place.equations) - 0.012 * self.look.unit
         area = Rect(left, low, right, place.drawing.bottom)
         middle = place.drawing.centre.real
-        marks = (
-            foot_marks(self.feet[panel.name], place.equations, middle, done, self.look)
-            if begun
-            else []
-        )
-        return Layer(panel.name + " foot", area, (done, begun), marks, [])
+        foot = self.feet[panel.name]
+
+        def draw() -> tuple[list[Mark], list[Mark]]:
+            if not begun:
+                return [], []
+            return foot_marks(foot, place.equations, middle, done, self.look), []
+
+        return Layer(panel.name + " foot", area, (done, begun), draw)
 
     def _results(self, moment: Moment) -> Layer:
         names = [panel.name for panel in self.sheet.panels]
@@ -184,7 +189,7 @@ class Board:
             low = page.rows[-1] - 0.012 * unit if page.rows else page.hairline
             area = Rect(page.left - 1, low, page.right + 1, page.hairline + 2)
         key = tuple(sorted(measured.items()))
-        return Layer("results", area, key, self.table.marks(state), [])
+        return Layer("results", area, key, lambda: (self.table.marks(state), []))
 
     def _caption(self, moment: Moment) -> Layer:
         page, unit = self.page, self.look.unit
@@ -192,10 +197,13 @@ class Board:
         area = Rect(0.0, 0.0, float(page.width), top)
         stroke = self.stroke(moment)
         if not page.captions or stroke is None or moment.panel is None:
-            return Layer("caption", area, None, [], [])
+            return Layer("caption", area, None, lambda: ([], []))
         panel = self.sheet.panels[moment.panel]
-        marks = caption_marks(self.sheet, panel, moment.stroke, page, self.look)
-        return Layer("caption", area, (moment.panel, moment.stroke), marks, [])
+
+        def draw() -> tuple[list[Mark], list[Mark]]:
+            return caption_marks(self.sheet, panel, moment.stroke, page, self.look), []
+
+        return Layer("caption", area, (moment.panel, moment.stroke), draw)
 
     def _panel(self, index: int, panel: Panel, moment: Moment) -> Layer:
         (left, right), drawing = self._span(panel), self.page.panels[panel.name].drawing
@@ -208,6 +216,6 @@ class Board:
         elif growing and moment.panel is not None:
             lit = self.sheet.panels[moment.panel].strokes[moment.stroke].link
             lit = lit if lit in art.glow else None
-        under, over = art.split(moment.done[index], level, lit)
-        key = (moment.done[index], lit, growing and moment.panel == index)
-        return Layer(panel.name, area, key, under, over)
+        done = moment.done[index]
+        key = (done, lit, growing and moment.panel == index)
+        return Layer(panel.name, area, key, lambda: art.split(done, level, lit))

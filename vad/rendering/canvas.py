@@ -71,8 +71,8 @@ class AggCanvas(Canvas):
         renderer = RendererAgg(size[0], size[1], 72.0)
         super().__init__(renderer)
         self.pixels: NDArray[np.uint8] = np.asarray(renderer.buffer_rgba())
-        red, green, blue, _ = self._colour(background)
-        self.background = np.array(
-            [round(255 * red), round(255 * green), round(255 * blue), 255], dtype=np.uint8
-        )
-        self.pixels[:] = self.background
+        # One 32-bit word per pixel: four times fewer elements to copy and compare.
+        self.words: NDArray[np.uint32] = self.pixels.view(np.uint32)[..., 0]
+        colour = [round(255 * part) for part in self._colour(background)]
+        self.background = np.array(colour, dtype=np.uint8).view(np.uint32)[0]
+        self.words[:] = self.background

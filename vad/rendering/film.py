@@ -21,6 +21,7 @@ from vad.rendering.marks import Mark
 from vad.rendering.page import Rect
 
 Pixels = NDArray[np.uint8]
+Words = NDArray[np.uint32]  # one per pixel
 
 
 def frames(lesson: Lesson) -> Iterator[Frame]:
@@ -41,12 +42,11 @@ def paint(board: Board, state: Moment) -> Pixels:
     """Return the board at a moment, painted from nothing."""
     canvas = AggCanvas((board.page.width, board.page.height), board.style.background)
     canvas.paint(board.background())
-    *settled, last = board.layers(state)
-    for layer in settled:
-        canvas.paint(layer.under)
-    canvas.paint(last.under)
+    for layer in board.layers(state):
+        under, over = layer.draw()
+        canvas.paint(under)
     canvas.paint(board.growing(state))
-    canvas.paint(last.over)
+    canvas.paint(over)  # of the last layer: nothing lies above a region where nothing grows
     return canvas.pixels
 
 
@@ -57,7 +57,8 @@ class _Painter:
         self._board = Board(lesson.sheet, lesson.size, lesson.style, lesson=True)
         self._canvas = AggCanvas(lesson.size, self._board.style.background)
         self._canvas.paint(self._board.background())
-        self._base = self._canvas.pixels.copy()
+        self._words = self._canvas.words
+        self._base = self._words.copy()
         self._over: list[tuple[Box, Mark]] = []
         self._keys: dict[str, object] = {}
         self._step: tuple[object, ...] | None = None
@@ -95,10 +96,11 @@ class _Painter:
         for layer in layers:
             self._keys[layer.region] = layer.key
             self._cut(self._pixels_of(layer.area))[:] = self._canvas.background
-            self._canvas.paint(layer.under)
-            over += layer.over
+            beneath, above = layer.draw()
+            self._canvas.paint(beneath)
+            over += above
         if growing:
-            self._base[:] = self.pixels
+            self._base[:] = self._words
             self._canvas.paint(over)
         self._over = [(self._box(mark), mark) for mark in over]
         self._dirty = EMPTY
@@ -130,10 +132,10 @@ class _Painter:
                 return box
             box = wider
 
-    def _cut(self, box: Box) -> Pixels:
-        return self.pixels[box[1] : box[3], box[0] : box[2]]
+    def _cut(self, box: Box) -> Words:
+        return self._words[box[1] : box[3], box[0] : box[2]]
 
-    def _base_cut(self, box: Box) -> Pixels:
+    def _base_cut(self, box: Box) -> Words:
         return self._base[box[1] : box[3], box[0] : box[2]]
 
     def _box(self, mark: Mark) -> Box:
@@ -174,10 +176,9 @@ def _union(one: Box, other: Box) -> Box:
     )
 
 
-def _difference(before: Pixels, now: Pixels, box: Box) -> Box:
+def _difference(before: Words, now: Words, box: Box) -> Box:
     """Return the smallest box in which two pictures of ``box`` differ."""
-    one, other = np.ascontiguousarray(before), np.ascontiguousarray(now)
-    differs = (one.view(np.uint32) != other.view(np.uint32))[..., 0]
+    differs = before != now
     rows = np.flatnonzero(differs.any(axis=1))
     if not len(rows):
         return EMPTY

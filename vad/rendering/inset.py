@@ -24,7 +24,7 @@ from vad.rendering.vertices import halo, text_at, text_box
 NAME_SIZE = 0.030
 CAPTION_SIZE = 0.028
 CAPTION_ABOVE = 0.006
-CAPTION_BELOW = 0.012
+CAPTION_BELOW = 0.010
 DEEP, WIDE = 0.24, 0.19  # what it takes at most, below or beside a polygon
 STEP = 0.02
 LEVER = 0.075
@@ -88,7 +88,7 @@ def find_spot(obstacles: Obstacles, drawing: Rect, inset: Inset, unit: float) ->
                     captions.append(complex(middle, y - drop))
     edge = 1e-6  # a box that just fits its corner is inside
     free = obstacles.free(centres, box.width - edge, box.height - edge, 0.0)
-    free &= obstacles.free(captions, wide, high, 0.003 * unit)
+    free &= obstacles.free(captions, wide, high - 0.008 * unit, 0.008 * unit)
     if not free.any():
         return None
     best = int(free.argmax())

@@ -18,7 +18,7 @@ from vad.rendering.polygon import corners
 from vad.rendering.rotation import add_angle, add_sense, angle_radius
 from vad.rendering.supports import add_axes, add_pivots, block_guide, guide_marks
 from vad.rendering.tools import compass, set_square, square_side, tip_dot
-from vad.rendering.vertices import Vertex, find_vertices, label_vertices
+from vad.rendering.vertices import Vertex, find_vertices, label_vertices, visible_start
 
 NEAR = (0.014, 0.020, 0.028, 0.036)
 
@@ -65,7 +65,7 @@ def draw_mechanism(panel: Panel, drawing: Rect, look: Look, sense: float) -> Pan
         if stroke.kind == "angle" and isinstance(stroke.shape, Arc):
             add_angle(art, stroke, stroke.shape, index, scene.obstacles, look)
             add_sense(art, panel, stroke.shape, sense, scene.obstacles, look)
-    art.growths += [_growth(scene, stroke, carriers) for stroke in panel.strokes]
+    art.growths += [_growth(scene, index, carriers) for index in range(len(panel.strokes))]
     return art
 
 
@@ -77,9 +77,12 @@ def _block_arc(scene: Scene, shape: Arc) -> None:
     scene.obstacles.line(points, 0.0012 * scene.look.unit)
 
 
-def _bar(scene: Scene, stroke: Stroke, shape: Arrow, grown: float = 1.0) -> list[Mark]:
-    look = scene.look
-    start, end = scene.art.scale(shape.start), scene.art.scale(shape.end)
+def _bar(scene: Scene, index: int, shape: Arrow, grown: float = 1.0) -> list[Mark]:
+    look, stroke = scene.look, scene.panel.strokes[index]
+    start = visible_start(scene.panel, index, scene.art.scale, look.unit)
+    end = scene.art.scale(shape.end)
+    if start is None:
+        return []
     tip = start + grown * (end - start)
     if abs(tip - start) < 0.25:
         return []
@@ -96,7 +99,7 @@ def _add_stroke(
     ink = look.ink(stroke.link)
     if isinstance(shape, Arrow):
         level = Level.CARRIER if stroke.link in carriers else Level.STROKE
-        art.add(level, index + 1, _bar(scene, stroke, shape))
+        art.add(level, index + 1, _bar(scene, index, shape))
         start, end = art.scale(shape.start), art.scale(shape.end)
         width = vectors.BAR * look.unit * look.line(stroke.link).weight
         scene.obstacles.line([start, end], width / 2)
@@ -163,7 +166,8 @@ def _end(scene: Scene, shape: Line) -> complex:
     )
 
 
-def _growth(scene: Scene, stroke: Stroke, carriers: set[str | None]) -> Growth:
+def _growth(scene: Scene, index: int, carriers: set[str | None]) -> Growth:
+    stroke = scene.panel.strokes[index]
     art, look, shape = scene.art, scene.look, stroke.shape
     scale, ink = art.scale, look.ink(stroke.link)
     if isinstance(shape, Arrow):
@@ -173,7 +177,7 @@ def _growth(scene: Scene, stroke: Stroke, carriers: set[str | None]) -> Growth:
         def draw_bar(grown: float) -> list[Mark]:
             start = scale(bar.start)
             tip = start + grown * (scale(bar.end) - start)
-            return [vectors.underlay(ink, light, start, tip), *_bar(scene, stroke, bar, grown)]
+            return [vectors.underlay(ink, light, start, tip), *_bar(scene, index, bar, grown)]
 
         return Growth(Level.CARRIER if stroke.link in carriers else Level.STROKE, draw_bar)
     if isinstance(shape, Block):

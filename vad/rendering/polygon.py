@@ -31,6 +31,7 @@ from vad.rendering.vertices import (
     halo,
     label_vertices,
     text_at,
+    visible_start,
 )
 
 DOT = 0.0068
@@ -92,9 +93,8 @@ def draw_polygon(panel: Panel, drawing: Rect, look: Look, coriolis: str) -> Pane
             add_inset(sketch.art, inset, spot, look)
     art, obstacles, vertices = sketch.art, sketch.obstacles, sketch.vertices
     _tag_constructions(art, panel, vertices, obstacles, drawing, look)
-    for stroke in panel.strokes:
-        whole = is_whole(stroke, panel)
-        art.growths.append(_growth(art, stroke, whole, vertices, drawing, look))
+    for index in range(len(panel.strokes)):
+        art.growths.append(_growth(art, panel, index, vertices, drawing, look))
     return art
 
 
@@ -139,15 +139,15 @@ def _with_room(
     spot = find_spot(full.obstacles, drawing, inset, look.unit)
     if spot:
         return full, spot
-    best: tuple[Sketch, Spot | None] = (full, None)
-    for room in reserved(drawing, look.unit):
+    points = corners(panel)
+    rooms = reserved(drawing, look.unit)
+    rooms.sort(key=lambda room: -fill(points, room, look.unit, position=False).factor)
+    for room in rooms:
         sketch = _sketch(panel, drawing, room, look)
-        if best[1] and sketch.art.scale.factor <= best[0].art.scale.factor:
-            continue
         spot = find_spot(sketch.obstacles, drawing, inset, look.unit)
         if spot:
-            best = sketch, spot
-    return best
+            return sketch, spot
+    return full, None
 
 
 def _dot(look: Look, at: complex, grown: float) -> Mark:
@@ -157,13 +157,21 @@ def _dot(look: Look, at: complex, grown: float) -> Mark:
 
 
 def _vector(
-    art: PanelArt, stroke: Stroke, shape: Arrow, look: Look, whole: bool, grown: float
+    art: PanelArt,
+    stroke: Stroke,
+    shape: Arrow,
+    look: Look,
+    whole: bool,
+    seen: complex | None,
+    grown: float,
 ) -> list[Mark]:
+    if seen is None:
+        return []
     return vectors.vector(
         look.style,
         look.line(stroke.link),
         look.ink(stroke.link),
-        art.scale(shape.start),
+        seen,
         art.scale(shape.end),
         look.unit,
         whole,
@@ -176,7 +184,8 @@ def _add_vector(
 ) -> None:
     stroke = panel.strokes[index]
     whole = is_whole(stroke, panel)
-    art.add(Level.STROKE, index + 1, _vector(art, stroke, shape, look, whole, 1.0))
+    seen = visible_start(panel, index, art.scale, look.unit)
+    art.add(Level.STROKE, index + 1, _vector(art, stroke, shape, look, whole, seen, 1.0))
     start, end = art.scale(shape.start), art.scale(shape.end)
     width = (vectors.WHOLE if whole else vectors.VECTOR) * look.unit
     span = index, FOREVER
@@ -286,21 +295,25 @@ def _stub(
 
 def _growth(
     art: PanelArt,
-    stroke: Stroke,
-    whole: bool,
+    panel: Panel,
+    index: int,
     vertices: list[Vertex],
     drawing: Rect,
     look: Look,
 ) -> Growth:
+    stroke = panel.strokes[index]
     shape, ink = stroke.shape, look.ink(stroke.link)
     if isinstance(shape, Arrow):
         arrow = shape
         start, end = art.scale(arrow.start), art.scale(arrow.end)
+        whole = is_whole(stroke, panel)
+        seen = visible_start(panel, index, art.scale, look.unit)
+        foot = start if seen is None else seen
         width = (vectors.WHOLE if whole else vectors.VECTOR) * look.unit
 
         def draw_vector(grown: float) -> list[Mark]:
-            light = vectors.underlay(ink, width, start, start + grown * (end - start))
-            return [light, *_vector(art, stroke, arrow, look, whole, grown)]
+            light = vectors.underlay(ink, width, start, foot + grown * (end - foot))
+            return [light, *_vector(art, stroke, arrow, look, whole, seen, grown)]
 
         return Growth(Level.STROKE, draw_vector)
     if isinstance(shape, Line):

@@ -71,6 +71,31 @@ def find_vertices(panel: Panel, scale: Scale, unit: float) -> list[Vertex]:
     return [spot for spot in found if spot.letters]
 
 
+def visible_start(panel: Panel, index: int, scale: Scale, unit: float) -> complex | None:
+    """Return where a vector leaves what is drawn already: its start, or farther along it.
+
+    An image vector goes on from the end of the vector that it prolongs.  None where another
+    vector joins the same two vertices, so that nothing of this one would show.
+    """
+    stroke = panel.strokes[index]
+    arrow = stroke.shape
+    assert isinstance(arrow, Arrow)
+    start, end = scale(arrow.start), scale(arrow.end)
+    seen = start
+    for other in panel.strokes[:index]:
+        shape = other.shape
+        if not isinstance(shape, Arrow) or other.link != stroke.link:
+            continue
+        tail, head = scale(shape.start), scale(shape.end)
+        near = COINCIDENT * unit
+        if abs(tail - start) < near and abs(head - end) < near:
+            return None
+        same_way = abs(direction_of(tail, head) - direction_of(start, end)) < 1e-6
+        if abs(tail - start) < 1e-6 and same_way and abs(seen - start) < abs(head - start):
+            seen = head
+    return seen if abs(seen - start) < abs(end - start) else None
+
+
 def text_box(runs: Runs, size: float) -> tuple[float, float]:
     """Return the width and height of the ink of a line of text."""
     shape = outline(runs)
