@@ -53,7 +53,14 @@ def test_closed_streams(shell):
     for closed in (">&-", "2>&-", ">&- 2>&-", "<&- >&- 2>&-"):
         done = shell(f"{VAD} list {closed}")
         assert (done.returncode, done.stderr) == (0, "")
-    assert shell(f"{VAD} sovle 2>&-").returncode == 2
+    done = shell(f"{VAD} sovle 2>&-")
+    assert (done.returncode, done.stdout) == (2, "")
+
+
+@posix
+def test_nobody_listens_to_an_error(shell):
+    done = shell(f"{VAD} sovle 2>&1 >/dev/null | head -0; exit ${{PIPESTATUS[0]}}")
+    assert done.returncode == 2
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no full device")
@@ -100,7 +107,8 @@ def test_a_signal_leaves_one_line_and_no_part_of_a_file(environment, tmp_path, n
         env=environment,
     ) as running:
         deadline = time.monotonic() + 30
-        while len(list(tmp_path.iterdir())) < 2 and time.monotonic() < deadline:
+        while len(list(tmp_path.iterdir())) < 2 and running.poll() is None:
+            assert time.monotonic() < deadline
             time.sleep(0.01)  # until the new file is in the making
         running.send_signal(number)
         _, err = running.communicate(timeout=30)
@@ -125,7 +133,8 @@ def test_an_interrupt_in_mid_film(environment, tmp_path, output):
         [sys.executable, "-m", "vad", *words], stderr=subprocess.PIPE, text=True, env=environment
     ) as running:
         deadline = time.monotonic() + 30
-        while not list(tmp_path.iterdir()) and time.monotonic() < deadline:
+        while not list(tmp_path.iterdir()) and running.poll() is None:
+            assert time.monotonic() < deadline
             time.sleep(0.01)
         time.sleep(0.2)
         running.send_signal(signal.SIGINT)

@@ -25,13 +25,12 @@ class HelpfulCommand(click.Command):
         """Read the options."""
         words = list(args)
         try:
-            rest = super().parse_args(ctx, args)
+            return super().parse_args(ctx, args)
         except click.NoSuchOption as error:
             # click takes -crank for -c -r …; the word as it was written is more use.
             word = next((w for w in words if w.startswith(error.option_name)), error.option_name)
             names = [name for option in self.get_params(ctx) for name in option.opts]
             raise unknown("option", word.partition("=")[0], names) from None
-        return rest
 
 
 class MechanismGroup(click.Group):

@@ -32,18 +32,26 @@ def main() -> int:
         from vad.cli.run import run
 
         code = run(sys.argv[1:])
-        _flush()
+        if sys.stdout is not None:
+            sys.stdout.flush()
         return code
     except Interrupted as stop:
-        _say("error: interrupted")
+        say("error: interrupted")
         return stop.exit_code
     except BrokenPipeError:
         _abandon_stdout()
         return _BROKEN_PIPE
     except OSError as error:
         _abandon_stdout()
-        _say(f"error: cannot write: {error.strerror or error}")
+        say(f"error: cannot write: {error.strerror or error}")
         return 1
+
+
+def say(line: str) -> None:
+    """Write ``line`` to stderr, if there is one and anybody listens."""
+    with contextlib.suppress(OSError):
+        if sys.stderr is not None:
+            print(line, file=sys.stderr, flush=True)
 
 
 def _open_standard_streams() -> None:
@@ -79,18 +87,6 @@ def _raise_on_signals() -> None:
     caught = [each for each in _SIGNALS if signal.getsignal(each) is not signal.SIG_IGN]
     for each in caught:
         signal.signal(each, stop)
-
-
-def _flush() -> None:
-    for stream in (sys.stdout, sys.stderr):
-        if stream is not None:
-            stream.flush()
-
-
-def _say(line: str) -> None:
-    """Write ``line`` to stderr if anybody listens."""
-    with contextlib.suppress(OSError):
-        print(line, file=sys.stderr, flush=True)
 
 
 def _abandon_stdout() -> None:

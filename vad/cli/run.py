@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Sequence
 
 import click
 
+from vad.cli.process import say
 from vad.errors import UsageError, VadError
 
 
@@ -62,9 +62,9 @@ def _in_words(error: click.ClickException) -> tuple[str, str | None]:
 
 
 def _report(message: str, hint: str | None = None, exit_code: int = 1) -> int:
-    print(_one_line(f"error: {message}"), file=sys.stderr)
+    say(_one_line(f"error: {message}"))
     if hint:
-        print(_one_line(f"hint: {hint}"), file=sys.stderr)
+        say(_one_line(f"hint: {hint}"))
     return exit_code
 
 
