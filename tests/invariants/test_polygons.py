@@ -123,7 +123,7 @@ def test_images_of_links_are_similar(name: str) -> None:
                 for _, arrow in arrows(panel)
                 for letter, point in ((arrow.tail, arrow.start), (arrow.head, arrow.end))
             }
-            for step in motion.solver.steps:
+            for step in motion.frame.steps:
                 image = [letter.lower() + "′" * (ORDERS[panel.name] - 1) for letter in step.ends]
                 if not isinstance(step, Bar) or not set(image) <= set(at):
                     continue
@@ -165,7 +165,7 @@ def _bar_of(motion: vad.Motion, stroke: Stroke) -> complex:
     """Return the bar whose end the head of a normal or tangential arrow bears."""
     assert isinstance(stroke.shape, Arrow)
     letters = (stroke.shape.head[0] + stroke.shape.tail[0]).upper()
-    for step in motion.solver.steps:
+    for step in motion.frame.steps:
         if isinstance(step, Bar) and step.link == stroke.link and step.ends[1] in letters + "BSZ":
             ends = step.ends
             if ends[0] not in motion.points:
@@ -176,7 +176,7 @@ def _bar_of(motion: vad.Motion, stroke: Stroke) -> complex:
 
 
 def _check_coriolis(motion: vad.Motion, name: str, vector: complex) -> None:
-    slide = next(s for s in motion.solver.steps if isinstance(s, Slide) and s.name == name)
+    slide = next(s for s in motion.frame.steps if isinstance(s, Slide) and s.name == name)
     link = motion.link(str(slide.along))
     along = cmath.rect(motion.slide(name).velocity, cmath.pi * link.angle / 180)
     assert abs(vector - 2j * link.omega * along) <= 1e-12 * abs(vector)

@@ -65,7 +65,7 @@ class Captions:
     def line(self, part: Part, point: str, meeting: str) -> str:
         """A construction line: why the next vertex must lie on it."""
         scene, step = self._scene, part.step
-        fixed = {image_letter(letter, self._order) for letter in scene.motion.solver.fixed}
+        fixed = {image_letter(letter, self._order) for letter in scene.motion.frame.fixed}
         place = self._say("the pole") if point in fixed else point
         if isinstance(step, Slide):
             return self._say(
@@ -135,7 +135,7 @@ class Captions:
         scene = self._scene
         base = next(
             step
-            for loop in scene.motion.solver.linkage.loops
+            for loop in scene.motion.linkage.loops
             for _, step in loop.steps()
             if isinstance(step, Bar) and step.link == bar.link
         )

@@ -109,7 +109,7 @@ def _rows(scene: Scene, panels: tuple[PanelName, ...]) -> list[Row]:
 def _slide_row(scene: Scene, name: str, panels: tuple[PanelName, ...]) -> Row:
     motion = scene.motion
     slide, given = motion.slide(name), length_of(name) == scene.driver
-    step = next(s for s in motion.solver.steps if isinstance(s, Slide) and s.name == name)
+    step = next(s for s in motion.frame.steps if isinstance(s, Slide) and s.name == name)
     symbols = (slide_symbol(scene, step), "v", "a")
     cells: dict[PanelName, tuple[Cell, ...]] = {}
     for panel in panels:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from vad.diagrams.scene import Scene
+from vad.diagrams.strokes import Component
 from vad.kinematics.linkage import Bar, Scalar, Slide, Step, scalar_of
 
 #: Vectors shorter than this share of the longest one of a panel are zero.
@@ -20,7 +21,7 @@ class Part:
     """
 
     step: Step
-    name: str
+    name: Component
     vector: complex
     direction: complex
     unknown: bool
@@ -55,9 +56,9 @@ def _parts(
     scene: Scene, step: Step, unknowns: tuple[Scalar, ...], order: int
 ) -> Iterator[Part]:
     pose = scene.motion.pose
-    for component in scene.motion.solver.components(step, pose, scene.orders(order)):
+    for component in scene.motion.frame.components(step, pose, scene.orders(order)):
         direction = scene.heading(component.direction)
-        amount = float(component.amount) * scene.motion.solver.scale
+        amount = float(component.amount) * scene.motion.frame.scale
         found = component.name in ("tangential", "sliding") and scalar_of(step) in unknowns
         yield Part(step, component.name, amount * direction, direction, found)
 

@@ -36,20 +36,21 @@ class _Position:
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self.motion = scene.motion
-        self.solver = scene.motion.solver
+        self.frame = scene.motion.frame
+        self.linkage = scene.motion.linkage
         self.strokes: list[Stroke] = []
-        self.found: set[str] = set(self.solver.fixed)
+        self.found: set[str] = set(self.frame.fixed)
 
     def at(self, letter: str) -> complex:
         """Return where a point is, in the user's frame and unit."""
-        return self.scene.outward(self.motion.routes.position(letter, self.motion.pose))
+        return self.scene.outward(self.motion.solver.routes.position(letter, self.motion.pose))
 
     def panel(self) -> Panel:
         self._frame()
         self._driver()
         known = {self.scene.driver}
         equations = []
-        for loop, unknowns in zip(self.solver.linkage.loops, self.solver.linkage.unknowns, strict=True):
+        for loop, unknowns in zip(self.linkage.loops, self.linkage.unknowns, strict=True):
             self._construct(loop, unknowns)
             self._ink(loop, unknowns)
             known.update(unknowns)
@@ -73,9 +74,9 @@ class _Position:
 
     def _frame(self) -> None:
         """Draw the fixed pivots and the guides of the frame."""
-        bars = "".join(step.ends for step in self.solver.steps if isinstance(step, Bar))
+        bars = "".join(step.ends for step in self.frame.steps if isinstance(step, Bar))
         for letter in self.motion.points:
-            if letter in self.solver.fixed:
+            if letter in self.frame.fixed:
                 pivot = letter in bars or letter in "".join(self.motion.mechanism.links.values())
                 kind, phrase = ("fixed", "fixed") if pivot else ("pole", "fixed point")
                 self._draw(kind, letter, Dot(self.at(letter)), phrase, {"letter": letter})
@@ -84,11 +85,11 @@ class _Position:
                 self._guide(slide)
 
     def _slides(self) -> list[Slide]:
-        return [step for step in self.solver.steps if isinstance(step, Slide)]
+        return [step for step in self.frame.steps if isinstance(step, Slide)]
 
     def _guide(self, slide: Slide) -> None:
-        line = self.scene.heading(self.solver.line(slide, self.motion.pose))
-        origin = self.at(slide.ends[0]) + self.scene.outward(self.solver.shift(slide))
+        line = self.scene.heading(self.frame.line(slide, self.motion.pose))
+        origin = self.at(slide.ends[0]) + self.scene.outward(self.frame.shift(slide))
         guide = Guide(origin, line, self._away(slide.ends[1], line))
         self._draw("guide", "", guide, "guide", {"head": slide.ends[1]}, link=slide.name)
 
@@ -97,7 +98,7 @@ class _Position:
         normal = -1j * line
         if normal.imag > 0 or (normal.imag == 0 and normal.real < 0):
             normal = -normal
-        for step in self.solver.steps:
+        for step in self.frame.steps:
             if isinstance(step, Bar) and letter in step.ends:
                 other = step.ends.replace(letter, "")
                 height = (normal.conjugate() * (self.at(other) - self.at(letter))).real
@@ -108,7 +109,7 @@ class _Position:
     def _driver(self) -> None:
         """Draw what the driver dictates: a bar at its angle, or a block in its place."""
         driver = self.scene.driver
-        for step in self.solver.steps:
+        for step in self.frame.steps:
             if scalar_of(step) != driver:
                 continue
             if isinstance(step, Bar):
@@ -168,7 +169,7 @@ class _Position:
     def _slot_line(self, slide: Slide) -> None:
         head, tail = slide.ends[1], slide.ends[0]
         towards = self.at(tail) - self.at(head)
-        line = self.scene.heading(self.solver.line(slide, self.motion.pose))
+        line = self.scene.heading(self.frame.line(slide, self.motion.pose))
         if (line.conjugate() * towards).real < 0:
             line = -line
         shape = Line(self.at(head), line, self.at(tail))
@@ -190,13 +191,13 @@ class _Position:
 
     def _slot(self, slide: Slide) -> None:
         owner = next(s for s in self._slides() if s.ends[1] == slide.ends[0]).name
-        line = self.scene.heading(self.solver.line(slide, self.motion.pose))
+        line = self.scene.heading(self.frame.line(slide, self.motion.pose))
         guide = Guide(self.at(slide.ends[0]), line)
         parts: dict[str, object] = {"head": slide.ends[1], "link": owner}
         self._draw("guide", "", guide, "slot", parts, link=owner)
 
     def _images(self, known: set[Scalar]) -> None:
-        for bar in self.solver.linkage.images:
+        for bar in self.linkage.images:
             if bar.ends[1] not in self.found and angle_of(bar.link) in known:
                 self.found.add(bar.ends[1])
                 self._bar(bar, "result", "tip", image=True)
@@ -218,7 +219,7 @@ class _Position:
 
     def _block(self, slide: Slide, kind: str, phrase: str) -> None:
         letter = slide.ends[1]
-        line = self.scene.heading(self.solver.line(slide, self.motion.pose))
+        line = self.scene.heading(self.frame.line(slide, self.motion.pose))
         on = slide.along if isinstance(slide.along, str) else None
         value = self.motion.slide(slide.name).position
         driven = scalar_of(slide) == self.scene.driver
@@ -239,8 +240,8 @@ class _Position:
         sides = Side(), Side()
         start = [_start(chain) for chain in (loop.first, loop.second)]
         second_start = start[1]
-        if start[0] != start[1] and start[0] in self.solver.fixed:
-            if self.solver.fixed[start[0]] == self.solver.fixed[start[1]]:
+        if start[0] != start[1] and start[0] in self.frame.fixed:
+            if self.frame.fixed[start[0]] == self.frame.fixed[start[1]]:
                 second_start = start[0]
             else:
                 sides[1].add(loop.second[0], Term(start[0] + start[1], None, None))

@@ -9,7 +9,7 @@ from vad.diagrams.figures import PRIME, figure, given, per_second, subscript
 from vad.diagrams.language import Language
 from vad.kinematics.linkage import Bar, Scalar, Slide, Step, length_of, scalar_of
 from vad.kinematics.motion import Motion
-from vad.kinematics.solver import Rates
+from vad.kinematics.state import Rates
 
 
 @dataclass(frozen=True)
@@ -26,17 +26,17 @@ class Scene:
 
     def outward(self, vector: complex) -> complex:
         """Turn a vector of the solver into the user's frame and unit."""
-        solver = self.motion.solver
-        return vector * solver.turn * solver.scale
+        frame = self.motion.frame
+        return vector * frame.turn * frame.scale
 
     def heading(self, direction: complex) -> complex:
         """Turn a unit vector of the solver into the user's frame."""
-        return direction * self.motion.solver.turn
+        return direction * self.motion.frame.turn
 
     def size(self, bar: Bar) -> float:
         """Return the length of a bar in the user's unit, without its sign."""
-        solver = self.motion.solver
-        return abs(float(solver.size(bar, self.motion.pose))) * solver.scale
+        frame = self.motion.frame
+        return abs(float(frame.size(bar, self.motion.pose))) * frame.scale
 
     def letters(self, step: Step) -> str:
         """Return the letters of a step as a reader knows them: a strut's own ends for its parts."""
@@ -48,7 +48,7 @@ class Scene:
     @cached_property
     def _numbers(self) -> dict[str, int]:
         """Number the bodies as textbooks do: 1 is the frame, 2 the driver."""
-        linkage = self.motion.solver.linkage
+        linkage = self.motion.linkage
         names = [linkage.driver.name]
         for loop, unknowns in zip(linkage.loops, linkage.unknowns, strict=True):
             for chain in (loop.first, loop.second):
@@ -62,7 +62,7 @@ class Scene:
     @property
     def driver(self) -> Scalar:
         """The scalar that drives the mechanism."""
-        return self.motion.solver.linkage.driver
+        return self.motion.linkage.driver
 
     def drives(self, step: Step) -> bool:
         """Tell whether the driver alone moves a step."""
@@ -88,7 +88,7 @@ class Scene:
 
     def speed(self, name: str, order: int) -> float:
         """Return the velocity or acceleration of a slide in the user's unit."""
-        return float(self.orders(order)[-1].sliding[name]) * self.motion.solver.scale
+        return float(self.orders(order)[-1].sliding[name]) * self.motion.frame.scale
 
     def line_name(self, slide: Slide) -> str:
         """Name the line of a slide in a sentence: the guide, the lever, the slot."""
@@ -104,7 +104,7 @@ class Scene:
             return say(f"{start}link", link=slide.along)
         if not self.is_guide(slide):
             return say(f"{start}slot")
-        guides = {step.name for step in self.motion.solver.steps if self.is_guide(step)}
+        guides = {step.name for step in self.motion.frame.steps if self.is_guide(step)}
         if len(guides) > 1:
             return say(f"{start}guide of", head=slide.ends[1])
         return say(f"{start}guide")
@@ -114,7 +114,7 @@ class Scene:
         return (
             isinstance(step, Slide)
             and isinstance(step.along, float)
-            and step.ends[0] in self.motion.solver.fixed
+            and step.ends[0] in self.motion.frame.fixed
         )
 
     def rate_unit(self, order: int) -> str:

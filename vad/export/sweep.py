@@ -86,7 +86,7 @@ def save_sweep(motion: Motion, path: str | Path) -> None:
 
 def results_of(motion: Motion) -> Results:
     """Return what is written of a motion: its input, its links and its slides."""
-    unit, driver = motion.mechanism.length_unit, motion.solver.linkage.driver
+    unit, driver = motion.mechanism.length_unit, motion.linkage.driver
     links, slides = motion.mechanism.links, motion.mechanism.slides
     name, places = next(iter(motion.inputs.items()))
 

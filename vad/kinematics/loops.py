@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from vad.errors import DeadCentreError, InputError
@@ -14,17 +12,17 @@ from vad.kinematics.closures import (
     crossing,
     slot,
 )
+from vad.kinematics.frame import Frame
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, angle_of, scalar_of
 from vad.kinematics.numbers import Number, cross, is_array
 from vad.kinematics.state import Pose, Rates
 
-if TYPE_CHECKING:
-    from vad.kinematics.solver import Solver
-
 SignedStep = tuple[int, Step]
 
 
-def loop_solver(solver: Solver, loop: Loop, unknowns: tuple[Scalar, ...]) -> LoopSolver:
+def loop_solver(
+    frame: Frame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]
+) -> LoopSolver:
     """Return the solver of a loop, by what is unknown in it."""
     steps = {scalar_of(step): step for _, step in loop.steps() if scalar_of(step) in unknowns}
     bars = [step for step in steps.values() if isinstance(step, Bar)]
@@ -35,7 +33,7 @@ def loop_solver(solver: Solver, loop: Loop, unknowns: tuple[Scalar, ...]) -> Loo
         kind = TwoLengthsLoop
     else:
         kind = SlotLoop if isinstance(bars[0].length, str) else AngleAndLengthLoop
-    return kind(solver, loop, unknowns)
+    return kind(frame, side, loop, unknowns)
 
 
 class LoopSolver:
@@ -45,8 +43,11 @@ class LoopSolver:
     ``way`` · step vanishes.  The gap is the part of this sum that is known.
     """
 
-    def __init__(self, solver: Solver, loop: Loop, unknowns: tuple[Scalar, ...]) -> None:
-        self.solver = solver
+    def __init__(
+        self, frame: Frame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]
+    ) -> None:
+        self.frame = frame
+        self.side = side
         unknown = {scalar_of(s): (way, s) for way, s in loop.steps() if scalar_of(s) in unknowns}
         # Bars before slides, as the closed forms take them.
         ordered = sorted(unknown.values(), key=lambda signed: isinstance(signed[1], Slide))
@@ -54,11 +55,11 @@ class LoopSolver:
         self.known = [(way, s) for way, s in loop.steps() if scalar_of(s) not in unknown]
         self.all = (*self.known, *ordered)
         starts = [chain[0].ends[1 if chain[0].reverse else 0] for chain in (loop.first, loop.second)]
-        fixed = solver.fixed
+        fixed = frame.fixed
         self.offset = 0j if starts[0] == starts[1] else fixed[starts[1]] - fixed[starts[0]]
         for way, step in loop.steps():
             if isinstance(step, Slide):
-                self.offset += way * solver.shift(step)
+                self.offset += way * frame.shift(step)
         self.crank = self._grounded_crank()
         self.prepare()
 
@@ -67,9 +68,9 @@ class LoopSolver:
         if len(self.known) != 1:
             return None
         way, bar = self.known[0]
-        if not isinstance(bar, Bar) or angle_of(bar.link) != self.solver.linkage.driver:
+        if not isinstance(bar, Bar) or angle_of(bar.link) != self.frame.linkage.driver:
             return None
-        return GroundedCrank(self.offset, way * self.solver.size(bar))
+        return GroundedCrank(self.offset, way * self.frame.size(bar))
 
     def prepare(self) -> None:
         """Form what does not depend on the pose."""
@@ -81,21 +82,21 @@ class LoopSolver:
     def gap(self, pose: Pose) -> Number:
         """Return the known part of the loop's sum."""
         if self.crank is not None:
-            return self.crank.gap(pose.unit[self.solver.linkage.driver.name])
+            return self.crank.gap(pose.unit[self.frame.linkage.driver.name])
         total: Number = self.offset
         for way, step in self.known:
-            total = total + way * self.solver.displacement(step, pose)
+            total = total + way * self.frame.displacement(step, pose)
         return total
 
     def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
         """Find the two unknown rates of the highest order and write them into ``rates[-1]``."""
         total: Number = 0.0
         for way, step in self.all:
-            for _, direction, amount in self.solver.components(step, pose, rates):
+            for _, direction, amount in self.frame.components(step, pose, rates):
                 if amount is not None:
                     total = total + (way * amount) * direction
-        p = self.way * self.solver.unknown_direction(self.step, pose)
-        q = -self.other_way * self.solver.unknown_direction(self.other, pose)
+        p = self.way * self.frame.unknown_direction(self.step, pose)
+        q = -self.other_way * self.frame.unknown_direction(self.other, pose)
         x, y = crossing(-total, p, q, sine)
         found = rates[-1]
         if isinstance(self.step, Bar):
@@ -109,7 +110,7 @@ class LoopSolver:
 
     def radius(self, bar: Bar, pose: Pose) -> Number:
         """Return the length at which an unknown bar turns."""
-        return self.solver.size(bar, pose)
+        return self.frame.size(bar, pose)
 
 
 class TwoAnglesLoop(LoopSolver):
@@ -125,16 +126,16 @@ class TwoAnglesLoop(LoopSolver):
         fixed = isinstance(self.step.length, float) and isinstance(self.other.length, float)
         if not (fixed and self.crank and self.crank.c.imag == 0.0):
             self.crank = None
-        sizes = (self.solver.size(self.step), self.solver.size(self.other)) if self.crank else None
-        self._closure = TwoAngles(self.solver.side, self.crank, sizes)
+        sizes = (self.frame.size(self.step), self.frame.size(self.other)) if self.crank else None
+        self._closure = TwoAngles(self.side, self.crank, sizes)
 
     def close(self, pose: Pose) -> None:
         """Close the triangle over the gap."""
-        solver = self.solver
+        frame = self.frame
         if self.crank is not None:
-            triangle = self._closure.over_crank(pose.unit[solver.linkage.driver.name])
+            triangle = self._closure.over_crank(pose.unit[frame.linkage.driver.name])
         else:
-            sizes = solver.size(self.step, pose), solver.size(self.other, pose)
+            sizes = frame.size(self.step, pose), frame.size(self.other, pose)
             triangle = self._closure.over_gap(self.gap(pose), *sizes)
         first, second, sine = self._closure.close(triangle)
         pose.unit[self.step.link], pose.unit[self.other.link] = first, second
@@ -149,14 +150,14 @@ class AngleAndLengthLoop(LoopSolver):
 
     def prepare(self) -> None:
         """Turn the loop so that the bar leads from the gap to the line."""
-        solver, way = self.solver, -self.way
+        frame, way = self.frame, -self.way
         crank = GroundedCrank(way * self.crank.c, way * self.crank.t) if self.crank else None
-        guide = way * self.other_way * solver.line(self.other, None)
-        self._closure = AngleAndLength(solver.side, crank, solver.size(self.step), guide)
+        guide = way * self.other_way * frame.line(self.other, None)
+        self._closure = AngleAndLength(self.side, crank, frame.size(self.step), guide)
 
     def close(self, pose: Pose) -> None:
         """Let the bar end on the line."""
-        u = pose.unit.get(self.solver.linkage.driver.name)
+        u = pose.unit.get(self.frame.linkage.driver.name)
         found = self._closure.close(-self.way * self.gap(pose), u)
         pose.unit[self.step.link], pose.length[self.other.name], sine = found
         pose.sine.append(sine)
@@ -182,7 +183,7 @@ class SlotLoop(LoopSolver):
 
     def radius(self, bar: Bar, pose: Pose) -> Number:
         """Return the block's distance from the pivot, where it has a direction."""
-        radius = self.solver.size(bar, pose)
+        radius = self.frame.size(bar, pose)
         if is_array(radius):
             return np.where(radius == 0.0, np.nan, radius) if (radius == 0.0).any() else radius
         if radius == 0.0:
@@ -202,8 +203,8 @@ class TwoLengthsLoop(LoopSolver):
 
     def close(self, pose: Pose) -> None:
         """Let the two lines cross."""
-        p = self.way * self.solver.line(self.step, pose)
-        q = -self.other_way * self.solver.line(self.other, pose)
+        p = self.way * self.frame.line(self.step, pose)
+        q = -self.other_way * self.frame.line(self.other, pose)
         sine = cross(p, q)
         target = -self.gap(pose)
         found = crossing(target, p, q, sine)

@@ -1,8 +1,4 @@
-"""The motion of a mechanism: poses, velocities and accelerations, each found when asked for.
-
-In comes a mechanism with the motion of its driver, out go links, points and slides as numbers in
-the user's units.
-"""
+"""The verb `solve`: from a mechanism with the motion of its driver to the motion of every part."""
 
 from __future__ import annotations
 
@@ -11,15 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vad.errors import AssemblyError, DeadCentreError, InputError, unknown
-from vad.kinematics import sweep
-from vad.kinematics.closures import OpenLoop
-from vad.kinematics.linkage import Scalar, angle_of, length_of
-from vad.kinematics.numbers import Number, is_array
-from vad.kinematics.reach import closing_range
-from vad.kinematics.routes import Routes, routes_of
-from vad.kinematics.solver import Solver, solver_of
-from vad.kinematics.state import Pose, Rates
+from vad.errors import InputError, unknown
+from vad.kinematics.linkage import angle_of, length_of
+from vad.kinematics.numbers import Number
+from vad.kinematics.report import plain, table, units
+from vad.kinematics.solution import Solution
+from vad.kinematics.solver import solver_of
 from vad.kinematics.views import Link, Point, Slider
 
 if TYPE_CHECKING:
@@ -59,7 +52,7 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion:
     solver = solver_of(mechanism)
     turns = solver.linkage.driver.kind == "angle"
     # Beyond this, squares of rates times lengths would leave the range of double precision.
-    largest = 1e60 * (1.0 if turns else solver.scale)
+    largest = 1e60 * (1.0 if turns else solver.frame.scale)
     return Motion(
         mechanism,
         {
@@ -94,104 +87,8 @@ def _checked(name: str, value: Any, largest: float) -> Number:
     return array
 
 
-class Motion:
-    """A mechanism in motion; made by `solve`.
-
-    Attributes
-    ----------
-    mechanism
-        The mechanism.
-    inputs
-        The motion of its driver, by name.
-    shape
-        The broadcast shape of the inputs; () for one pose.
-    """
-
-    def __init__(self, mechanism: Mechanism, inputs: dict[str, Number]) -> None:
-        self.mechanism = mechanism
-        self.inputs = inputs
-        self.solver: Solver = solver_of(mechanism)
-        self.many = any(is_array(value) for value in inputs.values())
-        if self.many:
-            try:
-                self.shape = np.broadcast_shapes(*map(np.shape, inputs.values()))
-            except ValueError:
-                shapes = ", ".join(f"{name} {np.shape(value)}" for name, value in inputs.items())
-                raise InputError(f"{'/'.join(inputs)}: shapes do not broadcast: {shapes}") from None
-        else:
-            self.shape = ()
-        first = next(iter(inputs.values()))
-        self._driver: Number = np.asarray(first) if self.many else first
-        # Plain attributes: functools.cached_property takes a lock, a tenth of a pose's time.
-        self._pose: Pose | None = None
-        self._whole_pose: Pose | None = None
-        self._velocity: Rates | None = None
-        self._acceleration: Rates | None = None
-
-    # --- the three orders, each found once from the one below ---------------------------------
-
-    @property
-    def pose(self) -> Pose:
-        """The position, in the solver's unit and frame; flat arrays of the driver's own shape."""
-        if self._pose is None:
-            self._pose = self._positions()
-        return self._pose
-
-    def _positions(self) -> Pose:
-        if not self.many:
-            try:
-                return self.solver.positions(self._driver)
-            except OpenLoop as gap:
-                raise _not_assembled(self.mechanism, self._driver, gap.miss) from None
-        flat = self._driver.ravel()
-        found = sweep.gather(flat.size, lambda part: self.solver.positions(flat[part]).flat())
-        return Pose.of(found)
-
-    @property
-    def whole_pose(self) -> Pose:
-        """The pose repeated to the shape of all inputs."""
-        own = np.shape(self._driver)
-        if own == self.shape:
-            return self.pose
-        if self._whole_pose is None:
-            self._whole_pose = Pose.of(sweep.expand(self.pose.flat(), own, self.shape))
-        return self._whole_pose
-
-    @property
-    def velocity(self) -> Rates:
-        """First derivatives, in the solver's unit."""
-        if self._velocity is None:
-            self._velocity = self._rates(())
-        return self._velocity
-
-    @property
-    def acceleration(self) -> Rates:
-        """Second derivatives, in the solver's unit."""
-        if self._acceleration is None:
-            self._acceleration = self._rates((self.velocity,))
-        return self._acceleration
-
-    def _rates(self, lower: tuple[Rates, ...]) -> Rates:
-        value = list(self.inputs.values())[len(lower) + 1]
-        pose = self.whole_pose
-        if not self.many:
-            return self.solver.rates(pose, lower, value)
-        if is_array(value):
-            value = np.broadcast_to(value, self.shape).ravel()
-
-        def solve_part(part: slice) -> dict[Scalar, Number]:
-            below = tuple(rates.cut(part) for rates in lower)
-            own = value[part] if is_array(value) else value
-            return self.solver.rates(pose.cut(part), below, own).flat()
-
-        return Rates.of(sweep.gather(math.prod(self.shape), solve_part))
-
-    # --- what the user sees -------------------------------------------------------------------
-
-    @property
-    def routes(self) -> Routes:
-        """The ways along which points are reached."""
-        return routes_of(self.solver)
+class Motion(Solution):
+    """A mechanism in motion, in the user's units; made by `solve`."""
 
     def link(self, name: str) -> Link:
         """Return the motion of a link.
@@ -232,74 +129,36 @@ class Motion:
     @property
     def points(self) -> tuple[str, ...]:
         """The letters of the points."""
-        return tuple(letter for letter in self.mechanism.points if letter in self.routes.letters)
-
-    @property
-    def assembled(self) -> Any:
-        """Whether the links close: a bool, or an array of them; a dead centre counts as closed."""
-        if not self.many:
-            try:
-                return bool(self.pose.sine)
-            except AssemblyError:
-                return False
-        sines = [sine for sine in self.whole_pose.sine if is_array(sine)]
-        size = math.prod(self.shape)
-        closed = ~np.isnan(sum(sines)) if sines else np.ones(size, bool)
-        return closed.reshape(self.shape)
+        return tuple(letter for letter in self.mechanism.points if letter in self.solver.routes.letters)
 
     def table(self) -> str:
         """Return the results as a table in plain text, with units."""
-        from vad.kinematics.report import table
-
-        return table(self)
+        return table(self.to_dict(), self.mechanism)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the results as the JSON object of ``vad solve --json``."""
-        from vad.kinematics.report import to_dict
+        """Return the results as the JSON object of ``vad solve --json``.
 
-        return to_dict(self)
-
-    def shaped(self, value: Number, *scales: Number) -> Number:
-        """Return a result in the user's shape, times ``scales``; never a view of the solution."""
-        if not self.many:
-            for scale in scales:
-                value = value * scale
-            if value != value:
-                raise DeadCentreError("the result is undetermined at this dead centre")
-            if value - value != 0:
-                raise InputError("the result leaves the range of double precision")
-            return value
-        result = np.array(np.broadcast_to(value, math.prod(self.shape)))
-        for scale in scales:
-            if not (isinstance(scale, float) and scale == 1.0):
-                result *= scale
-        return result.reshape(self.shape)
-
-    def reckon(self, formula: Any, orders: int) -> Number:
-        """Evaluate ``formula(pose, rates)`` in the solution of up to ``orders`` derivatives."""
-        pose = self.whole_pose
-        rates: tuple[Rates, ...] = ()
-        if orders == 1:
-            rates = (self.velocity,)
-        elif orders == 2:
-            rates = (self.velocity, self.acceleration)
-        if not self.many:
-            return formula(pose, rates)
-
-        def part_of(part: slice) -> dict[str, Number]:
-            return {"": formula(pose.cut(part), tuple(rate.cut(part) for rate in rates))}
-
-        return sweep.gather(math.prod(self.shape), part_of)[""]
+        Links, points and slides are listed by name with all that is known of them; plane vectors
+        are [x, y].  An array of poses gives nested lists.
+        """
+        mechanism = self.mechanism
+        positions = ("position", "velocity", "acceleration")
+        return {
+            "mechanism": mechanism.name,
+            "parameters": mechanism.parameters(),
+            "input": {name: plain(value) for name, value in self.inputs.items()},
+            "assembly": mechanism.assembly if mechanism.two_assemblies else None,
+            "units": units(mechanism.length_unit),
+            "links": {
+                name: _listed(self.link(name), ("angle", "omega", "alpha")) for name in self.links
+            },
+            "points": {letter: _listed(self.point(letter), positions) for letter in self.points},
+            "slides": {
+                name: _listed(self.slide(name), (*positions, "coriolis")) for name in self.slides
+            },
+        }
 
 
-def _not_assembled(mechanism: Mechanism, value: float, miss: float) -> AssemblyError:
-    solver = solver_of(mechanism)
-    name = next(iter(mechanism.inputs))
-    unit = "°" if name == "angle" else f" {mechanism.length_unit}"
-    miss *= solver.scale
-    message = f"{name} {value:g}{unit}: the links miss by {miss:.4g} {mechanism.length_unit}"
-    ranges = closing_range(mechanism)
-    if not ranges:
-        return AssemblyError(message, hint=f"with these lengths they close at no {name}")
-    words = " and ".join(f"{low:.6g}{unit} … {high:.6g}{unit}" for low, high in ranges)
-    return AssemblyError(message, hint=f"they close for {name} {words}")
+def _listed(part: Link | Point | Slider, names: tuple[str, ...]) -> dict[str, Any]:
+    values = ((name, getattr(part, name)) for name in names)
+    return {name: plain(value) for name, value in values if value is not None}

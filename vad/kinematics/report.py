@@ -9,7 +9,7 @@ import numpy as np
 from vad.kinematics.numbers import Number
 
 if TYPE_CHECKING:
-    from vad.kinematics.motion import Motion
+    from vad.mechanisms.mechanism import Mechanism
 
 
 def units(length_unit: str) -> dict[str, str]:
@@ -24,7 +24,7 @@ def units(length_unit: str) -> dict[str, str]:
     }
 
 
-def _plain(value: Number) -> Any:
+def plain(value: Number) -> Any:
     """Return a result as JSON holds it: numbers, [x, y] pairs, nested lists for arrays."""
     if isinstance(value, np.ndarray):
         if np.iscomplexobj(value):
@@ -35,47 +35,14 @@ def _plain(value: Number) -> Any:
     return value + 0.0
 
 
-def to_dict(motion: Motion) -> dict[str, Any]:
-    """Return everything about a motion as plain data (see `Motion.to_dict`)."""
-    mechanism = motion.mechanism
-    slides: dict[str, dict[str, Any]] = {}
-    for name in motion.slides:
-        slide = motion.slide(name)
-        slides[name] = {
-            key: _plain(getattr(slide, key)) for key in ("position", "velocity", "acceleration")
-        }
-        if slide.coriolis is not None:
-            slides[name]["coriolis"] = _plain(slide.coriolis)
-    return {
-        "mechanism": mechanism.name,
-        "parameters": mechanism.parameters(),
-        "input": {name: _plain(value) for name, value in motion.inputs.items()},
-        "assembly": mechanism.assembly if mechanism.two_assemblies else None,
-        "units": units(mechanism.length_unit),
-        "links": {
-            name: {key: _plain(getattr(motion.link(name), key)) for key in ("angle", "omega", "alpha")}
-            for name in motion.links
-        },
-        "points": {
-            letter: {
-                key: _plain(getattr(motion.point(letter), key))
-                for key in ("position", "velocity", "acceleration")
-            }
-            for letter in motion.points
-        },
-        "slides": slides,
-    }
-
-
-def table(motion: Motion) -> str:
-    """Return the results as aligned columns of text (see `Motion.table`)."""
-    data = to_dict(motion)
+def table(data: dict[str, Any], mechanism: Mechanism) -> str:
+    """Return the results of `Motion.to_dict` as aligned columns of text."""
     unit = data["units"]
-    blocks = [f"{motion.mechanism.title}  ({_inputs(data)})"]
+    blocks = [f"{mechanism.title}  ({_inputs(data)})"]
     if data["links"]:
         head = ["link", f"angle, {unit['angle']}", f"omega, {unit['omega']}", f"alpha, {unit['alpha']}"]
         rows = [
-            [f"{name} {motion.mechanism.links[name]}", *(_number(x) for x in link.values())]
+            [f"{name} {mechanism.links[name]}", *(_number(x) for x in link.values())]
             for name, link in data["links"].items()
         ]
         blocks.append(_columns([head, *rows]))
@@ -87,7 +54,7 @@ def table(motion: Motion) -> str:
         if any("coriolis" in slide for slide in data["slides"].values()):
             head.append(f"coriolis, {unit['acceleration']}")
         rows = [
-            [f"{name} {motion.mechanism.slides[name]}", *(_number(x) for x in slide.values())]
+            [f"{name} {mechanism.slides[name]}", *(_number(x) for x in slide.values())]
             for name, slide in data["slides"].items()
         ]
         blocks.append(_columns([head, *rows]))
@@ -95,9 +62,11 @@ def table(motion: Motion) -> str:
         [letter, *(_number(part) for pair in point.values() for part in pair)]
         for letter, point in data["points"].items()
     ]
-    head = ["point", "x", lengths[0], "v_x", lengths[1], "a_x", lengths[2]]
-    head[2::2] = [f"{axis}, {of}" for axis, of in zip(("y", "v_y", "a_y"), lengths, strict=True)]
-    blocks.append(_columns([head, *rows]))
+    axes = (("x", "y"), ("v_x", "v_y"), ("a_x", "a_y"))
+    of_points = [
+        f"{axis}, {of}" for pair, of in zip(axes, lengths, strict=True) for axis in pair
+    ]
+    blocks.append(_columns([["point", *of_points], *rows]))
     return "\n\n".join(blocks)
 
 

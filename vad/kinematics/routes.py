@@ -2,18 +2,10 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
+from vad.kinematics.frame import Frame
 from vad.kinematics.linkage import Bar, Slide, Step
 from vad.kinematics.numbers import Number
-from vad.kinematics.solver import Solver
 from vad.kinematics.state import Pose, Rates
-
-@lru_cache(maxsize=64)
-def routes_of(solver: Solver) -> Routes:
-    """Return the routes of a solver, found once."""
-    return Routes(solver)
-
 
 Hop = tuple[int, Step]
 Route = tuple[str, tuple[Hop, ...]]
@@ -22,11 +14,11 @@ Route = tuple[str, tuple[Hop, ...]]
 class Routes:
     """The shortest way from a fixed point to each letter, and the motion summed along it."""
 
-    def __init__(self, solver: Solver) -> None:
-        self._solver = solver
+    def __init__(self, frame: Frame) -> None:
+        self._frame = frame
         # A lever's point under its block is where the pin is, but moves as the lever turns.
-        self._places = _shortest(solver, slotted_bar=3.0)
-        self._motions = _shortest(solver, slotted_bar=1.0)
+        self._places = _shortest(frame, slotted_bar=3.0)
+        self._motions = _shortest(frame, slotted_bar=1.0)
 
     @property
     def letters(self) -> frozenset[str]:
@@ -36,23 +28,23 @@ class Routes:
     def position(self, letter: str, pose: Pose) -> Number:
         """Return the position of a point in the solver's unit and frame."""
         start, hops = self._places[letter]
-        total: Number = self._solver.fixed[start]
+        total: Number = self._frame.fixed[start]
         for way, step in hops:
             if isinstance(step, Slide):
-                total = total + way * self._solver.shift(step)
-            total = total + way * self._solver.displacement(step, pose)
+                total = total + way * self._frame.shift(step)
+            total = total + way * self._frame.displacement(step, pose)
         return total
 
     def rate(self, letter: str, pose: Pose, rates: tuple[Rates, ...]) -> Number:
         """Return the velocity (one order in ``rates``) or acceleration (two) of a point."""
         total: Number = 0j
         for way, step in self._motions[letter][1]:
-            for _, direction, amount in self._solver.components(step, pose, rates):
+            for _, direction, amount in self._frame.components(step, pose, rates):
                 total = total + (way * amount) * direction
         return total
 
 
-def _shortest(solver: Solver, slotted_bar: float) -> dict[str, Route]:
+def _shortest(frame: Frame, slotted_bar: float) -> dict[str, Route]:
     """Return the cheapest route to each letter; guides of the frame round least."""
 
     def cost(step: Step) -> float:
@@ -60,12 +52,12 @@ def _shortest(solver: Solver, slotted_bar: float) -> dict[str, Route]:
             return slotted_bar if isinstance(step.length, str) else 1.0
         return 1.0 if isinstance(step.along, str) else 0.5
 
-    routes: dict[str, Route] = {letter: (letter, ()) for letter in solver.fixed}
-    costs = dict.fromkeys(solver.fixed, 0.0)
+    routes: dict[str, Route] = {letter: (letter, ()) for letter in frame.fixed}
+    costs = dict.fromkeys(frame.fixed, 0.0)
     while True:
         candidates = [
             (costs[tail] + cost(step), head, tail, (way, step))
-            for step in solver.steps
+            for step in frame.steps
             for way, (tail, head) in ((1, step.ends), (-1, step.ends[::-1]))
             if tail in routes and head not in routes
         ]

@@ -12,13 +12,13 @@ from vad.kinematics.linkage import Slide, angle_of
 from vad.kinematics.numbers import Number, degrees_of, fold, is_array, positive
 
 if TYPE_CHECKING:
-    from vad.kinematics.motion import Motion
+    from vad.kinematics.solution import Solution
 
 
 class Link:
     """The motion of one link: ``angle`` in degrees within [0, 360), ``omega``, ``alpha``."""
 
-    def __init__(self, motion: Motion, name: str) -> None:
+    def __init__(self, motion: Solution, name: str) -> None:
         self._motion = motion
         self._name = name
 
@@ -26,7 +26,7 @@ class Link:
     def angle(self) -> Number:
         """Its direction in degrees, counter-clockwise from +x."""
         motion, name = self._motion, self._name
-        if angle_of(name) == motion.solver.linkage.driver:
+        if angle_of(name) == motion.linkage.driver:
             value = motion.inputs["angle"]
             if is_array(value):
                 with np.errstate(invalid="ignore"):
@@ -36,7 +36,7 @@ class Link:
                 return np.array(np.broadcast_to(value, motion.shape))
             angle = positive(fold(value)) + 0.0
             return np.full(motion.shape, angle) if motion.many else angle
-        turn = motion.solver.turn
+        turn = motion.frame.turn
         if motion.many:
             return motion.shaped(motion.reckon(
                 lambda pose, _: degrees_of(pose.unit[name] if turn == 1 else pose.unit[name] * turn), 0
@@ -60,18 +60,18 @@ class Link:
 class Point:
     """The motion of one point, as complex numbers x + iy in the user's length unit."""
 
-    def __init__(self, motion: Motion, letter: str) -> None:
+    def __init__(self, motion: Solution, letter: str) -> None:
         self._motion = motion
         self._letter = letter
 
     def _outward(self, value: Number) -> Number:
-        solver = self._motion.solver
-        return self._motion.shaped(value, solver.turn, solver.scale)
+        frame = self._motion.frame
+        return self._motion.shaped(value, frame.turn, frame.scale)
 
     @property
     def position(self) -> Number:
         """Where it is."""
-        routes, letter = self._motion.routes, self._letter
+        routes, letter = self._motion.solver.routes, self._letter
         return self._outward(self._motion.reckon(lambda pose, _: routes.position(letter, pose), 0))
 
     @property
@@ -85,7 +85,7 @@ class Point:
         return self._rate(2)
 
     def _rate(self, orders: int) -> Number:
-        routes, letter = self._motion.routes, self._letter
+        routes, letter = self._motion.solver.routes, self._letter
         return self._outward(
             self._motion.reckon(lambda pose, rates: routes.rate(letter, pose, rates), orders)
         )
@@ -94,7 +94,7 @@ class Point:
 class Slider:
     """The motion of one slide along its line, in the user's length unit."""
 
-    def __init__(self, motion: Motion, name: str) -> None:
+    def __init__(self, motion: Solution, name: str) -> None:
         self._motion = motion
         self._name = name
 
@@ -102,26 +102,26 @@ class Slider:
     def position(self) -> Number:
         """Its signed distance from the zero of its line."""
         motion = self._motion
-        return motion.shaped(motion.whole_pose.length[self._name], motion.solver.scale)
+        return motion.shaped(motion.whole_pose.length[self._name], motion.frame.scale)
 
     @property
     def velocity(self) -> Number:
         """Its velocity along the line."""
         motion = self._motion
-        return motion.shaped(motion.velocity.sliding[self._name], motion.solver.scale)
+        return motion.shaped(motion.velocity.sliding[self._name], motion.frame.scale)
 
     @property
     def acceleration(self) -> Number:
         """Its acceleration along the line."""
         motion = self._motion
-        return motion.shaped(motion.acceleration.sliding[self._name], motion.solver.scale)
+        return motion.shaped(motion.acceleration.sliding[self._name], motion.frame.scale)
 
     @property
     def coriolis(self) -> Number:
         """The magnitude of its Coriolis component 2·ω·v, or None on a line that does not turn."""
         motion, name = self._motion, self._name
-        for step in motion.solver.steps:
+        for step in motion.frame.steps:
             if isinstance(step, Slide) and step.name == name and isinstance(step.along, str):
                 turning, sliding = motion.velocity.turning[step.along], motion.velocity.sliding[name]
-                return motion.shaped(abs(2.0 * turning * sliding), motion.solver.scale)
+                return motion.shaped(abs(2.0 * turning * sliding), motion.frame.scale)
         return None

@@ -1,0 +1,121 @@
+"""A linkage made ready: lengths in a power of two, directions in the frame of the ground link.
+
+What every step contributes to position, velocity and acceleration is said here, once: the solver
+adds it up and the polygon builder draws it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from vad.kinematics.linkage import Bar, Linkage, Slide, Step
+from vad.kinematics.numbers import Number, direction, fold
+from vad.kinematics.state import Component, Pose, Rates
+
+
+class Frame:
+    """The unit and the axes in which a linkage is solved.
+
+    Attributes
+    ----------
+    linkage
+        The linkage.
+    angle, turn
+        The direction of the ground link, which is the frame's x axis, in degrees and as a unit
+        vector.
+    scale
+        The unit of lengths: a power of two, which changes no bit of a ratio.
+    steps
+        All bars and slides.
+    fixed
+        The fixed points by letter, in that unit and frame.
+    """
+
+    def __init__(self, linkage: Linkage) -> None:
+        self.linkage = linkage
+        self.scale = _power_of_two(linkage)
+        self.angle = fold(linkage.frame)
+        self.turn = direction(self.angle)
+        steps = [step for loop in linkage.loops for _, step in loop.steps()]
+        self.steps: tuple[Step, ...] = (*steps, *linkage.images)
+        self.fixed = {linkage.pivot: 0j}
+        if linkage.ground:
+            self.fixed[linkage.ground[0]] = complex(linkage.ground[1] / self.scale)
+        guides = [step for step in steps if isinstance(step, Slide) and isinstance(step.along, float)]
+        moving = {step.ends[1] for step in steps}
+        for slide in guides:
+            if slide.ends[0] not in moving:
+                self.fixed.setdefault(slide.ends[0], self._inward(slide.origin))
+        self._lines = {
+            slide.name: direction(fold(float(slide.along) - self.angle)) for slide in guides
+        }
+
+    def _inward(self, point: complex) -> complex:
+        return point / self.scale * self.turn.conjugate()
+
+    def shift(self, slide: Slide) -> complex:
+        """Return the vector from the tail of a slide to the zero of its line."""
+        tail = slide.ends[0]
+        if isinstance(slide.along, str) or tail not in self.fixed:
+            return 0j
+        return self._inward(slide.origin) - self.fixed[tail]
+
+    def size(self, bar: Bar, pose: Pose | None = None) -> Number:
+        """Return the length of a bar in the solver's unit."""
+        if isinstance(bar.length, str):
+            return pose.length[bar.length] if pose else math.nan
+        return bar.length / self.scale
+
+    def line(self, slide: Slide, pose: Pose | None) -> Number:
+        """Return the unit vector along which a slide slides."""
+        if isinstance(slide.along, str):
+            return pose.unit[slide.along] if pose else math.nan
+        return self._lines[slide.name]
+
+    def displacement(self, step: Step, pose: Pose) -> Number:
+        """Return the vector from tail to head, less a slide's shift.
+
+        On a turning link that is zero: there the bar carries the length.
+        """
+        if isinstance(step, Bar):
+            return self.size(step, pose) * pose.unit[step.link]
+        if isinstance(step.along, str):
+            return 0.0
+        return pose.length[step.name] * self._lines[step.name]
+
+    def unknown_direction(self, step: Step, pose: Pose) -> Number:
+        """Return the unit vector of the component that the driver does not dictate: across a
+        bar, along a slide."""
+        return 1j * pose.unit[step.link] if isinstance(step, Bar) else self.line(step, pose)
+
+    def components(
+        self, step: Step, pose: Pose, rates: tuple[Rates, ...]
+    ) -> Iterator[Component]:
+        """Yield the parts of a step's velocity (one order in ``rates``) or acceleration (two).
+
+        With u the unit vector and r the length, the derivatives of r·u are
+        ṙ·u + ωr·iu and r̈·u - ω²r·u + αr·iu + 2ωṙ·iu.
+        """
+        last = rates[-1]
+        if isinstance(step, Bar):
+            unit, size = pose.unit[step.link], self.size(step, pose)
+            if len(rates) > 1:
+                omega = rates[0].turning[step.link]
+                yield Component("normal", -unit, omega * omega * size)
+            rate = last.turning.get(step.link)
+            yield Component("tangential", 1j * unit, None if rate is None else rate * size)
+            return
+        line = self.line(step, pose)
+        if len(rates) > 1 and isinstance(step.along, str):
+            twist = 2.0 * rates[0].turning[step.along] * rates[0].sliding[step.name]
+            yield Component("coriolis", 1j * line, twist)
+        yield Component("sliding", line, last.sliding.get(step.name))
+
+
+def _power_of_two(linkage: Linkage) -> float:
+    steps = [step for loop in linkage.loops for _, step in loop.steps()]
+    sizes = [step.length for step in (*steps, *linkage.images) if isinstance(step, Bar)]
+    sizes += [linkage.ground[1]] if linkage.ground else []
+    largest = max((abs(size) for size in sizes if isinstance(size, float)), default=1.0)
+    return 2.0 ** math.frexp(largest)[1]

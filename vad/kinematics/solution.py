@@ -1,0 +1,186 @@
+"""The solution of a motion, order by order, for one pose or for many."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vad.errors import AssemblyError, DeadCentreError, InputError
+from vad.kinematics import sweep
+from vad.kinematics.closures import OpenLoop
+from vad.kinematics.frame import Frame
+from vad.kinematics.linkage import Linkage, Scalar
+from vad.kinematics.numbers import Number, is_array
+from vad.kinematics.reach import closing_range
+from vad.kinematics.solver import solver_of
+from vad.kinematics.state import Pose, Rates
+
+if TYPE_CHECKING:
+    from vad.mechanisms.mechanism import Mechanism
+
+Formula = Callable[[Pose, tuple[Rates, ...]], Number]
+
+
+class Solution:
+    """Pose, velocities and accelerations in the solver's unit and frame, found when asked for.
+
+    Attributes
+    ----------
+    mechanism
+        The mechanism.
+    inputs
+        The motion of its driver, by name.
+    shape
+        The broadcast shape of the inputs; () for one pose.
+    many
+        Whether any input is an array.
+    """
+
+    def __init__(self, mechanism: Mechanism, inputs: dict[str, Number]) -> None:
+        self.mechanism = mechanism
+        self.inputs = inputs
+        self.solver = solver_of(mechanism)
+        self.many = any(is_array(value) for value in inputs.values())
+        self.shape = _broadcast(inputs) if self.many else ()
+        first = next(iter(inputs.values()))
+        self._driver: Number = np.asarray(first) if self.many else first
+        # Plain attributes: functools.cached_property takes a lock, a tenth of a pose's time.
+        self._pose: Pose | None = None
+        self._whole_pose: Pose | None = None
+        self._velocity: Rates | None = None
+        self._acceleration: Rates | None = None
+
+    @property
+    def frame(self) -> Frame:
+        """The unit and the axes of the solution."""
+        return self.solver.frame
+
+    @property
+    def linkage(self) -> Linkage:
+        """The loops that are solved."""
+        return self.solver.linkage
+
+    @property
+    def pose(self) -> Pose:
+        """The position, in the solver's unit and frame; flat arrays of the driver's own shape."""
+        if self._pose is None:
+            self._pose = self._positions()
+        return self._pose
+
+    def _positions(self) -> Pose:
+        if not self.many:
+            try:
+                return self.solver.positions(self._driver)
+            except OpenLoop as gap:
+                raise _not_assembled(self.mechanism, self._driver, gap.miss) from None
+        flat = self._driver.ravel()
+        found = sweep.gather(flat.size, lambda part: self.solver.positions(flat[part]).flat())
+        return Pose.of(found)
+
+    @property
+    def whole_pose(self) -> Pose:
+        """The pose repeated to the shape of all inputs."""
+        own = np.shape(self._driver)
+        if own == self.shape:
+            return self.pose
+        if self._whole_pose is None:
+            self._whole_pose = Pose.of(sweep.expand(self.pose.flat(), own, self.shape))
+        return self._whole_pose
+
+    @property
+    def velocity(self) -> Rates:
+        """First derivatives, in the solver's unit."""
+        if self._velocity is None:
+            self._velocity = self._rates(())
+        return self._velocity
+
+    @property
+    def acceleration(self) -> Rates:
+        """Second derivatives, in the solver's unit."""
+        if self._acceleration is None:
+            self._acceleration = self._rates((self.velocity,))
+        return self._acceleration
+
+    def _rates(self, lower: tuple[Rates, ...]) -> Rates:
+        value = list(self.inputs.values())[len(lower) + 1]
+        pose = self.whole_pose
+        if not self.many:
+            return self.solver.rates(pose, lower, value)
+        if is_array(value):
+            value = np.broadcast_to(value, self.shape).ravel()
+
+        def solve_part(part: slice) -> dict[Scalar, Number]:
+            below = tuple(rates.cut(part) for rates in lower)
+            own = value[part] if is_array(value) else value
+            return self.solver.rates(pose.cut(part), below, own).flat()
+
+        return Rates.of(sweep.gather(math.prod(self.shape), solve_part))
+
+    @property
+    def assembled(self) -> Any:
+        """Whether the links close: a bool, or an array of them; a dead centre counts as closed."""
+        if not self.many:
+            try:
+                return bool(self.pose.sine)
+            except AssemblyError:
+                return False
+        sines = [sine for sine in self.whole_pose.sine if is_array(sine)]
+        size = math.prod(self.shape)
+        closed = ~np.isnan(sum(sines)) if sines else np.ones(size, bool)
+        return closed.reshape(self.shape)
+
+    def shaped(self, value: Number, *scales: Number) -> Number:
+        """Return a result in the user's shape, times ``scales``; never a view of the solution."""
+        if not self.many:
+            for scale in scales:
+                value = value * scale
+            if value != value:
+                raise DeadCentreError("the result is undetermined at this dead centre")
+            if value - value != 0:
+                raise InputError("the result leaves the range of double precision")
+            return value
+        result = np.array(np.broadcast_to(value, math.prod(self.shape)))
+        for scale in scales:
+            if not (isinstance(scale, float) and scale == 1.0):
+                result *= scale
+        return result.reshape(self.shape)
+
+    def reckon(self, formula: Formula, orders: int) -> Number:
+        """Evaluate ``formula(pose, rates)`` in the solution of up to ``orders`` derivatives."""
+        pose = self.whole_pose
+        rates: tuple[Rates, ...] = ()
+        if orders == 1:
+            rates = (self.velocity,)
+        elif orders == 2:
+            rates = (self.velocity, self.acceleration)
+        if not self.many:
+            return formula(pose, rates)
+
+        def part_of(part: slice) -> dict[str, Number]:
+            return {"": formula(pose.cut(part), tuple(rate.cut(part) for rate in rates))}
+
+        return sweep.gather(math.prod(self.shape), part_of)[""]
+
+
+def _broadcast(inputs: dict[str, Number]) -> tuple[int, ...]:
+    try:
+        return np.broadcast_shapes(*map(np.shape, inputs.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {np.shape(value)}" for name, value in inputs.items())
+        raise InputError(f"shapes of the inputs do not broadcast: {shapes}") from None
+
+
+def _not_assembled(mechanism: Mechanism, value: float, miss: float) -> AssemblyError:
+    solver = solver_of(mechanism)
+    name = next(iter(mechanism.inputs))
+    unit = "°" if name == "angle" else f" {mechanism.length_unit}"
+    miss *= solver.frame.scale
+    message = f"{name} {value:g}{unit}: the links miss by {miss:.4g} {mechanism.length_unit}"
+    ranges = closing_range(mechanism)
+    if not ranges:
+        return AssemblyError(message, hint=f"with these lengths they close at no {name}")
+    words = " and ".join(f"{low:.6g}{unit} … {high:.6g}{unit}" for low, high in ranges)
+    return AssemblyError(message, hint=f"they close for {name} {words}")
