@@ -91,14 +91,14 @@ def worst(variant: str, family: str, count: int, seed: int = 1) -> Worst:
 
 def main(count: int = 100, seed: int = 1) -> None:
     """Print a table: mechanisms down, quantities across."""
-    print(f"{'largest error, ε·κ':30}" + "".join(f"{name:>22}" for name in BOUNDS))
+    print(f"{'largest error, ε·κ':30}" + "".join(f"{name:>24}" for name in BOUNDS))
     for variant in SAMPLERS:
         cells = {name: (0.0, "") for name in BOUNDS}
         for family in FAMILIES:
             if exists(variant, family):
                 for name, (size, _) in worst(variant, family, count, seed).items():
                     cells[name] = max(cells[name], (size, family))
-        print(f"{variant:30}" + "".join(f"{s:7.2f} {f:>14}" for s, f in cells.values()))
+        print(f"{variant:30}" + "".join(f"{s:9.3g} {f:>14}" for s, f in cells.values()))
 
 
 if __name__ == "__main__":
