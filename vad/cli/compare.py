@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from vad.cli.groups import MechanismGroup
+from vad.kinematics.motion import solve
 from vad.mechanisms import Mechanism
 from vad.units import scene_unit
 
@@ -91,7 +92,7 @@ def _data(mechanism: Mechanism, inputs: dict[str, Any], comparison: Comparison) 
         "mechanism": mechanism.name,
         "parameters": mechanism.parameters(),
         "input": {**mechanism.inputs, **inputs},
-        "assembly": mechanism.assembly if mechanism.two_assemblies else None,
+        "assembly": solve(mechanism).assembly,
         "methods": [_row(row) for row in comparison.rows],
         "reference": {"method": _REFERENCE, **_results(comparison.truth)},
     }

@@ -19,17 +19,17 @@ class Captions:
         self._unit = scene.rate_unit(order)
 
     def pole(self, letters: list[str]) -> str:
-        """The pole and the points that lie there."""
+        """Say which points lie at the pole."""
         together = f" {self._say('and')} ".join(letters)
         one = "" if len(letters) > 1 else " one"
         return self._say(f"pole {self._panel}{one}", letters=together)
 
     def still(self) -> str:
-        """A panel without any vector."""
+        """Say that nothing moves."""
         return self._say("still")
 
     def known(self, label: str, part: Part) -> str:
-        """A component that can be worked out before the crossing."""
+        """Work out a component that is known before the crossing."""
         scene, step = self._scene, part.step
         value = figure(abs(part.vector))
         common = {"label": label, "value": value, "unit": self._unit}
@@ -63,7 +63,7 @@ class Captions:
         )
 
     def line(self, part: Part, point: str, meeting: str) -> str:
-        """A construction line: why the next vertex must lie on it."""
+        """Say why the next vertex must lie on a construction line."""
         scene, step = self._scene, part.step
         fixed = {image_letter(letter, self._order) for letter in scene.motion.frame.fixed}
         place = self._say("the pole") if point in fixed else point
@@ -87,11 +87,11 @@ class Captions:
         )
 
     def crossing(self, letter: str, pole: bool) -> str:
-        """The point where the two lines cross."""
+        """Say what lies where the two lines cross."""
         return self._say("pole crossing" if pole else "crossing", letter=letter)
 
     def measured(self, label: str, part: Part) -> str:
-        """A result, measured off the polygon."""
+        """Measure a result off the polygon."""
         scene, step = self._scene, part.step
         common = {"label": label, "value": figure(abs(part.vector)), "unit": self._unit}
         if isinstance(step, Slide):
@@ -120,7 +120,7 @@ class Captions:
         )
 
     def whole(self, label: str, vector: complex, step: Step, still: bool) -> str:
-        """A whole vector beside its parts."""
+        """Measure a whole vector beside its parts."""
         return self._say(
             "whole absolute" if still else "whole relative",
             label=label,
@@ -131,7 +131,7 @@ class Captions:
         )
 
     def image(self, bar: Bar, label: str, value: float) -> str:
-        """A further point of a link, by proportion."""
+        """Find a further point of a link by proportion."""
         scene = self._scene
         base = next(
             step
@@ -139,7 +139,9 @@ class Captions:
             for _, step in loop.steps()
             if isinstance(step, Bar) and step.link == bar.link
         )
-        images = ["".join(image_letter(letter, self._order) for letter in b.ends) for b in (bar, base)]
+        images = [
+            "".join(image_letter(letter, self._order) for letter in b.ends) for b in (bar, base)
+        ]
         return self._say(
             "image",
             letter=image_letter(bar.ends[1], self._order),
@@ -158,4 +160,3 @@ class Captions:
         if abs(vector.real) >= abs(vector.imag):
             return self._say("right" if vector.real > 0 else "left")
         return self._say("up" if vector.imag > 0 else "down")
-

@@ -14,9 +14,7 @@ from vad.kinematics.linkage import Slide, angle_of, length_of
 from vad.kinematics.motion import Motion
 
 
-def draw(
-    motion: Motion, panels: Sequence[str] | str = PANELS, language: str = "en"
-) -> Sheet:
+def draw(motion: Motion, panels: Sequence[str] | str = PANELS, language: str = "en") -> Sheet:
     """Draw one pose: the strokes of its panels in the order in which a teacher draws them.
 
     Parameters
@@ -94,10 +92,12 @@ def _rows(scene: Scene, panels: tuple[PanelName, ...]) -> list[Row]:
     rows = []
     for name in motion.links:
         link, given = motion.link(name), angle_of(name) == scene.driver
-        cells = {}
+        cells: dict[PanelName, tuple[Cell, ...]] = {}
         for panel in panels:
             symbol, unit, quantity = (
-                ("θ", "°", "angle"), ("ω", "rad/s", "omega"), ("α", "rad/s²", "alpha"),
+                ("θ", "°", "angle"),
+                ("ω", "rad/s", "omega"),
+                ("α", "rad/s²", "alpha"),
             )[PANELS.index(panel)]
             cells[panel] = (Cell(symbol, getattr(link, quantity), unit, given),)
         rows.append(Row(name, scene.language.name(name), motion.mechanism.links[name], cells))
@@ -118,5 +118,5 @@ def _slide_row(scene: Scene, name: str, panels: tuple[PanelName, ...]) -> Row:
         cells[panel] = (Cell(symbols[order], getattr(slide, panel), unit, given),)
         if panel == "acceleration" and slide.coriolis is not None:
             cells[panel] += (Cell("2ωv", slide.coriolis, unit),)
-    title = scene.language.name(name.split("_")[0])
+    title = scene.language.name(name.split("_", maxsplit=1)[0])
     return Row(name, title, motion.mechanism.slides[name], cells)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import cast
 
 from vad.diagrams.scene import Scene
 from vad.diagrams.strokes import Component
@@ -52,13 +53,11 @@ class Chain:
         return self.unknown is None or self.unknown.step is not step
 
 
-def _parts(
-    scene: Scene, step: Step, unknowns: tuple[Scalar, ...], order: int
-) -> Iterator[Part]:
+def _parts(scene: Scene, step: Step, unknowns: tuple[Scalar, ...], order: int) -> Iterator[Part]:
     pose = scene.motion.pose
     for component in scene.motion.frame.components(step, pose, scene.orders(order)):
         direction = scene.heading(component.direction)
-        amount = float(component.amount) * scene.motion.frame.scale
+        amount = float(cast(float, component.amount)) * scene.motion.frame.scale
         found = component.name in ("tangential", "sliding") and scalar_of(step) in unknowns
         yield Part(step, component.name, amount * direction, direction, found)
 

@@ -136,8 +136,11 @@ class _Position:
         unknown = [s for _, s in loop.steps() if scalar_of(s) in unknowns]
         for step in (*loop.first, *loop.second):
             if isinstance(step, Bar) and scalar_of(step) in unknowns:
-                if any(scalar_of(other) in unknowns and other.name == step.length
-                       for other in loop.first if isinstance(other, Slide)):
+                if any(
+                    scalar_of(other) in unknowns and other.name == step.length
+                    for other in loop.first
+                    if isinstance(other, Slide)
+                ):
                     phrase = self._lever_line(step, end)
                 else:
                     self._compass(step, end)
@@ -154,7 +157,8 @@ class _Position:
         centre, point = self.at(letters[0]), self.at(end)
         angle = math.degrees(cmath.phase(point - centre))
         arc = Arc(centre, self.scene.size(bar), angle - COMPASS, 2 * COMPASS, through=point)
-        parts = {"head": end, "tail": letters[0], "bar": letters, "unit": self.scene.unit}
+        parts: dict[str, object] = {"head": end, "tail": letters[0], "bar": letters}
+        parts["unit"] = self.scene.unit
         parts["size"] = self.scene.write_size(bar)
         self._draw("construction", letters, arc, "compass", parts, link=bar.link)
 
@@ -213,8 +217,15 @@ class _Position:
         parts |= {"letter": letters[1], "tail": letters[0]}
         reveals = () if driven or image else (bar.link,)
         self._draw(
-            kind, letters, arrow, phrase, parts,
-            link=bar.link, component="link", image=image, reveals=reveals,
+            kind,
+            letters,
+            arrow,
+            phrase,
+            parts,
+            link=bar.link,
+            component="link",
+            image=image,
+            reveals=reveals,
         )
 
     def _block(self, slide: Slide, kind: str, phrase: str) -> None:
@@ -232,7 +243,9 @@ class _Position:
         }
         reveals = () if driven else (slide.name,)
         block = Block(self.at(letter), line, on)
-        self._draw(kind, letter, block, phrase, parts, link=slide.name, component="link", reveals=reveals)
+        self._draw(
+            kind, letter, block, phrase, parts, link=slide.name, component="link", reveals=reveals
+        )
 
     # --- the equation -------------------------------------------------------------------------
 
@@ -260,7 +273,10 @@ class _Position:
         """Return the stroke that inks a step: its bar or its block."""
         letters = self.scene.letters(step) if isinstance(step, Bar) else step.ends[1]
         for index, stroke in enumerate(self.strokes):
-            if stroke.kind in ("known", "result") and (stroke.link, stroke.label) == (owner, letters):
+            if stroke.kind in ("known", "result") and (stroke.link, stroke.label) == (
+                owner,
+                letters,
+            ):
                 return index
         return None
 

@@ -27,11 +27,11 @@ class Scene:
     def outward(self, vector: complex) -> complex:
         """Turn a vector of the solver into the user's frame and unit."""
         frame = self.motion.frame
-        return vector * frame.turn * frame.scale
+        return complex(vector * frame.turn * frame.scale)
 
     def heading(self, direction: complex) -> complex:
         """Turn a unit vector of the solver into the user's frame."""
-        return direction * self.motion.frame.turn
+        return complex(direction * self.motion.frame.turn)
 
     def size(self, bar: Bar) -> float:
         """Return the length of a bar in the user's unit, without its sign."""
@@ -104,7 +104,7 @@ class Scene:
             return say(f"{start}link", link=slide.along)
         if not self.is_guide(slide):
             return say(f"{start}slot")
-        guides = {step.name for step in self.motion.frame.steps if self.is_guide(step)}
+        guides = {step.ends for step in self.motion.frame.steps if self.is_guide(step)}
         if len(guides) > 1:
             return say(f"{start}guide of", head=slide.ends[1])
         return say(f"{start}guide")

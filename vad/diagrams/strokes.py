@@ -6,6 +6,7 @@ unit (mm, mm/s, mm/s² …) with x to the right and y up; the pole of a polygon 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -19,9 +20,7 @@ Kind = Literal[
     "intersection",
     "result",
 ]
-Component = Literal[
-    "normal", "tangential", "coriolis", "sliding", "relative", "absolute", "link"
-]
+Component = Literal["normal", "tangential", "coriolis", "sliding", "relative", "absolute", "link"]
 PanelName = Literal["position", "velocity", "acceleration"]
 PANELS: tuple[PanelName, ...] = ("position", "velocity", "acceleration")
 
@@ -92,8 +91,10 @@ class Guide:
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """A sliding block at ``at``, its long side along ``direction``; ``on`` is the turning link
-    that it slides on, or None on a guide of the frame (or of a moving yoke)."""
+    """A sliding block at ``at``, its long side along ``direction``.
+
+    ``on`` is the turning link that it slides on, or None on a guide of the frame or of a yoke.
+    """
 
     at: complex
     direction: complex
@@ -139,8 +140,11 @@ class Stroke:
 
 @dataclass(frozen=True, slots=True)
 class Term:
-    """One vector of a loop equation: ``bc``, drawn by stroke number ``stroke`` of its panel
-    (None where it takes no stroke: a ground link, or a vector of length zero)."""
+    """One vector of a loop equation: ``bc``.
+
+    ``stroke`` is the number of the stroke that draws it in its panel, None where none does: a
+    ground link, or a vector of length zero.
+    """
 
     label: str
     link: str | None
@@ -204,7 +208,7 @@ class Row:
     key: str
     title: str
     letters: str
-    cells: dict[PanelName, tuple[Cell, ...]]
+    cells: Mapping[PanelName, tuple[Cell, ...]]
 
 
 @dataclass(frozen=True, slots=True)

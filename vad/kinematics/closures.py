@@ -28,7 +28,7 @@ from vad.kinematics.numbers import (
 )
 
 
-class OpenLoop(AssemblyError):
+class OpenLoopError(AssemblyError):
     """The chains of one pose miss each other by ``miss``, in the solver's length unit."""
 
     def __init__(self, miss: float) -> None:
@@ -140,7 +140,7 @@ class TwoAngles:
         if not is_array(root):
             if math.isnan(root):
                 length = math.sqrt(square)
-                raise OpenLoop(max(length - total, abs(difference) - length))
+                raise OpenLoopError(max(length - total, abs(difference) - length))
             if square == 0.0:  # the bars fold onto each other and may turn together
                 return NAN_VECTOR, NAN_VECTOR, 0.0
         half = (0.5 * self.side) * root
@@ -173,7 +173,9 @@ class AngleAndLength:
         if self.crank is not None:
             side, rest = _near_one(u.imag, u.real)
             sunk = self.crank.t * (side * rest)
-            below, above, height = (choose(side, p, m) for p, m in zip(*self._constants, strict=True))
+            below, above, height = (
+                choose(side, p, m) for p, m in zip(*self._constants, strict=True)
+            )
             below, above, height = below + sunk, above - sunk, height - sunk
         else:
             height = cross(self.g, gap)
@@ -181,7 +183,7 @@ class AngleAndLength:
         spread = r + abs(height)
         root = _root(below, above, spread, spread)
         if not is_array(root) and math.isnan(root):
-            raise OpenLoop(abs(height) - r)
+            raise OpenLoopError(abs(height) - r)
         root = self.side * root
         return self.g * vector(root / r, height / r), along + root, -root / r
 

@@ -42,7 +42,9 @@ class Frame:
         self.fixed = {linkage.pivot: 0j}
         if linkage.ground:
             self.fixed[linkage.ground[0]] = complex(linkage.ground[1] / self.scale)
-        guides = [step for step in steps if isinstance(step, Slide) and isinstance(step.along, float)]
+        guides = [
+            step for step in steps if isinstance(step, Slide) and isinstance(step.along, float)
+        ]
         moving = {step.ends[1] for step in steps}
         for slide in guides:
             if slide.ends[0] not in moving:
@@ -52,7 +54,7 @@ class Frame:
         }
 
     def _inward(self, point: complex) -> complex:
-        return point / self.scale * self.turn.conjugate()
+        return complex(point / self.scale * self.turn.conjugate())
 
     def shift(self, slide: Slide) -> complex:
         """Return the vector from the tail of a slide to the zero of its line."""
@@ -85,13 +87,10 @@ class Frame:
         return pose.length[step.name] * self._lines[step.name]
 
     def unknown_direction(self, step: Step, pose: Pose) -> Number:
-        """Return the unit vector of the component that the driver does not dictate: across a
-        bar, along a slide."""
+        """Return the direction of what the driver does not dictate: across a bar, along a slide."""
         return 1j * pose.unit[step.link] if isinstance(step, Bar) else self.line(step, pose)
 
-    def components(
-        self, step: Step, pose: Pose, rates: tuple[Rates, ...]
-    ) -> Iterator[Component]:
+    def components(self, step: Step, pose: Pose, rates: tuple[Rates, ...]) -> Iterator[Component]:
         """Yield the parts of a step's velocity (one order in ``rates``) or acceleration (two).
 
         With u the unit vector and r the length, the derivatives of r·u are

@@ -1,4 +1,4 @@
-"""One loop of a linkage: its position by one of the four closed forms, its rates by one crossing."""
+"""One loop of a linkage: its position by a closed form, its rates by one crossing."""
 
 from __future__ import annotations
 
@@ -20,9 +20,7 @@ from vad.kinematics.state import Pose, Rates
 SignedStep = tuple[int, Step]
 
 
-def loop_solver(
-    frame: Frame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]
-) -> LoopSolver:
+def loop_solver(frame: Frame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]) -> LoopSolver:
     """Return the solver of a loop, by what is unknown in it."""
     steps = {scalar_of(step): step for _, step in loop.steps() if scalar_of(step) in unknowns}
     bars = [step for step in steps.values() if isinstance(step, Bar)]
@@ -43,9 +41,10 @@ class LoopSolver:
     ``way`` · step vanishes.  The gap is the part of this sum that is known.
     """
 
-    def __init__(
-        self, frame: Frame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]
-    ) -> None:
+    #: Whether the loop can be assembled in two ways.
+    two_ways = False
+
+    def __init__(self, frame: Frame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]) -> None:
         self.frame = frame
         self.side = side
         unknown = {scalar_of(s): (way, s) for way, s in loop.steps() if scalar_of(s) in unknowns}
@@ -54,7 +53,9 @@ class LoopSolver:
         (self.way, self.step), (self.other_way, self.other) = ordered
         self.known = [(way, s) for way, s in loop.steps() if scalar_of(s) not in unknown]
         self.all = (*self.known, *ordered)
-        starts = [chain[0].ends[1 if chain[0].reverse else 0] for chain in (loop.first, loop.second)]
+        starts = [
+            chain[0].ends[1 if chain[0].reverse else 0] for chain in (loop.first, loop.second)
+        ]
         fixed = frame.fixed
         self.offset = 0j if starts[0] == starts[1] else fixed[starts[1]] - fixed[starts[0]]
         for way, step in loop.steps():
@@ -116,6 +117,8 @@ class LoopSolver:
 class TwoAnglesLoop(LoopSolver):
     """Two bars of known length, two unknown angles."""
 
+    two_ways = True
+
     step: Bar
     other: Bar
 
@@ -144,6 +147,8 @@ class TwoAnglesLoop(LoopSolver):
 
 class AngleAndLengthLoop(LoopSolver):
     """A bar that ends on a line."""
+
+    two_ways = True
 
     step: Bar
     other: Slide
@@ -187,7 +192,7 @@ class SlotLoop(LoopSolver):
         if is_array(radius):
             return np.where(radius == 0.0, np.nan, radius) if (radius == 0.0).any() else radius
         if radius == 0.0:
-            pivot, pin = bar.ends
+            pivot, pin = bar.ends[0], bar.ends[1]
             raise DeadCentreError(
                 f"{bar.link}: {pin} stands on the pivot {pivot}, where the {bar.link} may point "
                 "anywhere"

@@ -129,7 +129,9 @@ class Motion(Solution):
     @property
     def points(self) -> tuple[str, ...]:
         """The letters of the points."""
-        return tuple(letter for letter in self.mechanism.points if letter in self.solver.routes.letters)
+        return tuple(
+            letter for letter in self.mechanism.points if letter in self.solver.routes.letters
+        )
 
     def table(self) -> str:
         """Return the results as a table in plain text, with units."""
@@ -147,7 +149,7 @@ class Motion(Solution):
             "mechanism": mechanism.name,
             "parameters": mechanism.parameters(),
             "input": {name: plain(value) for name, value in self.inputs.items()},
-            "assembly": mechanism.assembly if mechanism.two_assemblies else None,
+            "assembly": self.assembly,
             "units": units(mechanism.length_unit),
             "links": {
                 name: _listed(self.link(name), ("angle", "omega", "alpha")) for name in self.links

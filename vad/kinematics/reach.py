@@ -51,7 +51,8 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
 def _closes(solver: Solver, values: NDArray[np.float64]) -> NDArray[np.bool_]:
     with np.errstate(all="ignore"):
         pose = solver.positions(values)
-    return ~np.isnan(sum(pose.sine))
+    closes: NDArray[np.bool_] = ~np.isnan(sum(pose.sine))
+    return closes
 
 
 def _edge(solver: Solver, inside: float, outside: float) -> float:

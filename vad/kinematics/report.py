@@ -40,7 +40,12 @@ def table(data: dict[str, Any], mechanism: Mechanism) -> str:
     unit = data["units"]
     blocks = [f"{mechanism.title}  ({_inputs(data)})"]
     if data["links"]:
-        head = ["link", f"angle, {unit['angle']}", f"omega, {unit['omega']}", f"alpha, {unit['alpha']}"]
+        head = [
+            "link",
+            f"angle, {unit['angle']}",
+            f"omega, {unit['omega']}",
+            f"alpha, {unit['alpha']}",
+        ]
         rows = [
             [f"{name} {mechanism.links[name]}", *(_number(x) for x in link.values())]
             for name, link in data["links"].items()
@@ -63,9 +68,7 @@ def table(data: dict[str, Any], mechanism: Mechanism) -> str:
         for letter, point in data["points"].items()
     ]
     axes = (("x", "y"), ("v_x", "v_y"), ("a_x", "a_y"))
-    of_points = [
-        f"{axis}, {of}" for pair, of in zip(axes, lengths, strict=True) for axis in pair
-    ]
+    of_points = [f"{axis}, {of}" for pair, of in zip(axes, lengths, strict=True) for axis in pair]
     blocks.append(_columns([["point", *of_points], *rows]))
     return "\n\n".join(blocks)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import cast
+
 from vad.kinematics.frame import Frame
 from vad.kinematics.linkage import Bar, Slide, Step
 from vad.kinematics.numbers import Number
@@ -40,7 +42,7 @@ class Routes:
         total: Number = 0j
         for way, step in self._motions[letter][1]:
             for _, direction, amount in self._frame.components(step, pose, rates):
-                total = total + (way * amount) * direction
+                total = total + (way * cast(Number, amount)) * direction
         return total
 
 
@@ -58,7 +60,10 @@ def _shortest(frame: Frame, slotted_bar: float) -> dict[str, Route]:
         candidates = [
             (costs[tail] + cost(step), head, tail, (way, step))
             for step in frame.steps
-            for way, (tail, head) in ((1, step.ends), (-1, step.ends[::-1]))
+            for way, tail, head in (
+                (1, step.ends[0], step.ends[1]),
+                (-1, step.ends[1], step.ends[0]),
+            )
             if tail in routes and head not in routes
         ]
         if not candidates:

@@ -10,7 +10,7 @@ import numpy as np
 
 from vad.errors import AssemblyError, DeadCentreError, InputError
 from vad.kinematics import sweep
-from vad.kinematics.closures import OpenLoop
+from vad.kinematics.closures import OpenLoopError
 from vad.kinematics.frame import Frame
 from vad.kinematics.linkage import Linkage, Scalar
 from vad.kinematics.numbers import Number, is_array
@@ -59,6 +59,11 @@ class Solution:
         return self.solver.frame
 
     @property
+    def assembly(self) -> str | None:
+        """Which of two assemblies this is; None where there is one."""
+        return self.mechanism.assembly if self.solver.two_assemblies else None
+
+    @property
     def linkage(self) -> Linkage:
         """The loops that are solved."""
         return self.solver.linkage
@@ -74,7 +79,7 @@ class Solution:
         if not self.many:
             try:
                 return self.solver.positions(self._driver)
-            except OpenLoop as gap:
+            except OpenLoopError as gap:
                 raise _not_assembled(self.mechanism, self._driver, gap.miss) from None
         flat = self._driver.ravel()
         found = sweep.gather(flat.size, lambda part: self.solver.positions(flat[part]).flat())

@@ -9,7 +9,7 @@ import numpy as np
 
 from vad.errors import DeadCentreError
 from vad.kinematics.frame import Frame
-from vad.kinematics.linkage import Bar, Linkage
+from vad.kinematics.linkage import Linkage, scalar_of
 from vad.kinematics.loops import LoopSolver, loop_solver
 from vad.kinematics.numbers import Number, direction, fold, is_array
 from vad.kinematics.routes import Routes
@@ -41,6 +41,8 @@ class Solver:
         The unit and the axes in which it solves.
     scalars
         Every angle and length of the motion.
+    two_assemblies
+        Whether any loop can be assembled in two ways.
     """
 
     def __init__(self, linkage: Linkage, side: float) -> None:
@@ -51,6 +53,7 @@ class Solver:
             loop_solver(self.frame, side, loop, unknowns)
             for loop, unknowns in zip(linkage.loops, linkage.unknowns, strict=True)
         ]
+        self.two_assemblies = any(loop.two_ways for loop in self.loops)
 
     @cached_property
     def routes(self) -> Routes:
@@ -62,7 +65,7 @@ class Solver:
 
         Raises
         ------
-        vad.kinematics.closures.OpenLoop
+        vad.kinematics.closures.OpenLoopError
             For a single pose that does not close; in arrays it is NaN.
         """
         pose = Pose({}, {}, [])
@@ -92,19 +95,19 @@ class Solver:
         else:
             found = Rates({}, {driver.name: value / self.frame.scale})
         for loop, sine in zip(self.loops, pose.sine, strict=True):
-            if is_array(sine):
-                # A copy only where there is a dead centre: division must not meet a zero.
-                dead = sine == 0.0
-                if dead.any():
-                    sine = np.where(dead, np.nan, sine)
-            elif sine == 0.0:
-                raise DeadCentreError(_dead_centre(loop))
-            loop.cross(pose, (*lower, found), sine)
+            loop.cross(pose, (*lower, found), _alive(loop, sine))
         return found
 
 
-def _dead_centre(loop: LoopSolver) -> str:
-    names = " and ".join(
-        step.link if isinstance(step, Bar) else step.name for step in (loop.step, loop.other)
-    )
-    return f"dead centre: the construction lines of {names} are parallel and do not cross"
+def _alive(loop: LoopSolver, sine: Number) -> Number:
+    """Return the sine by which the crossing divides: never zero."""
+    if is_array(sine):
+        dead = sine == 0.0
+        # A copy only where there is a dead centre.
+        return np.where(dead, np.nan, sine) if dead.any() else sine
+    if sine == 0.0:
+        names = " and ".join(scalar_of(step).name for step in (loop.step, loop.other))
+        raise DeadCentreError(
+            f"dead centre: the construction lines of {names} are parallel and do not cross"
+        )
+    return sine

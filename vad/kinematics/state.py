@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from vad.kinematics import sweep
 from vad.kinematics.linkage import Scalar, angle_of, length_of
 from vad.kinematics.numbers import Number
+
+
+ComponentName = Literal["normal", "tangential", "coriolis", "sliding"]
 
 
 class Component(NamedTuple):
@@ -17,15 +20,17 @@ class Component(NamedTuple):
     stands for the unknown one, of which only the direction is known yet.
     """
 
-    name: str
+    name: ComponentName
     direction: Number
     amount: Number | None
 
 
 @dataclass(slots=True)
 class Pose:
-    """Unit vector of every link, length of every slide, and of every loop the sine at which its
-    construction lines cross."""
+    """Where everything is: unit vectors of links, lengths of slides.
+
+    ``sine`` holds, loop by loop, the sine of the angle at which its construction lines cross.
+    """
 
     unit: dict[str, Number]
     length: dict[str, Number]

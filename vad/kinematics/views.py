@@ -1,5 +1,7 @@
-"""The motion of one link, point or slide, in the user's units: scalars or arrays, never views of
-the solution."""
+"""The motion of one link, point or slide, in the user's units.
+
+What they return are numbers or new arrays, never views of the solution.
+"""
 
 from __future__ import annotations
 
@@ -38,9 +40,14 @@ class Link:
             return np.full(motion.shape, angle) if motion.many else angle
         turn = motion.frame.turn
         if motion.many:
-            return motion.shaped(motion.reckon(
-                lambda pose, _: degrees_of(pose.unit[name] if turn == 1 else pose.unit[name] * turn), 0
-            ))
+            return motion.shaped(
+                motion.reckon(
+                    lambda pose, _: degrees_of(
+                        pose.unit[name] if turn == 1 else pose.unit[name] * turn
+                    ),
+                    0,
+                )
+            )
         unit = motion.pose.unit[name]
         if unit != unit:  # NaN
             raise DeadCentreError(f"{name}: its angle is undetermined at this dead centre")
@@ -122,6 +129,9 @@ class Slider:
         motion, name = self._motion, self._name
         for step in motion.frame.steps:
             if isinstance(step, Slide) and step.name == name and isinstance(step.along, str):
-                turning, sliding = motion.velocity.turning[step.along], motion.velocity.sliding[name]
+                turning, sliding = (
+                    motion.velocity.turning[step.along],
+                    motion.velocity.sliding[name],
+                )
                 return motion.shaped(abs(2.0 * turning * sliding), motion.frame.scale)
         return None

@@ -1,5 +1,4 @@
-"""The mechanisms: every module of this package but `mechanism` declares one, and is found by
-itself."""
+"""The mechanisms: every module of this package that declares one is found by itself."""
 
 from importlib import import_module
 from pkgutil import iter_modules

@@ -28,12 +28,7 @@ class CrankSlottedLever(Mechanism):
     ram_height: float | None = length(None, "height of the ram's line above A", signed=True)
     ground_angle: float = angle(-90.0, "direction of AD")
 
-    @property
-    def two_assemblies(self) -> bool:
-        """Only the ram can be assembled in two ways."""
-        return self.rod is not None
-
     def linkage(self) -> Linkage:
-        """The tip C lies on the side of Q."""
+        """Return the loops; the tip C lies on the side of Q."""
         ground = (self.ground, self.ground_angle)
         return quick_return(self.crank, self.lever, ground, self.rod, self.ram_height)

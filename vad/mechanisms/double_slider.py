@@ -19,7 +19,6 @@ class DoubleSlider(Mechanism):
     links = {"link": "AB"}
     slides = {"slider_a": "A", "slider_b": "B"}
     inputs = {"position": 500.0, "velocity": 2000.0, "acceleration": 1000.0}
-    two_assemblies = True
 
     link: float = length(1000.0, "length of AB")
     guide_a: float = angle(0.0, "direction of A's guide", keyword=False)

@@ -17,7 +17,6 @@ class FourBar(Mechanism):
     title = "Four-bar"
     points = "ABCD"
     links = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
-    two_assemblies = True
 
     ground: float = length(100.0, "distance AD of the pivots")
     crank: float = length(40.0, "length of AB")

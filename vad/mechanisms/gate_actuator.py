@@ -21,7 +21,6 @@ class GateActuator(Mechanism):
     links = {"arm": "AB", "actuator": "DB"}
     slides = {"actuator": "B"}
     inputs = {"position": 3.8, "velocity": 1.0 / 17.0, "acceleration": 0.0}
-    two_assemblies = True
 
     ground: float = length(math.hypot(0.416, 0.546), "distance AD of the pivots")
     arm: float = length(math.hypot(3.875, 0.3), "length of AB")

@@ -40,8 +40,8 @@ class Mechanism:
 
     A subclass states its parameters as dataclass fields and, as class variables, its `name` on
     the command line, its `title`, the `points`, `links` and `slides` that it reports (links with
-    the letters of their ends, slides with the letter that slides), its `inputs` with their
-    defaults, and whether it has `two_assemblies`.  `linkage` returns its loops.
+    the letters of their ends, slides with the letter that slides), and its `inputs` with their
+    defaults.  `linkage` returns its loops.
 
     Raises
     ------
@@ -55,7 +55,6 @@ class Mechanism:
     links: ClassVar[dict[str, str]]
     slides: ClassVar[dict[str, str]] = {}
     inputs: ClassVar[dict[str, float]] = CRANK
-    two_assemblies: ClassVar[bool] = False
 
     assembly: str = field(
         default="open",

@@ -22,7 +22,7 @@ def quick_return(
         second=(Bar("DQ", "lever", "block"),),
     )
     arm = Bar("DC", "lever", tip)
-    loops = (lever,)
+    loops: tuple[Loop, ...] = (lever,)
     if rod is not None and ram_height is not None:
         ram = Slide("DE", "ram", 0.0, origin=1j * ram_height)
         loops = (lever, Loop(first=(arm, Bar("CE", "rod", rod)), second=(ram,)))

@@ -18,7 +18,6 @@ class SliderCrank(Mechanism):
     points = "ABC"
     links = {"crank": "AB", "rod": "BC"}
     slides = {"slider": "C"}
-    two_assemblies = True
 
     crank: float = length(60.0, "length of AB")
     rod: float = length(140.0, "length of BC")

@@ -29,13 +29,8 @@ class Whitworth(Mechanism):
     ram_height: float | None = length(None, "height of the ram's line above A", signed=True)
     ground_angle: float = angle(-90.0, "direction of AD")
 
-    @property
-    def two_assemblies(self) -> bool:
-        """Only the ram can be assembled in two ways."""
-        return self.rod is not None
-
     def linkage(self) -> Linkage:
-        """The tip C lies on the side away from Q."""
+        """Return the loops; the tip C lies on the side away from Q."""
         height = self.ram_height
         if self.rod is not None and height is None:
             height = self.ground * math.sin(math.radians(self.ground_angle))

@@ -19,18 +19,25 @@ PHRASES = {
     "block": "Der {slide} {head}: {symbol} = {value} {unit}.",
     "tip": "{letter} ({link}) liegt {size} {unit} von {tail} entfernt.",
     # Polygone
-    "pole velocity": "Der Pol: feste Punkte haben die Geschwindigkeit null, also liegen {letters} hier.",
+    "pole velocity": (
+        "Der Pol: feste Punkte haben die Geschwindigkeit null, also liegen {letters} hier."
+    ),
     "pole acceleration": "Der Pol: feste Punkte sind unbeschleunigt, also liegen {letters} hier.",
     "pole velocity one": "Der Pol: der feste Punkt {letters} hat die Geschwindigkeit null.",
     "pole acceleration one": "Der Pol: der feste Punkt {letters} ist unbeschleunigt.",
     "still": "Der Antrieb steht still und mit ihm alles andere: das Polygon ist sein Pol.",
     "tangential velocity": "{label} = {omega}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar}",
-    "normal": "{label} = {omega}²·{bar} = {rate}² × {size} = {value} {unit}, von {head} nach {tail}",
-    "tangential acceleration": "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar}",
+    "normal": (
+        "{label} = {omega}²·{bar} = {rate}² × {size} = {value} {unit}, von {head} nach {tail}"
+    ),
+    "tangential acceleration": (
+        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar}"
+    ),
     "sliding velocity": "{label} = {value} {unit}, die gegebene Geschwindigkeit längs {line}",
     "sliding acceleration": "{label} = {value} {unit}, die gegebene Beschleunigung längs {line}",
     "coriolis": (
-        "{label} = 2·{omega}·v = 2 × {rate} × {speed} = {value} {unit}, v um 90° mit {omega} gedreht"
+        "{label} = 2·{omega}·v = 2 × {rate} × {speed} = {value} {unit}, "
+        "v um 90° mit {omega} gedreht"
     ),
     "across velocity": (
         "Durch {point} senkrecht zu {bar}: gegenüber {tail} kann sich {head} nur so bewegen, "
@@ -45,11 +52,13 @@ PHRASES = {
         "{meeting} auf dieser Geraden."
     ),
     "along acceleration": (
-        "Durch {point} parallel zu {line}: der Gleitanteil ist noch unbekannt, also liegt {meeting} "
-        "auf dieser Geraden."
+        "Durch {point} parallel zu {line}: der Gleitanteil ist noch unbekannt, also liegt "
+        "{meeting} auf dieser Geraden."
     ),
     "crossing": "Im Schnittpunkt der beiden Geraden liegt {letter}.",
-    "pole crossing": "Im Schnittpunkt der beiden Geraden liegt der Pol {letter}: dieser Punkt ruht.",
+    "pole crossing": (
+        "Im Schnittpunkt der beiden Geraden liegt der Pol {letter}: dieser Punkt ruht."
+    ),
     "measured omega": (
         "{label} = {value} {unit}, also {omega} = {label}/{bar} = {value}/{size} = {rate} rad/s, "
         "{sense}: von {tail} aus gesehen läuft {head} {way}."

@@ -28,7 +28,9 @@ PHRASES = {
     "normal": (
         "{label} = {omega}²·{bar} = {rate}² × {size} = {value} {unit}, from {head} towards {tail}"
     ),
-    "tangential acceleration": "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar}",
+    "tangential acceleration": (
+        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar}"
+    ),
     "sliding velocity": "{label} = {value} {unit}, the given velocity along {line}",
     "sliding acceleration": "{label} = {value} {unit}, the given acceleration along {line}",
     "coriolis": (
