@@ -6,7 +6,7 @@ Each part is loaded when it is first used.
 >>> import vad
 >>> motion = vad.solve(vad.SliderCrank(crank=60, rod=140), angle=60, omega=10)
 >>> round(motion.link("rod").omega, 4)
--2.3082
+-2.3077
 """
 
 from importlib import import_module
