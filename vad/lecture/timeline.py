@@ -22,8 +22,8 @@ GROWTH = {
     "result": 0.50,
 }
 SHORT = 0.7  # of the time for a vector under a quarter of the panel's longest
-REST = 0.12
-REST_PER_WORD = 0.028
+REST = 0.10
+REST_PER_WORD = 0.022
 OPENING = 0.4
 CLOSING = 1.5
 

@@ -108,9 +108,7 @@ class PanelArt:
     glow: dict[str, list[Mark]] = field(default_factory=dict)
     tags: list[Tag] = field(default_factory=list)
 
-    def add(
-        self, level: Level, since: int, marks: list[Mark], until: int = FOREVER
-    ) -> None:
+    def add(self, level: Level, since: int, marks: list[Mark], until: int = FOREVER) -> None:
         """Add an item."""
         self.items.append(Item(level, since, marks, until))
 

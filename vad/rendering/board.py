@@ -188,8 +188,8 @@ class Board:
         else:
             low = page.rows[-1] - 0.012 * unit if page.rows else page.hairline
             area = Rect(page.left - 1, low, page.right + 1, page.hairline + 2)
-        key = tuple(sorted(measured.items()))
-        return Layer("results", area, key, lambda: (self.table.marks(state), []))
+        shown = tuple(sorted(measured.items()))
+        return Layer("results", area, shown, lambda: (self.table.marks(state), []))
 
     def _caption(self, moment: Moment) -> Layer:
         page, unit = self.page, self.look.unit

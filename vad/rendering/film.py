@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from vad.lecture.lesson import Lesson
 from vad.lecture.moment import Moment, moment, moments
 from vad.rendering.board import Board, Layer
-from vad.rendering.canvas import AggCanvas
+from vad.rendering.canvas import AggCanvas, Canvas
 from vad.rendering.frame import EMPTY, Box, Frame
 from vad.rendering.marks import Mark
 from vad.rendering.page import Rect
@@ -35,19 +35,19 @@ def frames(lesson: Lesson) -> Iterator[Frame]:
 def redraw(lesson: Lesson, frame: int) -> Pixels:
     """Return one frame painted from nothing: the reference for `frames`."""
     board = Board(lesson.sheet, lesson.size, lesson.style, lesson=True)
-    return paint(board, moment(lesson, frame))
+    canvas = AggCanvas(lesson.size, board.style.background)
+    paint(board, moment(lesson, frame), canvas)
+    return canvas.pixels
 
 
-def paint(board: Board, state: Moment) -> Pixels:
-    """Return the board at a moment, painted from nothing."""
-    canvas = AggCanvas((board.page.width, board.page.height), board.style.background)
+def paint(board: Board, state: Moment, canvas: Canvas) -> None:
+    """Paint the board at a moment on an empty canvas."""
     canvas.paint(board.background())
     for layer in board.layers(state):
         under, over = layer.draw()
         canvas.paint(under)
     canvas.paint(board.growing(state))
     canvas.paint(over)  # of the last layer: nothing lies above a region where nothing grows
-    return canvas.pixels
 
 
 class _Painter:
@@ -158,9 +158,7 @@ def _step(state: Moment) -> tuple[object, ...]:
 
 
 def _touch(one: Box, other: Box) -> bool:
-    return (
-        one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
-    )
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
 
 
 def _union(one: Box, other: Box) -> Box:

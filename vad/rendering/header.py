@@ -117,7 +117,8 @@ def italic_names(sheet: Sheet) -> frozenset[str]:
 
 def _setter(sheet: Sheet) -> Callable[[str], Runs]:
     names = italic_names(sheet)
-    return lambda text: sentence(text, names)
+    article = words(sheet.language).article
+    return lambda text: sentence(text, names, article)
 
 
 def _caption_size(text: str, setter: Callable[[str], Runs], room: float, unit: float) -> float:
@@ -150,9 +151,7 @@ def _set(
     return lines, size
 
 
-def caption_marks(
-    sheet: Sheet, panel: Panel, index: int, page: Page, look: Look
-) -> list[Mark]:
+def caption_marks(sheet: Sheet, panel: Panel, index: int, page: Page, look: Look) -> list[Mark]:
     """Return the caption of a step and the number of its stroke in the panel."""
     room = page.right - page.left
     lines, size = _set(panel.strokes[index].caption, _setter(sheet), room, look.unit)

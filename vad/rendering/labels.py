@@ -7,6 +7,7 @@ first beside the dot along the outward bisector, then every 22.5°, then farther
 from __future__ import annotations
 
 import cmath
+import itertools
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -46,7 +47,7 @@ class Obstacles:
 
     def line(self, points: Sequence[complex], half_width: float, span: Span = ALWAYS) -> None:
         """Add a polyline."""
-        for start, end in zip(points[:-1], points[1:], strict=True):
+        for start, end in itertools.pairwise(points):
             self.lines.append((start, end, half_width, span))
 
     def disc(self, centre: complex, radius: float, span: Span = ALWAYS) -> None:
@@ -193,9 +194,7 @@ def place(
     """
     grow = CLEARANCE * unit
     for gap in near:
-        centres = [
-            beside(at, way, gap * unit + radius, wide, high) for way in fan(first, 16)
-        ]
+        centres = [beside(at, way, gap * unit + radius, wide, high) for way in fan(first, 16)]
         for index in np.flatnonzero(obstacles.free(centres, wide, high, grow)):
             spot = Placed(centres[int(index)], wide, high)
             if gap <= near[0] or _belongs(spot, at, rivals):
@@ -207,7 +206,8 @@ def place(
             break
         for index in np.flatnonzero(obstacles.free(centres, wide, high, 0.5 if tight else grow)):
             spot = _led(at, centres[int(index)], wide, high, radius, unit)
-            assert spot.leader is not None
+            if not spot.leader:
+                return _settle(obstacles, spot)
             crossed = obstacles.crossed(*spot.leader)
             if crossed == "nothing":
                 return _settle(obstacles, spot)
@@ -264,11 +264,13 @@ def _distance(box: Rect, point: complex) -> float:
 def _led(
     at: complex, centre: complex, wide: float, high: float, radius: float, unit: float
 ) -> Placed:
-    """Return a label with a leader from the dot's rim to the nearest point of its box."""
+    """Return a label with a leader from the dot's rim to its box, if that is not close by."""
     nearest = complex(
         min(max(at.real, centre.real - wide / 2), centre.real + wide / 2),
         min(max(at.imag, centre.imag - high / 2), centre.imag + high / 2),
     )
+    if abs(nearest - at) < radius + 0.025 * unit:
+        return Placed(centre, wide, high)
     way = (nearest - at) / abs(nearest - at)
     start = at + way * (radius + 0.010 * unit)
     return Placed(centre, wide, high, (start, nearest - way * 0.005 * unit))

@@ -52,7 +52,7 @@ class Mark:
 
     def moved(self, by: complex) -> Mark:
         """Return the mark shifted."""
-        return replace(self, vertices=self.vertices + (by.real, by.imag))
+        return replace(self, vertices=(*self.vertices, by.real, by.imag))
 
 
 def _points(points: Sequence[complex]) -> Points:

@@ -14,11 +14,16 @@ from vad.rendering.art import Growth, Level, Look, PanelArt
 from vad.rendering.labels import Obstacles
 from vad.rendering.marks import Mark, Pen, arc, polygon
 from vad.rendering.page import Rect, fill
-from vad.rendering.polygon import corners
 from vad.rendering.rotation import add_angle, add_sense, angle_radius
 from vad.rendering.supports import add_axes, add_pivots, block_guide, guide_marks
 from vad.rendering.tools import compass, set_square, square_side, tip_dot
-from vad.rendering.vertices import Vertex, find_vertices, label_vertices, visible_start
+from vad.rendering.vertices import (
+    Vertex,
+    corners,
+    find_vertices,
+    label_vertices,
+    visible_start,
+)
 
 NEAR = (0.014, 0.020, 0.028, 0.036)
 
@@ -87,14 +92,10 @@ def _bar(scene: Scene, index: int, shape: Arrow, grown: float = 1.0) -> list[Mar
     if abs(tip - start) < 0.25:
         return []
     ink, line = look.ink(stroke.link), look.line(stroke.link)
-    return vectors.along(
-        look.style, line, ink, vectors.BAR * look.unit, start, tip, "round"
-    )
+    return vectors.along(look.style, line, ink, vectors.BAR * look.unit, start, tip, "round")
 
 
-def _add_stroke(
-    scene: Scene, stroke: Stroke, index: int, carriers: set[str | None]
-) -> None:
+def _add_stroke(scene: Scene, stroke: Stroke, index: int, carriers: set[str | None]) -> None:
     art, look, shape = scene.art, scene.look, stroke.shape
     ink = look.ink(stroke.link)
     if isinstance(shape, Arrow):
@@ -182,9 +183,7 @@ def _growth(scene: Scene, index: int, carriers: set[str | None]) -> Growth:
         return Growth(Level.CARRIER if stroke.link in carriers else Level.STROKE, draw_bar)
     if isinstance(shape, Block):
         at, way, on_lever = scale(shape.at), shape.direction, shape.on is not None
-        return Growth(
-            Level.BLOCK, lambda grown: parts.block(look, at, way, on_lever, ink, grown)
-        )
+        return Growth(Level.BLOCK, lambda grown: parts.block(look, at, way, on_lever, ink, grown))
     if isinstance(shape, Guide):
         return Growth(
             Level.GROUND,

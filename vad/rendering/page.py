@@ -139,9 +139,7 @@ def _foot(lowest: float, lines: int, unit: float) -> tuple[float, ...]:
     return tuple(lowest + EQUATION_PITCH * unit * (lines - 1 - i) for i in range(lines))
 
 
-def _drawing(
-    left: float, right: float, title: float, foot: Sequence[float], unit: float
-) -> Rect:
+def _drawing(left: float, right: float, title: float, foot: Sequence[float], unit: float) -> Rect:
     return Rect(left, max(foot) + 0.028 * unit, right, title - 0.015 * unit)
 
 

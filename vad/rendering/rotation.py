@@ -6,6 +6,7 @@ In come an arc in panel coordinates and the strokes already placed, out go marks
 from __future__ import annotations
 
 import cmath
+import itertools
 import math
 
 from vad.diagrams.strokes import Arc, Panel, Stroke
@@ -96,9 +97,7 @@ def add_sense(
     art: PanelArt, panel: Panel, shape: Arc, sense: float, obstacles: Obstacles, look: Look
 ) -> None:
     """Add the ω arrow of the driven link in a free sector about its pivot."""
-    driven = next(
-        (i for i, stroke in enumerate(panel.strokes) if stroke.kind == "known"), None
-    )
+    driven = next((i for i, stroke in enumerate(panel.strokes) if stroke.kind == "known"), None)
     if driven is None or not sense:
         return
     link = panel.strokes[driven].link
@@ -119,7 +118,7 @@ def add_sense(
                     continue
                 if strict and not obstacles.free(line, 0.0, 0.0, 0.008 * unit).all():
                     continue
-                chords = zip(line[:-1], line[1:], strict=True)
+                chords = itertools.pairwise(line)
                 if not all(obstacles.clear_of_labels(*ends, 0.004 * unit) for ends in chords):
                     continue
                 marks = sense_arrow(

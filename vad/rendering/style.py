@@ -69,9 +69,7 @@ def mix(colour: str, ground: str, share: float) -> str:
     >>> mix("#000000", "#FFFFFF", 0.2)
     '#CCCCCC'
     """
-    pairs = (
-        (int(colour[i : i + 2], 16), int(ground[i : i + 2], 16)) for i in (1, 3, 5)
-    )
+    pairs = ((int(colour[i : i + 2], 16), int(ground[i : i + 2], 16)) for i in (1, 3, 5))
     return "#" + "".join(f"{round(share * a + (1 - share) * b):02X}" for a, b in pairs)
 
 

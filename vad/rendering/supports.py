@@ -6,6 +6,7 @@ In come the position panel's strokes and the vertices placed, out go marks and o
 from __future__ import annotations
 
 import cmath
+import itertools
 import math
 
 from vad.diagrams.strokes import Arc, Arrow, Block, Dot, Guide, Panel, Stroke
@@ -34,7 +35,7 @@ def add_axes(
     """Add the dash-dotted ground link, and the line from which the angle is measured."""
     fixed = _fixed(panel)
     lines: list[tuple[int, complex, complex]] = []
-    for (_, one), (index, other) in zip(fixed[:-1], fixed[1:], strict=True):
+    for (_, one), (index, other) in itertools.pairwise(fixed):
         lines.append((index + 1, art.scale(one), art.scale(other)))
     for index, stroke in enumerate(panel.strokes):
         if stroke.kind == "angle" and isinstance(stroke.shape, Arc):
@@ -130,8 +131,9 @@ def guide_marks(
     shape = stroke.shape
     assert isinstance(shape, Guide)
     if shape.side is None:
-        return parts.slot(look, *slot_ends(art, panel, shape, drawing, look),
-                          look.ink(stroke.link), grown)
+        return parts.slot(
+            look, *slot_ends(art, panel, shape, drawing, look), look.ink(stroke.link), grown
+        )
     start, end, origin, middle = guide_rail(art, panel, shape, drawing, look)
     marks = parts.rail(look, start, end, shape.side, grown)
     if origin is not None and abs(middle - origin) > 1.0:
@@ -221,9 +223,7 @@ def _on_line(point: complex, through: complex, way: complex) -> bool:
     return abs(((point - through) * way.conjugate()).imag) < 1.0
 
 
-def _stretch(
-    at: complex, way: complex, drawing: Rect, inset: float
-) -> tuple[float, float]:
+def _stretch(at: complex, way: complex, drawing: Rect, inset: float) -> tuple[float, float]:
     """Return how far a line through ``at`` may run back and forth inside the drawing."""
     low, high = -math.inf, math.inf
     for ahead, least, most, here in (

@@ -26,6 +26,10 @@ EQUALS = 0.0315
 NUMBERS = 0.0620
 GIVEN_SIZE = 0.028
 HEAD_SIZE = 0.031
+HEAD_GAP = 0.060  # two by two: title to head, head to first row, row to next head
+FIRST_GAP = 0.0535
+GROUP_GAP = 0.0755
+LEAST_SQUEEZE = 0.85  # of the type
 
 State = Literal["hidden", "new", "measured"]
 States = Callable[[str, PanelName], State]
@@ -43,18 +47,18 @@ class Table:
         """Return the table with each cell shown as ``state(row, panel)`` says."""
         return self._columns(state) if self.page.columns else self._quarter(state)
 
-    def _name(self, row: Row, left: float, baseline: float, room: float) -> list[Mark]:
+    def _name(self, row: Row, left: float, baseline: float, room: float, unit: float) -> list[Mark]:
         look = self.look
-        line, unit = look.line(row.key), look.unit
+        line = look.line(row.key)
         pen_width = 0.85 * BAR * unit * line.weight
         dash = tuple(part * pen_width for part in line.dash)
         y = baseline + 0.0068 * unit
-        key_end = left + look.style.key * unit
+        key_end = left + look.style.key * look.unit
         pen = Pen(look.ink(row.key), pen_width, dash)
         marks = [polyline([complex(left, y), complex(key_end, y)], pen)]
         runs = roman(row.title + " ") + symbols(row.letters)
         at = complex(key_end + NAME_GAP * unit, baseline)
-        size = fitted(runs, SIZE * unit, LEAST * unit, room - look.style.key * unit - 0.02 * unit)
+        size = fitted(runs, SIZE * unit, LEAST * unit, room - (look.style.key + 0.02) * look.unit)
         return marks + write(runs, at, size, look.style.text)
 
     def _columns(self, state: States) -> list[Mark]:
@@ -69,7 +73,7 @@ class Table:
             shift = VALUES * unit if index == 0 else 0.0
             for row, baseline in zip(self.sheet.rows, self.page.rows, strict=True):
                 if index == 0:
-                    marks += self._name(row, left, baseline, shift)
+                    marks += self._name(row, left, baseline, shift, unit)
                 marks += self._cells(
                     row.cells.get(name, ()), state(row.key, name), left + shift, right, baseline
                 )
@@ -98,9 +102,7 @@ class Table:
         """Return the first cell after ``left`` and a second one before ``right``."""
         unit = self.look.unit
         values = [self._dressed(cell, state, roman(_reading(cell))) for cell in cells]
-        signs = [
-            self._dressed(cell, state, symbols(cell.symbol) + roman(" = ")) for cell in cells
-        ]
+        signs = [self._dressed(cell, state, symbols(cell.symbol) + roman(" = ")) for cell in cells]
         need = sum(width(runs, SIZE * unit) for runs in (*values, *signs[1:]))
         shrink = min(1.0, (right - left) / (need + (NUMBERS + 0.02 * len(signs[1:])) * unit))
         size = SIZE * unit * shrink
@@ -133,72 +135,83 @@ class Table:
         area, look, unit = self.page.results, self.look, self.look.unit
         assert area is not None
         names = list(self.page.panels)
-        groups: list[list[Row]] = []
-        for row in self.sheet.rows:
-            if groups and _head(groups[-1][0], names) == _head(row, names):
-                groups[-1].append(row)
-            else:
-                groups.append([row])
-        lines = sum(len(group) + sum(_extras(r, names) for r in group) for group in groups)
-        need = 0.040 + len(groups) * 0.0535 + lines * ROW_PITCH_TWO + (len(groups) - 1) * 0.026
+        groups = _grouped(self.sheet.rows, names)
+        gaps = [len(g) + sum(_extras(row, names) for row in g) - 1 for g in groups]
+        need = 0.040 + HEAD_GAP + sum(FIRST_GAP + gap * ROW_PITCH_TWO for gap in gaps)
+        need += (len(groups) - 1) * GROUP_GAP + 0.012
         squeeze = min(1.0, area.height / (need * unit))
+        sizes = max(squeeze, LEAST_SQUEEZE) * unit
         title = area.top - 0.040 * unit
-        words_ = words(self.sheet.language)
-        marks = write(
-            bold(roman(words_.results)), complex(area.left, title), 0.037 * unit, look.style.text
-        )
+        language = words(self.sheet.language)
+        head = bold(roman(language.results))
+        marks = write(head, complex(area.left, title), 0.037 * unit, look.style.text)
         marks += self._given(area.right, title) if _any_given(self.sheet) else []
-        y = title - 0.060 * unit * squeeze
         rights = [area.right - (len(names) - 1 - i) * 0.146 * unit for i in range(len(names))]
-        for group in groups:
-            marks += self._head(group[0], names, rights, y)
-            line = y - 0.0135 * unit
+        y = title - HEAD_GAP * unit * squeeze
+        for group, gap in zip(groups, gaps, strict=True):
+            marks += self._head(group, names, rights, y, sizes)
+            line = y - 0.0135 * unit * squeeze
             pen = Pen(look.style.hairline, 0.0015 * unit)
             marks.append(polyline([complex(area.left, line), complex(area.right, line)], pen))
-            y -= 0.0535 * unit * squeeze
+            row_y = y - FIRST_GAP * unit * squeeze
+            y = row_y - (gap * ROW_PITCH_TWO + GROUP_GAP) * unit * squeeze
             for row in group:
-                marks += self._name(row, area.left, y, rights[0] - area.left - 0.08 * unit)
+                room = rights[0] - area.left - 0.08 * unit
+                marks += self._name(row, area.left, row_y, room, sizes)
                 for depth in range(1 + _extras(row, names)):
                     for name, right in zip(names, rights, strict=True):
                         for cell in row.cells.get(name, ())[depth : depth + 1]:
                             shown = state(row.key, name)
-                            marks += self._number(cell, depth, shown, right, y)
-                    y -= ROW_PITCH_TWO * unit * squeeze
-            y -= 0.026 * unit * squeeze
+                            marks += self._number(cell, depth, shown, complex(right, row_y), sizes)
+                    row_y -= ROW_PITCH_TWO * unit * squeeze
         return marks
 
     def _head(
-        self, row: Row, names: list[PanelName], rights: list[float], baseline: float
+        self,
+        group: list[Row],
+        names: list[PanelName],
+        rights: list[float],
+        baseline: float,
+        unit: float,
     ) -> list[Mark]:
+        """Return the quantities of a group of rows with their units; rows may differ in one."""
         marks: list[Mark] = []
-        size = HEAD_SIZE * self.look.unit
         for name, right in zip(names, rights, strict=True):
-            cells = row.cells.get(name, ())
+            cells = [row.cells[name][0] for row in group if row.cells.get(name)]
             if cells:
-                runs = symbols(cells[0].symbol) + roman(", " + cells[0].unit)
+                quantities = list(dict.fromkeys(cell.symbol for cell in cells))
+                runs = symbols(" / ".join(quantities)) + roman(", " + cells[0].unit)
                 at = complex(right, baseline)
-                marks += write(runs, at, size, self.look.style.grey, "right")
+                marks += write(runs, at, HEAD_SIZE * unit, self.look.style.grey, "right")
         return marks
 
-    def _number(
-        self, cell: Cell, depth: int, state: State, right: float, baseline: float
-    ) -> list[Mark]:
+    def _number(self, cell: Cell, depth: int, state: State, at: complex, unit: float) -> list[Mark]:
         if state == "hidden" and not cell.given:
             return []
         runs = roman(number(cell))
         if depth:
             runs = symbols(cell.symbol) + roman(" = ") + runs
         runs = self._dressed(cell, state, runs)
-        size = SIZE * self.look.unit
-        return write(runs, complex(right, baseline), size, self._ink(cell), "right")
+        return write(runs, at, SIZE * unit, self._ink(cell), "right")
 
 
 def _reading(cell: Cell) -> str:
     return with_unit(number(cell), cell.unit)
 
 
-def _head(row: Row, names: list[PanelName]) -> list[tuple[str, str]]:
-    return [(c.symbol, c.unit) for name in names for c in row.cells.get(name, ())[:1]]
+def _grouped(rows: tuple[Row, ...], names: list[PanelName]) -> list[list[Row]]:
+    """Return neighbouring rows that share their units, and so a head."""
+    groups: list[list[Row]] = []
+    for row in rows:
+        if groups and _units(groups[-1][0], names) == _units(row, names):
+            groups[-1].append(row)
+        else:
+            groups.append([row])
+    return groups
+
+
+def _units(row: Row, names: list[PanelName]) -> list[str]:
+    return [cell.unit for name in names for cell in row.cells.get(name, ())[:1]]
 
 
 def _extras(row: Row, names: list[PanelName]) -> int:

@@ -1,40 +1,47 @@
 """Labels along strokes: ``⟂ BC`` and ``∥ guide`` at a construction line, ``2ωv`` at Coriolis.
 
-In come a stroke's ends and a string, out goes a placed label that touches nothing.
+In come a stroke's ends and a string, out goes a label that touches nothing.
 """
 
 from __future__ import annotations
 
-from vad.rendering.art import Look
-from vad.rendering.labels import ALWAYS, CLEARANCE, Obstacles, Placed, Span, beside, place
-from vad.rendering.text import Runs
-from vad.rendering.vertices import text_box
+from vad.rendering.art import Level, Look, PanelArt, Tag
+from vad.rendering.labels import CLEARANCE, Obstacles, Placed, Span, beside, place
+from vad.rendering.marks import Pen, polyline
+from vad.rendering.text import Runs, symbols
+from vad.rendering.vertices import LEADER_WIDTH, halo, text_at, text_box
 
 SIZE = 0.033
+SMALL_SIZE = 0.030
 GAPS = (0.013, 0.022, 0.034)
 SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82, 0.10, 0.90)
 
 
-def place_along(
-    obstacles: Obstacles,
-    start: complex,
-    end: complex,
-    runs: Runs,
+def add_tag(
+    art: PanelArt,
+    text: str,
+    ends: tuple[complex, complex],
     look: Look,
-    size: float = SIZE,
-    span: Span = ALWAYS,
-) -> Placed:
-    """Place a label beside the stroke from ``start`` to ``end``, nearest its middle.
+    ink: str,
+    size: float,
+    span: Span,
+    since: int | None = None,
+) -> None:
+    """Write ``text`` beside the stroke between ``ends``, nearest its middle.
 
-    It keeps clear of what shows while it shows, in the ``span`` of strokes done.
+    It keeps clear of what shows while it shows, in the ``span`` of strokes done; it appears when
+    the first stroke of its span is done, or later at ``since``.
     """
-    everything = obstacles
-    obstacles = everything.during(span)
-    placed = _along(obstacles, start, end, runs, look, size)
-    everything.box(placed.box, span)
+    runs = symbols(text)
+    placed = _along(art.obstacles.during(span), *ends, runs, look, size)
+    art.obstacles.box(placed.box, span)
+    marks = text_at(runs, runs, placed.centre, size * look.unit, ink, halo(look))
     if placed.leader:
-        everything.line(placed.leader, 1.0, span)
-    return placed
+        art.obstacles.line(placed.leader, 1.0, span)
+        pen = Pen(look.style.grey, LEADER_WIDTH * look.unit)
+        marks.insert(0, polyline(placed.leader, pen))
+    art.add(Level.LABEL, span[0] + 1 if since is None else since, marks, span[1])
+    art.tags.append(Tag(text, placed.box, span))
 
 
 def _along(

@@ -89,21 +89,22 @@ def symbols(text: str) -> Runs:
     return roman(text, lambda token: len(token) <= 2)
 
 
-def sentence(text: str, names: Iterable[str]) -> Runs:
+def sentence(text: str, names: Iterable[str], article: str = "") -> Runs:
     """Return a caption, in which the ``names`` of points, vectors and quantities are italic.
 
-    The article "a" before a word is not the point a.
+    Units after a stroke (mm/s) stay upright, and so does the ``article`` of a language that is
+    also the name of a point: "a" before a word, in English.
     """
     known = set(names)
+    upright = r"(?<=/)s(?![A-Za-z])"
+    if article:
+        upright += rf"|\b{article}(?= [a-zà-ÿ]{{3,}})"
     pieces: list[Run] = []
     start = 0
-    for article in re.finditer(r"\b[Aa](?= [a-zà-ÿ]{2,})", text):
-        following = re.match(r" ([a-z]+)", text[article.end() :])
-        if following and following.group(1) in known:
-            continue
-        pieces += roman(text[start : article.start()], known.__contains__)
-        pieces += roman(text[article.start() : article.end()])
-        start = article.end()
+    for found in re.finditer(upright, text):
+        pieces += roman(text[start : found.start()], known.__contains__)
+        pieces.append(Run(found.group()))
+        start = found.end()
     pieces += roman(text[start:], known.__contains__)
     return tuple(pieces)
 

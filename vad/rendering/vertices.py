@@ -39,6 +39,17 @@ class Vertex:
         return ", ".join(self.letters)
 
 
+def corners(panel: Panel) -> list[complex]:
+    """Return the points of a panel that have to be on the page, in its own unit."""
+    points: list[complex] = []
+    for stroke in panel.strokes:
+        if isinstance(stroke.shape, Dot):
+            points.append(stroke.shape.at)
+        elif isinstance(stroke.shape, Arrow):
+            points += [stroke.shape.start, stroke.shape.end]
+    return points
+
+
 def find_vertices(panel: Panel, scale: Scale, unit: float) -> list[Vertex]:
     """Return the vertices of ``panel`` in the order in which they appear."""
     found: list[Vertex] = []
@@ -131,9 +142,7 @@ def label_vertices(
         wide, high = text_box(whole, size)
         rivals = [other.at for other in vertices if other is not vertex]
         first = outward(vertex.ways)
-        placed = place(
-            obstacles, vertex.at, first, wide, high, unit, radius, near, rivals
-        )
+        placed = place(obstacles, vertex.at, first, wide, high, unit, radius, near, rivals)
         art.tags.append(Tag(vertex.label, placed.box))
         if placed.leader:
             pen = Pen(look.style.grey, LEADER_WIDTH * unit)

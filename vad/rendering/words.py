@@ -16,6 +16,7 @@ class Words:
     results: str
     given: str
     coriolis: str
+    article: str = ""  # where it is also the name of a point
 
 
 WORDS = {
@@ -24,6 +25,7 @@ WORDS = {
         "Results",
         "given",
         "Coriolis: v turned 90° with ω",
+        article="a",
     ),
     "de": Words(
         {
