@@ -52,7 +52,8 @@ class Mark:
 
     def moved(self, by: complex) -> Mark:
         """Return the mark shifted."""
-        return replace(self, vertices=(*self.vertices, by.real, by.imag))
+        shifted: Points = self.vertices + np.array([by.real, by.imag])
+        return replace(self, vertices=shifted)
 
 
 def _points(points: Sequence[complex]) -> Points:
