@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from vad.cli.groups import MechanismGroup
-from vad.kinematics.motion import solve
 from vad.mechanisms import Mechanism
 from vad.units import scene_unit
 
@@ -88,6 +87,8 @@ def _aligned(lines: list[list[str]]) -> str:
 
 
 def _data(mechanism: Mechanism, inputs: dict[str, Any], comparison: Comparison) -> dict[str, Any]:
+    from vad.kinematics.motion import solve
+
     return {
         "mechanism": mechanism.name,
         "parameters": mechanism.parameters(),
