@@ -25,7 +25,7 @@ Bools = NDArray[np.bool_]
 GAP = 0.014
 CLEARANCE = 0.006
 LEADER = 0.06
-TURN = math.tau / 16
+MOST_LEADERS = 160  # tried at each distance
 
 
 Span = tuple[int, int]  # shown while the first ≤ strokes done < the second
@@ -204,7 +204,8 @@ def place(
     for tight, centres in _far(obstacles.edge, at, first, wide, high, unit, radius):
         if fallback or (bare and tight):
             break
-        for index in np.flatnonzero(obstacles.free(centres, wide, high, 0.5 if tight else grow)):
+        free = obstacles.free(centres, wide, high, 0.5 if tight else grow)
+        for index in np.flatnonzero(free)[:MOST_LEADERS]:
             spot = _led(at, centres[int(index)], wide, high, radius, unit)
             if not spot.leader:
                 return _settle(obstacles, spot)

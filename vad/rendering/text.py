@@ -130,8 +130,9 @@ def _glyph(face: Face, letter: str) -> tuple[Points, Codes, float]:
     from matplotlib.ft2font import LoadFlags
 
     font = _font(face)
-    if face != "roman" and not font.get_char_index(ord(letter)):
-        return _glyph("bold" if face == "bolditalic" else "roman", letter)
+    if not font.get_char_index(ord(letter)):
+        upright: Face = "bold" if face == "bolditalic" else "roman"
+        return _glyph(upright, letter) if face != upright else _glyph("roman", "?")
     glyph = font.load_char(ord(letter), flags=LoadFlags.NO_HINTING)
     vertices, codes = font.get_path()
     advance = glyph.linearHoriAdvance / 65536 / _EM

@@ -32,6 +32,7 @@ class Vertex:
     since: list[int] = field(default_factory=list)
     ways: list[complex] = field(default_factory=list)
     fixed: bool = False
+    points: list[complex] = field(default_factory=list)
 
     @property
     def label(self) -> str:
@@ -62,6 +63,7 @@ def find_vertices(panel: Panel, scale: Scale, unit: float) -> list[Vertex]:
         else:
             spot = Vertex(at)
             found.append(spot)
+        spot.points.append(at)
         for letter in letters.split(","):
             if letter.strip() and letter.strip() not in spot.letters:
                 spot.letters.append(letter.strip())
@@ -79,6 +81,10 @@ def find_vertices(panel: Panel, scale: Scale, unit: float) -> list[Vertex]:
             way = direction_of(scale(shape.start), scale(shape.end))
             tail.ways.append(way)
             head.ways.append(-way)
+    for spot in found:
+        # A shared dot lies amid its points, so that it covers the ends of all their strokes.
+        apart = list(dict.fromkeys(spot.points))
+        spot.at = sum(apart, 0j) / len(apart)
     return [spot for spot in found if spot.letters]
 
 

@@ -1,0 +1,83 @@
+"""Lessons in time: durations, states at a frame, and what is refused."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+
+from tests.rendering.sheets import slider_crank
+from vad.errors import UsageError
+from vad.lecture.easing import smooth, steady
+from vad.lecture.moment import moment, moments
+from vad.lecture.timeline import animate, rest
+
+
+def test_a_default_lesson_takes_about_twenty_seconds():
+    lesson = animate(slider_crank())
+    assert 17 < lesson.duration < 24
+    assert lesson.frames == round(lesson.duration * 30)
+
+
+@pytest.mark.parametrize("fps", [12, 24, 25, 29.97, 60])
+@pytest.mark.parametrize("speed", [0.5, 1.0, 3.0])
+def test_time_depends_on_speed_and_not_on_the_frame_rate(fps: float, speed: float):
+    reference = animate(slider_crank(), fps=240).duration
+    lesson = animate(slider_crank(), fps=fps, speed=speed)
+    assert lesson.duration * speed == pytest.approx(reference, abs=2.5 / fps * speed + 0.02)
+
+
+def test_a_long_caption_rests_longer():
+    short, long = sorted(
+        (stroke for panel in slider_crank().panels for stroke in panel.strokes),
+        key=lambda stroke: len(stroke.caption),
+    )[:: len(slider_crank().panels[0].strokes) * 3 - 1]
+    assert rest(long) > rest(short)
+
+
+def test_every_frame_has_one_state_and_strokes_only_grow():
+    lesson = animate(slider_crank(), fps=10)
+    states = [moment(lesson, number) for number in range(lesson.frames)]
+    assert sum(repeats for _, repeats in moments(lesson)) == lesson.frames
+    assert states[0].done == (0, 0, 0) and states[0].panel is None
+    assert states[-1].done == tuple(len(p.strokes) for p in lesson.sheet.panels)
+    for before, after in pairwise(states):
+        assert sum(after.done) - sum(before.done) in (0, 1)
+        if before.grown is not None and after.grown is not None and before.done == after.done:
+            assert after.grown > before.grown
+    with pytest.raises(IndexError):
+        moment(lesson, lesson.frames)
+    with pytest.raises(IndexError):
+        moment(lesson, -1)
+
+
+@pytest.mark.parametrize("ease", [smooth, steady])
+def test_easing_runs_from_nought_to_one_and_never_back(ease):
+    shares = [ease(i / 50) for i in range(51)]
+    assert shares[0] == 0 and shares[-1] == 1
+    assert shares == sorted(shares)
+
+
+@pytest.mark.parametrize(
+    ("name", "options"),
+    [
+        ("fps", {"fps": 0}),
+        ("fps", {"fps": -30}),
+        ("fps", {"fps": 1000}),
+        ("fps", {"fps": float("nan")}),
+        ("speed", {"speed": 0}),
+        ("speed", {"speed": -1}),
+        ("speed", {"speed": float("inf")}),
+        ("speed", {"speed": float("nan")}),
+        ("size", {"size": (0, 720)}),
+        ("size", {"size": (100, 100)}),
+        ("size", {"size": (20000, 720)}),
+        ("size", {"size": (1280.5, 720)}),
+        ("size", {"size": (1280,)}),
+    ],
+)
+def test_what_cannot_be_is_refused_by_name_with_a_hint(name: str, options: dict):
+    with pytest.raises(UsageError, match=f"^{name}: ") as refusal:
+        animate(slider_crank(), **options)
+    assert refusal.value.hint
+    assert "\n" not in str(refusal.value)
