@@ -225,6 +225,20 @@ class TestTermination:
         assert os.listdir() == []
         assert signal.getsignal(number) is signal.SIG_DFL
 
+    def test_interrupt_stays_an_interrupt(self, folder: Path) -> None:
+        with pytest.raises(KeyboardInterrupt), files.new_file("a.bin"):
+            signal.raise_signal(signal.SIGINT)
+        assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+    def test_the_impatient_do_not_disturb_the_clearing_up(self, folder: Path) -> None:
+        with pytest.raises(KeyboardInterrupt), files.new_file("a.bin"):
+            try:
+                signal.raise_signal(signal.SIGINT)
+            finally:
+                signal.raise_signal(signal.SIGINT)
+                signal.raise_signal(signal.SIGTERM)
+        assert os.listdir() == []
+
     def test_handler_is_restored(self, folder: Path) -> None:
         with files.new_file("a.bin"):
             assert signal.getsignal(signal.SIGTERM) is not signal.SIG_DFL

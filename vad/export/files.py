@@ -18,9 +18,13 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from types import FrameType
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 from vad.errors import ExportError
+
+_SIGNALS: list[int] = [
+    getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
+]
 
 
 @contextmanager
@@ -54,7 +58,7 @@ def new_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     if final.exists() and not os.access(final, os.W_OK):
         raise ExportError(f"no permission to replace '{path}'")
     part = final.with_name(f".vad-{secrets.token_hex(4)}.part")
-    with _explained(path), terminated_by_exception():
+    with _explained(path), stopped_by_exception():
         try:
             with open(part, "x+b") as stream:
                 yield stream
@@ -83,7 +87,7 @@ def new_folder(path: str | os.PathLike[str], replaceable: Callable[[Path], bool]
     final = _place(path)
     name = final.with_name(f".vad-{secrets.token_hex(4)}")
     part, old = name.with_suffix(".part"), name.with_suffix(".old")
-    with _explained(path), terminated_by_exception():
+    with _explained(path), stopped_by_exception():
         _check_folder(path, final, replaceable)
         try:
             part.mkdir()
@@ -100,29 +104,30 @@ def new_folder(path: str | os.PathLike[str], replaceable: Callable[[Path], bool]
 
 
 @contextmanager
-def terminated_by_exception() -> Iterator[None]:
-    """Let a request to terminate raise `SystemExit`, so that blocks are left in good order.
+def stopped_by_exception() -> Iterator[None]:
+    """Let a request to stop raise an exception, once, so that blocks are left in good order.
 
-    This holds for SIGTERM and SIGHUP in the main thread, where nobody else handles them.
+    This holds for SIGINT, SIGTERM and SIGHUP, in the main thread, where the program that uses
+    this library does not handle them itself.
     """
-    caught: list[signal.Signals] = []
+    caught: dict[int, Any] = {}
 
     def stop(number: int, _frame: FrameType | None) -> None:
         for each in caught:
             signal.signal(each, signal.SIG_IGN)  # a second one must not disturb the clearing up
-        raise SystemExit(128 + number)
+        raise KeyboardInterrupt if number == signal.SIGINT else SystemExit(128 + number)
 
     try:
         if threading.current_thread() is threading.main_thread():
-            for name in ("SIGTERM", "SIGHUP"):
-                number = getattr(signal, name, None)
-                if number is not None and signal.getsignal(number) is signal.SIG_DFL:
-                    caught.append(number)
+            for number in _SIGNALS:
+                handler = signal.getsignal(number)
+                if handler in (signal.SIG_DFL, signal.default_int_handler):
+                    caught[number] = handler
                     signal.signal(number, stop)
         yield
     finally:
-        for each in caught:
-            signal.signal(each, signal.SIG_DFL)
+        for number, handler in caught.items():
+            signal.signal(number, handler)
 
 
 def _place(path: str | os.PathLike[str]) -> Path:
