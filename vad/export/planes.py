@@ -5,6 +5,9 @@ In come pixels and the box that changed, out go the samples of that box alone.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -32,26 +35,46 @@ def even(box: Box) -> Box:
     return left & ~1, top & ~1, (right + 1) & ~1, (bottom + 1) & ~1
 
 
-def convert(pixels: Bytes, box: Box, y: Bytes, cb: Bytes, cr: Bytes) -> None:
-    """Write the samples of ``box`` of an RGBA picture of even size into its three planes."""
-    left, top, right, bottom = even(box)
+@dataclass(frozen=True, slots=True)
+class Samples:
+    """The samples of one box of a picture (in pixels, all even), to be stored in its planes."""
+
+    box: Box
+    y: Bytes
+    cb: Bytes
+    cr: Bytes
+
+    def store(self, planes: Sequence[Bytes]) -> None:
+        """Write the samples into the three planes of a picture."""
+        left, top, right, bottom = self.box
+        luma = slice(top, bottom), slice(left, right)
+        chroma = slice(top // 2, bottom // 2), slice(left // 2, right // 2)
+        y, cb, cr = planes
+        y[luma], cb[chroma], cr[chroma] = self.y, self.cb, self.cr
+
+
+def convert(pixels: Bytes, box: Box) -> Samples:
+    """Return the samples of ``box`` of an RGBA picture of even size."""
+    left, top, right, bottom = box = even(box)
     window = pixels[top:bottom, left:right]
     # One channel at a time: three times as fast as a product of the pixels with a matrix.
     channels = [window[..., i].astype(np.float32) for i in range(3)]
-    y[top:bottom, left:right] = _weighted(channels, _LUMA, 16.0)
     halves = [channel[0::2] + channel[1::2] for channel in channels]
     quarters = [half[:, 0::2] + half[:, 1::2] for half in halves]
-    small = slice(top // 2, bottom // 2), slice(left // 2, right // 2)
-    cb[small] = _weighted(quarters, _CB / 4, 128.0)
-    cr[small] = _weighted(quarters, _CR / 4, 128.0)
+    return Samples(
+        box,
+        _weighted(channels, _LUMA, 16.0),
+        _weighted(quarters, _CB / 4, 128.0),
+        _weighted(quarters, _CR / 4, 128.0),
+    )
 
 
 def _weighted(
     channels: list[NDArray[np.float32]], weights: NDArray[np.float64], offset: float
-) -> NDArray[np.float32]:
+) -> Bytes:
     red, green, blue = (np.float32(weight) for weight in weights)
     total = channels[0] * red
     total += channels[1] * green
     total += channels[2] * blue
-    total += np.float32(offset + 0.5)  # storing as an integer cuts off
-    return total
+    total += np.float32(offset + 0.5)  # to round where the conversion cuts off
+    return total.astype(np.uint8)
