@@ -1,9 +1,11 @@
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
-from vad.export.palette import Palette, film_palette
+from vad.export.palette import Palette, coarse, fine
 from vad.rendering.style import load_style, style_names
 
 
@@ -11,21 +13,30 @@ def rgb(colour: str) -> list[int]:
     return [int(colour[i : i + 2], 16) for i in (1, 3, 5)]
 
 
-@pytest.mark.parametrize("name", style_names())
-@pytest.mark.parametrize("limit", [63, 255])
-def test_colours_of_a_style(name: str, limit: int) -> None:
-    style, colours = load_style(name), film_palette(name, limit).colours[1:]
-    assert len(colours) <= limit
+MAKERS = pytest.mark.parametrize("make", [coarse, fine])
+STYLES = pytest.mark.parametrize("name", style_names())
+
+
+@STYLES
+@MAKERS
+def test_colours_of_a_style(name: str, make: Callable[[str], Palette]) -> None:
+    style, colours = load_style(name), make(name).colours[1:]
+    assert len(colours) <= 255
     assert len(np.unique(colours, axis=0)) == len(colours)
     assert colours[0].tolist() == rgb(style.background)
     for ink in (style.text, style.grey, style.hairline, *style.inks):
         assert rgb(ink) in colours.tolist()
 
 
-@pytest.mark.parametrize("name", style_names())
-@pytest.mark.parametrize(("limit", "near"), [(63, 17), (255, 10)])
-def test_antialiased_edges_are_near(name: str, limit: int, near: float) -> None:
-    style, palette = load_style(name), film_palette(name, limit)
+@STYLES
+def test_few_colours_need_few_bits(name: str) -> None:
+    assert len(coarse(name).colours) <= 32
+
+
+@STYLES
+@pytest.mark.parametrize(("make", "near"), [(coarse, 90), (fine, 7)])
+def test_antialiased_edges_are_near(name: str, make: Callable[[str], Palette], near: float) -> None:
+    style, palette = load_style(name), make(name)
     share = np.linspace(0, 1, 101)[:, None]
     ground = np.array(rgb(style.background))
     for ink in (style.text, style.grey, style.hairline, *style.inks):
@@ -36,7 +47,7 @@ def test_antialiased_edges_are_near(name: str, limit: int, near: float) -> None:
 
 
 def test_every_pixel_takes_the_nearest_colour() -> None:
-    palette = film_palette("paper", 63)
+    palette = coarse("paper")
     pixels = np.random.default_rng(4).integers(0, 256, (40, 50, 4), np.uint8)
     table = palette.colours.astype(int)
     distance = ((pixels[..., None, :3].astype(int) - table[1:]) ** 2).sum(-1)
@@ -49,10 +60,6 @@ def test_every_pixel_takes_the_nearest_colour() -> None:
 
 def test_windows_of_a_larger_picture() -> None:
     pixels = np.random.default_rng(5).integers(0, 256, (40, 50, 4), np.uint8)
-    palette = film_palette("chalk")
+    palette = fine("chalk")
     whole = palette.indices(pixels)
     assert (palette.indices(pixels[3:20, 7:9]) == whole[3:20, 7:9]).all()
-
-
-def test_one_ink() -> None:
-    assert len(Palette("#000000", ["#000000"], 5).colours) == 2

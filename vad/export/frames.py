@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from vad.export.palette import Palette, film_palette
+from vad.export.palette import Palette, fine
 from vad.export.source import Progress, painted
 from vad.lecture.lesson import Lesson
 from vad.rendering.frame import EMPTY, Frame
@@ -32,7 +32,7 @@ def write(lesson: Lesson, folder: Path, *, progress: Progress | None = None) -> 
         folder,
         size=lesson.size,
         total=lesson.frames,
-        palette=film_palette(lesson.style),
+        palette=fine(lesson.style),
     )
 
 

@@ -1,49 +1,51 @@
 """A film's few colours: inks, their blends with the background, and the map from RGBA to them.
 
-In come the colours of a style, out goes a table of at most 255 colours, and the index of the
-nearest of them for every pixel.  Index 0 is left free: it stands for "as before".
+In comes a style, out goes a table of at most 255 colours that is known before the first frame is
+painted, and the index of the nearest of them for every pixel.  Index 0 is left free: it stands
+for "as before".
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.rendering.style import load_style
+from vad.rendering.style import Style, load_style
 
 Bytes = NDArray[np.uint8]
 Colour = NDArray[np.float64]
 
+#: How much ink is in the tints of the board (glow, blocks, set square) and in its faded lines;
+#: the antialiased edges of lines and letters need no more steps than these.
+_TINTS = (0.16, 0.43)
+#: Tints that are nearer than this to each other share a colour.
+_APART = 10.0
 #: An ink this near the blends of a stronger one needs none of its own (a grey beside black).
-_NEAR = 16.0
-#: Finer steps between ink and background than this are not seen at an antialiased edge.
+_BESIDE = 8.0
+#: Finer steps between ink and background than this are not seen.
 _FINEST = 6.0
+_MOST = 255
 
 
 class Palette:
-    """The colours ``#RRGGBB`` of a background and of inks that blend into it at their edges.
-
-    ``limit`` is the largest number of colours; the blends are as fine as it allows.
+    """A table of RGB colours, given as floats of shape (n, 3), and the way into it.
 
     Attributes
     ----------
     colours
-        RGB, shape (n, 3), uint8; row 0 is the one that is never looked up.
+        RGB, shape (n + 1, 3), uint8; row 0 is the one that is never looked up.
 
     Examples
     --------
-    >>> palette = Palette("#FFFFFF", ["#0000FF"], limit=3)
-    >>> palette.colours[1:].tolist()
-    [[255, 255, 255], [128, 128, 255], [0, 0, 255]]
+    >>> palette = Palette([[255, 255, 255], [0, 0, 255]])
     >>> palette.indices(np.array([[[0, 0, 250, 255], [255, 254, 255, 255]]], np.uint8)).tolist()
-    [[3, 1]]
+    [[2, 1]]
     """
 
-    def __init__(self, background: str, inks: Iterable[str], limit: int = 255) -> None:
-        colours = _blends(_rgb(background), [_rgb(ink) for ink in inks], limit)
+    def __init__(self, colours: Sequence[Sequence[float]] | NDArray[np.float64]) -> None:
         self.colours: Bytes = np.vstack([np.zeros(3), colours]).astype(np.uint8)
         # From 0xBBGGRR to an index, 0 where a colour has not been met: only what is used of
         # these 16 MB is ever given memory by the system.
@@ -68,27 +70,45 @@ class Palette:
         return nearest
 
 
-def film_palette(style: str, limit: int = 255) -> Palette:
-    """Return the palette of the style called ``style``."""
-    look = load_style(style)
-    inks = [look.text, look.grey, look.hairline, *look.inks]
-    return Palette(look.background, inks, limit)
+def coarse(style: str) -> Palette:
+    """Return the fewest colours that show a style: its inks and two tints of each.
+
+    Of the GIF's bytes, each further step between ink and background costs a twentieth.
+    """
+    background, (text, hairline, *inks) = _colours(load_style(style))
+    chosen = [background, text, hairline, *inks]
+    for share in _TINTS:
+        for ink in inks:  # text and rules find enough greys among theirs
+            tint = background + share * (ink - background)
+            if all(math.dist(tint, other) > _APART for other in chosen):
+                chosen.append(tint)
+    return Palette(_distinct(chosen)[:_MOST])
 
 
-def _blends(background: Colour, inks: list[Colour], limit: int) -> NDArray[np.float64]:
-    """Return the background, blends of it with the inks as fine as ``limit`` allows, the inks."""
+def fine(style: str) -> Palette:
+    """Return as many blends of a style's inks with its background as a table holds.
+
+    All but the crossings of two inks are within a few units of their true colour.
+    """
+    background, inks = _colours(load_style(style))
     blended: list[Colour] = []
     for ink in sorted(inks, key=lambda ink: -math.dist(ink, background)):
-        if all(_distance(ink, background, other) > _NEAR for other in blended):
+        if all(_distance(ink, background, other) > _BESIDE for other in blended):
             blended.append(ink)
     lengths = [math.dist(ink, background) for ink in blended]
-    room = limit - len(_distinct([background, *inks]))
+    room = _MOST - len(_distinct([background, *inks]))
     blends = []
     for ink, length in zip(blended, lengths, strict=True):
-        count = int(min(room * length / max(sum(lengths), 1.0), length / _FINEST))
+        count = int(min(room * length / sum(lengths), length / _FINEST))
         share = np.arange(1, count + 1)[:, None] / (count + 1)
         blends.append(background + share * (ink - background))
-    return _distinct([background, *blends, *inks])
+    return Palette(_distinct([background, *inks, *blends]))
+
+
+def _colours(style: Style) -> tuple[Colour, list[Colour]]:
+    """Return the background, and the inks: of text, of rules, of the frame, of the links."""
+    inks = [style.text, style.hairline, style.grey, *style.inks]
+    return _rgb(style.background), [_rgb(ink) for ink in inks]
 
 
 def _distinct(colours: list[Colour]) -> NDArray[np.float64]:
