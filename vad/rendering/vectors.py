@@ -86,9 +86,10 @@ def construction_end(
 ) -> complex:
     """Return where a construction line ends: past its crossing, but inside the panel."""
     length = abs(until - through) + OVERSHOOT * unit
+    inset = LIVE * unit  # the line's own width stays inside, too
     for ahead, low, high, at in (
-        (direction.real, bounds.left, bounds.right, through.real),
-        (direction.imag, bounds.bottom, bounds.top, through.imag),
+        (direction.real, bounds.left + inset, bounds.right - inset, through.real),
+        (direction.imag, bounds.bottom + inset, bounds.top - inset, through.imag),
     ):
         if ahead > 1e-12:
             length = min(length, max((high - at) / ahead, 0.0))
