@@ -27,6 +27,12 @@ class Routes:
         """Every letter that can be reached."""
         return frozenset(self._places)
 
+    def guide(self, letter: str) -> Slide | None:
+        """Return the line of the frame on which a point slides, if nothing else leads to it."""
+        hops = self._places[letter][1]
+        step = hops[0][1] if len(hops) == 1 else None
+        return step if isinstance(step, Slide) and isinstance(step.along, float) else None
+
     def position(self, letter: str, pose: Pose) -> Number:
         """Return the position of a point in the solver's unit and frame."""
         start, hops = self._places[letter]

@@ -9,7 +9,6 @@ from vad.kinematics import sweep
 from vad.kinematics.linkage import Scalar, angle_of, length_of
 from vad.kinematics.numbers import Number
 
-
 ComponentName = Literal["normal", "tangential", "coriolis", "sliding"]
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from vad.errors import DeadCentreError
 from vad.kinematics.linkage import Slide, angle_of
-from vad.kinematics.numbers import Number, degrees_of, fold, is_array, positive
+from vad.kinematics.numbers import Number, degrees_of, direction, fold, is_array, positive
 
 if TYPE_CHECKING:
     from vad.kinematics.solution import Solution
@@ -78,8 +78,12 @@ class Point:
     @property
     def position(self) -> Number:
         """Where it is."""
-        routes, letter = self._motion.solver.routes, self._letter
-        return self._outward(self._motion.reckon(lambda pose, _: routes.position(letter, pose), 0))
+        motion, letter = self._motion, self._letter
+        routes = motion.solver.routes
+        guide = routes.guide(letter)
+        if guide:
+            return guide.origin + Slider(motion, guide.name).position * heading(guide)
+        return self._outward(motion.reckon(lambda pose, _: routes.position(letter, pose), 0))
 
     @property
     def velocity(self) -> Number:
@@ -92,10 +96,20 @@ class Point:
         return self._rate(2)
 
     def _rate(self, orders: int) -> Number:
-        routes, letter = self._motion.solver.routes, self._letter
+        motion, letter = self._motion, self._letter
+        routes = motion.solver.routes
+        guide = routes.guide(letter)
+        if guide:
+            slide = Slider(motion, guide.name)
+            return (slide.velocity if orders == 1 else slide.acceleration) * heading(guide)
         return self._outward(
-            self._motion.reckon(lambda pose, rates: routes.rate(letter, pose, rates), orders)
+            motion.reckon(lambda pose, rates: routes.rate(letter, pose, rates), orders)
         )
+
+
+def heading(guide: Slide) -> complex:
+    """Return the direction of a guide in the user's axes, where turning there and back is exact."""
+    return complex(direction(fold(float(guide.along))))
 
 
 class Slider:
