@@ -70,6 +70,8 @@ class GroundedCrank:
 
     def gap(self, u: Number) -> Number:
         """Return the gap for the crank's unit vector ``u``."""
+        if self.c.real == 0.0:  # nothing cancels, and a small cosine keeps its digits
+            return self.t * u + self.c
         return self.gap_from(u, *_near_one(u.real, u.imag))
 
     def gap_from(self, u: Number, side: Number, rest: Number) -> Number:

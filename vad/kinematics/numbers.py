@@ -19,6 +19,9 @@ EPSILON = 2.0**-52
 NAN_VECTOR = complex(math.nan, math.nan)
 
 _RADIAN = math.pi / 180.0
+# Zero apart, no direction comes nearer to the x axis, in degrees: no bit of a sum of lengths
+# depends on it, and its square stays within the range, so that ω is right even there.
+_LEAST = 1e-100
 # Coefficients of x²¹ … x³ in the series of the sine: on ±π/2 what is left out is below 2e-18.
 _SERIES = tuple((-1) ** k / math.factorial(2 * k + 1) for k in range(10, 0, -1))
 
@@ -77,8 +80,14 @@ def direction(degrees: Number) -> Number:
     """
     size = abs(degrees)
     if is_array(degrees):
-        return vector(sine(90.0 - size), sine(np.copysign(np.minimum(size, 180.0 - size), degrees)))
-    return complex(sine(90.0 - size), sine(math.copysign(min(size, 180.0 - size), degrees)))
+        slope = np.minimum(size, 180.0 - size)
+        if slope.size and slope.min() < _LEAST:
+            slope[(slope > 0.0) & (slope < _LEAST)] = _LEAST
+        return vector(sine(90.0 - size), sine(np.copysign(slope, degrees)))
+    slope = min(size, 180.0 - size)
+    if 0.0 < slope < _LEAST:
+        slope = _LEAST
+    return complex(sine(90.0 - size), sine(math.copysign(slope, degrees)))
 
 
 def vector(x: Number, y: Number) -> Number:
