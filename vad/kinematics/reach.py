@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-import math
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from vad.kinematics.frame import Frame
+from vad.kinematics.linkage import Bar, Slide
+from vad.kinematics.numbers import cross
 from vad.kinematics.solver import Solver, solver_of
 
 if TYPE_CHECKING:
@@ -30,22 +33,38 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
     """
     solver = solver_of(mechanism)
     turns = solver.linkage.driver.kind == "angle"
-    limit = 360.0 if turns else sum(abs(size) for size in mechanism.parameters().values())
+    sizes = [] if turns else _sizes(solver.frame)
+    limit = 360.0 if turns else sum(sizes) / _steepness(solver.frame)
     grid = np.linspace(0.0 if turns else -limit, limit, samples)
+    # However short the other bar is, a strut as long as one of the bars reaches.
+    grid = np.union1d(grid, [*sizes, *(-size for size in sizes)])
     closes = _closes(solver, grid)
     if closes.all():
-        return [(float(grid[0]), limit)]
+        return [(float(grid[0]), float(grid[-1]))]
     edges = np.flatnonzero(closes[1:] != closes[:-1])
-    ends = [_edge(solver, float(grid[i]), float(grid[i + 1])) for i in edges]
-    if not ends:
-        return []
-    if not closes[0]:
-        return list(zip(ends[::2], ends[1::2], strict=True))
-    if turns:
-        ends = [ends[-1] - 360.0, *ends[:-1]]
-        return list(zip(ends[::2], ends[1::2], strict=True))
-    ends = [float(grid[0]), *ends, *([limit] if closes[-1] else [])]
+    ends = [_edge(solver, float(grid[i]), float(grid[i + 1]), 1e-15 * limit) for i in edges]
+    if closes[0]:
+        ends = [float(grid[0]), *ends]
+    if closes[-1]:
+        ends = [*ends, float(grid[-1])]
+    if turns and closes[0]:  # the last interval runs on through 0°
+        ends = [ends[-2] - 360.0, *ends[1:-2]]
     return list(zip(ends[::2], ends[1::2], strict=True))
+
+
+def _sizes(frame: Frame) -> list[float]:
+    """Return the lengths of all bars in the user's unit."""
+    lengths = [step.length for step in frame.steps if isinstance(step, Bar)]
+    lengths += [frame.linkage.ground[1]] if frame.linkage.ground else []
+    return [abs(length) for length in lengths if isinstance(length, float)]
+
+
+def _steepness(frame: Frame) -> float:
+    """Return the least sine between two guides: the flatter they cross, the farther they reach."""
+    guides = [s for s in frame.steps if isinstance(s, Slide) and isinstance(s.along, float)]
+    lines = [frame.line(guide, None) for guide in guides]
+    sines = [abs(cross(p, q)) for p, q in combinations(lines, 2)]
+    return min((sine for sine in sines if sine), default=1.0)
 
 
 def _closes(solver: Solver, values: NDArray[np.float64]) -> NDArray[np.bool_]:
@@ -55,12 +74,12 @@ def _closes(solver: Solver, values: NDArray[np.float64]) -> NDArray[np.bool_]:
     return closes
 
 
-def _edge(solver: Solver, inside: float, outside: float) -> float:
+def _edge(solver: Solver, inside: float, outside: float, tolerance: float) -> float:
     """Return the last value that closes between two of which exactly one does."""
     if not _closes(solver, np.array([inside]))[0]:
         inside, outside = outside, inside
     middle = 0.5 * (inside + outside)
-    while not (middle in (inside, outside) or math.isclose(inside, outside, abs_tol=1e-12)):
+    while abs(outside - inside) > tolerance and middle not in (inside, outside):
         if _closes(solver, np.array([middle]))[0]:
             inside = middle
         else:
