@@ -54,7 +54,7 @@ def test_fill_scale_holds_all_points_inside_the_padding_and_centred():
 
 @pytest.mark.parametrize("factor", [1e-7, 0.013, 0.5, 1.0, 86.4, 3e9])
 def test_scale_bar_is_a_round_number_not_longer_than_its_room(factor: float):
-    value = scale_bar(factor, 720.0)
+    value = scale_bar(factor, 0.12 * 720)
     assert value * factor <= 0.12 * 720 * (1 + 1e-6)
     assert value * factor > 0.12 * 720 / 2.51
     mantissa = value / 10 ** math.floor(math.log10(value * (1 + 1e-9)))

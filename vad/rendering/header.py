@@ -7,13 +7,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from functools import lru_cache
 
 from vad.diagrams.strokes import Panel, Sheet
 from vad.rendering.art import Look
 from vad.rendering.marks import Mark, Pen, polyline, segments
 from vad.rendering.numbers import plain, with_unit
-from vad.rendering.page import Page, PanelPlace, Scale, scale_bar
+from vad.rendering.page import LONGEST_BAR, Page, PanelPlace, Scale, scale_bar
 from vad.rendering.style import mix
 from vad.rendering.text import Runs, bold, fitted, outline, roman, sentence, width, wrap, write
 from vad.rendering.words import words
@@ -81,9 +80,8 @@ def head_marks(
     )
     if not begun or scale.factor == 1.0:
         return marks
-    value = scale_bar(scale.factor, unit)
-    runs = roman(with_unit(plain(value), panel.unit))
     size = SCALE * unit
+    value, runs = _scale(panel, scale, right - left - width(title, PANEL_TITLE * unit), look)
     marks += write(runs, complex(right, place.title), size, style.grey, "right")
     end = right - width(runs, size) - 0.0125 * unit
     start = end - value * scale.factor
@@ -94,9 +92,17 @@ def head_marks(
     return [*marks, segments(ticks, pen)]
 
 
-@lru_cache(maxsize=16)
-def _names(sheet_names: tuple[str, ...]) -> frozenset[str]:
-    return frozenset(sheet_names)
+def _scale(panel: Panel, scale: Scale, room: float, look: Look) -> tuple[float, Runs]:
+    """Return the value of the scale bar, and as text, so that both fit beside the title."""
+    unit = look.unit
+    longest = LONGEST_BAR * unit
+    while True:
+        value = scale_bar(scale.factor, longest)
+        runs = roman(with_unit(plain(value), panel.unit))
+        need = width(runs, SCALE * unit) + value * scale.factor + 0.035 * unit
+        if need <= room or longest < 0.03 * unit:
+            return value, runs
+        longest *= 0.6
 
 
 def italic_names(sheet: Sheet) -> frozenset[str]:

@@ -25,6 +25,7 @@ NAME_SIZE = 0.030
 CAPTION_SIZE = 0.028
 CAPTION_ABOVE = 0.006
 CAPTION_BELOW = 0.010
+CAPTION_CLEAR = 0.008  # of strokes and the panel's edge
 DEEP, WIDE = 0.24, 0.19  # what it takes at most, below or beside a polygon
 STEP = 0.02
 LEVER = 0.075
@@ -51,9 +52,9 @@ class Spot:
     caption: complex
 
 
-def draw_inset(inset: CoriolisInset, caption: str, look: Look) -> Inset:
-    """Return the inset, not yet in its place."""
-    marks, names = _picture(inset, look)
+def draw_inset(inset: CoriolisInset, caption: str, look: Look, size: float) -> Inset:
+    """Return the inset, not yet in its place; ``size`` is 1, or less where room is short."""
+    marks, names = _picture(inset, look, size)
     boxes = [mark.box for mark in marks]
     box = Rect(
         min(b[0] for b in boxes),
@@ -72,7 +73,8 @@ def find_spot(obstacles: Obstacles, drawing: Rect, inset: Inset, unit: float) ->
     half_x, half_y = box.width / 2, box.height / 2
     low, top = drawing.bottom + below + half_y, drawing.top - half_y
     left, right = drawing.left + half_x, drawing.right - half_x
-    if low > top or left > right or wide > drawing.width - 2.0:
+    aside = wide / 2 + CAPTION_CLEAR * unit
+    if low > top or left > right or 2 * aside > drawing.width:
         return None
     centres: list[complex] = []
     captions: list[complex] = []
@@ -81,14 +83,14 @@ def find_spot(obstacles: Obstacles, drawing: Rect, inset: Inset, unit: float) ->
             away = complex(inward, depth) * STEP * unit
             for x in (left + away.real, right - away.real):
                 for y in (low + away.imag, top - away.imag):
-                    middle = max(x, drawing.left + wide / 2 + 1.0)
-                    middle = min(middle, drawing.right - wide / 2 - 1.0)
+                    middle = min(max(x, drawing.left + aside), drawing.right - aside)
                     centres.append(complex(x, y))
                     drop = half_y + CAPTION_ABOVE * unit + high / 2
                     captions.append(complex(middle, y - drop))
     edge = 1e-6  # a box that just fits its corner is inside
     free = obstacles.free(centres, box.width - edge, box.height - edge, 0.0)
-    free &= obstacles.free(captions, wide, high - 0.008 * unit, 0.008 * unit)
+    clear = CAPTION_CLEAR * unit
+    free &= obstacles.free(captions, wide - edge, high - clear, clear)
     if not free.any():
         return None
     best = int(free.argmax())
@@ -114,8 +116,8 @@ def _arrow(look: Look, link: str, start: complex, end: complex) -> list[Mark]:
     return vectors.vector(look.style, line, ink, start, end, look.unit, whole=True)
 
 
-def _picture(inset: CoriolisInset, look: Look) -> tuple[list[Mark], list[Tag]]:
-    unit = look.unit
+def _picture(inset: CoriolisInset, look: Look, share: float) -> tuple[list[Mark], list[Tag]]:
+    unit = share * look.unit
     slot, sliding, turned = inset.slot, inset.sliding, inset.coriolis
     lever, block = look.ink(inset.link), look.ink(inset.slide)
     middle = 0j
@@ -143,9 +145,9 @@ def _picture(inset: CoriolisInset, look: Look) -> tuple[list[Mark], list[Tag]]:
         ("v", foot + 0.034 * unit * sliding, -turned, block),
         ("ω", middle + radius * out, out, lever),
     ):
-        runs, size = symbols(text), NAME_SIZE * unit
+        runs, size = symbols(text), NAME_SIZE * look.unit
         wide, high = text_box(runs, size)
-        where = beside(at, way, 0.010 * unit, wide, high)
+        where = beside(at, way, 0.010 * look.unit, wide, high)
         marks += text_at(runs, runs, where, size, ink, halo(look))
         tags.append(Tag(text, Placed(where, wide, high).box))
     return marks, tags
@@ -164,4 +166,4 @@ def reserved(drawing: Rect, unit: float) -> list[Rect]:
             Rect(left + aside, bottom, right, top),
             Rect(left, bottom, right - aside, top),
         ]
-    return [room for room in rooms if room.height > 0.18 * unit and room.width > 0.2 * unit]
+    return [room for room in rooms if room.height > 0.125 * unit and room.width > 0.2 * unit]

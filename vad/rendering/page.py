@@ -184,7 +184,8 @@ def _two_by_two(
     width, height = size
     room = (width - 2 * MARGIN * unit - GUTTER_TWO * unit) / 2
     floor = (0.051 if not caption_lines else 0.103 + CAPTION_PITCH * (caption_lines - 1)) * unit
-    second = height * (1 - 0.522)
+    # Captions take from both rows of panels alike.
+    second = height * (1 - 0.522) + (floor - 0.051 * unit) / 2
     lefts = (MARGIN * unit, MARGIN * unit + room + GUTTER_TWO * unit)
     slots = (
         (lefts[0], height - 0.115 * unit, second + 0.040 * unit),
@@ -245,15 +246,15 @@ def fill(points: Iterable[complex], drawing: Rect, unit: float, position: bool) 
     return Scale(inner.centre - factor * middle, factor)
 
 
-def scale_bar(factor: float, unit: float) -> float:
-    """Return the largest 1, 2 or 5 × 10ⁿ whose bar is no longer than 0.12.
+def scale_bar(factor: float, longest: float) -> float:
+    """Return the largest 1, 2 or 5 × 10ⁿ whose bar is no longer than ``longest`` pixels.
 
     Examples
     --------
-    >>> scale_bar(factor=1.7, unit=720.0)
+    >>> scale_bar(factor=1.7, longest=86.4)
     50.0
     """
-    most = LONGEST_BAR * unit / factor * (1 + 1e-9)
+    most = longest / factor * (1 + 1e-9)
     power = 10.0 ** math.floor(math.log10(most))
     for step in (5.0, 2.0):
         if step * power <= most:

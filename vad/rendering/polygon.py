@@ -9,7 +9,7 @@ from vad.diagrams.strokes import Arrow, Dot, Line, Panel
 from vad.rendering.arrows import add_vector, vector_growth
 from vad.rendering.art import FOREVER, Growth, Level, Look, PanelArt
 from vad.rendering.constructions import add_construction, line_growth, name_construction
-from vad.rendering.inset import Inset, Spot, add_inset, draw_inset, find_spot, reserved
+from vad.rendering.inset import Inset, add_inset, draw_inset, find_spot, reserved
 from vad.rendering.labels import ALWAYS, Obstacles
 from vad.rendering.marks import Mark, Pen, disc
 from vad.rendering.page import Rect, fill
@@ -19,6 +19,7 @@ from vad.rendering.vertices import corners, find_vertices, label_vertices
 DOT = 0.0068
 DOT_RIM = 0.0022
 NEAR = (0.014, 0.020, 0.027)
+INSET_SIZES = (1.0, 0.8, 0.64)
 
 
 def draw_polygon(panel: Panel, drawing: Rect, look: Look, coriolis: str) -> PanelArt:
@@ -28,10 +29,8 @@ def draw_polygon(panel: Panel, drawing: Rect, look: Look, coriolis: str) -> Pane
     """
     art = _sketch(panel, drawing, drawing, look)
     if panel.inset:
-        inset = draw_inset(panel.inset, coriolis, look)
-        art, spot = _with_room(panel, drawing, look, inset, art)
-        if spot:
-            add_inset(art, inset, spot, look)
+        insets = [draw_inset(panel.inset, coriolis, look, size) for size in INSET_SIZES]
+        art = _with_inset(panel, drawing, look, insets, art)
     points = [vertex.at for vertex in find_vertices(panel, art.scale, look.unit)]
     for index, stroke in enumerate(panel.strokes):
         if isinstance(stroke.shape, Line):
@@ -60,22 +59,24 @@ def _sketch(panel: Panel, drawing: Rect, room: Rect, look: Look) -> PanelArt:
     return art
 
 
-def _with_room(
-    panel: Panel, drawing: Rect, look: Look, inset: Inset, full: PanelArt
-) -> tuple[PanelArt, Spot | None]:
-    """Return the largest drawing that leaves a corner free for the inset, and that corner."""
-    spot = find_spot(full.obstacles, drawing, inset, look.unit)
-    if spot:
-        return full, spot
+def _with_inset(
+    panel: Panel, drawing: Rect, look: Look, insets: list[Inset], full: PanelArt
+) -> PanelArt:
+    """Return the largest drawing that leaves a corner free for an inset, with the inset in it.
+
+    A smaller inset beside the full drawing comes before a smaller drawing.
+    """
     points = corners(panel)
     rooms = reserved(drawing, look.unit)
     rooms.sort(key=lambda room: -fill(points, room, look.unit, position=False).factor)
-    for room in rooms:
-        art = _sketch(panel, drawing, room, look)
-        spot = find_spot(art.obstacles, drawing, inset, look.unit)
-        if spot:
-            return art, spot
-    return full, None
+    for room in (None, *rooms):
+        art = _sketch(panel, drawing, room, look) if room else full
+        for inset in insets:
+            spot = find_spot(art.obstacles, drawing, inset, look.unit)
+            if spot:
+                add_inset(art, inset, spot, look)
+                return art
+    return full
 
 
 def _dot(look: Look, at: complex, grown: float = 1.0) -> Mark:

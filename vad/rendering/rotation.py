@@ -19,6 +19,7 @@ from vad.rendering.vertices import halo, text_at, text_box
 
 RADIUS = 0.088
 SHARE_OF_CRANK = 0.9
+LEAST_RADIUS = 0.02
 LINE = 0.0024
 SIZE = 0.033
 SENSE_SIZES = (  # radius and span, the best first
@@ -39,8 +40,15 @@ SENSE_HEAD = 0.018
 
 
 def angle_radius(art: PanelArt, shape: Arc, look: Look) -> float:
-    """Return the radius of the angle's arc in pixels."""
-    return min(RADIUS * look.unit, SHARE_OF_CRANK * shape.radius * art.scale.factor)
+    """Return the radius of the angle's arc in pixels; all of the arc lies in the panel."""
+    radius = min(RADIUS * look.unit, SHARE_OF_CRANK * shape.radius * art.scale.factor)
+    centre, edge = art.scale(shape.centre), art.obstacles.edge
+    while radius > LEAST_RADIUS * look.unit and not all(
+        edge.holds(point, -LINE * look.unit)
+        for point in arc_line(centre, radius, shape.start, shape.sweep)
+    ):
+        radius *= 0.94
+    return radius
 
 
 def arc_line(centre: complex, radius: float, start: float, sweep: float) -> list[complex]:
@@ -115,6 +123,8 @@ def add_sense(
                 out = cmath.exp(1j * math.radians(middle))
                 spot = beside(centre + radius * unit * out, out, 0.010 * unit, wide, high)
                 if not obstacles.free([spot], wide, high, CLEARANCE * unit)[0]:
+                    continue
+                if not all(obstacles.edge.holds(point, -0.006 * unit) for point in line):
                     continue
                 if strict and not obstacles.free(line, 0.0, 0.0, 0.008 * unit).all():
                     continue
