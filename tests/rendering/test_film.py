@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+import vad
 from tests.rendering.sheets import slider_crank
 from vad.lecture.moment import moments
 from vad.lecture.timeline import animate
@@ -69,3 +70,15 @@ def test_the_same_lesson_gives_the_same_bytes():
     lesson = animate(slider_crank(), fps=5, size=SIZE)
     for one, other in zip(frames(lesson), frames(lesson), strict=True):
         assert np.array_equal(one.pixels, other.pixels)
+
+
+@pytest.mark.parametrize("name", sorted(vad.MECHANISMS))
+def test_films_of_every_mechanism_equal_full_redraws(name: str):
+    mechanism = vad.MECHANISMS[name]
+    sheet = vad.draw(vad.solve(mechanism(), **mechanism.inputs))
+    lesson = animate(sheet, fps=4, size=SIZE)
+    board = Board(sheet, SIZE, lesson=True)
+    for frame, (state, _) in zip(frames(lesson), moments(lesson), strict=True):
+        canvas = AggCanvas(SIZE, board.style.background)
+        paint(board, state, canvas)
+        assert np.array_equal(frame.pixels, canvas.pixels), state
