@@ -40,12 +40,12 @@ def _root(low: Number, high: Number, scale_low: Number, scale_high: Number) -> N
     """Return √(low·high); a factor within 8 ε of its scale below zero counts as zero."""
     product = low * high
     if not is_array(product):
-        if product >= 0.0:
+        if low >= 0.0 and high >= 0.0:
             return math.sqrt(product)
         short = low < -8 * EPSILON * scale_low or high < -8 * EPSILON * scale_high
         return math.nan if short else 0.0
     # NaN fails this comparison too, and takes the careful way.
-    if product.size and not product.min() >= 0.0:
+    if product.size and not np.minimum(low, high).min() >= 0.0:
         short = (low < -8 * EPSILON * scale_low) | (high < -8 * EPSILON * scale_high)
         product = np.where(short, np.nan, np.maximum(product, 0.0))
     return np.sqrt(product)
@@ -145,12 +145,54 @@ class TwoAngles:
                 raise OpenLoopError(max(length - total, abs(difference) - length))
             if square == 0.0:  # the bars fold onto each other and may turn together
                 return NAN_VECTOR, NAN_VECTOR, 0.0
+            if r == 0.0:  # a strut without length may point anywhere
+                return NAN_VECTOR, -gap / q, 0.0
+        # Both feet from Heron's factor: the short bar's from no difference of the long ones.
         half = (0.5 * self.side) * root
         across = half / square
-        along = (0.5 * total * difference) / square
-        first = gap * vector((along + 0.5) / r, across / r)
-        second = gap * vector((along - 0.5) / q, across / q)
-        return first, second, half / (r * q)
+        twice = 2.0 * square
+        first = gap * vector((above + (2.0 * difference) * r) / (r * twice), across / r)
+        second = gap * vector(((2.0 * difference) * q - above) / (q * twice), across / q)
+        sine = half / (r * q)
+        if is_array(r) and not r.all():
+            sine[(r == 0.0) & (half == 0.0)] = 0.0
+        return first, second, sine
+
+
+class Strut:
+    """A driven length r and a bar q over a fixed gap: the triangle and the angle against r.
+
+    Heron's factors lose nothing where the two sides that may be long are subtracted first.
+    """
+
+    def __init__(self, gap: complex, q: float) -> None:
+        self.gap = gap
+        self.q = q
+        self.length = abs(gap)
+        self._short_bar = self.length > 2.0 * q
+        self._short_gap = q > 2.0 * self.length
+        self._power = (q - self.length) * (q + self.length)
+
+    def triangle(self, r: Number) -> Triangle:
+        """Return the triangle."""
+        f, q = self.length, self.q
+        if self._short_bar:
+            e = r - f
+            factors = (q + e), (q - e), (f - q) + r
+        elif self._short_gap:
+            e = r - q
+            factors = (q - f) + r, (f - e), (f + e)
+        else:
+            e = q - f
+            factors = (r + e), (q + f) - r, (r - e)
+        side, near, far = factors
+        return Triangle(self.gap, f * f, side * (r + (q + f)), near * far, r, q)
+
+    def cosine(self, r: Number) -> Number:
+        """Return the cosine of the angle between r and q, the angle across the gap."""
+        f, q = self.length, self.q
+        power = q * q + (r - f) * (r + f) if self._short_bar else r * r + self._power
+        return power / (2.0 * q * r)
 
 
 class AngleAndLength:

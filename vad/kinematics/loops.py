@@ -1,4 +1,4 @@
-"""One loop of a linkage: its position by a closed form, its rates by one crossing."""
+"""The kinds of loops, by what is unknown in them."""
 
 from __future__ import annotations
 
@@ -8,16 +8,17 @@ from vad.errors import DeadCentreError, InputError
 from vad.kinematics.closures import (
     AngleAndLength,
     GroundedCrank,
+    Strut,
+    Triangle,
     TwoAngles,
     crossing,
     slot,
 )
 from vad.kinematics.frame import Frame
-from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, angle_of, scalar_of
-from vad.kinematics.numbers import Number, cross, is_array
-from vad.kinematics.state import Pose, Rates
-
-SignedStep = tuple[int, Step]
+from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, scalar_of
+from vad.kinematics.loop import LoopSolver
+from vad.kinematics.numbers import Number, cross, is_array, vector
+from vad.kinematics.state import GROUND, Pose, Rates
 
 
 def loop_solver(frame: Frame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]) -> LoopSolver:
@@ -26,92 +27,12 @@ def loop_solver(frame: Frame, side: float, loop: Loop, unknowns: tuple[Scalar, .
     bars = [step for step in steps.values() if isinstance(step, Bar)]
     kind: type[LoopSolver]
     if len(bars) == 2:
-        kind = TwoAnglesLoop
+        kind = StrutLoop if isinstance(bars[0].length, str) else TwoAnglesLoop
     elif not bars:
         kind = TwoLengthsLoop
     else:
         kind = SlotLoop if isinstance(bars[0].length, str) else AngleAndLengthLoop
     return kind(frame, side, loop, unknowns)
-
-
-class LoopSolver:
-    """What all loops have in common: the gap between their chains, and the crossing.
-
-    With ``way`` the sign of a step in second chain less first, the loop says that the sum of
-    ``way`` · step vanishes.  The gap is the part of this sum that is known.
-    """
-
-    #: Whether the loop can be assembled in two ways.
-    two_ways = False
-
-    def __init__(self, frame: Frame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]) -> None:
-        self.frame = frame
-        self.side = side
-        unknown = {scalar_of(s): (way, s) for way, s in loop.steps() if scalar_of(s) in unknowns}
-        # Bars before slides, as the closed forms take them.
-        ordered = sorted(unknown.values(), key=lambda signed: isinstance(signed[1], Slide))
-        (self.way, self.step), (self.other_way, self.other) = ordered
-        self.known = [(way, s) for way, s in loop.steps() if scalar_of(s) not in unknown]
-        self.all = (*self.known, *ordered)
-        starts = [
-            chain[0].ends[1 if chain[0].reverse else 0] for chain in (loop.first, loop.second)
-        ]
-        fixed = frame.fixed
-        self.offset = 0j if starts[0] == starts[1] else fixed[starts[1]] - fixed[starts[0]]
-        for way, step in loop.steps():
-            if isinstance(step, Slide):
-                self.offset += way * frame.shift(step)
-        self.crank = self._grounded_crank()
-        self.prepare()
-
-    def _grounded_crank(self) -> GroundedCrank | None:
-        """Return the gap's exact form, where the driven crank is all that moves in it."""
-        if len(self.known) != 1:
-            return None
-        way, bar = self.known[0]
-        if not isinstance(bar, Bar) or angle_of(bar.link) != self.frame.linkage.driver:
-            return None
-        return GroundedCrank(self.offset, way * self.frame.size(bar))
-
-    def prepare(self) -> None:
-        """Form what does not depend on the pose."""
-
-    def close(self, pose: Pose) -> None:
-        """Find the two unknowns of the position and write them into ``pose``."""
-        raise TypeError(f"{type(self).__name__} has no closed form")
-
-    def gap(self, pose: Pose) -> Number:
-        """Return the known part of the loop's sum."""
-        if self.crank is not None:
-            return self.crank.gap(pose.unit[self.frame.linkage.driver.name])
-        total: Number = self.offset
-        for way, step in self.known:
-            total = total + way * self.frame.displacement(step, pose)
-        return total
-
-    def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
-        """Find the two unknown rates of the highest order and write them into ``rates[-1]``."""
-        total: Number = 0.0
-        for way, step in self.all:
-            for _, direction, amount in self.frame.components(step, pose, rates):
-                if amount is not None:
-                    total = total + (way * amount) * direction
-        p = self.way * self.frame.unknown_direction(self.step, pose)
-        q = -self.other_way * self.frame.unknown_direction(self.other, pose)
-        x, y = crossing(-total, p, q, sine)
-        found = rates[-1]
-        if isinstance(self.step, Bar):
-            found.turning[self.step.link] = x / self.radius(self.step, pose)
-        else:
-            found.sliding[self.step.name] = x
-        if isinstance(self.other, Bar):
-            found.turning[self.other.link] = y / self.radius(self.other, pose)
-        else:
-            found.sliding[self.other.name] = y
-
-    def radius(self, bar: Bar, pose: Pose) -> Number:
-        """Return the length at which an unknown bar turns."""
-        return self.frame.size(bar, pose)
 
 
 class TwoAnglesLoop(LoopSolver):
@@ -123,7 +44,7 @@ class TwoAnglesLoop(LoopSolver):
     other: Bar
 
     def prepare(self) -> None:
-        """Form the triangle's constants; a bar may still have the length of a driven slide."""
+        """Form the triangle's constants."""
         if (self.way, self.other_way) != (-1, 1):
             raise InputError("each of a loop's two chains must end with one unknown bar")
         fixed = isinstance(self.step.length, float) and isinstance(self.other.length, float)
@@ -131,18 +52,75 @@ class TwoAnglesLoop(LoopSolver):
             self.crank = None
         sizes = (self.frame.size(self.step), self.frame.size(self.other)) if self.crank else None
         self._closure = TwoAngles(self.side, self.crank, sizes)
+        self._longest: Bar | None = None
+        if self.crank and sizes and max(sizes) > max(abs(self.crank.c), abs(self.crank.t)):
+            first = sizes[0] > sizes[1]
+            self._longest, self._shorter = (
+                (self.step, self.other) if first else (self.other, self.step)
+            )
+            self._area = sizes[0] if first else -sizes[1]
+            way = self.other_way if first else self.way
+            self._seen = (self.ground, *self.known, (way, self._shorter))
+
+    def triangle(self, pose: Pose) -> Triangle:
+        """Return the triangle of both bars over the gap."""
+        frame = self.frame
+        if self.crank is not None:
+            return self._closure.over_crank(pose.unit[frame.linkage.driver.name])
+        sizes = frame.size(self.step, pose), frame.size(self.other, pose)
+        return self._closure.over_gap(self.gap(pose), *sizes)
 
     def close(self, pose: Pose) -> None:
         """Close the triangle over the gap."""
-        frame = self.frame
-        if self.crank is not None:
-            triangle = self._closure.over_crank(pose.unit[frame.linkage.driver.name])
-        else:
-            sizes = frame.size(self.step, pose), frame.size(self.other, pose)
-            triangle = self._closure.over_gap(self.gap(pose), *sizes)
+        triangle = self.triangle(pose)
         first, second, sine = self._closure.close(triangle)
         pose.unit[self.step.link], pose.unit[self.other.link] = first, second
         pose.sine.append(sine)
+
+    def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
+        """Find ω or α of both bars: seen from the longer one, if no link is longer.
+
+        There the gap turns as a whole, against it the shorter bar.  Of two long bars side by side
+        the rates' difference is then found by itself, not as a small difference of large ones.
+        """
+        long, crank = self._longest, self.crank
+        if long is None or crank is None:
+            super().cross(pose, rates, sine)
+            return
+        short, driver, found = self._shorter, self.frame.linkage.driver.name, rates[-1].turning
+        spin = found[driver]
+        driven = {GROUND: -spin} if self.inverted else {driver: spin}
+        seen = *(rate.seen_from(long.link) for rate in rates[:-1]), Rates(driven, {})
+        total = self.motion(self._seen, pose, seen)
+        p = -1j * (crank.t * pose.unit[driver] + crank.c)
+        q = -self._seen[-1][0] * self.frame.unknown_direction(short, pose)
+        x, y = crossing(-total, p, q, sine * self._area)
+        found[long.link] = x + spin if self.inverted else x
+        found[short.link] = found[long.link] + y / self.frame.size(short)
+
+
+class StrutLoop(TwoAnglesLoop):
+    """A strut whose length is driven, and a bar, over a fixed gap."""
+
+    def prepare(self) -> None:
+        """Form the triangle's constants."""
+        super().prepare()
+        if not all(isinstance(s, Slide) and s.along == self.step.link for _, s in self.known):
+            raise InputError("a strut must lead from one fixed point, its bar from another")
+        self._strut = Strut(self.offset, self.frame.size(self.other))
+
+    def triangle(self, pose: Pose) -> Triangle:
+        """Return the triangle of strut, bar and gap."""
+        return self._strut.triangle(self.frame.size(self.step, pose))
+
+    def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
+        """Find ω or α of both, in the axes of the strut.
+
+        There the angle between the two is all that counts, and it comes from lengths alone.
+        """
+        between = vector(self._strut.cosine(self.frame.size(self.step, pose)), sine)
+        units = {self.step.link: 1.0 + 0j, self.other.link: between}
+        super().cross(Pose(units, pose.length, pose.sine), rates, sine)
 
 
 class AngleAndLengthLoop(LoopSolver):

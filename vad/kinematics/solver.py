@@ -10,10 +10,11 @@ import numpy as np
 from vad.errors import DeadCentreError
 from vad.kinematics.frame import Frame
 from vad.kinematics.linkage import Linkage, scalar_of
-from vad.kinematics.loops import LoopSolver, loop_solver
+from vad.kinematics.loop import LoopSolver
+from vad.kinematics.loops import loop_solver
 from vad.kinematics.numbers import Number, direction, fold, is_array
 from vad.kinematics.routes import Routes
-from vad.kinematics.state import Pose, Rates
+from vad.kinematics.state import GROUND, Pose, Rates
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
@@ -68,7 +69,7 @@ class Solver:
         vad.kinematics.closures.OpenLoopError
             For a single pose that does not close; in arrays it is NaN.
         """
-        pose = Pose({}, {}, [])
+        pose = Pose({GROUND: 1.0 + 0j}, {}, [])
         driver = self.linkage.driver
         if driver.kind == "angle":
             angle = fold(value)

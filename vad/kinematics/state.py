@@ -12,6 +12,10 @@ from vad.kinematics.numbers import Number
 ComponentName = Literal["normal", "tangential", "coriolis", "sliding"]
 
 
+#: The link that stands still, along the frame's x axis; seen from another link it turns.
+GROUND = "ground"
+
+
 class Component(NamedTuple):
     """One part of a step's velocity or acceleration: ``amount`` along the unit ``direction``.
 
@@ -64,6 +68,12 @@ class Rates:
 
     turning: dict[str, Number]
     sliding: dict[str, Number]
+
+    def seen_from(self, link: str) -> Rates:
+        """Return the rates as seen from a link, about which the ground turns the other way."""
+        spin = self.turning[link]
+        turning = {name: rate - spin for name, rate in self.turning.items() if name != link}
+        return Rates({**turning, GROUND: -spin}, self.sliding)
 
     def flat(self) -> dict[Scalar, Number]:
         """Return all values in one dictionary."""

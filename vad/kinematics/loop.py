@@ -1,0 +1,113 @@
+"""What all loops have in common: the gap between their chains, and the crossing of their rates."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from vad.kinematics.closures import GroundedCrank, crossing
+from vad.kinematics.frame import Frame
+from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, angle_of, scalar_of
+from vad.kinematics.numbers import Number
+from vad.kinematics.state import GROUND, Pose, Rates
+
+SignedStep = tuple[int, Step]
+
+
+class LoopSolver:
+    """One loop: its position by a closed form, its rates by one crossing.
+
+    With ``way`` the sign of a step in second chain less first, the loop says that the sum of
+    ``way`` · step vanishes.  The gap is the part of this sum that is known.
+    """
+
+    #: Whether the loop can be assembled in two ways.
+    two_ways = False
+
+    def __init__(self, frame: Frame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]) -> None:
+        self.frame = frame
+        self.side = side
+        unknown = {scalar_of(s): (way, s) for way, s in loop.steps() if scalar_of(s) in unknowns}
+        # Bars before slides, as the closed forms take them.
+        ordered = sorted(unknown.values(), key=lambda signed: isinstance(signed[1], Slide))
+        (self.way, self.step), (self.other_way, self.other) = ordered
+        self.known = [(way, s) for way, s in loop.steps() if scalar_of(s) not in unknown]
+        starts = [
+            chain[0].ends[1 if chain[0].reverse else 0] for chain in (loop.first, loop.second)
+        ]
+        fixed = frame.fixed
+        self.offset = 0j if starts[0] == starts[1] else fixed[starts[1]] - fixed[starts[0]]
+        for way, step in loop.steps():
+            if isinstance(step, Slide):
+                self.offset += way * frame.shift(step)
+        self.crank = self._grounded_crank()
+        self.inverted = self._longer_crank()
+        self.ground = (1, Bar("", GROUND, self.offset.real * frame.scale))
+        self.moving = (*([self.ground] if self.inverted else self.known), *ordered)
+        self.prepare()
+
+    def _grounded_crank(self) -> GroundedCrank | None:
+        """Return the gap's exact form, where the driven crank is all that moves in it."""
+        if len(self.known) != 1:
+            return None
+        way, bar = self.known[0]
+        if not isinstance(bar, Bar) or angle_of(bar.link) != self.frame.linkage.driver:
+            return None
+        return GroundedCrank(self.offset, way * self.frame.size(bar))
+
+    def _longer_crank(self) -> bool:
+        """Tell whether the loop is better seen from its crank: kinematic inversion.
+
+        A crank much longer than the ground takes the other links round with it.  Seen from the
+        crank the short ground is all that turns, and nothing large has to cancel.
+        """
+        guided = any(
+            isinstance(s.along, float) for s in (self.step, self.other) if isinstance(s, Slide)
+        )
+        crank = self.crank
+        return crank is not None and not guided and abs(crank.c) < abs(crank.t)
+
+    def prepare(self) -> None:
+        """Form what does not depend on the pose."""
+
+    def close(self, pose: Pose) -> None:
+        """Find the two unknowns of the position and write them into ``pose``."""
+        raise TypeError(f"{type(self).__name__} has no closed form")
+
+    def gap(self, pose: Pose) -> Number:
+        """Return the known part of the loop's sum."""
+        if self.crank is not None:
+            return self.crank.gap(pose.unit[self.frame.linkage.driver.name])
+        total: Number = self.offset
+        for way, step in self.known:
+            total = total + way * self.frame.displacement(step, pose)
+        return total
+
+    def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
+        """Find the two unknown rates of the highest order and write them into ``rates[-1]``."""
+        driver = self.frame.linkage.driver.name
+        seen = tuple(rate.seen_from(driver) for rate in rates) if self.inverted else rates
+        total = self.motion(self.moving, pose, seen)
+        p = self.way * self.frame.unknown_direction(self.step, pose)
+        q = -self.other_way * self.frame.unknown_direction(self.other, pose)
+        found = rates[-1]
+        for step, rate in zip((self.step, self.other), crossing(-total, p, q, sine), strict=True):
+            if isinstance(step, Bar):
+                turning = rate / self.radius(step, pose)
+                found.turning[step.link] = (
+                    turning + found.turning[driver] if self.inverted else turning
+                )
+            else:
+                found.sliding[step.name] = rate
+
+    def motion(self, steps: Iterable[SignedStep], pose: Pose, rates: tuple[Rates, ...]) -> Number:
+        """Return the sum of what is known of the motion of ``steps``."""
+        total: Number = 0.0
+        for way, step in steps:
+            for _, direction, amount in self.frame.components(step, pose, rates):
+                if amount is not None:
+                    total = total + (way * amount) * direction
+        return total
+
+    def radius(self, bar: Bar, pose: Pose) -> Number:
+        """Return the length at which an unknown bar turns."""
+        return self.frame.size(bar, pose)
