@@ -72,13 +72,17 @@ class GroundedCrank:
         """Return the gap for the crank's unit vector ``u``."""
         if self.c.real == 0.0:  # nothing cancels, and a small cosine keeps its digits
             return self.t * u + self.c
-        return self.gap_from(u, *_near_one(u.real, u.imag))
+        side, rest = _near_one(u.real, u.imag)
+        return self.gap_from(u, rest * side, *choose(side, *self.ends))
 
-    def gap_from(self, u: Number, side: Number, rest: Number) -> Number:
-        """Return the gap for a cosine that is written as side·(1 - rest)."""
-        c, t = self.c.real, self.t
-        x = choose(side, c + t, c - t) - t * (side * rest)
-        return vector(x, t * u.imag + self.c.imag)
+    @property
+    def ends(self) -> tuple[tuple[float], tuple[float]]:
+        """The gap's x where the crank points along the x axis, and where it points against it."""
+        return (self.c.real + self.t,), (self.c.real - self.t,)
+
+    def gap_from(self, u: Number, short: Number, end: Number) -> Number:
+        """Return the gap for a cosine that falls ``short`` of ±1, from the x that it has there."""
+        return vector(end - self.t * short, self.t * u.imag + self.c.imag)
 
 
 class Triangle(NamedTuple):
@@ -109,19 +113,21 @@ class TwoAngles:
         c = crank.c.real
         self._constants = [
             (
+                *end,
                 math.fsum((c, t)) ** 2,
                 math.fsum((r, q, -c, -t)) * math.fsum((r, q, c, t)),
                 math.fsum((c, t, q, -r)) * math.fsum((c, t, r, -q)),
             )
-            for t in (crank.t, -crank.t)
+            for end, t in zip(crank.ends, (crank.t, -crank.t), strict=True)
         ]
 
     def over_crank(self, u: Number) -> Triangle:
         """Return the triangle over a grounded crank's gap."""
         side, rest = _near_one(u.real, u.imag)
-        grown = (-2.0 * self.crank.c.real * self.crank.t) * (side * rest)
-        square, below, above = (choose(side, p, m) for p, m in zip(*self._constants, strict=True))
-        gap = self.crank.gap_from(u, side, rest)
+        short = side * rest
+        grown = (-2.0 * self.crank.c.real * self.crank.t) * short
+        end, square, below, above = choose(side, *self._constants)
+        gap = self.crank.gap_from(u, short, end)
         return Triangle(gap, square + grown, below - grown, above + grown, *self.sizes)
 
     def over_gap(self, gap: Number, r: Number, q: Number) -> Triangle:
@@ -170,7 +176,7 @@ class Strut:
         self.q = q
         self.length = abs(gap)
         self._short_bar = self.length > 2.0 * q
-        self._short_gap = q > 2.0 * self.length
+        self.short_gap = q > 2.0 * self.length
         self._power = (q - self.length) * (q + self.length)
 
     def triangle(self, r: Number) -> Triangle:
@@ -179,7 +185,7 @@ class Strut:
         if self._short_bar:
             e = r - f
             factors = (q + e), (q - e), (f - q) + r
-        elif self._short_gap:
+        elif self.short_gap:
             e = r - q
             factors = (q - f) + r, (f - e), (f + e)
         else:
@@ -188,11 +194,13 @@ class Strut:
         side, near, far = factors
         return Triangle(self.gap, f * f, side * (r + (q + f)), near * far, r, q)
 
-    def cosine(self, r: Number) -> Number:
-        """Return the cosine of the angle between r and q, the angle across the gap."""
+    def projections(self, r: Number) -> tuple[Number, Number]:
+        """Return the projections of q and of the gap on r."""
         f, q = self.length, self.q
-        power = q * q + (r - f) * (r + f) if self._short_bar else r * r + self._power
-        return power / (2.0 * q * r)
+        if self._short_bar:
+            power = (r - f) * (r + f)
+            return (q * q + power) / (2.0 * r), r - (q * q + power) / (2.0 * r)
+        return (r * r + self._power) / (2.0 * r), ((r - q) * (r + q) + f * f) / (2.0 * r)
 
 
 class AngleAndLength:
@@ -217,9 +225,7 @@ class AngleAndLength:
         if self.crank is not None:
             side, rest = _near_one(u.imag, u.real)
             sunk = self.crank.t * (side * rest)
-            below, above, height = (
-                choose(side, p, m) for p, m in zip(*self._constants, strict=True)
-            )
+            below, above, height = choose(side, *self._constants)
             below, above, height = below + sunk, above - sunk, height - sunk
         else:
             height = cross(self.g, gap)

@@ -42,7 +42,9 @@ class LoopSolver:
         self.crank = self._grounded_crank()
         self.inverted = self._longer_crank()
         self.ground = (1, Bar("", GROUND, self.offset.real * frame.scale))
-        self.moving = (*([self.ground] if self.inverted else self.known), *ordered)
+        known = [self.ground] if self.inverted else self.known
+        #: What moves by known amounts, for velocities and for accelerations.
+        self.moving = known, [*known, *ordered]
         self.prepare()
 
     def _grounded_crank(self) -> GroundedCrank | None:
@@ -86,7 +88,7 @@ class LoopSolver:
         """Find the two unknown rates of the highest order and write them into ``rates[-1]``."""
         driver = self.frame.linkage.driver.name
         seen = tuple(rate.seen_from(driver) for rate in rates) if self.inverted else rates
-        total = self.motion(self.moving, pose, seen)
+        total = self.motion(self.moving[len(seen) - 1], pose, seen)
         p = self.way * self.frame.unknown_direction(self.step, pose)
         q = -self.other_way * self.frame.unknown_direction(self.other, pose)
         found = rates[-1]

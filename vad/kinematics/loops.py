@@ -54,13 +54,20 @@ class TwoAnglesLoop(LoopSolver):
         self._closure = TwoAngles(self.side, self.crank, sizes)
         self._longest: Bar | None = None
         if self.crank and sizes and max(sizes) > max(abs(self.crank.c), abs(self.crank.t)):
-            first = sizes[0] > sizes[1]
-            self._longest, self._shorter = (
-                (self.step, self.other) if first else (self.other, self.step)
-            )
-            self._area = sizes[0] if first else -sizes[1]
-            way = self.other_way if first else self.way
-            self._seen = (self.ground, *self.known, (way, self._shorter))
+            self._see_from(self.step if sizes[0] > sizes[1] else self.other)
+
+    def _see_from(self, longest: Bar) -> None:
+        """Choose the bar from which `cross` sees the loop."""
+        self._longest = longest
+        first = longest is self.step
+        self._shorter = self.other if first else self.step
+        self._sense = -1 if first else 1
+        self.moving = self.moving[0], [self.ground, *self.known, (-self._sense, self._shorter)]
+        self._gap = [
+            (way * self.frame.size(bar), bar.link)
+            for way, bar in (self.ground, *self.known)
+            if isinstance(bar, Bar)
+        ]
 
     def triangle(self, pose: Pose) -> Triangle:
         """Return the triangle of both bars over the gap."""
@@ -83,20 +90,20 @@ class TwoAnglesLoop(LoopSolver):
         There the gap turns as a whole, against it the shorter bar.  Of two long bars side by side
         the rates' difference is then found by itself, not as a small difference of large ones.
         """
-        long, crank = self._longest, self.crank
-        if long is None or crank is None:
+        if self._longest is None:
             super().cross(pose, rates, sine)
             return
-        short, driver, found = self._shorter, self.frame.linkage.driver.name, rates[-1].turning
-        spin = found[driver]
+        frame, driver = self.frame, self.frame.linkage.driver.name
+        long, short, found = self._longest, self._shorter, rates[-1].turning
+        spin = found.get(driver, 0.0)
         driven = {GROUND: -spin} if self.inverted else {driver: spin}
-        seen = *(rate.seen_from(long.link) for rate in rates[:-1]), Rates(driven, {})
-        total = self.motion(self._seen, pose, seen)
-        p = -1j * (crank.t * pose.unit[driver] + crank.c)
-        q = -self._seen[-1][0] * self.frame.unknown_direction(short, pose)
-        x, y = crossing(-total, p, q, sine * self._area)
+        seen = *(rate.seen_from(long.link) for rate in rates[:-1]), Rates(driven, rates[-1].sliding)
+        total = self.motion(self.moving[len(seen) - 1], pose, seen)
+        gap = sum(size * pose.unit[link] for size, link in self._gap)
+        p, q = -1j * gap, self._sense * frame.unknown_direction(short, pose)
+        x, y = crossing(-total, p, q, sine * (-self._sense * frame.size(long, pose)))
         found[long.link] = x + spin if self.inverted else x
-        found[short.link] = found[long.link] + y / self.frame.size(short)
+        found[short.link] = found[long.link] + y / frame.size(short)
 
 
 class StrutLoop(TwoAnglesLoop):
@@ -108,6 +115,8 @@ class StrutLoop(TwoAnglesLoop):
         if not all(isinstance(s, Slide) and s.along == self.step.link for _, s in self.known):
             raise InputError("a strut must lead from one fixed point, its bar from another")
         self._strut = Strut(self.offset, self.frame.size(self.other))
+        if self._strut.short_gap:
+            self._see_from(self.step)
 
     def triangle(self, pose: Pose) -> Triangle:
         """Return the triangle of strut, bar and gap."""
@@ -116,10 +125,13 @@ class StrutLoop(TwoAnglesLoop):
     def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
         """Find ω or α of both, in the axes of the strut.
 
-        There the angle between the two is all that counts, and it comes from lengths alone.
+        There the angles of the triangle are all that counts, and they come from lengths alone.
         """
-        between = vector(self._strut.cosine(self.frame.size(self.step, pose)), sine)
-        units = {self.step.link: 1.0 + 0j, self.other.link: between}
+        strut, arm = self.frame.size(self.step, pose), self.frame.size(self.other)
+        at_arm, at_ground = self._strut.projections(strut)
+        arm_axis = vector(at_arm / arm, sine)
+        ground_axis = vector(at_ground, -arm * sine) / self.offset.real
+        units = {self.step.link: 1.0 + 0j, self.other.link: arm_axis, GROUND: ground_axis}
         super().cross(Pose(units, pose.length, pose.sine), rates, sine)
 
 

@@ -120,15 +120,16 @@ def sign(value: Number) -> Number:
     return np.copysign(1.0, value) if is_array(value) else math.copysign(1.0, value)
 
 
-def choose(side: Number, plus: float, minus: float) -> Number:
-    """Return ``plus`` where ``side`` is +1 and ``minus`` where it is -1.
+def choose(side: Number, plus: tuple[float, ...], minus: tuple[float, ...]) -> tuple[Number, ...]:
+    """Return the numbers in ``plus`` where ``side`` is +1 and those in ``minus`` where it is -1.
 
     One factor is always zero, so nothing is rounded; ``numpy.where`` takes ten times as long.
     """
     if not is_array(side):
         return plus if side > 0 else minus
     upper = 0.5 + 0.5 * side
-    return upper * plus + (1.0 - upper) * minus
+    lower = 1.0 - upper
+    return tuple(upper * p + lower * m for p, m in zip(plus, minus, strict=True))
 
 
 def degrees_of(value: Number) -> Number:

@@ -73,7 +73,7 @@ class Rates:
         """Return the rates as seen from a link, about which the ground turns the other way."""
         spin = self.turning[link]
         turning = {name: rate - spin for name, rate in self.turning.items() if name != link}
-        return Rates({**turning, GROUND: -spin}, self.sliding)
+        return Rates({**turning, link: 0.0, GROUND: -spin}, self.sliding)
 
     def flat(self) -> dict[Scalar, Number]:
         """Return all values in one dictionary."""
