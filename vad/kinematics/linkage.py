@@ -159,5 +159,14 @@ class Linkage:
 
     @property
     def frame(self) -> float:
-        """The direction of the ground link in degrees."""
-        return self.ground[2] if self.ground else 0.0
+        """The direction of the x axis in which it is solved, in degrees.
+
+        That is the ground link's; without one, and if a slide is driven, that of the other guide,
+        so that the angle between the two guides comes from no difference of directions.
+        """
+        if self.ground:
+            return self.ground[2]
+        steps = [step for loop in self.loops for _, step in loop.steps()]
+        guides = [s for s in steps if isinstance(s, Slide) and length_of(s.name) != self.driver]
+        lines = [guide.along for guide in guides if isinstance(guide.along, float)]
+        return lines[0] if lines and self.driver.kind == "length" else 0.0
