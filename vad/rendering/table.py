@@ -56,10 +56,11 @@ class Table:
         key_end = left + look.style.key * look.unit
         pen = Pen(look.ink(row.key), pen_width, dash)
         marks = [polyline([complex(left, y), complex(key_end, y)], pen)]
-        runs = roman(row.title + " ") + symbols(row.letters)
+        room -= (look.style.key + 0.02) * look.unit
+        names = [_heading(each) for each in self.sheet.rows]
+        size = min(fitted(name, SIZE * unit, LEAST * unit, room) for name in names)
         at = complex(key_end + NAME_GAP * unit, baseline)
-        size = fitted(runs, SIZE * unit, LEAST * unit, room - (look.style.key + 0.02) * look.unit)
-        return marks + write(runs, at, size, look.style.text)
+        return marks + write(_heading(row), at, size, look.style.text)
 
     def _columns(self, state: States) -> list[Mark]:
         unit = self.look.unit
@@ -193,6 +194,10 @@ class Table:
             runs = symbols(cell.symbol) + roman(" = ") + runs
         runs = self._dressed(cell, state, runs)
         return write(runs, at, SIZE * unit, self._ink(cell), "right")
+
+
+def _heading(row: Row) -> Runs:
+    return roman(row.title + " ") + symbols(row.letters)
 
 
 def _reading(cell: Cell) -> str:
