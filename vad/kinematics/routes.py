@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import cast
 
 from vad.kinematics.frame import Frame
-from vad.kinematics.linkage import Bar, Slide, Step
+from vad.kinematics.linkage import Bar, Slide, Step, angle_of
 from vad.kinematics.numbers import Number
 from vad.kinematics.state import Pose, Rates
 
@@ -32,6 +32,15 @@ class Routes:
         hops = self._places[letter][1]
         step = hops[0][1] if len(hops) == 1 else None
         return step if isinstance(step, Slide) and isinstance(step.along, float) else None
+
+    def pin(self, letter: str) -> Bar | None:
+        """Return the driven crank, if a point is always where its pin is."""
+        hops = self._places[letter][1]
+        crank = hops[0][1] if hops else None
+        if not isinstance(crank, Bar) or angle_of(crank.link) != self._frame.linkage.driver:
+            return None
+        blocks = all(isinstance(s, Slide) and isinstance(s.along, str) for _, s in hops[1:])
+        return crank if blocks else None
 
     def position(self, letter: str, pose: Pose) -> Number:
         """Return the position of a point in the solver's unit and frame."""

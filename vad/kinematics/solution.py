@@ -13,7 +13,7 @@ from vad.kinematics import sweep
 from vad.kinematics.closures import OpenLoopError
 from vad.kinematics.frame import Frame
 from vad.kinematics.linkage import Linkage, Scalar
-from vad.kinematics.numbers import Number, is_array
+from vad.kinematics.numbers import Number, direction, fold, is_array
 from vad.kinematics.reach import closing_range
 from vad.kinematics.solver import solver_of
 from vad.kinematics.state import Pose, Rates
@@ -96,6 +96,15 @@ class Solution:
         return self._whole_pose
 
     @property
+    def crank_direction(self) -> Number:
+        """The driven crank's unit vector in the user's axes, not turned there and back."""
+        if not self.many:
+            self.pose  # noqa: B018  # raises where the links do not close
+            return direction(fold(self._driver))
+        flat = np.broadcast_to(self._driver, self.shape).ravel()
+        return sweep.gather(flat.size, lambda part: {"": direction(fold(flat[part]))})[""]
+
+    @property
     def velocity(self) -> Rates:
         """First derivatives, in the solver's unit."""
         if self._velocity is None:
@@ -148,9 +157,11 @@ class Solution:
                 raise InputError("the result leaves the range of double precision")
             return value
         result = np.array(np.broadcast_to(value, math.prod(self.shape)))
-        for scale in scales:
-            if not (isinstance(scale, float) and scale == 1.0):
-                result *= scale
+        with np.errstate(all="ignore"):
+            for scale in scales:
+                if not (isinstance(scale, float) and scale == 1.0):
+                    result *= scale
+        result[np.isinf(result)] = np.nan  # beyond the range of double precision
         return result.reshape(self.shape)
 
     def reckon(self, formula: Formula, orders: int) -> Number:

@@ -83,6 +83,9 @@ class Point:
         guide = routes.guide(letter)
         if guide:
             return guide.origin + Slider(motion, guide.name).position * heading(guide)
+        pin = routes.pin(letter)
+        if pin and motion.frame.angle:
+            return motion.shaped(motion.crank_direction, float(pin.length))
         return self._outward(motion.reckon(lambda pose, _: routes.position(letter, pose), 0))
 
     @property
