@@ -36,19 +36,24 @@ class OpenLoopError(AssemblyError):
         self.miss = miss
 
 
-def _root(low: Number, high: Number, scale_low: Number, scale_high: Number) -> Number:
-    """Return √(low·high); a factor within 8 ε of its scale below zero counts as zero."""
-    product = low * high
-    if not is_array(product):
-        if low >= 0.0 and high >= 0.0:
-            return math.sqrt(product)
+def _root(low: Number, high: Number, both: Number, scale_low: Number, scale_high: Number) -> Number:
+    """Return √(low·high); a factor within 8 ε of its scale below zero counts as zero.
+
+    ``both`` is their exact sum: where it is small, what rounding adds to one factor is thus taken
+    from the other, and at right angles leaves the product alone.
+    """
+    if not is_array(low):
+        least = min(low, high)
+        if least >= 0.0:
+            return math.sqrt(least * (both - least))
         short = low < -8 * EPSILON * scale_low or high < -8 * EPSILON * scale_high
         return math.nan if short else 0.0
+    least = np.minimum(low, high)
     # NaN fails this comparison too, and takes the careful way.
-    if product.size and not np.minimum(low, high).min() >= 0.0:
+    if least.size and not least.min() >= 0.0:
         short = (low < -8 * EPSILON * scale_low) | (high < -8 * EPSILON * scale_high)
-        product = np.where(short, np.nan, np.maximum(product, 0.0))
-    return np.sqrt(product)
+        least = np.where(short, np.nan, np.maximum(least, 0.0))
+    return np.sqrt(least * (both - least))
 
 
 def _near_one(x: Number, other: Number) -> tuple[Number, Number]:
@@ -144,7 +149,7 @@ class TwoAngles:
         gap, square, below, above, r, q = triangle
         total, difference = r + q, r - q
         spread = total * total
-        root = _root(below, above, square + spread, square + difference * difference)
+        root = _root(below, above, 4.0 * r * q, square + spread, square + difference * difference)
         if not is_array(root):
             if math.isnan(root):
                 length = math.sqrt(square)
@@ -231,7 +236,7 @@ class AngleAndLength:
             height = cross(self.g, gap)
             below, above = r - height, r + height
         spread = r + abs(height)
-        root = _root(below, above, spread, spread)
+        root = _root(below, above, 2.0 * r, spread, spread)
         if not is_array(root) and math.isnan(root):
             raise OpenLoopError(abs(height) - r)
         root = self.side * root

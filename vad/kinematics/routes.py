@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import cast
 
 from vad.kinematics.frame import Frame
@@ -11,6 +12,8 @@ from vad.kinematics.state import Pose, Rates
 
 Hop = tuple[int, Step]
 Route = tuple[str, tuple[Hop, ...]]
+# What it costs to begin at a fixed point, and to take a step.
+Costs = tuple[dict[str, float], Callable[[Step], float]]
 
 
 class Routes:
@@ -18,9 +21,8 @@ class Routes:
 
     def __init__(self, frame: Frame) -> None:
         self._frame = frame
-        # A lever's point under its block is where the pin is, but moves as the lever turns.
-        self._places = _shortest(frame, slotted_bar=3.0)
-        self._motions = _shortest(frame, slotted_bar=1.0)
+        self._places = _shortest(frame, *_place_costs(frame))
+        self._motions = _shortest(frame, *_motion_costs(frame))
 
     @property
     def letters(self) -> frozenset[str]:
@@ -61,16 +63,34 @@ class Routes:
         return total
 
 
-def _shortest(frame: Frame, slotted_bar: float) -> dict[str, Route]:
-    """Return the cheapest route to each letter; guides of the frame round least."""
+def _place_costs(frame: Frame) -> Costs:
+    """Cost lengths, for a short way rounds least, and links that only a later loop finds."""
+    later = {scalar for pair in frame.linkage.unknowns[1:] for scalar in pair}
 
     def cost(step: Step) -> float:
-        if isinstance(step, Bar):
-            return slotted_bar if isinstance(step.length, str) else 1.0
-        return 1.0 if isinstance(step.along, str) else 0.5
+        if isinstance(step, Slide):
+            return 1.0 if isinstance(step.along, str) else 1e-9
+        # A lever's point under its block is where the pin is.
+        size = 3.0 if isinstance(step.length, str) else abs(frame.size(step))
+        return size + 10.0 if angle_of(step.link) in later else size
 
+    return {letter: abs(place) for letter, place in frame.fixed.items()}, cost
+
+
+def _motion_costs(frame: Frame) -> Costs:
+    """Cost steps; guides of the frame round least."""
+
+    def cost(step: Step) -> float:
+        return 0.5 if isinstance(step, Slide) and isinstance(step.along, float) else 1.0
+
+    return dict.fromkeys(frame.fixed, 0.0), cost
+
+
+def _shortest(
+    frame: Frame, costs: dict[str, float], cost: Callable[[Step], float]
+) -> dict[str, Route]:
+    """Return the cheapest route to each letter, from letters with the given costs."""
     routes: dict[str, Route] = {letter: (letter, ()) for letter in frame.fixed}
-    costs = dict.fromkeys(frame.fixed, 0.0)
     while True:
         candidates = [
             (costs[tail] + cost(step), head, tail, (way, step))
