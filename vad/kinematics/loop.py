@@ -66,7 +66,9 @@ class LoopSolver:
             isinstance(s.along, float) for s in (self.step, self.other) if isinstance(s, Slide)
         )
         crank = self.crank
-        return crank is not None and not guided and abs(crank.c) < abs(crank.t)
+        if crank is None or crank.c.imag != 0.0 or guided:
+            return False
+        return abs(crank.c) < abs(crank.t)
 
     def prepare(self) -> None:
         """Form what does not depend on the pose."""

@@ -8,7 +8,6 @@ from vad.errors import DeadCentreError, InputError
 from vad.kinematics.closures import (
     AngleAndLength,
     GroundedCrank,
-    Strut,
     Triangle,
     TwoAngles,
     crossing,
@@ -19,6 +18,7 @@ from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, scalar_of
 from vad.kinematics.loop import LoopSolver
 from vad.kinematics.numbers import Number, cross, is_array, vector
 from vad.kinematics.state import GROUND, Pose, Rates
+from vad.kinematics.strut import Strut
 
 
 def loop_solver(frame: Frame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]) -> LoopSolver:

@@ -30,7 +30,7 @@ class Component(NamedTuple):
 
 @dataclass(slots=True)
 class Pose:
-    """Where everything is: unit vectors of links, lengths of slides.
+    """Where everything is: unit vectors of links (and of the ground), lengths of slides.
 
     ``sine`` holds, loop by loop, the sine of the angle at which its construction lines cross.
     """

@@ -1,0 +1,98 @@
+"""At the ends: of the range of doubles, of what closes, and where results must be exact."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import vad
+from tests.kinematics.test_traps import crank
+from vad.kinematics.reach import closing_range
+
+
+@pytest.mark.filterwarnings("error")
+def test_what_leaves_the_range_is_nan_in_arrays_and_an_error_for_one_pose() -> None:
+    mechanism = vad.FourBar(4e170, 1e170, 4e170, 2e170)
+    motion = crank(mechanism, np.array([60.0]), 1e60, 1e60)
+    assert np.isnan(crank(vad.ScotchYoke(1e300), np.array([60.0]), 1e60).slide("yoke").velocity)
+    assert np.isfinite(motion.point("C").acceleration).all()
+    with pytest.raises(vad.InputError):
+        crank(vad.ScotchYoke(1e300), 60.0, 1e60).slide("yoke").velocity  # noqa: B018
+
+
+@pytest.mark.parametrize("name", list(vad.MECHANISMS))
+def test_one_pose_gives_plain_numbers(name: str) -> None:
+    cls = vad.MECHANISMS[name]
+    inputs = {key: np.float64(value) for key, value in cls.inputs.items()}
+    motion = vad.solve(cls(), **inputs)
+    for part in (*map(motion.link, motion.links), *map(motion.slide, motion.slides)):
+        names = ("angle", "omega", "alpha", "position", "velocity", "acceleration", "coriolis")
+        found = {getattr(part, attribute, None) for attribute in names} - {None}
+        assert {type(value) for value in found} == {float}
+    for point in map(motion.point, motion.points):
+        for value in (point.position, point.velocity, point.acceleration):
+            assert type(value) is complex
+
+
+# --- where they close -------------------------------------------------------------------------
+
+
+def test_a_strut_of_negative_length_closes_nowhere() -> None:
+    gate = vad.GateActuator(3, 5, ground_angle=0)
+    with pytest.raises(vad.AssemblyError):
+        vad.solve(gate, position=-3).point("B").position  # noqa: B018
+    assert vad.solve(gate, position=[-3.0, 3.0]).assembled.tolist() == [False, True]
+
+
+def test_a_strut_without_length_points_nowhere() -> None:
+    gate = vad.GateActuator(5, 5, ground_angle=0)
+    motion = vad.solve(gate, position=0)
+    assert motion.point("B").position == 5
+    with pytest.raises(vad.DeadCentreError):
+        motion.link("actuator").angle  # noqa: B018
+    several = vad.solve(gate, position=[0.0, 5.0])
+    assert several.assembled.tolist() == [True, True]
+    assert np.isnan(several.link("arm").omega).tolist() == [True, False]
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "ranges"),
+    [
+        (vad.GateActuator(3, 5, ground_angle=0), [(2, 8)]),
+        (vad.GateActuator(3, 1e-6), [(3 - 1e-6, 3 + 1e-6)]),
+        (vad.DoubleSlider(1, 0, 30), [(-2, 2)]),
+        (vad.DoubleSlider(1, 20, 110), [(-1, 1)]),
+        (vad.FourBar(4, 1, 1, 1), []),
+        (vad.FourBar(4, 3, 2, 3), [(-90, 90)]),
+        (vad.SliderCrank(4, 1, -3), [(210, 330)]),
+    ],
+    ids=str,
+)
+def test_the_closing_range(mechanism: Any, ranges: list[tuple[float, float]]) -> None:
+    found = closing_range(mechanism)
+    assert len(found) == len(ranges)
+    for interval, wanted in zip(found, ranges, strict=True):
+        assert interval == pytest.approx(wanted, rel=1e-9)
+
+
+# --- what must be exact -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("ground_angle", [-90.0, 12.3, -83.9])
+def test_points_move_as_what_carries_them(ground_angle: float) -> None:
+    """A ram has its slide's motion along y = const; the pin's place knows nothing of the ground."""
+    ram = crank(vad.Whitworth(rod=200, ram_height=7, ground_angle=ground_angle), 33.3, 3.0, 2.0)
+    point, slide = ram.point("E"), ram.slide("ram")
+    assert point.position == complex(slide.position, 7)
+    assert point.velocity == complex(slide.velocity)
+    assert point.acceleration == complex(slide.acceleration)
+    assert ram.point("B").position == crank(vad.ScotchYoke(90), 33.3).point("B").position
+
+
+def test_a_tiny_ground_does_not_hide_the_rates_against_the_crank() -> None:
+    """With α₂ = 0 the lever's α is all relative to the crank: of the order of the ground."""
+    motion = crank(vad.Whitworth(ground=1e-8, crank=1.0, ground_angle=0), 90.0, 1.0)
+    assert motion.link("lever").alpha == pytest.approx(-1e-8, rel=1e-15)
+    assert motion.slide("block").velocity == pytest.approx(1e-8, rel=1e-15)
