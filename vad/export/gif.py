@@ -13,7 +13,8 @@ from typing import BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.export.gif_image import bands, image_bytes, union
+from vad.export.boxes import bands, parted, union
+from vad.export.gif_image import image_bytes
 from vad.export.palette import Palette, coarse
 from vad.export.source import Progress, painted, rate
 from vad.lecture.lesson import Lesson
@@ -55,9 +56,9 @@ def encode(
     """
     film = _Film(stream, size, palette)
     done = 0
-    for frame in frames:
-        if frame.changed != EMPTY:
-            film.change(frame)
+    for frame, boxes in parted(frames, size):
+        for box in boxes:
+            film.change(frame, box)
         start, done = done, done + frame.repeats
         film.show(_hundredths(start / rate), _hundredths(done / rate))
     film.end(_hundredths(done / rate))
@@ -80,12 +81,12 @@ class _Film:
         self._held: tuple[int, bytes] | None = None
         self._write_header(size)
 
-    def change(self, frame: Frame) -> None:
-        """Take over what changed in ``frame``."""
-        left, top, right, bottom = frame.changed
+    def change(self, frame: Frame, box: Box) -> None:
+        """Take over ``box`` of a frame."""
+        left, top, right, bottom = box
         window = slice(top, bottom), slice(left, right)
         self._now[window] = self._palette.indices(frame.pixels[window])
-        self._stale = union(self._stale, frame.changed)
+        self._stale = union(self._stale, box)
 
     def show(self, start: int, end: int) -> None:
         """Show the present picture from ``start`` to ``end``, unless that is too short a time.

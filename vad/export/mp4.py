@@ -16,11 +16,11 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 
 from vad.errors import ExportError, UsageError
-from vad.export.planes import Bytes, Samples, convert
+from vad.export.planes import Bytes, Samples, converted
 from vad.export.source import Progress, painted, rate
 from vad.export.subtitles import Cue, cues
 from vad.lecture.lesson import Lesson
-from vad.rendering.frame import EMPTY, Frame
+from vad.rendering.frame import Frame
 
 if TYPE_CHECKING:
     from av.container import OutputContainer
@@ -105,7 +105,7 @@ def encode(
             container.start_encoding()
             if track is not None:
                 _write_cues(container, track, subtitles)
-            _write_frames(container, video, frames)
+            _write_frames(container, video, converted(frames, size))
     except av.FFmpegError as error:
         if isinstance(error, OSError):
             raise
@@ -127,7 +127,11 @@ def _video_stream(container: OutputContainer, size: tuple[int, int], rate: Fract
     return video
 
 
-def _write_frames(container: OutputContainer, video: VideoStream, frames: Iterable[Frame]) -> None:
+def _write_frames(
+    container: OutputContainer,
+    video: VideoStream,
+    changes: Iterable[tuple[list[Samples], int]],
+) -> None:
     """Encode in a thread of its own, so that painting does not wait for it."""
     from av import VideoFrame
 
@@ -135,8 +139,8 @@ def _write_frames(container: OutputContainer, video: VideoStream, frames: Iterab
     planes = [_samples(plane) for plane in picture.planes]
     times = count()
 
-    def show(samples: Samples | None, repeats: int) -> None:
-        if samples is not None:
+    def show(changed: list[Samples], repeats: int) -> None:
+        for samples in changed:
             samples.store(planes)
         for time in islice(times, repeats):
             picture.pts = time
@@ -145,9 +149,8 @@ def _write_frames(container: OutputContainer, video: VideoStream, frames: Iterab
     with ThreadPoolExecutor(1) as encoder:
         ahead: deque[Future[None]] = deque()
         try:
-            for frame in frames:
-                samples = convert(frame.pixels, frame.changed) if frame.changed != EMPTY else None
-                ahead.append(encoder.submit(show, samples, frame.repeats))
+            for changed, repeats in changes:
+                ahead.append(encoder.submit(show, changed, repeats))
                 if len(ahead) > _AHEAD:
                     ahead.popleft().result()
             for each in ahead:

@@ -1,17 +1,18 @@
 """RGB to the planes of H.264: luma in full and chroma at half the resolution (4:2:0, BT.709).
 
-In come pixels and the box that changed, out go the samples of that box alone.
+In come frames, out go the samples of what changed alone.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.rendering.frame import Box
+from vad.export.boxes import parted
+from vad.rendering.frame import Box, Frame
 
 Bytes = NDArray[np.uint8]
 
@@ -51,6 +52,14 @@ class Samples:
         chroma = slice(top // 2, bottom // 2), slice(left // 2, right // 2)
         y, cb, cr = planes
         y[luma], cb[chroma], cr[chroma] = self.y, self.cb, self.cr
+
+
+def converted(
+    frames: Iterable[Frame], size: tuple[int, int]
+) -> Iterator[tuple[list[Samples], int]]:
+    """Yield the samples that change with each frame, and for how many pictures they stand."""
+    for frame, boxes in parted(frames, size):
+        yield [convert(frame.pixels, box) for box in boxes], frame.repeats
 
 
 def convert(pixels: Bytes, box: Box) -> Samples:
