@@ -1,170 +1,246 @@
 """The peer of `benchmarks.rendering`: the default slider-crank lecture as matplotlib animates it.
 
-The same strokes, labels, captions, results and moments as the program's own film, each of them an
-artist that is made once; a frame shows what is there and sets the growing stroke.  Where there was
-a choice, the cheaper artist was taken: no axes and ticks, plain text, no glow, set square or hatch.
+What the program's own film shows, at the same moments and in the same type: strokes with their
+glow, letters with their halo, joints, hatching, compass and set square, equations, results and
+captions.  Each is an artist that is made once; a frame shows what is there and sets the growing
+stroke.  The right-angle marks and the ω arrow are left out.
 
-``python -m benchmarks.funcanimation FILE [FRAMES]`` writes an MP4 or a GIF of so many frames,
-spread evenly over the film; of all frames if none are given.
+``python -m benchmarks.funcanimation FILE AXES [FRAMES]`` writes an MP4 or a GIF.  AXES is "plain"
+for panels without axes, as in the program's film, or "axes" for matplotlib's own.  FRAMES is how
+many, spread evenly over the film, or all of them.
 """
 
 from __future__ import annotations
 
+import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 
 import matplotlib as mpl
 import numpy as np
 from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, FuncAnimation, PillowWriter
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import FancyArrowPatch, Polygon
+from matplotlib.patheffects import withStroke
 
 import vad
-from vad.diagrams.strokes import Arc, Arrow, Block, Dot, Guide, Line, Panel, Row
+from vad.diagrams.strokes import Arc, Arrow, Block, Dot, Guide, Line, Panel, Row, Shape, Stroke
 from vad.lecture.lesson import Lesson
 from vad.lecture.moment import Moment, moments
 
 INKS = ("#0072B2", "#D55E00", "#009E73", "#AA3377", "#000000")
 TEXT, GREY = "#1A1A1A", "#6B6B6B"
-FONT = {"font.family": "STIXGeneral", "font.size": 20}
 
-#: Shows a share of a stroke.
-Grow = Callable[[float], None]
+FONT = {"font.family": "STIXGeneral", "mathtext.fontset": "stix"}
+_SUBSCRIPTS = dict(zip("₂₃₄ₙ", "234n", strict=True))
+
+Place = tuple[int, int]
 
 
 class Scene:
-    """A figure with three panels, and the artists of every stroke."""
+    """A figure with three axes, and the artists of every stroke by panel and number."""
 
-    def __init__(self, lesson: Lesson) -> None:
+    def __init__(self, lesson: Lesson, plain: bool) -> None:
+        sheet = lesson.sheet
         self.figure = Figure(figsize=(12.8, 7.2), dpi=100)
-        self.panels = lesson.sheet.panels
-        self._inks = {
-            row.key: INKS[number % len(INKS)] for number, row in enumerate(lesson.sheet.rows)
-        }
-        self._grow: dict[tuple[int, int], Grow] = {}
-        self._strokes: dict[tuple[int, int], list[Artist]] = {}
-        self._cells: dict[tuple[int, int], list[Artist]] = {}
-        self.figure.text(0.03, 0.93, lesson.sheet.title, size=26, weight="bold", color=TEXT)
-        given = ", ".join(f"{name} {value:g} {unit}" for name, value, unit in lesson.sheet.parameters)
-        self.figure.text(0.97, 0.93, given, size=17, ha="right", color=GREY)
-        self._caption = self.figure.text(0.03, 0.03, "", size=20, color=TEXT)
-        self._count = self.figure.text(0.97, 0.03, "", size=17, ha="right", color=GREY)
-        for number, panel in enumerate(self.panels):
-            self._lay_out(number, panel, lesson.sheet.rows)
+        self._panels = sheet.panels
+        self._inks = {row.key: INKS[n % len(INKS)] for n, row in enumerate(sheet.rows)}
+        self._strokes: dict[Place, Drawn] = {}
+        self._revealed: dict[Place, list[Artist]] = {}
+        given = ", ".join(f"{name} {value:g} {unit}" for name, value, unit in sheet.parameters)
+        self._write(0.03, 0.93, sheet.title, size=24, weight="bold")
+        self._write(0.97, 0.93, given, size=16, ha="right", color=GREY)
+        self._caption = self._write(0.03, 0.03, "", size=20)
+        self._count = self._write(0.97, 0.03, "", size=16, ha="right", color=GREY)
+        for number, panel in enumerate(sheet.panels):
+            left = 0.05 + 0.32 * number
+            axes = self.figure.add_axes((left, 0.3, 0.27, 0.53))
+            if plain:
+                axes.axis("off")
+            self._draw(number, panel, axes)
+            self._write_results(number, panel, left, sheet.rows)
 
     def show(self, state: Moment) -> None:
         """Set every artist as it is at a moment."""
-        for (panel, stroke), artists in self._strokes.items():
+        for (panel, stroke), drawn in self._strokes.items():
             done = stroke < state.done[panel]
-            growing = (panel, stroke) == (state.panel, state.stroke) and state.grown is not None
-            for artist in artists:
+            growing = state.grown is not None and (panel, stroke) == (state.panel, state.stroke)
+            for artist in drawn.lasting:
                 artist.set_visible(done or growing)
+            for artist in drawn.passing:
+                artist.set_visible(growing)
             if done or growing:
-                self._grow[panel, stroke](1.0 if state.grown is None or done else state.grown)
-        for (panel, stroke), artists in self._cells.items():
-            for artist in artists:
-                artist.set_visible(stroke < state.done[panel])
+                drawn.grow(1.0 if done or state.grown is None else state.grown)
+        for (panel, stroke), texts in self._revealed.items():
+            for text in texts:
+                text.set_visible(stroke < state.done[panel])
         if state.panel is not None:
-            strokes = self.panels[state.panel].strokes
-            self._caption.set_text(strokes[state.stroke].caption)
+            strokes = self._panels[state.panel].strokes
+            self._caption.set_text(_mathematics(strokes[state.stroke].caption, words=True))
             self._count.set_text(f"{state.stroke + 1} / {len(strokes)}")
 
-    def _lay_out(self, number: int, panel: Panel, rows: tuple[Row, ...]) -> None:
-        left = 0.03 + 0.32 * number
-        axes = self.figure.add_axes((left, 0.28, 0.29, 0.55))
-        axes.axis("off")
-        axes.set_aspect("equal")
-        self.figure.text(left, 0.85, panel.name.capitalize(), size=19, weight="bold", color=TEXT)
-        self.figure.text(left + 0.29, 0.85, panel.unit, size=15, ha="right", color=GREY)
-        points = [point for stroke in panel.strokes for point in _ends(stroke.shape)]
-        across, up = np.real(points), np.imag(points)
-        room = 0.12 * max(np.ptp(across), np.ptp(up))
-        axes.set_xlim(across.min() - room, across.max() + room)
-        axes.set_ylim(up.min() - room, up.max() + room)
+    def _draw(self, number: int, panel: Panel, axes: Axes) -> None:
+        points = np.array([point for stroke in panel.strokes for point in _ends(stroke.shape)])
+        size = max(np.ptp(points.real), np.ptp(points.imag))
+        axes.set_aspect("equal", adjustable="box")
+        axes.set_xlim(points.real.min() - 0.12 * size, points.real.max() + 0.12 * size)
+        axes.set_ylim(points.imag.min() - 0.12 * size, points.imag.max() + 0.12 * size)
         for index, stroke in enumerate(panel.strokes):
             ink = self._inks.get(stroke.link or "", GREY)
-            self._strokes[number, index], self._grow[number, index] = _artists(
-                axes, stroke.shape, ink, stroke.label, dashed=stroke.kind == "construction"
-            )
+            self._strokes[number, index] = _artists(axes, stroke, ink, size)
+
+    def _write_results(self, number: int, panel: Panel, left: float, rows: Sequence[Row]) -> None:
+        self._write(left, 0.86, panel.name.capitalize(), size=18, weight="bold")
+        self._write(left + 0.27, 0.86, _mathematics(panel.unit), size=15, ha="right", color=GREY)
         for equation in panel.equations:
-            words = (
-                " + ".join(term.label for term in equation.left),
-                " + ".join(term.label for term in equation.right),
-            )
-            text = _plain(" = ".join(words))
-            self.figure.text(left + 0.145, 0.23, text, size=18, ha="center", color=TEXT)
+            terms = [*equation.left, *equation.right]
+            for place, term in enumerate(terms):
+                sign = "" if place == 0 else "=" if term is equation.right[0] else "+"
+                ink = self._inks.get(term.link or "", GREY)
+                at = left + 0.27 * place / len(terms)
+                self._write(at, 0.23, f"{sign} {_mathematics(term.label)}", size=16, color=ink)
         for line, row in enumerate(rows):
-            height = 0.19 - 0.04 * line
+            height = 0.18 - 0.04 * line
             if number == 0:
-                self.figure.text(left, height, f"{row.title} {row.letters}", size=17, color=TEXT)
+                self._write(left, height, f"{row.title} {_mathematics(row.letters)}", size=16)
             for cell in row.cells[panel.name]:
-                text = f"{cell.symbol} = {cell.value:.4g} {cell.unit}"
-                artist = self.figure.text(left + 0.15, height, text, size=17, color=TEXT)
-                shown = [i for i, stroke in enumerate(panel.strokes) if row.key in stroke.reveals]
+                value = f"${cell.symbol}$ = {cell.value:.4g} {_mathematics(cell.unit, words=True)}"
+                text = self._write(left + 0.13, height, value, size=16)
+                shown = [n for n, stroke in enumerate(panel.strokes) if row.key in stroke.reveals]
                 if shown and not cell.given:
-                    self._cells.setdefault((number, shown[0]), []).append(artist)
+                    self._revealed.setdefault((number, shown[0]), []).append(text)
+
+    def _write(self, x: float, y: float, text: str, **look: object) -> mpl.text.Text:
+        return self.figure.text(x, y, text, **{"color": TEXT, **look})
 
 
-def _artists(
-    axes: Axes, shape: object, ink: str, label: str, *, dashed: bool
-) -> tuple[list[Artist], Grow]:
-    """Return the artists of a shape, and what sets how much of it is drawn."""
+@dataclass
+class Drawn:
+    """The artists of a stroke, those that show only while it grows, and what makes it grow."""
+
+    lasting: list[Artist]
+    passing: list[Artist] = field(default_factory=list)
+    grow: Callable[[float], None] = lambda share: None
+
+
+def _artists(axes: Axes, stroke: Stroke, ink: str, size: float) -> Drawn:
+    shape = stroke.shape
     if isinstance(shape, Arrow):
-        (line,) = axes.plot([], [], color=ink, lw=3.1)
-        (head,) = axes.plot([], [], color=ink, marker=(3, 0, 0), ms=10)
-        ends = [_letter(axes, shape.start, shape.tail), _letter(axes, shape.end, shape.head)]
-
-        def grow(share: float, shape: Arrow = shape) -> None:
-            tip = shape.start + share * (shape.end - shape.start)
-            line.set_data([shape.start.real, tip.real], [shape.start.imag, tip.imag])
-            turn = np.degrees(np.angle(shape.end - shape.start)) - 90.0
-            head.set_data([tip.real], [tip.imag])
-            head.set_marker((3, 0, turn))
-
-        return [line, head, *ends], grow
+        return _arrow(axes, shape, ink, stroke.component == "link")
     if isinstance(shape, (Line, Arc)):
-        (line,) = axes.plot([], [], color=ink, lw=2.4, dashes=(5, 3.2) if dashed else ())
-        path = _path(shape)
-        text = _letter(axes, complex(path[-1]), label)
+        return _line(axes, shape, ink, stroke, size)
+    if isinstance(shape, Guide):
+        return Drawn([_hatching(axes, shape.through, shape.direction, 0.5 * size)])
+    (mark,) = axes.plot([shape.at.real], [shape.at.imag], "o", color=TEXT, ms=7)
+    marks: list[Artist] = [mark, _letter(axes, shape.at, stroke.label)]
+    if stroke.kind == "fixed":
+        (pivot,) = axes.plot([shape.at.real], [shape.at.imag], "^", color="none", mec=TEXT, ms=24)
+        marks += [pivot, _hatching(axes, shape.at - 0.1j * size, 1, 0.15 * size)]
+    if isinstance(shape, Block):
+        (block,) = axes.plot([shape.at.real], [shape.at.imag], "s", color=ink, alpha=0.2, ms=36)
+        marks.append(block)
+    return Drawn(marks)
 
-        def grow_along(share: float) -> None:
-            drawn = path[: max(2, round(share * len(path)))]
-            line.set_data(drawn.real, drawn.imag)
 
-        return [line, text], grow_along
-    at = shape.through if isinstance(shape, Guide) else getattr(shape, "at", 0j)
-    marker = {Dot: "o", Block: "s"}.get(type(shape), "_")
-    (dot,) = axes.plot([at.real], [at.imag], color=ink, marker=marker, ms=7)
-    return [dot, _letter(axes, at, label)], lambda share: None
+def _arrow(axes: Axes, shape: Arrow, ink: str, bar: bool) -> Drawn:
+    look = {"color": ink, "lw": 6 if bar else 3, "shrinkA": 0, "shrinkB": 0}
+    arrow = FancyArrowPatch(
+        (0, 0), (1, 1), arrowstyle="-" if bar else "-|>", mutation_scale=20, **look
+    )
+    axes.add_patch(arrow)
+    (glow,) = axes.plot([], [], color=ink, lw=14, alpha=0.2)
+    ends = np.array([shape.start, shape.end])
+    (dots,) = axes.plot(ends.real, ends.imag, "o", color="white" if bar else TEXT, mec=TEXT, ms=7)
+    letters = [_letter(axes, *end) for end in zip(ends, (shape.tail, shape.head), strict=True)]
+
+    def grow(share: float) -> None:
+        tip = shape.start + share * (shape.end - shape.start)
+        arrow.set_positions((shape.start.real, shape.start.imag), (tip.real, tip.imag))
+        glow.set_data([shape.start.real, tip.real], [shape.start.imag, tip.imag])
+
+    return Drawn([arrow, dots, *letters], [glow], grow)
+
+
+def _line(axes: Axes, shape: Line | Arc, ink: str, stroke: Stroke, size: float) -> Drawn:
+    path = _path(shape)
+    dashed = stroke.kind == "construction"
+    (line,) = axes.plot([], [], color=ink, lw=2, ls="--" if dashed else "-")
+    name = _letter(axes, complex(path[-1]), stroke.label)
+    if not dashed:
+        return Drawn([line, name], [], lambda share: _set_path(line, path, share))
+    (tip,) = axes.plot([], [], "o", color=ink, ms=9)
+    tool = Polygon(np.zeros((3, 2)), facecolor=GREY, alpha=0.16, edgecolor=GREY)
+    axes.add_patch(tool)
+
+    def grow(share: float) -> None:
+        _set_path(line, path, share)
+        last, end = path[max(0, round(share * len(path)) - 2) :][:2]
+        tip.set_data([end.real], [end.imag])
+        along = (end - last) / abs(end - last) * 0.3 * size
+        corners = end + np.array([0.1, -0.9, 0.1 + 0.58j]) * along
+        tool.set_xy(np.column_stack([corners.real, corners.imag]))
+
+    return Drawn([line], [name, tip, tool], grow)
+
+
+def _set_path(line: Line2D, path: np.ndarray, share: float) -> None:
+    drawn = path[: max(2, round(share * len(path)))]
+    line.set_data(drawn.real, drawn.imag)
+
+
+def _hatching(axes: Axes, at: complex, along: complex, length: float) -> Artist:
+    feet = at + along * np.linspace(-length / 2, length / 2, 10)
+    tips = feet + 0.08 * length * along * (-1 - 1j)
+    rows = [(feet[0], feet[-1]), *zip(feet, tips, strict=True)]
+    lines = LineCollection([[(z.real, z.imag) for z in row] for row in rows], color=GREY)
+    axes.add_collection(lines)
+    return lines
 
 
 def _letter(axes: Axes, at: complex, text: str) -> Artist:
+    halo = [withStroke(linewidth=5, foreground="white")]
     return axes.annotate(
-        _plain(text), (at.real, at.imag), (8, 8), textcoords="offset points", color=TEXT
+        _mathematics(text),
+        (at.real, at.imag),
+        (8, 8),
+        textcoords="offset points",
+        size=20,
+        color=TEXT,
+        path_effects=halo,
     )
 
 
 def _path(shape: Line | Arc) -> np.ndarray:
+    shares = np.linspace(0.0, 1.0, 60)
     if isinstance(shape, Line):
-        return shape.through + np.linspace(0.0, 1.06, 60) * (shape.until - shape.through)
-    angles = np.radians(shape.start + np.linspace(0.0, shape.sweep, 60))
-    return shape.centre + shape.radius * np.exp(1j * angles)
+        return shape.through + 1.06 * shares * (shape.until - shape.through)
+    return shape.centre + shape.radius * np.exp(1j * np.radians(shape.start + shares * shape.sweep))
 
 
-def _ends(shape: object) -> list[complex]:
+def _ends(shape: Shape) -> list[complex]:
     if isinstance(shape, Arrow):
         return [shape.start, shape.end]
     return [shape.at] if isinstance(shape, (Dot, Block)) else []
 
 
-def _plain(text: str) -> str:
-    """Return ``text`` without the subscripts that the font lacks."""
-    return text.translate(str.maketrans("ₙ₂₃₄", "n234"))
+def _mathematics(text: str, words: bool = False) -> str:
+    """Return a label, or the names in a sentence, as matplotlib sets mathematics."""
+    if not re.search(r"[₂₃₄ₙ²]" if words else r"\w", text):
+        return text
+    pieces = re.split(r"([A-Za-zαωθ′]*[₂₃₄ₙ²]+′?)", text) if words else ["", text, ""]
+    for place in range(1, len(pieces), 2):
+        piece = re.sub(r"[₂₃₄ₙ]", lambda found: f"_{_SUBSCRIPTS[found.group()]}", pieces[place])
+        pieces[place] = f"${piece.replace('²', '^2')}$"
+    return "".join(pieces)
 
 
 def writer(path: str, fps: float) -> AbstractMovieWriter:
-    """Return matplotlib's own writer; FFmpeg gets the program's preset."""
+    """Return matplotlib's own writer; FFmpeg gets the preset that the program has chosen."""
     if path.endswith(".gif"):
         return PillowWriter(fps=fps)
     import imageio_ffmpeg
@@ -174,22 +250,18 @@ def writer(path: str, fps: float) -> AbstractMovieWriter:
     return FFMpegWriter(fps=fps, codec="libx264", extra_args=fast)
 
 
-def main(path: str, count: int | None = None) -> None:
+def main(path: str, axes: str, count: str = "") -> None:
     """Write the film."""
-    lesson = vad.animate(vad.draw(vad.solve(vad.SliderCrank(), angle=60.0, omega=10.0)))
+    lesson = vad.animate(vad.draw(vad.solve(vad.SliderCrank())))
     states = [state for state, repeats in moments(lesson) for _ in range(repeats)]
-    chosen = range(len(states)) if count is None else np.linspace(0, len(states) - 1, count)
+    chosen = np.linspace(0, len(states) - 1, int(count or len(states))).round().astype(int)
     mpl.rcParams.update(FONT)
-    scene = Scene(lesson)
+    scene = Scene(lesson, plain=axes == "plain")
     film = FuncAnimation(
-        scene.figure,
-        lambda frame: scene.show(states[round(frame)]),
-        frames=list(chosen),
-        init_func=lambda: None,
-        interval=1000 / lesson.fps,
+        scene.figure, lambda number: scene.show(states[number]), chosen, init_func=lambda: None
     )
     film.save(path, writer(path, lesson.fps), dpi=100)
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], *map(int, sys.argv[2:]))
+    main(*sys.argv[1:])
