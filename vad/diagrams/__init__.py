@@ -1,0 +1,1 @@
+"""What the teacher draws: strokes, polygons and captions; no colour, no time, no pixels."""
