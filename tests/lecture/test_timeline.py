@@ -13,9 +13,11 @@ from vad.lecture.moment import moment, moments
 from vad.lecture.timeline import animate, rest
 
 
-def test_a_default_lesson_takes_about_twenty_seconds():
+def test_every_caption_stands_long_enough_to_be_read():
     lesson = animate(slider_crank())
-    assert 17 < lesson.duration < 24
+    for step in lesson.steps:
+        words = len(step.stroke.caption.split())
+        assert (step.grow + step.hold) / lesson.fps > words / 5.5
     assert lesson.frames == round(lesson.duration * 30)
 
 

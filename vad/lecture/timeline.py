@@ -22,10 +22,11 @@ GROWTH = {
     "result": 0.50,
 }
 SHORT = 0.7  # of the time for a vector under a quarter of the panel's longest
-REST = 0.10
-REST_PER_WORD = 0.022
-OPENING = 0.4
-CLOSING = 1.5
+# With the stroke's growth a caption stands long enough to be read at five words a second.
+REST = 0.50
+REST_PER_WORD = 0.18
+OPENING = 0.8
+CLOSING = 4.0
 
 FPS = (1.0, 240.0)
 SMALLEST = (320, 240)

@@ -5,9 +5,9 @@ In comes a sheet, out goes plain text for PNG metadata and for ``<title>`` and `
 
 from __future__ import annotations
 
+from vad.diagrams.language import Language
 from vad.diagrams.strokes import Row, Sheet
 from vad.rendering.numbers import number, plain, with_unit
-from vad.rendering.words import words
 
 
 def title(sheet: Sheet) -> str:
@@ -20,12 +20,12 @@ def title(sheet: Sheet) -> str:
 
 def describe(sheet: Sheet) -> str:
     """Return what the panels show, step by step, and what was measured."""
-    names = words(sheet.language)
+    say = Language(sheet.language).say
     lines = [
-        f"{names.panels[panel.name]}: " + " ".join(_ended(s.caption) for s in panel.strokes)
+        f"{say(panel.name)}: " + " ".join(_ended(s.caption) for s in panel.strokes)
         for panel in sheet.panels
     ]
-    lines.append(f"{names.results}: " + "; ".join(_row(row, sheet) for row in sheet.rows) + ".")
+    lines.append(f"{say('results')}: " + "; ".join(_row(row, sheet) for row in sheet.rows) + ".")
     return "\n".join(lines)
 
 
@@ -34,7 +34,7 @@ def _ended(caption: str) -> str:
 
 
 def _row(row: Row, sheet: Sheet) -> str:
-    given = words(sheet.language).given
+    given = Language(sheet.language).say("given")
     cells = [cell for panel in sheet.panels for cell in row.cells.get(panel.name, ())]
     values = [
         f"{cell.symbol} = {with_unit(number(cell), cell.unit)}"

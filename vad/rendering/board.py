@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 
+from vad.diagrams.language import Language
 from vad.diagrams.strokes import Panel, PanelName, Sheet, Stroke
 from vad.lecture.moment import Moment
 from vad.rendering.art import Level, Look, PanelArt
@@ -20,7 +21,6 @@ from vad.rendering.page import GUTTER, GUTTER_TWO, MARGIN, Page, Rect, lay_out
 from vad.rendering.polygon import draw_polygon
 from vad.rendering.style import load_style
 from vad.rendering.table import State, Table
-from vad.rendering.words import words
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +82,9 @@ class Board:
         drawing = self.page.panels[panel.name].drawing
         if panel.name == "position":
             return draw_mechanism(panel, drawing, self.look, self._sense())
-        return draw_polygon(panel, drawing, self.look, words(self.sheet.language).coriolis)
+        return draw_polygon(
+            panel, drawing, self.look, Language(self.sheet.language).say("coriolis rule")
+        )
 
     def _sense(self) -> float:
         """Return the given ω of the driven link, 0 where there is none."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
+from vad.diagrams.language import Language
 from vad.diagrams.strokes import Panel, Sheet
 from vad.rendering.art import Look
 from vad.rendering.marks import Mark, Pen, polyline, segments
@@ -15,7 +16,6 @@ from vad.rendering.numbers import plain, with_unit
 from vad.rendering.page import LONGEST_BAR, Page, PanelPlace, Scale, scale_bar
 from vad.rendering.style import mix
 from vad.rendering.text import Runs, bold, fitted, outline, roman, sentence, width, wrap, write
-from vad.rendering.words import words
 
 TITLE = 0.050
 PARAMETERS = 0.032
@@ -70,7 +70,7 @@ def head_marks(
     ink = style.text if begun else style.hairline
     rule = Pen(ink, 0.0020 * unit)
     marks = [polyline([complex(left, place.rule), complex(right, place.rule)], rule)]
-    title = bold(roman(words(language).panels[panel.name]))
+    title = bold(roman(Language(language).say(panel.name)))
     pale = mix(style.grey, style.background, 0.55)
     marks += write(
         title,
@@ -123,7 +123,7 @@ def italic_names(sheet: Sheet) -> frozenset[str]:
 
 def _setter(sheet: Sheet) -> Callable[[str], Runs]:
     names = italic_names(sheet)
-    article = words(sheet.language).article
+    article = Language(sheet.language).article
     return lambda text: sentence(text, names, article)
 
 

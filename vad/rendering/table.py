@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
+from vad.diagrams.language import Language
 from vad.diagrams.strokes import Cell, PanelName, Row, Sheet
 from vad.rendering.art import Look
 from vad.rendering.marks import Mark, Pen, polyline
@@ -16,7 +17,6 @@ from vad.rendering.numbers import number, with_unit
 from vad.rendering.page import ROW_PITCH_TWO, Page
 from vad.rendering.text import Runs, bold, fitted, roman, symbols, width, write
 from vad.rendering.vectors import BAR
-from vad.rendering.words import words
 
 SIZE = 0.0335
 LEAST = 0.024
@@ -93,7 +93,7 @@ class Table:
         return None
 
     def _given(self, right: float, baseline: float) -> list[Mark]:
-        note = roman(words(self.sheet.language).given)
+        note = roman(Language(self.sheet.language).say("given"))
         size = GIVEN_SIZE * self.look.unit
         return write(note, complex(right, baseline), size, self.look.style.grey, "right")
 
@@ -143,8 +143,7 @@ class Table:
         squeeze = min(1.0, area.height / (need * unit))
         sizes = max(squeeze, LEAST_SQUEEZE) * unit
         title = area.top - 0.040 * unit
-        language = words(self.sheet.language)
-        head = bold(roman(language.results))
+        head = bold(roman(Language(self.sheet.language).say("results")))
         marks = write(head, complex(area.left, title), 0.037 * unit, look.style.text)
         marks += self._given(area.right, title) if _any_given(self.sheet) else []
         rights = [area.right - (len(names) - 1 - i) * 0.146 * unit for i in range(len(names))]

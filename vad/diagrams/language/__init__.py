@@ -17,6 +17,8 @@ def languages() -> list[str]:
 class Language:
     """The phrases of one language.
 
+    ``article`` is the word that is also the name of a point: "a" in English.
+
     Examples
     --------
     >>> Language("en").say("found", letter="C")
@@ -30,6 +32,7 @@ class Language:
         self.code = code
         self._phrases: dict[str, str] = table.PHRASES
         self._names: dict[str, str] = table.NAMES
+        self.article: str = table.ARTICLE
 
     def say(self, phrase: str, **parts: Any) -> str:
         """Fill in one phrase; the names of links and slides are translated."""

@@ -1,6 +1,13 @@
 """Was der Lehrer sagt, auf Deutsch."""
 
 PHRASES = {
+    # Seite
+    "position": "Lage",
+    "velocity": "Geschwindigkeit",
+    "acceleration": "Beschleunigung",
+    "results": "Ergebnisse",
+    "given": "gegeben",
+    "coriolis rule": "Coriolis: v um 90° mit ω gedreht",
     # Lageplan
     "fixed": "{letter} ist ein festes Gelenk.",
     "fixed point": "{letter}, wo sich die Führungen schneiden, ist fest.",
@@ -128,3 +135,6 @@ NAMES = {
     "guide_a": "Führung A",
     "guide_b": "Führung B",
 }
+
+#: Kein Artikel heißt wie ein Punkt.
+ARTICLE = ""

@@ -1,6 +1,13 @@
 """What the teacher says, in English."""
 
 PHRASES = {
+    # the page
+    "position": "Position",
+    "velocity": "Velocity",
+    "acceleration": "Acceleration",
+    "results": "Results",
+    "given": "given",
+    "coriolis rule": "Coriolis: v turned 90° with ω",
     # position
     "fixed": "{letter} is a fixed pivot.",
     "fixed point": "{letter}, where the guides cross, is fixed.",
@@ -95,3 +102,6 @@ PHRASES = {
 
 #: Names of links and slides that differ from the program's own.
 NAMES: dict[str, str] = {}
+
+#: The article that is also the name of a point, which stands in italics.
+ARTICLE = "a"
