@@ -64,6 +64,7 @@ def test_a_misspelt_word_is_answered_with_the_nearest(vad, words, nearest):
         ("animate four-bar", "-o is missing"),
         ("sweep four-bar", "-o is missing"),
         ("draw four-bar -o", "-o needs a value"),
+        ("animate four-bar -o=", "-o: the name is empty"),
         ("draw four-bar -o x.png --panels ,", "unknown panel ''"),
         ("animate four-bar -o x.mp4 --fps many", "--fps"),
         ("animate four-bar -o x.mp4 --size 12", "--size: '12' is not a size"),

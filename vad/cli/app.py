@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
 
 import click
 
@@ -11,8 +12,10 @@ from vad.cli import actions, catalogue, compare, values
 from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import named_option
 from vad.diagrams.language import languages
-from vad.diagrams.strokes import PANELS
+from vad.diagrams.strokes import PANELS, Sheet
 from vad.errors import unknown
+from vad.export import FOLDER, FORMATS
+from vad.lecture.lesson import Lesson
 from vad.mechanisms import MECHANISMS
 from vad.rendering.style import style_names
 
@@ -95,13 +98,15 @@ _FILM = [
 ]
 
 
-def _output(files: str) -> click.Option:
+def _output(extensions: Iterable[str]) -> click.Option:
+    """Return the option that names the file, with the kinds of file that there are."""
+    *names, last = ("FOLDER/" if each == FOLDER else f"FILE{each}" for each in extensions)
     return click.Option(
         ["-o", "--output"],
         required=True,
-        callback=lambda _, __, path: path.removeprefix("="),  # -o=FILE, which click lets stand
+        callback=values.path(),
         metavar="FILE",
-        help=files,
+        help=f"{', '.join(names)} or {last}",
     )
 
 
@@ -116,20 +121,20 @@ for verb in (
         "draw",
         "Draw the polygons of one pose.",
         actions.draw,
-        [_output("FILE.png, FILE.svg, FILE.pdf or FILE.json"), *_SHEET],
+        [_output(FORMATS[Sheet]), *_SHEET],
     ),
     MechanismGroup(
         "animate",
         "Make a film that draws the polygons stroke by stroke.",
         actions.animate,
-        [_output("FILE.mp4, FILE.gif or FOLDER/"), *_SHEET, *_FILM],
+        [_output(FORMATS[Lesson]), *_SHEET, *_FILM],
     ),
     MechanismGroup(
         "sweep",
         "Write the numbers over a turn, as a table or a plot.",
         actions.sweep,
         [
-            _output("FILE.csv or FILE.png"),
+            _output((".csv", ".png")),
             click.Option(["--steps"], type=int, help="number of poses, both ends included  [361]"),
         ],
         ranged=True,

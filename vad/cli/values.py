@@ -61,6 +61,18 @@ def size() -> Callback:
     return _callback(size_of)
 
 
+def path() -> Callback:
+    """Read the name of a file or folder."""
+
+    def path_of(word: str, _: click.Context) -> str:
+        name = word.removeprefix("=")  # click lets it stand in -o=FILE
+        if not name:
+            raise UsageError("the name is empty", hint="as in -o lecture.mp4")
+        return name
+
+    return _callback(path_of)
+
+
 def _callback(read: Callable[[Any, click.Context], Any]) -> Callback:
     """Leave out what is not given, and put the option's name before what is wrong."""
 
