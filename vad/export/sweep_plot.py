@@ -36,6 +36,7 @@ _LINE = 110  # characters of the smallest type on one line
 _DEGREE = "\N{DEGREE SIGN}"
 # Where this share of the poses at either end makes the range so much wider, it is cut off.
 _TAIL, _PEAK = 4.0, 6.0
+_NOTHING = 1e-9
 _ORDERS = 3
 _HARD_SPACE = "\N{NO-BREAK SPACE}"
 
@@ -94,7 +95,9 @@ def _curves(figure: Figure, results: Results, style: Style) -> None:
     drawn = [group for group in groups if group]
     plots = figure.subplots(_ORDERS, len(drawn), sharex=True, squeeze=False)
     figure.subplots_adjust(0.10, 0.085, 0.965, 0.735, wspace=0.26, hspace=0.40)
+    spin = _largest([row.columns[1] for row in results.links])
     for group, column in zip(drawn, plots.T, strict=True):
+        size = _largest([row.columns[0] for row in group])
         for order, plot in enumerate(column):
             for row in group:
                 values = row.columns[order].values
@@ -105,13 +108,16 @@ def _curves(figure: Figure, results: Results, style: Style) -> None:
                     linewidth=_points(0.0040),
                     label=_name(row),
                 )
-            _dress(plot, [row.columns[order] for row in group], style)
+            _dress(plot, [row.columns[order] for row in group], size * spin**order, style)
         _legend(column[0], len(group))
         _input_axis(column[-1], results)
 
 
-def _dress(plot: Axes, curves: Sequence[Column], style: Style) -> None:
-    """Name the quantity, fit its range and leave a grid in place of a box."""
+def _dress(plot: Axes, curves: Sequence[Column], scale: float, style: Style) -> None:
+    """Name the quantity, fit its range and leave a grid in place of a box.
+
+    What is nothing to ``scale`` is rounding, and shown as the straight line that it stands for.
+    """
     quantity, unit = curves[0].quantity, _pretty(curves[0].unit)
     plot.set_title(f"{_SYMBOLS[quantity]}, {unit}", loc="left", fontsize=_points(0.0335))
     plot.grid(color=style.hairline, linewidth=_points(0.0012))
@@ -123,8 +129,13 @@ def _dress(plot: Axes, curves: Sequence[Column], style: Style) -> None:
     if quantity == "angle" and high - low > 300.0:
         low, high = 0.0, 360.0
         plot.yaxis.set_major_locator(MultipleLocator(90.0))
-    room = 0.06 * (high - low) or abs(0.1 * high) or 1.0
+    room = 0.06 * (high - low)
+    if high - low <= _NOTHING * scale:
+        room = abs(0.1 * high) if abs(high) > _NOTHING * scale else 1.0
     plot.set_ylim(low - room, high + room)
+    power = plot.yaxis.get_offset_text()  # a ×10⁶ would stand in the title's way
+    power.set_horizontalalignment("right")
+    power.set_x(1.0)
 
 
 def _legend(plot: Axes, count: int) -> None:
@@ -172,6 +183,11 @@ def _limits(values: NDArray[np.float64]) -> tuple[float, float]:
     if most and high - low > _PEAK * most:
         low, high = max(low, float(inner[0]) - most), min(high, float(inner[1]) + most)
     return low, high
+
+
+def _largest(columns: Sequence[Column]) -> float:
+    """Return the largest magnitude that is shown of ``columns``."""
+    return max(map(abs, _limits(np.concatenate([column.values for column in columns]))))
 
 
 def _points(share: float) -> float:
