@@ -141,3 +141,29 @@ def test_an_interrupt_in_mid_film(environment, tmp_path, output):
         _, err = running.communicate(timeout=30)
     assert (running.returncode, err) == (130, "error: interrupted\n")
     assert not list(tmp_path.iterdir())
+
+
+@posix
+def test_a_signal_that_a_library_makes_an_error_of(environment):
+    """As numpy does while it is being imported."""
+    script = (
+        "import os, signal, sys\n"
+        "from vad.cli import catalogue, process\n"
+        "def fail():\n"
+        "    try:\n"
+        "        os.kill(os.getpid(), signal.SIGINT)\n"
+        "    except BaseException:\n"
+        "        raise ImportError('initialization failed')\n"
+        "catalogue.table = fail\n"
+        "sys.argv = ['vad', 'list']\n"
+        "sys.exit(process.main())\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script],
+        capture_output=True,
+        text=True,
+        env=environment,
+        timeout=60,
+        check=False,
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "error: interrupted\n")

@@ -11,6 +11,7 @@ from types import FrameType
 _SIGNALS = [
     getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
 ]
+_received: list[int] = []
 # The exit code of a program whose reader has gone away, as a shell reports it.
 _BROKEN_PIPE = 128 + 13
 
@@ -45,6 +46,15 @@ def main() -> int:
         _abandon_stdout()
         say(f"error: cannot write: {error.strerror or error}")
         return 1
+
+
+def check_interrupt() -> None:
+    """Raise `Interrupted` if a signal came.
+
+    A library in the midst of its own initialisation may have made another error of it.
+    """
+    if _received:
+        raise Interrupted(_received[0])
 
 
 def say(line: str) -> None:
@@ -82,6 +92,7 @@ def _raise_on_signals() -> None:
     def stop(number: int, _frame: FrameType | None) -> None:
         for other in caught:
             signal.signal(other, signal.SIG_IGN)  # nothing may disturb the clearing up
+        _received.append(number)
         raise Interrupted(number)
 
     caught = [each for each in _SIGNALS if signal.getsignal(each) is not signal.SIG_IGN]

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import click
 
-from vad.cli.process import say
+from vad.cli.process import check_interrupt, say
 from vad.errors import UsageError, VadError
 
 
@@ -62,6 +62,7 @@ def _in_words(error: click.ClickException) -> tuple[str, str | None]:
 
 
 def _report(message: str, hint: str | None = None, exit_code: int = 1) -> int:
+    check_interrupt()
     say(_one_line(f"error: {message}"))
     if hint:
         say(_one_line(f"hint: {hint}"))
