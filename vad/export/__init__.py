@@ -1,7 +1,7 @@
-"""Where a sheet or a lesson goes: one module per format, chosen by the path's extension.
+"""Where a sheet, a lesson or a step of it goes: one module per format, chosen by the path's extension.
 
-In comes a `Sheet` or a `Lesson` and a path, out goes a file (or a folder of frames) that appears
-whole or not at all.  A format is a module with one function and one line in `FORMATS`::
+In comes a `Sheet`, a `Lesson` or a `Still` and a path, out goes a file (or a folder of frames) that
+appears whole or not at all.  A format is a module with one function and one line in `FORMATS`::
 
     def write(thing, target, **options) -> None
 
@@ -20,6 +20,7 @@ from vad.diagrams.strokes import Sheet
 from vad.errors import UsageError
 from vad.export import files
 from vad.lecture.lesson import Lesson
+from vad.lecture.still import Still
 
 FOLDER = "/"
 
@@ -34,23 +35,30 @@ FORMATS: dict[type, dict[str, str]] = {
     Lesson: {
         ".mp4": "vad.export.mp4",
         ".gif": "vad.export.gif",
+        ".pdf": "vad.export.lesson_pdf",
         ".srt": "vad.export.srt",
         ".vtt": "vad.export.vtt",
         FOLDER: "vad.export.frames",
     },
+    Still: {
+        ".png": "vad.export.png",
+        ".svg": "vad.export.svg",
+        ".pdf": "vad.export.pdf",
+    },
 }
 
-_NAMES: dict[type, str] = {Sheet: "a picture", Lesson: "a film"}
+_NAMES: dict[type, str] = {Sheet: "a picture", Lesson: "a film", Still: "one step of a film"}
 
 
-def save(thing: Sheet | Lesson, path: str | os.PathLike[str], **options: Any) -> None:
-    """Save a picture or a film; the path's extension chooses the format.
+def save(thing: Sheet | Lesson | Still, path: str | os.PathLike[str], **options: Any) -> None:
+    """Save a picture, a film or a step of it; the path's extension chooses the format.
 
     Parameters
     ----------
     thing
-        A `Sheet` (.png, .svg, .pdf, .json) or a `Lesson` (.mp4, .gif, .srt, .vtt, or a folder of
-        PNG frames: a path that ends in ``/``, has no extension, or is an existing folder).
+        A `Sheet` (.png, .svg, .pdf, .json), a `Lesson` (.mp4, .gif, .pdf with a page a step,
+        .srt, .vtt, or a folder of PNG frames: a path that ends in ``/``, has no extension, or is
+        an existing folder), or a `Still` of a lesson (.png, .svg, .pdf).
     path
         Where to.  What stands there is replaced when the new file is complete, and not before.
     **options

@@ -1,24 +1,28 @@
-"""A picture as PNG: in comes a sheet, out go its pixels with a description in the metadata."""
+"""A picture as PNG: in comes a sheet or a step of a lesson, out go its pixels, and it in words."""
 
 from __future__ import annotations
 
 from typing import BinaryIO
 
 from vad.diagrams.strokes import Sheet
+from vad.lecture.still import Still
 from vad.rendering.alt import describe, title
-from vad.rendering.still import still
+from vad.rendering.still import sheet_of, still
 
 
 def write(
-    sheet: Sheet, target: BinaryIO, size: tuple[int, int] = (1280, 720), style: str = "paper"
+    thing: Sheet | Still,
+    target: BinaryIO,
+    size: tuple[int, int] | None = None,
+    style: str | None = None,
 ) -> None:
-    """Write the finished sheet, ``size`` in pixels."""
+    """Write the picture, ``size`` in pixels."""
     from PIL import Image
     from PIL.PngImagePlugin import PngInfo
 
-    pixels = still(sheet, size, style)
+    pixels = still(thing, size, style)
     words = PngInfo()
-    words.add_itxt("Title", title(sheet))
-    words.add_itxt("Description", describe(sheet))
+    words.add_itxt("Title", title(sheet_of(thing)))
+    words.add_itxt("Description", describe(sheet_of(thing)))
     picture = Image.fromarray(pixels[..., :3])
     picture.save(target, format="PNG", pnginfo=words, compress_level=4)

@@ -1,4 +1,4 @@
-"""A picture as SVG: in comes a sheet, out go its paths with a title and a description."""
+"""A picture as SVG: in comes a sheet or a step of a lesson, out go paths, and it in words."""
 
 from __future__ import annotations
 
@@ -6,21 +6,28 @@ import io
 from typing import BinaryIO
 
 from vad.diagrams.strokes import Sheet
+from vad.lecture.still import Still
 from vad.rendering.alt import describe, title
-from vad.rendering.still import sketch
+from vad.rendering.still import posed, sheet_of, sketch
 
 
 def write(
-    sheet: Sheet, target: BinaryIO, size: tuple[int, int] = (1280, 720), style: str = "paper"
+    thing: Sheet | Still,
+    target: BinaryIO,
+    size: tuple[int, int] | None = None,
+    style: str | None = None,
 ) -> None:
-    """Write the finished sheet; ``size`` is that of the same picture in pixels."""
+    """Write the picture; ``size`` is that of the same picture in pixels."""
     from matplotlib.backends.backend_svg import RendererSVG
 
+    board, state = posed(thing, size, style)
     page = io.StringIO()
     # No date: the same sheet gives the same bytes.
-    metadata = {"Date": None, "Creator": "vad", "Title": title(sheet)}
-    renderer = RendererSVG(size[0], size[1], page, image_dpi=72, metadata=metadata)
-    renderer.writer.element("desc", text=describe(sheet))
-    sketch(renderer, sheet, size, style)
+    metadata = {"Date": None, "Creator": "vad", "Title": title(sheet_of(thing))}
+    renderer = RendererSVG(
+        board.page.width, board.page.height, page, image_dpi=72, metadata=metadata
+    )
+    renderer.writer.element("desc", text=describe(sheet_of(thing)))
+    sketch(renderer, board, state)
     renderer.finalize()
     target.write(page.getvalue().encode())

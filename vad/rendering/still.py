@@ -1,6 +1,6 @@
-"""Stills: the finished sheet as pixels, or painted on any of matplotlib's renderers.
+"""Stills: a finished sheet or a step of a lesson as pixels, or as marks for any other painter.
 
-In come a sheet, a size and a style, out goes an RGBA array or a painted page.
+In come a sheet with a size and a style, or a `Still`, out goes an RGBA array or a painted page.
 """
 
 from __future__ import annotations
@@ -11,27 +11,57 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.diagrams.strokes import Sheet
+from vad.lecture.lesson import Lesson
+from vad.lecture.moment import Moment
+from vad.lecture.still import Still
 from vad.rendering.board import Board
 from vad.rendering.canvas import AggCanvas, Canvas
 from vad.rendering.film import paint
-from vad.rendering.marks import polygon
+from vad.rendering.marks import Mark, polygon
+
+SIZE = (1280, 720)
+STYLE = "paper"
 
 
 def still(
-    sheet: Sheet, size: tuple[int, int] = (1280, 720), style: str = "paper"
+    thing: Sheet | Still, size: tuple[int, int] | None = None, style: str | None = None
 ) -> NDArray[np.uint8]:
-    """Return the finished sheet, shape (height, width, 4)."""
-    board = Board(sheet, size, style)
-    canvas = AggCanvas(size, board.style.background)
-    paint(board, board.finished(), canvas)
+    """Return a picture, shape (height, width, 4)."""
+    board, state = posed(thing, size, style)
+    canvas = AggCanvas((board.page.width, board.page.height), board.style.background)
+    paint(board, state, canvas)
     return canvas.pixels
 
 
-def sketch(renderer: Any, sheet: Sheet, size: tuple[int, int], style: str) -> None:
-    """Paint the finished sheet on a renderer whose page is ``size`` at 72 dpi."""
-    board = Board(sheet, size, style)
+def sketch(renderer: Any, board: Board, state: Moment) -> None:
+    """Paint a board on a renderer whose page has its size at 72 dpi."""
     canvas = Canvas(renderer)
-    width, height = size
+    canvas.paint([ground(board)])
+    paint(board, state, canvas)
+
+
+def posed(
+    thing: Sheet | Still, size: tuple[int, int] | None = None, style: str | None = None
+) -> tuple[Board, Moment]:
+    """Return the board and what is on it; a step of a lesson has a size and a style already."""
+    if isinstance(thing, Still):
+        return board_of(thing.lesson), thing.moment
+    board = Board(thing, size or SIZE, style or STYLE)
+    return board, board.finished()
+
+
+def sheet_of(thing: Sheet | Still) -> Sheet:
+    """Return the sheet that a picture shows; of a step of a lesson, as far as it is drawn."""
+    return thing.drawn if isinstance(thing, Still) else thing
+
+
+def board_of(lesson: Lesson) -> Board:
+    """Return the board on which a lesson is drawn."""
+    return Board(lesson.sheet, lesson.size, lesson.style, lesson=True)
+
+
+def ground(board: Board) -> Mark:
+    """Return the background, for a page that begins empty."""
+    width, height = board.page.width, board.page.height
     corners = [0j, complex(width, 0), complex(width, height), complex(0, height)]
-    canvas.paint([polygon(corners, board.style.background)])
-    paint(board, board.finished(), canvas)
+    return polygon(corners, board.style.background)

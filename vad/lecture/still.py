@@ -1,0 +1,92 @@
+"""A lesson that stands still: the page at the end of one of its steps.
+
+In come a lesson and the number of a step, out goes a `Still`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from vad.diagrams.strokes import Sheet
+from vad.errors import UsageError, unknown
+from vad.lecture.lesson import Lesson
+from vad.lecture.moment import Moment
+
+
+@dataclass(frozen=True, slots=True)
+class Still:
+    """The page of a lesson at the end of a step, which is counted from 1."""
+
+    lesson: Lesson
+    step: int
+
+    @property
+    def moment(self) -> Moment:
+        """The state of the board."""
+        return next(state for count, state in enumerate(ends(self.lesson), 1) if count == self.step)
+
+    @property
+    def drawn(self) -> Sheet:
+        """The strokes that are there, and the rows with what is given or has been measured."""
+        sheet = self.lesson.sheet
+        panels = tuple(
+            replace(panel, strokes=panel.strokes[:done])
+            for panel, done in zip(sheet.panels, self.moment.done, strict=True)
+            if done
+        )
+        known = {(p.name, key) for p in panels for stroke in p.strokes for key in stroke.reveals}
+        rows = []
+        for row in sheet.rows:
+            cells = {
+                panel.name: tuple(
+                    cell
+                    for cell in row.cells.get(panel.name, ())
+                    if cell.given or (panel.name, row.key) in known
+                )
+                for panel in panels
+            }
+            if any(cells.values()):
+                rows.append(replace(row, cells=cells))
+        return replace(sheet, panels=panels, rows=tuple(rows))
+
+
+def still(lesson: Lesson, step: int | str) -> Still:
+    """Return the page of a lesson at the end of one step.
+
+    Parameters
+    ----------
+    lesson
+        The lesson.
+    step
+        Its number, from 1, over the whole lesson; or ``"velocity:4"``, the fourth of a panel.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If there is no such step.
+    """
+    panel, colon, number = str(step).rpartition(":")
+    places: dict[str, list[int]] = {
+        name: [i for i, each in enumerate(lesson.steps, 1) if each.panel.name == name]
+        for name in (each.name for each in lesson.sheet.panels)
+    }
+    if colon and panel not in places:
+        raise unknown("panel", panel, places)
+    steps = places[panel] if colon else list(range(1, len(lesson.steps) + 1))
+    where = f"the {panel} panel" if colon else "the lesson"
+    if not number.strip().isdecimal():
+        raise UsageError(f"'{step}' is not a step", hint="as in 4 or velocity:4")
+    if not 1 <= int(number) <= len(steps):
+        raise UsageError(f"there is no step {number}: {where} has {len(steps)}, from 1 on")
+    return Still(lesson, steps[int(number) - 1])
+
+
+def ends(lesson: Lesson) -> Iterator[Moment]:
+    """Yield the state of the board at the end of every step, however short the step is."""
+    names = [panel.name for panel in lesson.sheet.panels]
+    done = [0] * len(names)
+    for step in lesson.steps:
+        panel = names.index(step.panel.name)
+        done[panel] = step.index + 1
+        yield Moment(tuple(done), panel, step.index)
