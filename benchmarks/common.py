@@ -21,6 +21,7 @@ import vad
 ROOT = Path(__file__).parents[1]
 RESULTS = ROOT / "benchmarks" / "results"
 GALLERY = ROOT / "gallery"
+SOLVERS = ("numpy", "scipy", "mechanism", "pylinkage", "numba")
 # Told apart by colour-blind eyes too.
 BLUE, ORANGE, GREEN, PURPLE, BLACK = "#0072B2", "#D55E00", "#009E73", "#AA3377", "#000000"
 
@@ -54,10 +55,9 @@ def floor(size: int = 1_000_000) -> float:
     return seconds(four) / size
 
 
-def facts() -> list[str]:
+def facts(packages: Sequence[str] = SOLVERS) -> list[str]:
     """Return the processor and the versions of everything that was measured."""
-    names = ("numpy", "scipy", "mechanism", "pylinkage", "numba")
-    versions = [f"{name} {version(name)}" for name in names if version(name)]
+    versions = [f"{name} {version(name)}" for name in packages if version(name)]
     return [
         f"{_processor()}, {os.cpu_count()} cores, {platform.system()}",
         ", ".join([f"vad {vad.__version__}", f"Python {platform.python_version()}", *versions]),
@@ -80,11 +80,16 @@ def _processor() -> str:
         return platform.processor() or platform.machine()
 
 
-def write_csv(path: Path, head: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
+def write_csv(
+    path: Path,
+    head: Sequence[str],
+    rows: Iterable[Sequence[object]],
+    packages: Sequence[str] = SOLVERS,
+) -> None:
     """Write a table with the facts above it, as lines that begin with #."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with path.open("w", encoding="utf-8", newline="") as file:
-        file.writelines(f"# {fact}\n" for fact in facts())
+        file.writelines(f"# {fact}\n" for fact in facts(packages))
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(head)
         writer.writerows(rows)
