@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vad.errors import InputError, unknown
-from vad.kinematics.linkage import angle_of, length_of
 from vad.kinematics.numbers import Number
 from vad.kinematics.report import plain, table, units
 from vad.kinematics.solution import Solution
@@ -53,19 +52,17 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion:
     turns = solver.linkage.driver.kind == "angle"
     # Beyond this, squares of rates times lengths would leave the range of double precision.
     largest = 1e60 * (1.0 if turns else solver.frame.scale)
-    return Motion(
-        mechanism,
-        {
-            name: _checked(
-                name, inputs.get(name, default), math.inf if name == "angle" else largest
-            )
-            for name, default in mechanism.inputs.items()
-        },
-    )
+    checked = {
+        name: _checked(name, inputs.get(name, default), math.inf if name == "angle" else largest)
+        for name, default in mechanism.inputs.items()
+    }
+    return Motion(mechanism, solver, checked)
 
 
 def _checked(name: str, value: Any, largest: float) -> Number:
     """Return an input as a float, or as a new array in which what is not finite is NaN."""
+    if type(value) is float and -largest <= value <= largest and math.isfinite(value):
+        return value  # the usual case, first
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, float | int) and not isinstance(value, bool):
@@ -98,7 +95,7 @@ class Motion(Solution):
         vad.errors.UsageError
             For a name that the mechanism does not have.
         """
-        if angle_of(name) not in self.solver.scalars:
+        if name not in self.solver.links:
             raise unknown("link", name, self.links)
         return Link(self, name)
 
@@ -110,7 +107,7 @@ class Motion(Solution):
 
     def slide(self, name: str) -> Slider:
         """Return the motion of a slide."""
-        if length_of(name) not in self.solver.scalars:
+        if name not in self.solver.slides:
             raise unknown("slide", name, self.slides)
         return Slider(self, name)
 
@@ -118,13 +115,13 @@ class Motion(Solution):
     def links(self) -> tuple[str, ...]:
         """The names of the links."""
         names = self.mechanism.links
-        return tuple(name for name in names if angle_of(name) in self.solver.scalars)
+        return tuple(name for name in names if name in self.solver.links)
 
     @property
     def slides(self) -> tuple[str, ...]:
         """The names of the slides."""
         names = self.mechanism.slides
-        return tuple(name for name in names if length_of(name) in self.solver.scalars)
+        return tuple(name for name in names if name in self.solver.slides)
 
     @property
     def points(self) -> tuple[str, ...]:

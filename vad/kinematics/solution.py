@@ -15,7 +15,7 @@ from vad.kinematics.frame import Frame
 from vad.kinematics.linkage import Linkage, Scalar
 from vad.kinematics.numbers import Number, direction, fold, is_array
 from vad.kinematics.reach import closing_range
-from vad.kinematics.solver import solver_of
+from vad.kinematics.solver import Solver, solver_of
 from vad.kinematics.state import Pose, Rates
 
 if TYPE_CHECKING:
@@ -39,10 +39,10 @@ class Solution:
         Whether any input is an array.
     """
 
-    def __init__(self, mechanism: Mechanism, inputs: dict[str, Number]) -> None:
+    def __init__(self, mechanism: Mechanism, solver: Solver, inputs: dict[str, Number]) -> None:
         self.mechanism = mechanism
+        self.solver = solver
         self.inputs = inputs
-        self.solver = solver_of(mechanism)
         self.many = any(is_array(value) for value in inputs.values())
         self.shape = _broadcast(inputs) if self.many else ()
         first = next(iter(inputs.values()))
@@ -88,11 +88,12 @@ class Solution:
     @property
     def whole_pose(self) -> Pose:
         """The pose repeated to the shape of all inputs."""
-        own = np.shape(self._driver)
-        if own == self.shape:
+        if not self.many or self._driver.shape == self.shape:
             return self.pose
         if self._whole_pose is None:
-            self._whole_pose = Pose.of(sweep.expand(self.pose.flat(), own, self.shape))
+            self._whole_pose = Pose.of(
+                sweep.expand(self.pose.flat(), self._driver.shape, self.shape)
+            )
         return self._whole_pose
 
     @property

@@ -40,15 +40,17 @@ class Solver:
     ----------
     frame
         The unit and the axes in which it solves.
-    scalars
-        Every angle and length of the motion.
+    links, slides
+        The names of all that turns and of all that slides.
     two_assemblies
         Whether any loop can be assembled in two ways.
     """
 
     def __init__(self, linkage: Linkage, side: float) -> None:
         self.linkage = linkage
-        self.scalars = {linkage.driver, *(scalar for pair in linkage.unknowns for scalar in pair)}
+        scalars = {linkage.driver, *(scalar for pair in linkage.unknowns for scalar in pair)}
+        self.links = {scalar.name for scalar in scalars if scalar.kind == "angle"}
+        self.slides = {scalar.name for scalar in scalars if scalar.kind == "length"}
         self.frame = Frame(linkage)
         self.loops: list[LoopSolver] = [
             loop_solver(self.frame, side, loop, unknowns)
