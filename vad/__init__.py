@@ -19,6 +19,7 @@ _HOMES = {
     "Motion": "vad.kinematics.motion",
     "draw": "vad.diagrams.draw",
     "animate": "vad.lecture.timeline",
+    "turn": "vad.lecture.turn",
     "save": "vad.export",
     "MECHANISMS": "vad.mechanisms",
     "VadError": "vad.errors",

@@ -60,7 +60,7 @@ def animate(
     vad.errors.UsageError
         If a value is out of its range.
     """
-    _check(fps, size, speed)
+    check(fps, size, speed)
 
     def count(seconds: float) -> int:
         return max(1, round(seconds / speed * fps))
@@ -109,7 +109,8 @@ def _length(stroke: Stroke) -> float:
     return 0.0
 
 
-def _check(fps: float, size: tuple[int, int], speed: float) -> None:
+def check(fps: float, size: tuple[int, int], speed: float) -> None:
+    """Raise `vad.errors.UsageError` for a film that cannot be."""
     if not FPS[0] <= fps <= FPS[1]:
         raise UsageError(
             f"fps: must be between {FPS[0]:g} and {FPS[1]:g}, got {fps:g}", hint="try --fps 30"

@@ -37,6 +37,21 @@ class Layer:
     draw: Callable[[], tuple[list[Mark], list[Mark]]]
 
 
+def arrange(
+    sheet: Sheet, size: tuple[int, int], unit: float, caption_lines: int
+) -> tuple[Page, dict[PanelName, Foot]]:
+    """Return the page of a sheet, and the equations at the feet of its panels."""
+    names, rows = [panel.name for panel in sheet.panels], len(sheet.rows)
+    # A first layout tells the panels' width, the second knows how many lines they need.
+    first = lay_out(size, dict.fromkeys(names, 1), rows, caption_lines)
+    feet = {
+        panel.name: compose(panel, first.panels[panel.name].drawing.width, unit)
+        for panel in sheet.panels
+    }
+    lines = {name: len(foot.lines) for name, foot in feet.items()}
+    return lay_out(size, lines, rows, caption_lines), feet
+
+
 class Board:
     """A sheet laid out on a page.
 
@@ -61,18 +76,7 @@ class Board:
         self.look = Look.of(sheet, self.style, unit)
         room = size[0] - 2 * MARGIN * unit
         lines = caption_lines(sheet, room, unit) if lesson else 0
-        # A first layout tells the panels' width, the second knows how many lines they need.
-        first = lay_out(size, {panel.name: 1 for panel in sheet.panels}, len(sheet.rows), lines)
-        self.feet: dict[PanelName, Foot] = {
-            panel.name: compose(panel, first.panels[panel.name].drawing.width, unit)
-            for panel in sheet.panels
-        }
-        self.page: Page = lay_out(
-            size,
-            {name: len(foot.lines) for name, foot in self.feet.items()},
-            len(sheet.rows),
-            lines,
-        )
+        self.page, self.feet = arrange(sheet, size, unit, lines)
         self.table = Table(sheet, self.page, self.look)
         self.arts: dict[PanelName, PanelArt] = {
             panel.name: self._draw(panel) for panel in sheet.panels

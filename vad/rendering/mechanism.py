@@ -48,7 +48,7 @@ def draw_mechanism(panel: Panel, drawing: Rect, look: Look, sense: float) -> Pan
     scene = Scene(art, panel, drawing, look, vertices, art.obstacles)
     carriers = {s.shape.on for s in panel.strokes if isinstance(s.shape, Block)}
     for index, stroke in enumerate(panel.strokes):
-        _add_stroke(scene, stroke, index, carriers)
+        add_stroke(scene, stroke, index, carriers)
     poles = [
         art.scale(s.shape.at)
         for s in panel.strokes
@@ -95,7 +95,8 @@ def _bar(scene: Scene, index: int, shape: Arrow, grown: float = 1.0) -> list[Mar
     return vectors.along(look.style, line, ink, vectors.BAR * look.unit, start, tip, "round")
 
 
-def _add_stroke(scene: Scene, stroke: Stroke, index: int, carriers: set[str | None]) -> None:
+def add_stroke(scene: Scene, stroke: Stroke, index: int, carriers: set[str | None]) -> None:
+    """Add a bar, a block, a guide or a construction; ``carriers`` are links with a block."""
     art, look, shape = scene.art, scene.look, stroke.shape
     ink = look.ink(stroke.link)
     if isinstance(shape, Arrow):

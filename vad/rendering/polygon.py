@@ -52,7 +52,7 @@ def _sketch(panel: Panel, drawing: Rect, room: Rect, look: Look) -> PanelArt:
     vertices = find_vertices(panel, scale, look.unit)
     for vertex in vertices:
         since = min(vertex.since)
-        art.add(Level.DOT, since, [_dot(look, vertex.at)])
+        art.add(Level.DOT, since, [dot(look, vertex.at)])
         art.obstacles.disc(vertex.at, (DOT + DOT_RIM) * look.unit, (since, FOREVER))
     label_vertices(art, vertices, art.obstacles, look, 0.0, NEAR)
     _name_coriolis(art, panel, look)
@@ -79,7 +79,8 @@ def _with_inset(
     return full
 
 
-def _dot(look: Look, at: complex, grown: float = 1.0) -> Mark:
+def dot(look: Look, at: complex, grown: float = 1.0) -> Mark:
+    """Return the dot of a vertex."""
     # The rim lies around the dot: its pen covers the outermost ring of a larger disc.
     rim = Pen(look.style.background, DOT_RIM * look.unit)
     return disc(at, (DOT + DOT_RIM / 2) * look.unit * grown, look.style.text, rim)
@@ -103,4 +104,4 @@ def _growth(
     if isinstance(shape, Line):
         return line_growth(art, panel, index, points, drawing, look)
     at = art.scale(shape.at) if isinstance(shape, Dot) else art.scale(0j)
-    return Growth(Level.DOT, lambda grown: [_dot(look, at, max(grown, 0.05))])
+    return Growth(Level.DOT, lambda grown: [dot(look, at, max(grown, 0.05))])

@@ -173,10 +173,10 @@ def slot_ends(
     through, way = art.scale(shape.through), shape.direction
     past = (parts.BLOCK[0] / 2 + 0.014) * look.unit
     reach = [0.0]
-    for spot in _blocks_on(art, panel, through, way):
+    for spot in blocks_on(art, panel, through, way):
         along = ((spot - through) * way.conjugate()).real
         reach += [along - past, along + past]
-    low, high = _stretch(through, way, drawing, 0.004 * look.unit)
+    low, high = stretch(through, way, drawing, 0.004 * look.unit)
     return through + max(min(reach), low) * way, through + min(max(reach), high) * way
 
 
@@ -189,11 +189,11 @@ def guide_rail(
     """
     unit, way = look.unit, shape.direction
     through = art.scale(shape.through)
-    blocks = _blocks_on(art, panel, through, way)
+    blocks = blocks_on(art, panel, through, way)
     middle = blocks[0] if blocks else through
     offset = (shape.side or 0j) * (parts.BLOCK[1] / 2) * unit
     half = parts.GUIDE_LENGTH / 2 * unit
-    low, high = _stretch(middle + offset, way, drawing, 0.010 * unit)
+    low, high = stretch(middle + offset, way, drawing, 0.010 * unit)
     first, last = -half, half
     if last > high:
         first, last = max(low, first - (last - high)), high
@@ -209,7 +209,8 @@ def guide_rail(
     return foot + first * way, foot + last * way, origin, middle
 
 
-def _blocks_on(art: PanelArt, panel: Panel, through: complex, way: complex) -> list[complex]:
+def blocks_on(art: PanelArt, panel: Panel, through: complex, way: complex) -> list[complex]:
+    """Return where the blocks are that slide on a line through ``through``."""
     return [
         art.scale(s.shape.at)
         for s in panel.strokes
@@ -223,7 +224,7 @@ def _on_line(point: complex, through: complex, way: complex) -> bool:
     return abs(((point - through) * way.conjugate()).imag) < 1.0
 
 
-def _stretch(at: complex, way: complex, drawing: Rect, inset: float) -> tuple[float, float]:
+def stretch(at: complex, way: complex, drawing: Rect, inset: float) -> tuple[float, float]:
     """Return how far a line through ``at`` may run back and forth inside the drawing."""
     low, high = -math.inf, math.inf
     for ahead, least, most, here in (

@@ -37,11 +37,12 @@ States = Callable[[str, PanelName], State]
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """The results of one sheet on one page."""
+    """The results of one sheet on one page; ``figures`` sets a cell's number in type."""
 
     sheet: Sheet
     page: Page
     look: Look
+    figures: Callable[[Cell], Runs] = lambda cell: roman(number(cell))
 
     def marks(self, state: States) -> list[Mark]:
         """Return the table with each cell shown as ``state(row, panel)`` says."""
@@ -102,7 +103,7 @@ class Table:
     ) -> list[Mark]:
         """Return the first cell after ``left`` and a second one before ``right``."""
         unit = self.look.unit
-        values = [self._dressed(cell, state, roman(_reading(cell))) for cell in cells]
+        values = [self._dressed(cell, state, self._reading(cell)) for cell in cells]
         signs = [self._dressed(cell, state, symbols(cell.symbol) + roman(" = ")) for cell in cells]
         need = sum(width(runs, SIZE * unit) for runs in (*values, *signs[1:]))
         shrink = min(1.0, (right - left) / (need + (NUMBERS + 0.02 * len(signs[1:])) * unit))
@@ -124,6 +125,9 @@ class Table:
                 at = complex(left + offset * unit * shrink, baseline)
                 marks += write(runs, at, size, ink)
         return marks
+
+    def _reading(self, cell: Cell) -> Runs:
+        return self.figures(cell) + roman(with_unit("", cell.unit))
 
     def _ink(self, cell: Cell) -> str:
         return self.look.style.grey if cell.given else self.look.style.text
@@ -188,7 +192,7 @@ class Table:
     def _number(self, cell: Cell, depth: int, state: State, at: complex, unit: float) -> list[Mark]:
         if state == "hidden" and not cell.given:
             return []
-        runs = roman(number(cell))
+        runs = self.figures(cell)
         if depth:
             runs = symbols(cell.symbol) + roman(" = ") + runs
         runs = self._dressed(cell, state, runs)
@@ -197,10 +201,6 @@ class Table:
 
 def _heading(row: Row) -> Runs:
     return roman(row.title + " ") + symbols(row.letters)
-
-
-def _reading(cell: Cell) -> str:
-    return with_unit(number(cell), cell.unit)
 
 
 def _grouped(rows: tuple[Row, ...], names: list[PanelName]) -> list[list[Row]]:

@@ -10,13 +10,13 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any, Literal
 
 import numpy as np
 
-from vad.rendering.marks import Codes, Mark, Pen, Points
+from vad.rendering.marks import Codes, Letter, Mark, Pen, Points, Setting
 
 Face = Literal["roman", "italic", "bold", "bolditalic"]
 Align = Literal["left", "centre", "right"]
@@ -42,11 +42,15 @@ _EM = 100.0
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """A stretch of one face; ``script`` is −1 for a subscript, +1 for a superscript."""
+    """A stretch of one face; ``script`` is −1 for a subscript, +1 for a superscript.
+
+    What is not ``shown`` takes up its room all the same.
+    """
 
     text: str
     face: Face = "roman"
     script: int = 0
+    shown: bool = True
 
 
 Runs = tuple[Run, ...]
@@ -66,6 +70,7 @@ class Outline:
     bottom: float
     right: float
     top: float
+    letters: tuple[Letter, ...] = ()
 
 
 def roman(text: str, italic: Callable[[str], bool] = lambda _: False) -> Runs:
@@ -111,7 +116,7 @@ def sentence(text: str, names: Iterable[str], article: str = "") -> Runs:
 
 def bold(runs: Runs) -> Runs:
     """Return the same runs in bold."""
-    return tuple(Run(r.text, _BOLD.get(r.face, r.face), r.script) for r in runs)
+    return tuple(replace(r, face=_BOLD.get(r.face, r.face)) for r in runs)
 
 
 @lru_cache(maxsize=4)
@@ -144,6 +149,7 @@ def outline(runs: Runs) -> Outline:
     """Return the glyph outlines of one line of text."""
     vertices: list[Points] = []
     codes: list[Codes] = []
+    letters: list[Letter] = []
     pen = 0.0
     slanted = False
     for run in runs:
@@ -153,9 +159,11 @@ def outline(runs: Runs) -> Outline:
             if letter in "′″" and slanted:
                 pen += PRIME_GAP
             shape, kind, advance = _glyph(run.face, letter)
-            if len(shape):
+            if len(shape) and run.shown:
                 vertices.append(shape * size + (pen, rise))
                 codes.append(kind)
+            at = complex(pen, rise)
+            letters.append(Letter(run.face, letter, shape, kind, advance, at, size))
             pen += advance * size
             slanted = run.face in ("italic", "bolditalic")
     if not vertices:
@@ -164,7 +172,7 @@ def outline(runs: Runs) -> Outline:
     kinds = np.concatenate(codes)
     ink = whole[kinds != 79]  # a closing point carries no position
     (left, bottom), (right, top) = ink.min(axis=0), ink.max(axis=0)
-    return Outline(whole, kinds, pen, left, bottom, right, top)
+    return Outline(whole, kinds, pen, left, bottom, right, top, tuple(letters))
 
 
 def width(runs: Runs, size: float) -> float:
@@ -186,9 +194,11 @@ def write(
     if not len(shape.vertices):
         return []
     shift = {"left": 0.0, "centre": 0.5, "right": 1.0}[align] * shape.advance * size
-    vertices = shape.vertices * size + (at.real - shift, at.imag)
+    start = at - shift
+    vertices = shape.vertices * size + (start.real, start.imag)
     vertices[shape.codes == 79] = vertices[0]
-    marks = [Mark(vertices, shape.codes, None, ink, alpha)]
+    text = Setting(shape.letters, start, size)
+    marks = [Mark(vertices, shape.codes, None, ink, alpha, text)]
     if halo:
         marks.insert(0, Mark(vertices, shape.codes, halo, None, 1.0))
     return marks
