@@ -1,4 +1,4 @@
-"""Where a sheet, a lesson or a step of it goes: one module per format, chosen by the path's extension.
+"""Where a sheet, a lesson or a step goes: one module per format, chosen by the path's extension.
 
 In comes a `Sheet`, a `Lesson` or a `Still` and a path, out goes a file (or a folder of frames) that
 appears whole or not at all.  A format is a module with one function and one line in `FORMATS`::

@@ -33,14 +33,43 @@ class Pen:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Letter:
+    """One letter of a line of text: its outline and advance, and where it stands, all in ems.
+
+    ``face`` and ``text`` say which letter it is, ``size`` is less than 1 for a small one.
+    """
+
+    face: str
+    text: str
+    vertices: Points
+    codes: Codes
+    advance: float
+    at: complex
+    size: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Setting:
+    """What a path of letters says: the letters, where their line starts, and an em in pixels."""
+
+    letters: tuple[Letter, ...]
+    at: complex
+    size: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Mark:
-    """One path: stroked with ``pen``, filled with the colour ``fill``, or both."""
+    """One path: stroked with ``pen``, filled with the colour ``fill``, or both.
+
+    ``text`` is there where the path is text, for files that know letters.
+    """
 
     vertices: Points
     codes: Codes
     pen: Pen | None = None
     fill: str | None = None
     alpha: float = 1.0
+    text: Setting | None = None
 
     @property
     def box(self) -> tuple[float, float, float, float]:
@@ -53,7 +82,8 @@ class Mark:
     def moved(self, by: complex) -> Mark:
         """Return the mark shifted."""
         shifted: Points = self.vertices + np.array([by.real, by.imag])
-        return replace(self, vertices=shifted)
+        text = replace(self.text, at=self.text.at + by) if self.text else None
+        return replace(self, vertices=shifted, text=text)
 
 
 def _points(points: Sequence[complex]) -> Points:

@@ -159,11 +159,12 @@ def outline(runs: Runs) -> Outline:
             if letter in "′″" and slanted:
                 pen += PRIME_GAP
             shape, kind, advance = _glyph(run.face, letter)
+            if run.shown:
+                at = complex(pen, rise)
+                letters.append(Letter(run.face, letter, shape, kind, advance, at, size))
             if len(shape) and run.shown:
                 vertices.append(shape * size + (pen, rise))
                 codes.append(kind)
-            at = complex(pen, rise)
-            letters.append(Letter(run.face, letter, shape, kind, advance, at, size))
             pen += advance * size
             slanted = run.face in ("italic", "bolditalic")
     if not vertices:
