@@ -16,10 +16,11 @@ from vad.kinematics.reach import closing_range
 def test_what_leaves_the_range_is_nan_in_arrays_and_an_error_for_one_pose() -> None:
     mechanism = vad.FourBar(4e170, 1e170, 4e170, 2e170)
     motion = crank(mechanism, np.array([60.0]), 1e60, 1e60)
-    assert np.isnan(crank(vad.ScotchYoke(1e300), np.array([60.0]), 1e60).slide("yoke").velocity)
+    yoke = vad.ScotchYoke(1e200)
+    assert np.isnan(crank(yoke, np.array([60.0]), 1e60).slide("yoke").acceleration)
     assert np.isfinite(motion.point("C").acceleration).all()
     with pytest.raises(vad.InputError):
-        crank(vad.ScotchYoke(1e300), 60.0, 1e60).slide("yoke").velocity  # noqa: B018
+        crank(yoke, 60.0, 1e60).slide("yoke").acceleration  # noqa: B018
 
 
 @pytest.mark.parametrize("name", list(vad.MECHANISMS))
@@ -96,3 +97,9 @@ def test_a_tiny_ground_does_not_hide_the_rates_against_the_crank() -> None:
     motion = crank(vad.Whitworth(ground=1e-8, crank=1.0, ground_angle=0), 90.0, 1.0)
     assert motion.link("lever").alpha == pytest.approx(-1e-8, rel=1e-15)
     assert motion.slide("block").velocity == pytest.approx(1e-8, rel=1e-15)
+
+
+@pytest.mark.parametrize("length", [1e201, 1e-201, float("inf"), float("nan"), 0.0, -3.0])
+def test_lengths_beyond_the_range_are_refused_by_name(length: float) -> None:
+    with pytest.raises(vad.InputError, match="^crank: must be"):
+        vad.FourBar(crank=length)

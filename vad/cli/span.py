@@ -47,4 +47,7 @@ def _widest(mechanism: Mechanism) -> tuple[float, float]:
     ranges = closing_range(mechanism)
     if not ranges:
         raise AssemblyError("with these lengths the links close nowhere")
-    return max(ranges, key=lambda ends: (float(f"{ends[1] - ends[0]:.6g}"), ends[1]))
+    widest = max(ranges, key=lambda ends: (float(f"{ends[1] - ends[0]:.6g}"), ends[1]))
+    if widest[0] == widest[1]:
+        raise AssemblyError(f"with these lengths the links close only at {widest[0]:g}")
+    return widest

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vad.kinematics.numbers import Number
+from vad.units import scene_unit
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
@@ -14,14 +15,8 @@ if TYPE_CHECKING:
 
 def units(length_unit: str) -> dict[str, str]:
     """Return the unit of every quantity."""
-    return {
-        "length": length_unit,
-        "angle": "deg",
-        "omega": "rad/s",
-        "alpha": "rad/s^2",
-        "velocity": f"{length_unit}/s",
-        "acceleration": f"{length_unit}/s^2",
-    }
+    quantities = ("length", "angle", "omega", "alpha", "velocity", "acceleration")
+    return {quantity: scene_unit(quantity, length_unit) for quantity in quantities}
 
 
 def plain(value: Number) -> Any:

@@ -11,6 +11,8 @@ from vad.kinematics.linkage import Linkage
 
 CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}
 ASSEMBLIES = ("open", "crossed")
+# Between these, products of four lengths stay in the range of double precision when scaled.
+SHORTEST, LONGEST = 1e-200, 1e200
 
 #: Every mechanism class by the name that the command line knows.
 MECHANISMS: dict[str, type[Mechanism]] = {}
@@ -91,8 +93,11 @@ class Mechanism:
         if not math.isfinite(number):
             raise InputError(f"{name}: must be a finite number, got {number}")
         if not signed and number <= 0.0:
-            hint = f"try {name} = {-number:g}" if number else None
+            hint = f"try {-number:g}" if number else None
             raise InputError(f"{name}: must be positive, got {number:g}", hint=hint)
+        if abs(number) > LONGEST or (not signed and number < SHORTEST):
+            wanted = f"must be between {SHORTEST:g} and {LONGEST:g}"
+            raise InputError(f"{name}: {wanted}, got {number:g}")
         return number
 
     def linkage(self) -> Linkage:
