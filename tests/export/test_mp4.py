@@ -29,7 +29,7 @@ def film(folder: Path, painter: None) -> Lesson:
 
 def test_what_players_need(film: Lesson) -> None:
     with av.open("film.mp4") as container:
-        (stream,) = container.streams
+        (stream,) = container.streams.video
         codec = stream.codec_context
         assert (codec.name, codec.pix_fmt) == ("h264", "yuv420p")
         assert (codec.width, codec.height) == film.size
@@ -85,10 +85,12 @@ def test_no_dates_no_versions_of_the_container(film: Lesson) -> None:
 class TestSubtitles:
     def test_track_reads_back(self, folder: Path, painter: None) -> None:
         made = lesson()
-        save(made, "film.mp4", subtitles=True)
+        save(made, "film.mp4")
         with av.open("film.mp4") as container:
             (track,) = container.streams.subtitles
             assert track.codec_context.name == "mov_text"
+            assert not track.disposition  # the picture shows the captions: off until asked for
+            assert container.streams.video[0].disposition == av.stream.Disposition.default
             assert track.metadata["language"] == "eng"
             packets = [p for p in container.demux(track) if p.size > 2]
             read = [
@@ -121,13 +123,13 @@ class TestSubtitles:
         assert texts == [text]
 
     def test_film_is_no_longer_for_it(self, folder: Path, painter: None) -> None:
-        save(lesson(), "without.mp4")
-        save(lesson(), "with.mp4", subtitles=True)
+        save(lesson(), "without.mp4", subtitles=False)
+        save(lesson(), "with.mp4")
         with av.open("without.mp4") as one, av.open("with.mp4") as other:
             assert one.duration == other.duration
         assert len(decoded("with.mp4")) == len(decoded("without.mp4"))
 
     def test_no_empty_track(self, folder: Path, painter: None) -> None:
-        save(Lesson(SHEET, (), 3, 3, 30.0, (96, 64)), "film.mp4", subtitles=True)
+        save(Lesson(SHEET, (), 3, 3, 30.0, (96, 64)), "film.mp4")
         with av.open("film.mp4") as container:
             assert not container.streams.subtitles

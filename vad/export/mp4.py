@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 
 from vad.errors import ExportError, UsageError
+from vad.export.mp4_boxes import leave_off_last_track
 from vad.export.planes import Bytes, Samples, converted
 from vad.export.source import Progress, painted, rate
 from vad.export.subtitles import Cue, cues
@@ -54,9 +55,11 @@ def write(
     stream: BinaryIO,
     *,
     progress: Progress | None = None,
-    subtitles: bool = False,
+    subtitles: bool = True,
 ) -> None:
     """Write ``lesson`` to ``stream``, a file on disk; with ``subtitles``, captions as a track.
+
+    The picture shows the captions, so that players leave the track off until they are asked.
 
     Raises
     ------
@@ -106,6 +109,8 @@ def encode(
             if track is not None:
                 _write_cues(container, track, subtitles)
             _write_frames(container, video, converted(frames, size))
+        if track is not None:
+            leave_off_last_track(stream)
     except av.FFmpegError as error:
         if isinstance(error, OSError):
             raise
