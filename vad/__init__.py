@@ -1,6 +1,7 @@
 """Velocity and acceleration polygons, drawn stroke by stroke as at the board.
 
-Four verbs: `solve` a mechanism, `draw` its sheet, `animate` it as a lesson, `save` either one.
+Four verbs: `solve` a mechanism, `draw` its sheet, `animate` it as a lesson, `save` either one;
+`still` is one step of a lesson.
 Each part is loaded when it is first used.
 
 >>> import vad
@@ -20,6 +21,7 @@ _HOMES = {
     "draw": "vad.diagrams.draw",
     "animate": "vad.lecture.timeline",
     "turn": "vad.lecture.turn",
+    "still": "vad.lecture.still",
     "save": "vad.export",
     "MECHANISMS": "vad.mechanisms",
     "VadError": "vad.errors",

@@ -91,10 +91,18 @@ _SHEET = [
     named_option("style", "style", style_names(), "how it looks  [paper]"),
     named_option("language", "language", languages(), "of titles and captions  [en]"),
 ]
+_SIZE = click.Option(
+    ["--size"], callback=values.size(), metavar="WxH", help="in pixels  [1280x720]"
+)
 _FILM = [
     click.Option(["--fps"], type=float, help="frames per second  [30]"),
-    click.Option(["--size"], callback=values.size(), metavar="WxH", help="in pixels  [1280x720]"),
     click.Option(["--speed"], type=float, help="2 is twice as fast  [1]"),
+    click.Option(
+        ["--still"],
+        metavar="STEP",
+        help="one step as a picture (.png, .svg, .pdf): 4, or velocity:4  [the film]",
+    ),
+    click.Option(["--subtitles"], is_flag=True, help="FILE.srt and FILE.vtt beside the film, too"),
 ]
 
 
@@ -121,13 +129,13 @@ for verb in (
         "draw",
         "Draw the polygons of one pose.",
         actions.draw,
-        [_output(FORMATS[Sheet]), *_SHEET],
+        [_output(FORMATS[Sheet]), *_SHEET, _SIZE],
     ),
     MechanismGroup(
         "animate",
         "Make a film that draws the polygons stroke by stroke.",
         actions.animate,
-        [_output(FORMATS[Lesson]), *_SHEET, *_FILM],
+        [_output(FORMATS[Lesson]), *_SHEET, _SIZE, *_FILM],
     ),
     MechanismGroup(
         "sweep",

@@ -12,8 +12,12 @@ when ``write`` returns.
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
+from contextlib import ExitStack
 from importlib import import_module
+from inspect import signature
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from vad.diagrams.strokes import Sheet
@@ -50,7 +54,13 @@ FORMATS: dict[type, dict[str, str]] = {
 _NAMES: dict[type, str] = {Sheet: "a picture", Lesson: "a film", Still: "one step of a film"}
 
 
-def save(thing: Sheet | Lesson | Still, path: str | os.PathLike[str], **options: Any) -> None:
+def save(
+    thing: Sheet | Lesson | Still,
+    path: str | os.PathLike[str],
+    *,
+    beside: Iterable[str] = (),
+    **options: Any,
+) -> None:
     """Save a picture, a film or a step of it; the path's extension chooses the format.
 
     Parameters
@@ -61,6 +71,9 @@ def save(thing: Sheet | Lesson | Still, path: str | os.PathLike[str], **options:
         an existing folder), or a `Still` of a lesson (.png, .svg, .pdf).
     path
         Where to.  What stands there is replaced when the new file is complete, and not before.
+    beside
+        Extensions of further files of the same name, such as ``(".srt", ".vtt")``: none of them
+        appears unless all are complete.
     **options
         Handed to the format.  Every format of a lesson takes ``progress``, which is called with
         the number of frames that are done and their total.
@@ -68,18 +81,30 @@ def save(thing: Sheet | Lesson | Still, path: str | os.PathLike[str], **options:
     Raises
     ------
     vad.errors.UsageError
-        If there is no such format for such a thing.
+        If there is no such format for such a thing, or it has no such option.
     vad.errors.ExportError
         If the file or folder cannot be written.
     """
     extension = format_of(type(thing), path)
     module = import_module(FORMATS[type(thing)][extension])
-    if extension == FOLDER:
-        with files.new_folder(path, module.is_frame) as folder:
-            module.write(thing, folder, **options)
-    else:
-        with files.new_file(path) as stream:
-            module.write(thing, stream, **options)
+    _check_options(module, extension, options)
+    with ExitStack() as stack:
+        for other in (Path(path).with_suffix(each) for each in beside):
+            writer = import_module(FORMATS[type(thing)][format_of(type(thing), other)])
+            writer.write(thing, stack.enter_context(files.new_file(other)))
+        if extension == FOLDER:
+            target: Any = stack.enter_context(files.new_folder(path, module.is_frame))
+        else:
+            target = stack.enter_context(files.new_file(path))
+        module.write(thing, target, **options)
+
+
+def _check_options(module: ModuleType, extension: str, options: dict[str, Any]) -> None:
+    """Raise `vad.errors.UsageError` for an option that a format does not have."""
+    known = set(signature(module.write).parameters)
+    for name in options:
+        if name not in known:
+            raise UsageError(f"{name}: {_named(extension)} has no such option")
 
 
 def format_of(kind: type, path: str | os.PathLike[str]) -> str:
@@ -114,5 +139,9 @@ def _what_works(kind: type) -> str:
 
 
 def _listed(formats: dict[str, str]) -> str:
-    names = ["a folder of PNG frames (frames/)" if each == FOLDER else each for each in formats]
+    names = [_named(each) for each in formats]
     return ", ".join(names[:-1]) + " or " + names[-1]
+
+
+def _named(extension: str) -> str:
+    return "a folder of PNG frames (frames/)" if extension == FOLDER else extension

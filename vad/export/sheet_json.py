@@ -12,7 +12,12 @@ from typing import Any, BinaryIO
 from vad.diagrams.strokes import Arc, Arrow, Block, Dot, Guide, Line, Panel, Shape, Sheet, Stroke
 
 
-def write(sheet: Sheet, stream: BinaryIO, **_looks: Any) -> None:
+def write(
+    sheet: Sheet,
+    stream: BinaryIO,
+    size: tuple[int, int] | None = None,
+    style: str | None = None,
+) -> None:
     """Write ``sheet`` to ``stream``, a stroke a line; how pictures look makes no difference."""
     stream.write(to_text(sheet).encode())
 

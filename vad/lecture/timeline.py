@@ -119,6 +119,11 @@ def check(fps: float, size: tuple[int, int], speed: float) -> None:
         raise UsageError(
             f"speed: must be between 0.01 and 1000, got {speed:g}", hint="try --speed 1"
         )
+    check_size(size)
+
+
+def check_size(size: tuple[int, int]) -> None:
+    """Raise `vad.errors.UsageError` for a size that no picture can have."""
     if len(size) != 2 or any(side != int(side) for side in size):
         raise UsageError(
             f"size: must be a width and a height in pixels, got {size}", hint="try 1280x720"

@@ -14,6 +14,7 @@ from vad.diagrams.strokes import Sheet
 from vad.lecture.lesson import Lesson
 from vad.lecture.moment import Moment
 from vad.lecture.still import Still
+from vad.lecture.timeline import check_size
 from vad.rendering.board import Board
 from vad.rendering.canvas import AggCanvas, Canvas
 from vad.rendering.film import paint
@@ -46,6 +47,8 @@ def posed(
     """Return the board and what is on it; a step of a lesson has a size and a style already."""
     if isinstance(thing, Still):
         return board_of(thing.lesson), thing.moment
+    if size:
+        check_size(size)
     board = Board(thing, size or SIZE, style or STYLE)
     return board, board.finished()
 

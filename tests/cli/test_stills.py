@@ -1,0 +1,65 @@
+"""Single steps, subtitles beside a film, and the size of a picture."""
+
+from __future__ import annotations
+
+import pytest
+from PIL import Image
+
+SMALL = ("--fps", "5", "--size", "320x240", "--speed", "20")
+
+
+def made(vad, *words):
+    result = vad(*words)
+    assert (result.code, result.out, result.err) == (0, "", "")
+
+
+@pytest.mark.parametrize("name", ["step.png", "step.svg", "step.pdf"])
+def test_one_step(vad, tmp_path, name):
+    made(vad, "animate", "slider-crank", "--still", "velocity:4", "-o", str(tmp_path / name))
+    assert [each.name for each in tmp_path.iterdir()] == [name]
+
+
+@pytest.mark.parametrize(
+    ("words", "part"),
+    [
+        ("--still 99 -o a.png", "there is no step 99: the lesson has"),
+        ("--still 1 -o a.mp4", "one step of a film cannot be saved as"),
+        ("--still 1 -o a.png --subtitles", "--subtitles go beside a film"),
+        ("--subtitles -o a.pdf", "--subtitles go beside a film"),
+        ("-o a.png", "a film cannot be saved as 'a.png'"),
+    ],
+)
+def test_what_does_not_go_together(vad, tmp_path, monkeypatch, words, part):
+    monkeypatch.chdir(tmp_path)
+    result = vad("animate", "slider-crank", *words.split())
+    assert result.code == 2
+    assert part in result.err
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("name", ["film.mp4", "film.gif", "film/"])
+def test_subtitles(vad, tmp_path, name):
+    made(vad, "animate", "scotch-yoke", *SMALL, "--subtitles", "-o", f"{tmp_path}/{name}")
+    names = {each.name for each in tmp_path.iterdir()}
+    assert names == {name.strip("/"), "film.srt", "film.vtt"}
+
+
+def test_pages(vad, tmp_path):
+    path = tmp_path / "lesson.pdf"
+    made(vad, "animate", "scotch-yoke", "-o", str(path))
+    assert path.read_bytes().startswith(b"%PDF")
+
+
+@pytest.mark.parametrize("size", [(1024, 768), (640, 360)])
+def test_the_size_of_a_picture(vad, tmp_path, size):
+    path = tmp_path / "sheet.png"
+    made(vad, "draw", "slider-crank", "--size", f"{size[0]}x{size[1]}", "-o", str(path))
+    with Image.open(path) as picture:
+        assert picture.size == size
+
+
+def test_a_size_that_cannot_be(vad, tmp_path):
+    result = vad("draw", "slider-crank", "--size", "10x10", "-o", str(tmp_path / "sheet.png"))
+    assert (result.code, result.out) == (2, "")
+    assert result.err.startswith("error: size: must be between 320x240")
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,117 @@
+from __future__ import annotations
+
+import io
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import vad
+from tests.export import pdf_reader
+from tests.rendering.sheets import slider_crank
+from vad.errors import UsageError
+from vad.lecture.lesson import Lesson
+from vad.lecture.moment import moments
+from vad.lecture.still import ends
+from vad.rendering.film import redraw
+
+
+@pytest.fixture(scope="module")
+def lesson() -> Lesson:
+    return vad.animate(slider_crank(), fps=10)
+
+
+def saved(thing: object, path: Path, **options: object) -> bytes:
+    vad.save(thing, path, **options)
+    return path.read_bytes()
+
+
+class TestLesson:
+    def test_a_page_a_step_with_its_caption(self, lesson: Lesson, tmp_path: Path) -> None:
+        data = saved(lesson, tmp_path / "lesson.pdf")
+        assert len(pdf_reader.pages(data)) == len(lesson.steps)
+        assert pdf_reader.media_box(data) == (0, 0, 1280, 720)
+        for place in (0, 8, len(lesson.steps) - 1):
+            step = lesson.steps[place]
+            written = pdf_reader.text(data, place)
+            assert " ".join(step.stroke.caption.split()[:3]) in written.replace("\n", " ")
+            assert f"{step.index + 1} / {len(step.panel.strokes)}" in written
+
+    def test_is_small_and_the_same_each_time(self, lesson: Lesson, tmp_path: Path) -> None:
+        data = saved(lesson, tmp_path / "lesson.pdf")
+        assert data == saved(lesson, tmp_path / "again.pdf")
+        assert len(data) < 8000 * len(lesson.steps)
+        assert b"Date" not in data
+
+    def test_colours_the_page(self, lesson: Lesson, tmp_path: Path) -> None:
+        data = saved(replace(lesson, style="chalk"), tmp_path / "lesson.pdf")
+        assert all(page.startswith("0.114 0.169 0.153 rg") for page in pdf_reader.pages(data))
+
+    def test_without_a_step(self, lesson: Lesson, tmp_path: Path) -> None:
+        data = saved(replace(lesson, steps=()), tmp_path / "lesson.pdf")
+        assert pdf_reader.pages(data) == []
+
+
+def test_the_board_at_the_end_of_each_step_is_that_of_the_film(lesson: Lesson) -> None:
+    rests = [state for state, _ in moments(lesson) if state.panel is not None and not state.grown]
+    assert list(ends(lesson)) == rests
+
+
+class TestStill:
+    def test_shows_what_the_film_shows(self, lesson: Lesson, tmp_path: Path) -> None:
+        still = vad.still(lesson, "velocity:2")
+        before = lesson.steps[: still.step]
+        frame = lesson.opening + sum(step.grow + step.hold for step in before) - 1
+        pixels = Image.open(io.BytesIO(saved(still, tmp_path / "step.png")))
+        assert np.array_equal(np.asarray(pixels), redraw(lesson, frame)[..., :3])
+        assert "Acceleration:" not in pixels.info["Description"]
+        assert "ω = −2.308" not in pixels.info["Description"]
+
+    @pytest.mark.parametrize("name", ["step.svg", "step.pdf"])
+    def test_as_paths(self, lesson: Lesson, tmp_path: Path, name: str) -> None:
+        assert saved(vad.still(lesson, 4), tmp_path / name)
+
+    def test_is_counted_over_the_lesson_or_in_a_panel(self, lesson: Lesson) -> None:
+        first = len(lesson.sheet.panel("position").strokes)
+        assert vad.still(lesson, "velocity:4") == vad.still(lesson, first + 4)
+        assert vad.still(lesson, " 4") == vad.still(lesson, 4)
+
+    @pytest.mark.parametrize("step", [0, 999, "velocity:0", "velocity:99", -1, 1.5, "x", "²", ""])
+    def test_that_is_not_there(self, lesson: Lesson, step: int | str) -> None:
+        with pytest.raises(UsageError, match="step"):
+            vad.still(lesson, step)
+
+    def test_out_of_range_says_how_many_there_are(self, lesson: Lesson) -> None:
+        with pytest.raises(UsageError, match=f"the lesson has {len(lesson.steps)}, from 1"):
+            vad.still(lesson, 99)
+        with pytest.raises(UsageError, match="unknown panel 'velo'"):
+            vad.still(lesson, "velo:1")
+
+
+class TestFilesBeside:
+    def test_appear_with_the_film(self, folder: Path, painter: None, lesson: Lesson) -> None:
+        vad.save(replace(lesson, size=(96, 64)), "film.gif", beside=(".srt", ".vtt"))
+        assert sorted(each.name for each in folder.iterdir()) == [
+            "film.gif", "film.srt", "film.vtt",
+        ]  # fmt: skip
+
+    def test_or_none_does(self, folder: Path, painter: None, lesson: Lesson) -> None:
+        (folder / "film.vtt").mkdir()
+        with pytest.raises(vad.ExportError):
+            vad.save(lesson, "film.gif", beside=(".srt", ".vtt"))
+        assert [each.name for each in folder.iterdir()] == ["film.vtt"]
+
+
+@pytest.mark.parametrize("name", ["sheet.png", "sheet.json", "sheet.svg"])
+def test_an_option_that_a_format_has_not(folder: Path, name: str) -> None:
+    with pytest.raises(UsageError, match=r"crayon: \.\w+ has no such option"):
+        vad.save(slider_crank(), name, crayon="blue")
+    assert not list(folder.iterdir())
+
+
+def test_a_picture_that_is_too_small(folder: Path) -> None:
+    with pytest.raises(UsageError, match="size: must be between"):
+        vad.save(slider_crank(), "sheet.png", size=(10, 10))
+    assert not list(folder.iterdir())
