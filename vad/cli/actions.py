@@ -14,6 +14,7 @@ from vad.errors import UsageError
 from vad.export import FOLDER, format_of
 from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
+from vad.lecture.turn import Turn
 from vad.mechanisms import Mechanism
 
 Inputs = dict[str, Any]
@@ -30,8 +31,10 @@ def solve(mechanism: Mechanism, inputs: Inputs, as_json: bool = False) -> None:
 
 def draw(mechanism: Mechanism, inputs: Inputs, output: str, **options: Any) -> None:
     """Write one pose as a picture, or its strokes as data."""
-    format_of(Sheet, output)  # before anything is worked out
-    look = _pop(options, "style", "size")
+    kind = format_of(Sheet, output)  # before anything is worked out
+    if "paper" in options and kind != ".pdf":
+        raise UsageError(f"--paper is for PDF, not for '{output}'", hint="as in -o sheet.pdf")
+    look = _pop(options, "style", "size", "paper")
     sheet = vad.draw(vad.solve(mechanism, **inputs), **options)
     vad.save(sheet, output, **look)
     written(output)
@@ -43,9 +46,16 @@ def animate(
     output: str,
     still: str | None = None,
     subtitles: bool = False,
+    turn: bool = False,
     **options: Any,
 ) -> None:
-    """Write the film in which one pose is drawn stroke by stroke, or one step of it."""
+    """Write the film in which one pose is drawn stroke by stroke, one step of it, or a turn."""
+    if turn:
+        if still is not None or subtitles:
+            name = "--subtitles" if still is None else "--still"
+            raise UsageError(f"{name} does not go with --turn, which draws no strokes one by one")
+        _turn(mechanism, inputs, output, **options)
+        return
     kind = format_of(Lesson if still is None else Still, output)
     if subtitles and (still is not None or kind not in _SUBTITLED):
         hint = "as in -o lecture.mp4 --subtitles; or -o lecture.srt alone"
@@ -60,6 +70,15 @@ def animate(
     with progress(output) as moved:
         vad.save(lesson, output, beside=SUBTITLES if subtitles else (), progress=moved)
     written(output, f"{lesson.duration:.1f} s, {lesson.frames} frames")
+
+
+def _turn(mechanism: Mechanism, inputs: Inputs, output: str, **options: Any) -> None:
+    """Write the film in which the mechanism runs through a full turn."""
+    format_of(Turn, output)
+    film = vad.turn(vad.solve(mechanism, **inputs), **options)
+    with progress(output) as moved:
+        vad.save(film, output, progress=moved)
+    written(output, f"{film.duration:.1f} s, {film.frames} frames")
 
 
 def sweep(mechanism: Mechanism, inputs: Inputs, output: str, **ends: Any) -> None:

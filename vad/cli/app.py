@@ -17,6 +17,7 @@ from vad.errors import unknown
 from vad.export import FOLDER, FORMATS
 from vad.lecture.lesson import Lesson
 from vad.mechanisms import MECHANISMS
+from vad.rendering.paper import paper_names
 from vad.rendering.style import style_names
 
 CARD = """\
@@ -94,6 +95,7 @@ _SHEET = [
 _SIZE = click.Option(
     ["--size"], callback=values.size(), metavar="WxH", help="in pixels  [1280x720]"
 )
+_PAPER = named_option("paper", "paper", paper_names(), "a PDF in true scale, to be measured")
 _FILM = [
     click.Option(["--fps"], type=float, help="frames per second  [30]"),
     click.Option(["--speed"], type=float, help="2 is twice as fast  [1]"),
@@ -102,6 +104,7 @@ _FILM = [
         metavar="STEP",
         help="one step as a picture (.png, .svg, .pdf): 4, or velocity:4  [the film]",
     ),
+    click.Option(["--turn"], is_flag=True, help="a full turn, and the polygons live with it"),
     click.Option(["--subtitles"], is_flag=True, help="FILE.srt and FILE.vtt beside the film, too"),
 ]
 
@@ -129,7 +132,7 @@ for verb in (
         "draw",
         "Draw the polygons of one pose.",
         actions.draw,
-        [_output(FORMATS[Sheet]), *_SHEET, _SIZE],
+        [_output(FORMATS[Sheet]), *_SHEET, _SIZE, _PAPER],
     ),
     MechanismGroup(
         "animate",

@@ -25,6 +25,7 @@ from vad.errors import UsageError
 from vad.export import files
 from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
+from vad.lecture.turn import Turn
 
 FOLDER = "/"
 
@@ -44,6 +45,11 @@ FORMATS: dict[type, dict[str, str]] = {
         ".vtt": "vad.export.vtt",
         FOLDER: "vad.export.frames",
     },
+    Turn: {
+        ".mp4": "vad.export.mp4",
+        ".gif": "vad.export.gif",
+        FOLDER: "vad.export.frames",
+    },
     Still: {
         ".png": "vad.export.png",
         ".svg": "vad.export.svg",
@@ -51,11 +57,16 @@ FORMATS: dict[type, dict[str, str]] = {
     },
 }
 
-_NAMES: dict[type, str] = {Sheet: "a picture", Lesson: "a film", Still: "one step of a film"}
+_NAMES: dict[type, str] = {
+    Sheet: "a picture",
+    Lesson: "a film",
+    Turn: "a turn",
+    Still: "one step of a film",
+}
 
 
 def save(
-    thing: Sheet | Lesson | Still,
+    thing: Sheet | Lesson | Turn | Still,
     path: str | os.PathLike[str],
     *,
     beside: Iterable[str] = (),
@@ -68,7 +79,8 @@ def save(
     thing
         A `Sheet` (.png, .svg, .pdf, .json), a `Lesson` (.mp4, .gif, .pdf with a page a step,
         .srt, .vtt, or a folder of PNG frames: a path that ends in ``/``, has no extension, or is
-        an existing folder), or a `Still` of a lesson (.png, .svg, .pdf).
+        an existing folder), a `Turn` (.mp4, .gif or a folder), or a `Still` of a lesson (.png,
+        .svg, .pdf).
     path
         Where to.  What stands there is replaced when the new file is complete, and not before.
     beside

@@ -16,8 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from vad.export.palette import Palette, fine
-from vad.export.source import Progress, painted
-from vad.lecture.lesson import Lesson
+from vad.export.source import Film, Progress, painted
 from vad.rendering.frame import EMPTY, Frame
 
 _NAME = re.compile(r"frame_\d{4,}\.png")
@@ -25,7 +24,7 @@ _NAME = re.compile(r"frame_\d{4,}\.png")
 _MAKER = ("Software", "vad")
 
 
-def write(lesson: Lesson, folder: Path, *, progress: Progress | None = None) -> None:
+def write(lesson: Film, folder: Path, *, progress: Progress | None = None) -> None:
     """Write the frames of ``lesson`` into ``folder``."""
     encode(
         painted(lesson, progress),

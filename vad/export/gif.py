@@ -16,8 +16,7 @@ from numpy.typing import NDArray
 from vad.export.boxes import bands, parted, union
 from vad.export.gif_image import image_bytes
 from vad.export.palette import Palette, coarse
-from vad.export.source import Progress, painted, rate
-from vad.lecture.lesson import Lesson
+from vad.export.source import Film, Progress, painted, rate
 from vad.rendering.frame import EMPTY, Box, Frame
 
 Bytes = NDArray[np.uint8]
@@ -30,7 +29,7 @@ _PAUSE, _BANDS = 10, 3
 _LEAVE_IN_PLACE, _HAS_TRANSPARENT = 1 << 2, 1
 
 
-def write(lesson: Lesson, stream: BinaryIO, *, progress: Progress | None = None) -> None:
+def write(lesson: Film, stream: BinaryIO, *, progress: Progress | None = None) -> None:
     """Write ``lesson`` to ``stream``."""
     encode(
         painted(lesson, progress),

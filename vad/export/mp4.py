@@ -18,7 +18,7 @@ import numpy as np
 from vad.errors import ExportError, UsageError
 from vad.export.mp4_boxes import leave_off_last_track
 from vad.export.planes import Bytes, Samples, converted
-from vad.export.source import Progress, painted, rate
+from vad.export.source import Film, Progress, painted, rate
 from vad.export.subtitles import Cue, cues
 from vad.lecture.lesson import Lesson
 from vad.rendering.frame import Frame
@@ -51,7 +51,7 @@ _MILLISECOND = Fraction(1, 1000)
 
 
 def write(
-    lesson: Lesson,
+    lesson: Film,
     stream: BinaryIO,
     *,
     progress: Progress | None = None,
@@ -72,7 +72,7 @@ def write(
         stream,
         size=lesson.size,
         rate=rate(lesson.fps),
-        subtitles=cues(lesson) if subtitles else (),
+        subtitles=cues(lesson) if subtitles and isinstance(lesson, Lesson) else (),
         language=lesson.sheet.language,
     )
 

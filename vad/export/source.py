@@ -1,4 +1,4 @@
-"""The frames of a lesson, and their rate, as the encoders take them."""
+"""The frames of a lesson or a turn, and their rate, as the encoders take them."""
 
 from __future__ import annotations
 
@@ -6,18 +6,20 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 
 from vad.lecture.lesson import Lesson
+from vad.lecture.turn import Turn
 from vad.rendering.frame import Frame
 
+Film = Lesson | Turn
 #: Called with how many frames are done and how many there will be.
 Progress = Callable[[int, int], None]
 
 
-def painted(lesson: Lesson, progress: Progress | None = None) -> Iterator[Frame]:
-    """Yield the frames of ``lesson``; tell ``progress`` whenever one has been consumed."""
-    from vad.rendering.film import frames
+def painted(lesson: Film, progress: Progress | None = None) -> Iterator[Frame]:
+    """Yield the frames of a film; tell ``progress`` whenever one has been consumed."""
+    from vad.rendering import film, turn
 
     done = 0
-    for frame in frames(lesson):
+    for frame in turn.frames(lesson) if isinstance(lesson, Turn) else film.frames(lesson):
         yield frame
         done += frame.repeats
         if progress is not None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from vad.errors import AssemblyError
 from vad.kinematics.motion import Motion
 from vad.kinematics.reach import closing_range
 
@@ -59,20 +60,29 @@ class Course:
             )
         )
 
+    def share(self, phase: float) -> float:
+        """Return the rate of the driver as a share of its greatest, from −1 to 1."""
+        if self.swing is not None:
+            return -math.sin(self.swing[2] + math.tau * phase) if self.swing[3] else 0.0
+        return math.copysign(1.0, self.given[1]) if self.given[1] else 0.0
+
 
 def course(motion: Motion) -> Course:
     """Return the course that begins with one pose and runs through all that can follow it.
 
+    Where the links do not close at that pose, it begins at the nearest one at which they do.
+
     Raises
     ------
     vad.errors.AssemblyError
-        If the links do not close at that pose.
+        If the links close nowhere.
     """
     names = tuple(motion.mechanism.inputs)
     given = tuple(float(motion.inputs[name]) for name in names)
-    _ = motion.pose
     turns = names[0] == "angle"
     ranges = closing_range(motion.mechanism)
+    if not ranges:
+        raise AssemblyError("with these lengths the links close nowhere")
     if turns and ranges == [(0.0, 360.0)]:
         return Course(names, given)
     place = given[0] % 360.0 if turns else given[0]

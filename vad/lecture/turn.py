@@ -112,7 +112,8 @@ def turn(
     """Return the film in which a mechanism runs through a full turn of its crank.
 
     The turn begins with the pose that is given.  A driver that cannot go round, as a slide or the
-    crank of a double rocker, swings to and fro between its dead centres.
+    crank of a double rocker, swings to and fro between its dead centres, and passes the given
+    place at the given rate.
 
     Parameters
     ----------
@@ -138,7 +139,7 @@ def turn(
     vad.errors.InputError
         For a motion of many poses.
     vad.errors.AssemblyError
-        If the links do not close at the given pose.
+        If the links close nowhere.
 
     Examples
     --------

@@ -87,7 +87,7 @@ class _Painter:
         self._lay(self._board.growing(state))
         if first:
             return 0, 0, self.pixels.shape[1], self.pixels.shape[0]
-        return _difference(before, self._cut(box), box)
+        return difference(before, self._cut(box), box)
 
     def _commit(self, layers: list[Layer], growing: bool) -> None:
         """Repaint the regions that look different now; keep what lies above a growth apart."""
@@ -174,7 +174,7 @@ def _union(one: Box, other: Box) -> Box:
     )
 
 
-def _difference(before: Words, now: Words, box: Box) -> Box:
+def difference(before: Words, now: Words, box: Box) -> Box:
     """Return the smallest box in which two pictures of ``box`` differ."""
     differs = before != now
     rows = np.flatnonzero(differs.any(axis=1))

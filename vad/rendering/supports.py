@@ -79,7 +79,7 @@ def add_pivots(
             nearest = max(bars, key=lambda bar: (bar / abs(bar) * way.conjugate()).real)
             lean = 1.0 if (nearest * way.conjugate()).imag > 0 else -1.0
         art.add(Level.GROUND, index + 1, parts.pivot(look, at, way, size, lean))
-        _block(obstacles, at, way, size, look.unit)
+        block_pivot(obstacles, at, way, size, look.unit)
         for vertex in vertices:
             if abs(vertex.at - at) < 1.0:
                 vertex.ways.append(way)
@@ -115,7 +115,8 @@ def _orientation(
     return WAYS[apart.index(min(apart))], 0.75
 
 
-def _block(obstacles: Obstacles, at: complex, way: complex, size: float, unit: float) -> None:
+def block_pivot(obstacles: Obstacles, at: complex, way: complex, size: float, unit: float) -> None:
+    """Add a pivot to what labels keep clear of."""
     base = at + parts.PIVOT_HEIGHT * size * unit * way
     half = parts.PIVOT_HALF_BASE * size * unit * 1j * way
     ground = (parts.PIVOT_GROUND + 0.008) * size * unit * 1j * way

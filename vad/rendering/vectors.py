@@ -114,3 +114,19 @@ def underlay(ink: str, width: float, start: complex, end: complex) -> Mark:
 def direction_of(start: complex, end: complex) -> complex:
     """Return the unit vector from ``start`` to ``end``, 0 where they coincide."""
     return cmath.rect(1.0, cmath.phase(end - start)) if abs(end - start) > 1e-9 else 0j
+
+
+def clipped(start: complex, end: complex, bounds: Rect) -> tuple[complex, complex] | None:
+    """Return the part of a straight stroke that lies in ``bounds``, None if there is none."""
+    first, last, span = 0.0, 1.0, end - start
+    for way, low, high, at in (
+        (span.real, bounds.left, bounds.right, start.real),
+        (span.imag, bounds.bottom, bounds.top, start.imag),
+    ):
+        if abs(way) < 1e-9:
+            if not low <= at <= high:
+                return None
+            continue
+        one, two = sorted(((low - at) / way, (high - at) / way))
+        first, last = max(first, one), min(last, two)
+    return (start + first * span, start + last * span) if first < last else None

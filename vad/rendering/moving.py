@@ -1,0 +1,162 @@
+"""Panels in motion: one panel of a turn, with what stands still, and any pose of the rest.
+
+In come the panel's poses over the turn and its place, out go marks; the scale, the supports and
+the orbits of the labels are chosen once for all poses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from vad.diagrams.strokes import Arrow, Panel
+from vad.rendering.arrows import vector_of
+from vad.rendering.art import FOREVER, Level, Look, PanelArt
+from vad.rendering.labels import Obstacles
+from vad.rendering.marks import Mark
+from vad.rendering.orbits import Orbit, find_orbit, stand
+from vad.rendering.page import Rect, fill
+from vad.rendering.polygon import DOT, DOT_RIM, dot
+from vad.rendering.skeleton import Skeleton
+from vad.rendering.spots import CORIOLIS, Spots, grouped, groups, spots
+from vad.rendering.tags import SMALL_SIZE
+from vad.rendering.text import symbols
+from vad.rendering.vectors import along, clipped, vector
+from vad.rendering.vertices import LABEL, corners, halo, text_at, text_box
+
+#: A polygon this much larger than at most times may leave the panel for a while.
+_RARE, _LARGE = 80.0, 2.2
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """A label in motion: the letters that share its dot, as they are written."""
+
+    letters: tuple[str, ...]
+    text: str
+    size: float
+    ink: str
+    orbit: Orbit
+
+
+class MovingPanel:
+    """One panel of a turn.
+
+    ``poses`` are evenly spaced over it, ``rates`` are those of the driver as shares of the
+    greatest.
+    """
+
+    def __init__(
+        self, poses: Sequence[Panel], rates: Sequence[float], drawing: Rect, look: Look
+    ) -> None:
+        self._drawing, self._look = drawing, look
+        first = poses[0]
+        position = first.name == "position"
+        points = [point for pose in _usual(poses, position) for point in corners(pose)]
+        self.scale = fill(points, drawing, look.unit, position)
+        self._skeleton = Skeleton(poses, self.scale, drawing, look) if position else None
+        if self._skeleton:
+            self._skeleton.settle(poses, rates)
+        strokes = [self._art(*each).obstacles for each in zip(poses, rates, strict=True)]
+        self._names = self._place(poses, strokes)
+
+    def still(self) -> list[Mark]:
+        """Return the marks that are the same in all poses."""
+        return self._skeleton.still() if self._skeleton else []
+
+    def marks(self, panel: Panel, phase: float, rate: float) -> list[Mark]:
+        """Return the marks of one pose; ``rate`` is the driver's, as a share of its greatest."""
+        art = self._art(panel, rate)
+        for name, box in self.labels(panel, phase):
+            runs = symbols(name.text)
+            marks = text_at(runs, runs, box.centre, name.size, name.ink, halo(self._look))
+            art.add(Level.LABEL, 0, marks)
+        return art.split(FOREVER - 1)[0]
+
+    def labels(self, panel: Panel, phase: float) -> list[tuple[Name, Rect]]:
+        """Return the labels of one pose with their ink boxes."""
+        here, found = spots(panel, self.scale), []
+        for name in self._names:
+            spot = grouped(here, name.letters)
+            if spot and self._drawing.holds(spot.at):
+                size, radius = text_box(symbols(name.text), name.size), self._radius(name.text)
+                placed = stand(name.orbit, phase, spot.at, size, self._look.unit, radius)
+                found.append((name, placed.box))
+        return found
+
+    def obstacles(self, panel: Panel, rate: float) -> Obstacles:
+        """Return the strokes of one pose, which labels keep clear of."""
+        return self._art(panel, rate).obstacles
+
+    def _radius(self, text: str) -> float:
+        if text == CORIOLIS:
+            return 0.0
+        return self._skeleton.radius if self._skeleton else 0.0
+
+    def _art(self, panel: Panel, rate: float) -> PanelArt:
+        if self._skeleton:
+            return self._skeleton.art(panel, rate)
+        art = PanelArt(self.scale, Obstacles(self._drawing))
+        for index, stroke in enumerate(panel.strokes):
+            if isinstance(stroke.shape, Arrow):
+                self._vector(art, panel, index)
+        unit = self._look.unit
+        for letter, spot in spots(panel, self.scale).items():
+            if letter != CORIOLIS and self._drawing.holds(spot.at):
+                art.add(Level.DOT, 0, [dot(self._look, spot.at)])
+                art.obstacles.disc(spot.at, (DOT + DOT_RIM) * unit)
+        return art
+
+    def _vector(self, art: PanelArt, panel: Panel, index: int) -> None:
+        """Add a vector as far as it lies in the panel; its head shows if its end does."""
+        look, whole = self._look, vector_of(panel, index, self.scale, self._look)
+        if self._drawing.holds(whole.end) and self._drawing.holds(whole.start):
+            art.add(Level.STROKE, 0, whole.marks())
+            whole.block(art.obstacles, 0)
+            return
+        if whole.seen is None:
+            return
+        ends = clipped(whole.seen, whole.end, self._drawing)
+        if ends is None:
+            return
+        line, ink = look.line(whole.link), look.ink(whole.link)
+        if self._drawing.holds(whole.end):
+            marks = vector(look.style, line, ink, *ends, look.unit, whole.whole)
+        else:
+            marks = along(look.style, line, ink, whole.width, *ends, "butt")
+        art.add(Level.STROKE, 0, marks)
+        art.obstacles.line(ends, whole.width / 2)
+
+    def _place(self, poses: Sequence[Panel], strokes: Sequence[Obstacles]) -> list[Name]:
+        look, names = self._look, []
+        placed = [Obstacles(self._drawing) for _ in poses]
+        where: list[Spots] = [spots(pose, self.scale) for pose in poses]
+        for letters in groups(where, look.unit):
+            text, size, ink = ", ".join(letters), LABEL * look.unit, look.style.text
+            if text == CORIOLIS:
+                size, ink = SMALL_SIZE * look.unit, self._coriolis_ink(poses)
+            orbit = find_orbit(
+                [grouped(pose, letters) for pose in where],
+                strokes,
+                placed,
+                text_box(symbols(text), size),
+                look.unit,
+                self._radius(text),
+            )
+            names.append(Name(letters, text, size, ink, orbit))
+        return names
+
+    def _coriolis_ink(self, poses: Sequence[Panel]) -> str:
+        links = [s.link for pose in poses for s in pose.strokes if s.component == "coriolis"]
+        return self._look.ink(links[0])
+
+
+def _usual(poses: Sequence[Panel], position: bool) -> list[Panel]:
+    """Return the poses whose polygons are not much larger than most."""
+    if position:
+        return list(poses)
+    sizes = np.array([max(abs(point) for point in corners(pose)) for pose in poses])
+    limit = _LARGE * np.percentile(sizes, _RARE)
+    return [pose for pose, size in zip(poses, sizes, strict=True) if size <= limit]

@@ -1,0 +1,154 @@
+"""Labels that move: where each label stands about its dot all through a turn.
+
+In come the dots and strokes of evenly spaced poses, out go `Orbit` objects: for each label a
+direction and a distance that change smoothly with the phase.  A label prefers to be outward, keeps
+clear of strokes, and changes side only where staying would cost more: of all the ways round, the
+cheapest is found (dynamic programming over direction and distance, once round and closed).
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vad.rendering.labels import CLEARANCE, Obstacles, Placed, beside, outward
+from vad.rendering.spots import Spot
+
+Reals = NDArray[np.float64]
+
+DIRECTIONS = 32
+GAPS = (0.014, 0.026, 0.042)
+_WAYS = [cmath.rect(1.0, math.tau * i / DIRECTIONS) for i in range(DIRECTIONS)]
+
+# What a label pays in each pose: for standing where it should not …
+_CLOSE, _CROSSED, _COVERED, _OUTSIDE = 1.0, 6.0, 9.0, 20.0
+_ASTRAY, _FAR = 0.2, np.array([0.0, 0.25, 0.6])
+# … and for moving on by so many directions, or to the other distance.
+_MOVES = {0: 0.0, 1: 0.03, -1: 0.03, 2: 0.1, -2: 0.1}
+_STEP = 0.3
+_LAPS = 3  # the middle one is free of its beginning and of its end
+_SMOOTHING = np.array([1.0, 2.0, 3.0, 2.0, 1.0]) / 9.0
+
+
+@dataclass(frozen=True, slots=True)
+class Orbit:
+    """Directions (unit vectors) and distances (fractions of the unit) at evenly spaced phases."""
+
+    ways: tuple[complex, ...]
+    gaps: tuple[float, ...]
+
+    def at(self, phase: float) -> tuple[complex, float]:
+        """Return direction and distance at a phase, 0 to 1."""
+        count = len(self.ways)
+        place = phase % 1.0 * count
+        first, share = int(place) % count, place % 1.0
+        last = (first + 1) % count
+        way = (1 - share) * self.ways[first] + share * self.ways[last]
+        return way / abs(way), (1 - share) * self.gaps[first] + share * self.gaps[last]
+
+
+def stand(
+    orbit: Orbit, phase: float, at: complex, size: tuple[float, float], unit: float, radius: float
+) -> Placed:
+    """Return where a label stands at a phase when its dot is ``at``."""
+    way, gap = orbit.at(phase)
+    return Placed(beside(at, way, gap * unit + radius, *size), *size)
+
+
+def find_orbit(
+    places: Sequence[Spot | None],
+    obstacles: Sequence[Obstacles],
+    labels: Sequence[Obstacles],
+    size: tuple[float, float],
+    unit: float,
+    radius: float,
+) -> Orbit:
+    """Return the orbit of one label, and add its boxes to ``labels``.
+
+    ``places``, ``obstacles`` (strokes) and ``labels`` (what is placed already) have one element
+    for each pose; ``size`` is that of the label's ink box, ``radius`` that of its dot.
+    """
+    costs = np.stack(
+        [
+            _costs(place, strokes, others, size, unit, radius)
+            if place is not None and strokes.edge.holds(place.at)
+            else np.zeros((DIRECTIONS, len(GAPS)))
+            for place, strokes, others in zip(places, obstacles, labels, strict=True)
+        ]
+    )
+    path = _cheapest(costs)
+    ways = _smooth(np.array([_WAYS[way] for way, _ in path]))
+    gaps = _smooth(np.array([GAPS[gap] for _, gap in path]))
+    orbit = Orbit(tuple((ways / np.abs(ways)).tolist()), tuple(gaps.tolist()))
+    for number, (place, others) in enumerate(zip(places, labels, strict=True)):
+        if place is not None:
+            placed = stand(orbit, number / len(places), place.at, size, unit, radius)
+            others.box(placed.box)
+    return orbit
+
+
+def _costs(
+    place: Spot,
+    strokes: Obstacles,
+    labels: Obstacles,
+    size: tuple[float, float],
+    unit: float,
+    radius: float,
+) -> Reals:
+    """Return what each direction (rows) and distance (columns) costs in one pose."""
+    centres = np.array(
+        [beside(place.at, way, gap * unit + radius, *size) for way in _WAYS for gap in GAPS]
+    )
+    edge, half = strokes.edge, (size[0] / 2, size[1] / 2)
+    inside = (centres.real - half[0] >= edge.left) & (centres.real + half[0] <= edge.right)
+    inside &= (centres.imag - half[1] >= edge.bottom) & (centres.imag + half[1] <= edge.top)
+    cost = np.where(inside, 0.0, _OUTSIDE)
+    near = [complex(centre) for centre in centres]
+    cost += np.where(strokes.free(near, *size, CLEARANCE * unit), 0.0, _CLOSE)
+    cost += np.where(strokes.free(near, *size, 0.5), 0.0, _CROSSED)
+    if labels.boxes:
+        cost += np.where(labels.free(near, *size, CLEARANCE * unit), 0.0, _COVERED)
+    best = outward(place.ways)
+    astray = np.array([1.0 - (way * best.conjugate()).real for way in _WAYS])
+    table: Reals = cost.reshape(DIRECTIONS, len(GAPS)) + _ASTRAY * astray[:, None] + _FAR
+    return table
+
+
+def _cheapest(costs: Reals) -> list[tuple[int, int]]:
+    """Return direction and distance at each pose, of the cheapest closed way."""
+    count = len(costs)
+    moves = [(turn, 0) for turn in _MOVES] + [(0, 1), (0, -1)]
+    best = costs[0].copy()
+    chosen = []
+    for number in range(1, _LAPS * count):
+        table = np.full((len(moves), *best.shape), np.inf)
+        for option, turn in zip(table, _MOVES, strict=False):
+            option[:] = np.roll(best, turn, axis=0) + _MOVES[turn]
+        table[-2, :, 1:] = best[:, :-1] + _STEP
+        table[-1, :, :-1] = best[:, 1:] + _STEP
+        choice = table.argmin(axis=0)
+        chosen.append(choice)
+        best = table.min(axis=0) + costs[number % count]
+    way, gap = (int(i) for i in np.unravel_index(best.argmin(), best.shape))
+    path = [(way, gap)]
+    for choice in reversed(chosen):
+        turn, step = moves[choice[way, gap]]
+        way, gap = (way - turn) % DIRECTIONS, gap - step
+        path.append((way, gap))
+    path.reverse()
+    return path[count : 2 * count]
+
+
+def _smooth(values: NDArray[np.generic]) -> NDArray[np.generic]:
+    """Return a closed row of values, each averaged with its neighbours."""
+    reach = len(_SMOOTHING) // 2
+    smoothed: NDArray[np.generic] = sum(
+        weight * np.roll(values, shift)
+        for shift, weight in zip(range(-reach, reach + 1), _SMOOTHING, strict=True)
+    )
+    return smoothed
