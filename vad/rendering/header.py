@@ -26,6 +26,7 @@ CAPTION = 0.040
 LEAST_CAPTION = 26.0 / 720.0
 COUNT = 0.032
 COUNT_ROOM = 0.095
+_CENTIMETRES = {"mm": 0.1, "cm": 1.0, "m": 100.0}
 
 
 def title_marks(sheet: Sheet, page: Page, look: Look) -> list[Mark]:
@@ -81,7 +82,11 @@ def head_marks(
     if not begun or scale.factor == 1.0:
         return marks
     size = SCALE * unit
-    value, runs = _scale(panel, scale, right - left - width(title, PANEL_TITLE * unit), look)
+    if look.centimetre:
+        value = look.centimetre / scale.factor
+        runs = _stated(panel, value)
+    else:
+        value, runs = _scale(panel, scale, right - left - width(title, PANEL_TITLE * unit), look)
     marks += write(runs, complex(right, place.title), size, style.grey, "right")
     end = right - width(runs, size) - 0.0125 * unit
     start = end - value * scale.factor
@@ -90,6 +95,15 @@ def head_marks(
     marks.append(polyline([complex(start, y), complex(end, y)], pen))
     ticks = [(complex(x, y - tick), complex(x, y + tick)) for x in (start, end)]
     return [*marks, segments(ticks, pen)]
+
+
+def _stated(panel: Panel, value: float) -> Runs:
+    """Return what a centimetre of paper stands for, and the ratio where both are metric lengths."""
+    text = f"1 cm = {with_unit(plain(value), panel.unit)}"
+    ratio = value * _CENTIMETRES.get(panel.unit, 0.0)
+    if ratio:
+        text += f"   ({plain(max(1.0, 1.0 / ratio))} : {plain(max(1.0, ratio))})"
+    return roman(text)
 
 
 def _scale(panel: Panel, scale: Scale, room: float, look: Look) -> tuple[float, Runs]:
@@ -109,7 +123,11 @@ def italic_names(sheet: Sheet) -> frozenset[str]:
     """Return the letters and letter pairs that name points, vectors and quantities."""
     found = {"v", "x", "s"}
     for panel in sheet.panels:
-        strings = [stroke.label for stroke in panel.strokes if stroke.kind != "angle"]
+        words = ("angle", "construction")  # whose labels have words in them
+        strings = [stroke.label for stroke in panel.strokes if stroke.kind not in words]
+        # An image is found by the ratio of two vectors, of which one is not drawn.
+        ratios = (re.match(r"\D* ([a-z]{2})/", s.caption) for s in panel.strokes if s.image)
+        strings += [ratio.group(1) for ratio in ratios if ratio]
         for equation in panel.equations:
             strings += [term.label for term in (*equation.left, *equation.right)]
         for text in strings:

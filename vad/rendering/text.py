@@ -90,7 +90,12 @@ def roman(text: str, italic: Callable[[str], bool] = lambda _: False) -> Runs:
 
 
 def symbols(text: str) -> Runs:
-    """Return a label: points and quantities italic, words (three letters or more) upright."""
+    """Return a label: points and quantities italic, words upright.
+
+    A word has three letters or more, or small letters behind a sign: "of" in "∥ guide of A".
+    """
+    if text[:1] in "∥⟂":
+        return roman(text, str.isupper)
     return roman(text, lambda token: len(token) <= 2)
 
 
