@@ -2,7 +2,7 @@
 
 ``python -m benchmarks.floor store FOLDER`` makes the default slider-crank film with the command
 line and stores what its encoder was given: for each picture the samples (Y, Cb, Cr) of the boxes
-that changed, and how often it repeats; and the names of all modules that were loaded.
+that changed, and how often it repeats; captions and settings; the names of all modules.
 ``python -m benchmarks.floor encode FOLDER FILE`` imports those modules, reads the pictures and
 encodes them with the same code and settings: nothing is solved, laid out, painted or converted.
 """
@@ -13,7 +13,6 @@ import contextlib
 import importlib
 import pickle
 import sys
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -26,24 +25,29 @@ def store(folder: Path) -> None:
     from vad.export import mp4
 
     pictures: list[Any] = []
-    converted = mp4.converted
+    options: dict[str, Any] = {}
+    converted, encode = mp4.converted, mp4.encode
 
     def kept(*arguments: Any) -> Any:
         for picture in converted(*arguments):
             pictures.append(picture)
             yield picture
 
-    mp4.converted = kept
+    def noted(*arguments: Any, **given: Any) -> None:
+        options.update(given)
+        encode(*arguments, **given)
+
+    mp4.converted, mp4.encode = kept, noted
     assert run([*FILM, "-o", str(folder / "stored.mp4")]) == 0
     modules = [name for name in sys.modules if not name.startswith(("__", "benchmarks"))]
     with open(folder / "floor.pickle", "wb") as file:
-        pickle.dump((modules, pictures), file, protocol=5)
+        pickle.dump((modules, pictures, options), file, protocol=5)
 
 
 def encode(folder: Path, path: Path) -> None:
     """Import and encode what `store` has kept."""
     with open(folder / "floor.pickle", "rb") as file:
-        modules, pictures = pickle.load(file)
+        modules, pictures, options = pickle.load(file)
     for name in modules:
         with contextlib.suppress(ImportError):  # a module that goes by another name
             importlib.import_module(name)
@@ -51,7 +55,7 @@ def encode(folder: Path, path: Path) -> None:
 
     mp4.converted = lambda frames, size: frames
     with open(path, "w+b") as stream:
-        mp4.encode(pictures, stream, size=(1280, 720), rate=Fraction(30))
+        mp4.encode(pictures, stream, **options)
 
 
 if __name__ == "__main__":
