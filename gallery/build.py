@@ -1,0 +1,181 @@
+"""Builds the gallery: every mechanism in every style as a poster and a film, and a contact sheet.
+
+``python gallery/build.py`` writes them beside itself, with a page that shows them all;
+``python gallery/build.py --check`` builds them elsewhere and names those that differ.
+"""
+
+from __future__ import annotations
+
+import argparse
+import multiprocessing
+import sys
+import tempfile
+from concurrent.futures import Future, ProcessPoolExecutor
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from PIL import Image
+from PIL.PngImagePlugin import PngInfo
+
+import vad
+from vad.diagrams.strokes import Sheet
+from vad.export.palette import Palette, fine
+from vad.lecture.lesson import Lesson
+from vad.rendering.still import still
+from vad.rendering.style import style_names
+
+HERE = Path(__file__).parent
+
+#: Dimensions and input that make good pictures; a mechanism without an entry shows its defaults.
+SCENES: dict[str, tuple[dict[str, Any], dict[str, float]]] = {
+    "four-bar": (
+        {"ground": 120, "crank": 50, "coupler": 90, "rocker": 80},
+        {"angle": 70, "omega": -10, "alpha": 30},
+    ),
+    "slider-crank": ({}, {"angle": 60, "omega": 10, "alpha": 20}),
+    "crank-slotted-lever": (
+        {"ground": 120, "crank": 60, "lever": 250, "rod": 100, "ram_height": 160},
+        {"angle": 150},
+    ),
+    "whitworth": ({"ground": 50, "arm": 80, "rod": 150}, {"angle": 165}),
+    "elliptical-trammel": ({}, {"angle": 35}),
+    "scotch-yoke": ({}, {"angle": 40, "alpha": 20}),
+    "double-slider": ({"guide_b": 110}, {"position": 400, "acceleration": 2000}),
+    "gate-actuator": ({}, {"position": 3.6}),
+}
+
+POSTER = 1280, 720
+FILM = 960, 540
+#: Share of a lecture's pauses: here one looks, and does not take notes.
+PAUSES = 0.3
+#: Hundredths of a second from frame to frame; a film takes the first with which it is small enough.
+DELAYS = (4, 5, 6, 7, 8, 10)
+MOST_BYTES = 300_000
+CELL, COLUMNS, GAP = (990, 600), 2, 40
+SHEET_STYLE = "paper"
+
+
+def sheet(name: str) -> Sheet:
+    """Return the sheet of a mechanism's scene."""
+    dimensions, inputs = SCENES.get(name, ({}, {}))
+    return vad.draw(vad.solve(vad.MECHANISMS[name](**dimensions), **inputs))
+
+
+def command(name: str) -> str:
+    """Return the words that make the film of a scene."""
+    dimensions, inputs = SCENES.get(name, ({}, {}))
+    options = {**dimensions, **inputs}.items()
+    words = [f"--{option.replace('_', '-')} {value:g}" for option, value in options]
+    return " ".join(["vad animate", name, *words, f"-o {name}.mp4"])
+
+
+def poster(name: str, style: str, path: Path) -> None:
+    """Write the picture of a scene, with the colours of a style's films."""
+    vad.save(sheet(name), path, size=POSTER, style=style)
+    with Image.open(path) as picture:
+        words = PngInfo()
+        for key, text in picture.text.items():
+            words.add_itxt(key, text)
+        small = _with_palette(picture, fine(style))
+    small.save(path, optimize=True, pnginfo=words)
+
+
+def lesson(name: str, style: str, fps: float) -> Lesson:
+    """Return the lesson of a scene, with strokes at their own pace and shorter pauses."""
+    slow = vad.animate(sheet(name), fps=fps, size=FILM, style=style)
+    steps = tuple(replace(step, hold=round(PAUSES * step.hold)) for step in slow.steps)
+    return replace(slow, steps=steps)
+
+
+def film(name: str, style: str, path: Path) -> None:
+    """Write the film of a scene, at the highest rate with which it is small enough."""
+    for delay in DELAYS:
+        vad.save(lesson(name, style, 100 / delay), path)
+        if path.stat().st_size < MOST_BYTES:
+            return
+    raise SystemExit(f"{path.name} is larger than {MOST_BYTES} bytes at any rate")
+
+
+def contact_sheet(path: Path) -> None:
+    """Write a picture of all mechanisms."""
+    names, (width, height) = list(vad.MECHANISMS), CELL
+    rows = -(-len(names) // COLUMNS)
+    size = COLUMNS * (width + GAP) - GAP, rows * (height + GAP) - GAP
+    whole = Image.new("RGB", size, "white")
+    for number, name in enumerate(names):
+        row, column = divmod(number, COLUMNS)
+        cell = Image.fromarray(still(sheet(name), CELL, SHEET_STYLE)[..., :3])
+        whole.paste(cell, (column * (width + GAP), row * (height + GAP)))
+    _with_palette(whole, fine(SHEET_STYLE)).save(path, optimize=True)
+
+
+def page(path: Path) -> None:
+    """Write the page that shows everything."""
+    lines = [
+        "# Gallery",
+        "",
+        "Made by `python gallery/build.py`. The films show shorter pauses than the lectures.",
+    ]
+    for name, mechanism in vad.MECHANISMS.items():
+        lines += ["", f"## {mechanism.title}", "", f"    {command(name)}", ""]
+        lines.append(f"![The film](films/{name}-{SHEET_STYLE}.gif)")
+        for style in style_names():
+            if style != SHEET_STYLE:
+                lines.append(f"[![{style}](posters/{name}-{style}.png)](films/{name}-{style}.gif)")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def build(folder: Path) -> None:
+    """Write the whole gallery into ``folder``, with as many processes as there are cores."""
+    for part in ("posters", "films"):
+        (folder / part).mkdir(parents=True, exist_ok=True)
+    spawn = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(mp_context=spawn) as pool:
+        jobs: list[Future[None]] = []
+        for name in vad.MECHANISMS:
+            for style in style_names():
+                jobs.append(pool.submit(film, name, style, folder / f"films/{name}-{style}.gif"))
+                jobs.append(
+                    pool.submit(poster, name, style, folder / f"posters/{name}-{style}.png")
+                )
+        jobs.append(pool.submit(contact_sheet, folder / "contact-sheet.png"))
+        for job in jobs:
+            job.result()
+    page(folder / "README.md")
+
+
+def check() -> int:
+    """Build elsewhere, name the files that differ from those that are here, count them."""
+    with tempfile.TemporaryDirectory() as name:
+        build(Path(name))
+        built = [path for path in sorted(Path(name).rglob("*")) if path.is_file()]
+        different = 0
+        for path in built:
+            here = HERE / path.relative_to(name)
+            if not here.exists() or here.read_bytes() != path.read_bytes():
+                print(f"differs: {here.relative_to(HERE.parent)}")
+                different += 1
+    print(f"{len(built) - different} of {len(built)} files are the same")
+    return different
+
+
+def main() -> None:
+    """Build or check, as the command line says."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--check", action="store_true", help="compare instead of writing")
+    if parser.parse_args().check:
+        sys.exit(check() > 0)
+    build(HERE)
+
+
+def _with_palette(picture: Image.Image, palette: Palette) -> Image.Image:
+    import numpy as np
+
+    small = Image.fromarray(palette.indices(np.asarray(picture.convert("RGBA"))))
+    small.putpalette(palette.colours.tobytes())
+    return small
+
+
+if __name__ == "__main__":
+    main()

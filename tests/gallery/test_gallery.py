@@ -1,0 +1,57 @@
+"""The gallery: its scenes assemble, its films are small, its pictures come out the same."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from PIL import Image
+
+import vad
+from gallery import build
+from vad.cli.run import run
+from vad.rendering.style import style_names
+
+FILMS = sorted(build.HERE.glob("films/*.gif"))
+
+
+def test_scenes_are_of_mechanisms_that_exist():
+    assert set(build.SCENES) <= set(vad.MECHANISMS)
+
+
+@pytest.mark.parametrize("name", sorted(vad.MECHANISMS))
+def test_every_scene_assembles(name: str):
+    assert build.sheet(name).mechanism == name
+
+
+def test_every_mechanism_is_shown_in_every_style():
+    expected = {f"{name}-{style}" for name in vad.MECHANISMS for style in style_names()}
+    assert {path.stem for path in FILMS} == expected
+    assert {path.stem for path in build.HERE.glob("posters/*.png")} == expected
+
+
+def test_films_are_small():
+    for path in FILMS:
+        assert path.stat().st_size < build.MOST_BYTES, path.name
+
+
+def test_a_poster_is_rebuilt_identically(tmp_path: Path):
+    once, again = tmp_path / "once.png", tmp_path / "again.png"
+    build.poster("whitworth", "chalk", once)
+    build.poster("whitworth", "chalk", again)
+    assert once.read_bytes() == again.read_bytes()
+    assert once.stat().st_size < 100_000
+    with Image.open(once) as picture:
+        assert picture.size == build.POSTER
+        assert "Whitworth" in picture.text["Title"]
+
+
+def test_the_command_beside_a_film_makes_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    words = build.command("crank-slotted-lever").split()
+    words[1:2] = ["draw"]
+    words[-1] = "sheet.png"
+    assert run(words[1:]) == 0
+    by_hand = tmp_path / "by-hand.png"
+    vad.save(build.sheet("crank-slotted-lever"), by_hand)
+    assert (tmp_path / "sheet.png").read_bytes() == by_hand.read_bytes()
