@@ -16,7 +16,7 @@ from vad.lecture.moment import Moment
 from vad.lecture.still import ends
 from vad.rendering.alt import title
 from vad.rendering.board import Board
-from vad.rendering.still import board_of, ground
+from vad.rendering.still import board_of, ground, whole
 
 
 def write(lesson: Lesson, target: BinaryIO, *, progress: Progress | None = None) -> None:
@@ -34,8 +34,8 @@ def write(lesson: Lesson, target: BinaryIO, *, progress: Progress | None = None)
 
 def pages(document: Document, board: Board, states: Iterable[Moment]) -> Iterator[Moment]:
     """Write a page for each of ``states``, in none of which a stroke grows; yield it then."""
-    size = board.page.width, board.page.height
-    below = document.form([ground(board), *board.background()], size)
+    area = whole(board)
+    below = document.form([ground(board), *board.background()], area)
     written: dict[tuple[str, Hashable], int] = {}
     for state in states:
         forms = [below]
@@ -43,7 +43,7 @@ def pages(document: Document, board: Board, states: Iterable[Moment]) -> Iterato
             look = layer.region, layer.key
             if look not in written:
                 under, over = layer.draw()
-                written[look] = document.form([*under, *over], size)
+                written[look] = document.form([*under, *over], area)
             forms.append(written[look])
-        document.page(forms, size)
+        document.page(forms, area)
         yield state

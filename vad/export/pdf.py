@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import BinaryIO
 
 from vad.diagrams.strokes import Sheet
+from vad.errors import UsageError
 from vad.export.lesson_pdf import pages
 from vad.export.pdf_document import Document
 from vad.lecture.still import Still
@@ -17,9 +18,22 @@ def write(
     target: BinaryIO,
     size: tuple[int, int] | None = None,
     style: str | None = None,
+    paper: str | None = None,
 ) -> None:
-    """Write one page; a pixel of the same picture, which has ``size``, becomes a point."""
-    board, state = posed(thing, size, style)
+    """Write one page; a pixel of the same picture, which has ``size``, becomes a point.
+
+    With ``paper`` ("A4", "A3" or "letter") the page is of that size, and each panel is drawn to
+    the scale that it states, to be measured with a ruler.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If both a size and a paper are given, or a paper for a step of a lesson.
+    """
+    if paper and (size or isinstance(thing, Still)):
+        what = "a step of a lesson" if isinstance(thing, Still) else "a picture with a size"
+        raise UsageError(f"paper: not for {what}", hint="a whole sheet takes the paper's size")
+    board, state = posed(thing, size, style, paper)
     sheet = sheet_of(thing)
     document = Document(target, title(sheet), sheet.language)
     for _ in pages(document, board, [state]):

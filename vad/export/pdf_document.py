@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import BinaryIO
 
 from vad.export import pdf_syntax as pdf
-from vad.export.pdf_syntax import Size
+from vad.export.pdf_syntax import Area
 from vad.export.pdf_type import Letters
 from vad.rendering.marks import Mark, Pen
 
@@ -44,21 +44,21 @@ class Document:
         self._letters = Letters(self._stream)
         self._put(b"%PDF-1.4\n%\xe2\xe3\xcf\xd3\n")
 
-    def form(self, marks: Iterable[Mark], size: Size) -> int:
+    def form(self, marks: Iterable[Mark], area: Area) -> int:
         """Write marks that pages show, and return their number."""
-        return self._form("\n".join(self._operators(marks, size)), size)
+        return self._form("\n".join(self._operators(marks, area)), area)
 
-    def _form(self, content: str, size: Size) -> int:
-        head = f"/Type /XObject /Subtype /Form /BBox {pdf.box(size)} /Resources {_RESOURCES} 0 R"
+    def _form(self, content: str, area: Area) -> int:
+        head = f"/Type /XObject /Subtype /Form /BBox {pdf.box(area)} /Resources {_RESOURCES} 0 R"
         number = self._stream(content, head)
         self._forms.append(number)
         return number
 
-    def page(self, forms: Sequence[int], size: Size) -> None:
-        """Write a page of ``size`` points that shows the marks of ``forms`` in their order."""
+    def page(self, forms: Sequence[int], area: Area) -> None:
+        """Write a page that shows the marks of ``forms`` in their order."""
         content = self._stream(" ".join(f"/F{form} Do" for form in forms))
         page = (
-            f"<< /Type /Page /Parent {_PAGES} 0 R /MediaBox {pdf.box(size)} "
+            f"<< /Type /Page /Parent {_PAGES} 0 R /MediaBox {pdf.box(area)} "
             f"/Resources {_RESOURCES} 0 R /Contents {content} 0 R >>"
         )
         self._pages.append(self._object(page.encode()))
@@ -108,7 +108,7 @@ class Document:
         head = f"<< {head} /Filter /FlateDecode /Length {len(data)} >>"
         return self._object(b"%b\nstream\n%b\nendstream" % (head.encode(), data))
 
-    def _operators(self, marks: Iterable[Mark], size: Size) -> Iterator[str]:
+    def _operators(self, marks: Iterable[Mark], area: Area) -> Iterator[str]:
         """Yield the operators that paint ``marks``, those of the pen only where it changes."""
         pen: Pen | None = None
         fill, alpha = "", 1.0
@@ -132,7 +132,7 @@ class Document:
                 yield from (*path, paint)
                 continue
             if mark not in self._long:  # it takes pen, fill and alpha from where it is shown
-                self._long[mark] = self._form("\n".join((*path, paint)), size)
+                self._long[mark] = self._form("\n".join((*path, paint)), area)
             yield f"/F{self._long[mark]} Do"
 
 

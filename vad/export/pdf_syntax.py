@@ -11,7 +11,8 @@ _DIGITS = 3
 _QUADRATIC = 3  # a curve with one control point, as TrueType has it
 _OPERATORS = {MOVE: "m", LINE: "l", CURVE: "c"}
 
-Size = tuple[float, float]
+#: Left, bottom, right and top, in points.
+Area = tuple[float, float, float, float]
 
 
 def number(value: float) -> str:
@@ -31,9 +32,9 @@ def colour(name: str) -> str:
     return " ".join(number(int(name[i : i + 2], 16) / 255) for i in (1, 3, 5))
 
 
-def box(size: Size) -> str:
-    """Return the rectangle of ``size`` (width, height) at the origin."""
-    return f"[0 0 {number(size[0])} {number(size[1])}]"
+def box(area: Area) -> str:
+    """Return a rectangle."""
+    return f"[{' '.join(map(number, area))}]"
 
 
 def string(text: str) -> str:

@@ -33,19 +33,23 @@ class Level(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Look:
-    """The style as one sheet uses it: its unit in pixels, and a row for every link."""
+    """The style as one sheet uses it: its unit in pixels, and a row for every link.
+
+    ``centimetre`` is there on paper, where scales are round and stated.
+    """
 
     style: Style
     unit: float
     rows: dict[str, int]
+    centimetre: float | None = None
 
     @classmethod
-    def of(cls, sheet: Sheet, style: Style, unit: float) -> Look:
+    def of(cls, sheet: Sheet, style: Style, unit: float, centimetre: float | None = None) -> Look:
         """Return the look of ``sheet``: rows take their inks in order."""
         rows: dict[str, int] = {}
         for index, row in enumerate(sheet.rows):
             rows.setdefault(row.key, index)  # an actuator is a link and a slide: one ink
-        return cls(style, unit, rows)
+        return cls(style, unit, rows, centimetre)
 
     def ink(self, link: str | None) -> str:
         """Return the colour of a link or slide; grey for the frame."""

@@ -17,7 +17,8 @@ from vad.rendering.equation import Foot, compose, foot_marks
 from vad.rendering.header import caption_lines, caption_marks, head_marks, title_marks
 from vad.rendering.marks import Mark
 from vad.rendering.mechanism import draw_mechanism
-from vad.rendering.page import GUTTER, GUTTER_TWO, MARGIN, Page, Rect, lay_out
+from vad.rendering.page import GUTTER, GUTTER_TWO, MARGIN, Page, Rect, lay_out, unit_of
+from vad.rendering.paper import CENTIMETRE, UNIT
 from vad.rendering.polygon import draw_polygon
 from vad.rendering.style import load_style
 from vad.rendering.table import State, Table
@@ -38,18 +39,18 @@ class Layer:
 
 
 def arrange(
-    sheet: Sheet, size: tuple[int, int], unit: float, caption_lines: int
+    sheet: Sheet, size: tuple[float, float], unit: float, caption_lines: int
 ) -> tuple[Page, dict[PanelName, Foot]]:
     """Return the page of a sheet, and the equations at the feet of its panels."""
     names, rows = [panel.name for panel in sheet.panels], len(sheet.rows)
     # A first layout tells the panels' width, the second knows how many lines they need.
-    first = lay_out(size, dict.fromkeys(names, 1), rows, caption_lines)
+    first = lay_out(size, dict.fromkeys(names, 1), rows, caption_lines, unit)
     feet = {
         panel.name: compose(panel, first.panels[panel.name].drawing.width, unit)
         for panel in sheet.panels
     }
     lines = {name: len(foot.lines) for name, foot in feet.items()}
-    return lay_out(size, lines, rows, caption_lines), feet
+    return lay_out(size, lines, rows, caption_lines, unit), feet
 
 
 class Board:
@@ -65,15 +66,22 @@ class Board:
         The name of a style.
     lesson
         True where captions need room.
+    on_paper
+        True where a pixel is a point of paper, from which lengths are measured.
     """
 
     def __init__(
-        self, sheet: Sheet, size: tuple[int, int], style: str = "paper", lesson: bool = False
+        self,
+        sheet: Sheet,
+        size: tuple[float, float],
+        style: str = "paper",
+        lesson: bool = False,
+        on_paper: bool = False,
     ) -> None:
         self.sheet = sheet
         self.style = load_style(style)
-        unit = min(float(size[1]), 0.75 * size[0])
-        self.look = Look.of(sheet, self.style, unit)
+        unit = UNIT if on_paper else unit_of(size)
+        self.look = Look.of(sheet, self.style, unit, CENTIMETRE if on_paper else None)
         room = size[0] - 2 * MARGIN * unit
         lines = caption_lines(sheet, room, unit) if lesson else 0
         self.page, self.feet = arrange(sheet, size, unit, lines)

@@ -42,7 +42,7 @@ class Scene:
 
 def draw_mechanism(panel: Panel, drawing: Rect, look: Look, sense: float) -> PanelArt:
     """Return the art of the position panel; ``sense`` is the sign of the driven link's ω."""
-    scale = fill(corners(panel), drawing, look.unit, position=True)
+    scale = fill(corners(panel), drawing, look.unit, position=True, centimetre=look.centimetre)
     art = PanelArt(scale, Obstacles(drawing))
     vertices = find_vertices(panel, art.scale, look.unit)
     scene = Scene(art, panel, drawing, look, vertices, art.obstacles)

@@ -95,8 +95,8 @@ class Page:
         Baselines of the caption's lines, none in a still.
     """
 
-    width: int
-    height: int
+    width: float
+    height: float
     unit: float
     columns: bool
     title: float
@@ -117,16 +117,27 @@ class Page:
         return self.width - MARGIN * self.unit
 
 
+def unit_of(size: tuple[float, float]) -> float:
+    """Return what sizes are fractions of on a page that is seen as a whole."""
+    return min(float(size[1]), 0.75 * size[0])
+
+
 def lay_out(
-    size: tuple[int, int],
+    size: tuple[float, float],
     equations: dict[PanelName, int],
     rows: int,
     caption_lines: int,
+    unit: float | None = None,
 ) -> Page:
-    """Return the page for the panels named in ``equations`` (their numbers of foot lines)."""
-    unit = min(float(size[1]), 0.75 * size[0])
-    room = (size[0] - 2 * MARGIN * unit - (len(equations) - 1) * GUTTER * unit) / len(equations)
-    if room >= NARROWEST_COLUMN * unit:
+    """Return the page for the panels named in ``equations`` (their numbers of foot lines).
+
+    ``unit`` is that of `unit_of`, or less where type and lines are to be small on a large page.
+    """
+    whole = unit_of(size)
+    unit = unit or whole
+    gaps = 2 * MARGIN + (len(equations) - 1) * GUTTER
+    if (size[0] - gaps * whole) / len(equations) >= NARROWEST_COLUMN * whole:
+        room = (size[0] - gaps * unit) / len(equations)
         return _side_by_side(size, unit, room, equations, rows, caption_lines)
     return _two_by_two(size, unit, equations, caption_lines)
 
@@ -144,7 +155,7 @@ def _drawing(left: float, right: float, title: float, foot: Sequence[float], uni
 
 
 def _side_by_side(
-    size: tuple[int, int],
+    size: tuple[float, float],
     unit: float,
     room: float,
     equations: dict[PanelName, int],
@@ -176,7 +187,7 @@ def _side_by_side(
 
 
 def _two_by_two(
-    size: tuple[int, int],
+    size: tuple[float, float],
     unit: float,
     equations: dict[PanelName, int],
     caption_lines: int,
@@ -224,8 +235,17 @@ class Scale:
         return self.origin + self.factor * z
 
 
-def fill(points: Iterable[complex], drawing: Rect, unit: float, position: bool) -> Scale:
-    """Return the scale at which ``points`` fill the drawing less its padding, centred."""
+def fill(
+    points: Iterable[complex],
+    drawing: Rect,
+    unit: float,
+    position: bool,
+    centimetre: float | None = None,
+) -> Scale:
+    """Return the scale at which ``points`` fill the drawing less its padding, centred.
+
+    Where the length of a ``centimetre`` is given, it stands for a round number.
+    """
     pad = BOTTOM_PADDING_POSITION if position else BOTTOM_PADDING
     inner = Rect(
         drawing.left + SIDE_PADDING * unit,
@@ -242,8 +262,23 @@ def fill(points: Iterable[complex], drawing: Rect, unit: float, position: bool) 
     factor = min(
         inner.width / wide if wide else math.inf, inner.height / high if high else math.inf
     )
+    if centimetre:
+        factor = centimetre / round_up(centimetre / factor)
     middle = complex(min(xs) + wide / 2, min(ys) + high / 2)
     return Scale(inner.centre - factor * middle, factor)
+
+
+def round_up(value: float) -> float:
+    """Return the smallest 1, 2, 2.5 or 5 × 10ⁿ that is not less than ``value``.
+
+    Examples
+    --------
+    >>> round_up(2.1), round_up(20.0), round_up(0.03), round_up(700.0)
+    (2.5, 20.0, 0.05, 1000.0)
+    """
+    power = math.floor(math.log10(value))
+    steps = (float(f"{step}e{power}") for step in (1, 2, 2.5, 5, 10))
+    return next(step for step in steps if step >= value * (1 - 1e-9))
 
 
 def scale_bar(factor: float, longest: float) -> float:

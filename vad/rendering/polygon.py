@@ -42,7 +42,7 @@ def draw_polygon(panel: Panel, drawing: Rect, look: Look, coriolis: str) -> Pane
 
 def _sketch(panel: Panel, drawing: Rect, room: Rect, look: Look) -> PanelArt:
     """Return a panel without what comes and goes, at the scale at which it fills ``room``."""
-    scale = fill(corners(panel), room, look.unit, position=False)
+    scale = fill(corners(panel), room, look.unit, position=False, centimetre=look.centimetre)
     art = PanelArt(scale, Obstacles(drawing))
     for index, stroke in enumerate(panel.strokes):
         if isinstance(stroke.shape, Arrow):
@@ -68,7 +68,11 @@ def _with_inset(
     """
     points = corners(panel)
     rooms = reserved(drawing, look.unit)
-    rooms.sort(key=lambda room: -fill(points, room, look.unit, position=False).factor)
+    rooms.sort(
+        key=lambda room: (
+            -fill(points, room, look.unit, position=False, centimetre=look.centimetre).factor
+        )
+    )
     for room in (None, *rooms):
         art = _sketch(panel, drawing, room, look) if room else full
         for inset in insets:

@@ -19,6 +19,7 @@ from vad.rendering.board import Board
 from vad.rendering.canvas import AggCanvas, Canvas
 from vad.rendering.film import paint
 from vad.rendering.marks import Mark, polygon
+from vad.rendering.paper import EDGE, load_paper
 
 SIZE = (1280, 720)
 STYLE = "paper"
@@ -29,7 +30,8 @@ def still(
 ) -> NDArray[np.uint8]:
     """Return a picture, shape (height, width, 4)."""
     board, state = posed(thing, size, style)
-    canvas = AggCanvas((board.page.width, board.page.height), board.style.background)
+    pixels = round(board.page.width), round(board.page.height)
+    canvas = AggCanvas(pixels, board.style.background)
     paint(board, state, canvas)
     return canvas.pixels
 
@@ -42,11 +44,20 @@ def sketch(renderer: Any, board: Board, state: Moment) -> None:
 
 
 def posed(
-    thing: Sheet | Still, size: tuple[int, int] | None = None, style: str | None = None
+    thing: Sheet | Still,
+    size: tuple[int, int] | None = None,
+    style: str | None = None,
+    paper: str | None = None,
 ) -> tuple[Board, Moment]:
-    """Return the board and what is on it; a step of a lesson has a size and a style already."""
+    """Return the board and what is on it; a step of a lesson has a size and a style already.
+
+    ``paper`` is the name of a `Paper`, whose size the board takes, and its true scale.
+    """
     if isinstance(thing, Still):
         return board_of(thing.lesson), thing.moment
+    if paper:
+        board = Board(thing, load_paper(paper).board, style or STYLE, on_paper=True)
+        return board, board.finished()
     if size:
         check_size(size)
     board = Board(thing, size or SIZE, style or STYLE)
@@ -65,6 +76,14 @@ def board_of(lesson: Lesson) -> Board:
 
 def ground(board: Board) -> Mark:
     """Return the background, for a page that begins empty."""
-    width, height = board.page.width, board.page.height
-    corners = [0j, complex(width, 0), complex(width, height), complex(0, height)]
+    left, bottom, right, top = whole(board)
+    corners = [
+        complex(x, y) for x, y in ((left, bottom), (right, bottom), (right, top), (left, top))
+    ]
     return polygon(corners, board.style.background)
+
+
+def whole(board: Board) -> tuple[float, float, float, float]:
+    """Return left, bottom, right and top of the page, which on paper has an edge of its own."""
+    edge = EDGE if board.look.centimetre else 0.0
+    return -edge, -edge, board.page.width + edge, board.page.height + edge

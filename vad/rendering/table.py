@@ -29,6 +29,8 @@ HEAD_SIZE = 0.031
 HEAD_GAP = 0.060  # two by two: title to head, head to first row, row to next head
 FIRST_GAP = 0.0535
 GROUP_GAP = 0.0755
+COLUMN_PITCH = 0.146
+COLUMN_GAP = 0.022
 LEAST_SQUEEZE = 0.85  # of the type
 
 State = Literal["hidden", "new", "measured"]
@@ -150,7 +152,9 @@ class Table:
         head = bold(roman(Language(self.sheet.language).say("results")))
         marks = write(head, complex(area.left, title), 0.037 * unit, look.style.text)
         marks += self._given(area.right, title) if _any_given(self.sheet) else []
-        rights = [area.right - (len(names) - 1 - i) * 0.146 * unit for i in range(len(names))]
+        rights = [area.right]
+        for name in reversed(names[1:]):
+            rights.insert(0, rights[0] - self._pitch(name, sizes))
         y = title - HEAD_GAP * unit * squeeze
         for group, gap in zip(groups, gaps, strict=True):
             marks += self._head(group, names, rights, y, sizes)
@@ -169,6 +173,12 @@ class Table:
                             marks += self._number(cell, depth, shown, complex(right, row_y), sizes)
                     row_y -= ROW_PITCH_TWO * unit * squeeze
         return marks
+
+    def _pitch(self, name: PanelName, unit: float) -> float:
+        """Return from where to where a column of numbers goes: no two may touch."""
+        cells = [row.cells[name][0] for row in self.sheet.rows if row.cells.get(name)]
+        widest = max((width(roman(number(cell)), SIZE * unit) for cell in cells), default=0.0)
+        return max(COLUMN_PITCH * self.look.unit, widest + COLUMN_GAP * unit)
 
     def _head(
         self,
