@@ -28,6 +28,7 @@ from vad.rendering.vertices import LABEL, corners, halo, text_at, text_box
 
 #: A polygon this much larger than at most times may leave the panel for a while.
 _RARE, _LARGE = 80.0, 2.2
+CLIPPED = 0.010  # from the panel's edge, a vector that leaves it ends
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,7 +119,7 @@ class MovingPanel:
             return
         if whole.seen is None:
             return
-        ends = clipped(whole.seen, whole.end, self._drawing)
+        ends = clipped(whole.seen, whole.end, self._drawing.inside(CLIPPED * look.unit))
         if ends is None:
             return
         line, ink = look.line(whole.link), look.ink(whole.link)

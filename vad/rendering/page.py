@@ -57,6 +57,10 @@ class Rect:
             self.left + by.real, self.bottom + by.imag, self.right + by.real, self.top + by.imag
         )
 
+    def inside(self, by: float) -> Rect:
+        """Return the rectangle less a margin."""
+        return Rect(self.left + by, self.bottom + by, self.right - by, self.top - by)
+
     def holds(self, point: complex, slack: float = 0.0) -> bool:
         """Tell whether ``point`` lies inside, or outside by at most ``slack``."""
         return (

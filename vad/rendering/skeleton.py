@@ -5,29 +5,22 @@ In come the poses of a turn, out go the marks of what stands still, and the art 
 
 from __future__ import annotations
 
-import cmath
-import math
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import product
 
 from vad.diagrams.strokes import Arc, Arrow, Block, Dot, Guide, Panel, Stroke
 from vad.rendering import parts
 from vad.rendering.art import Level, Look, PanelArt
-from vad.rendering.labels import CLEARANCE, Obstacles, Placed, beside
+from vad.rendering.labels import Obstacles
 from vad.rendering.marks import Mark, Pen, arc
 from vad.rendering.mechanism import Scene, add_stroke
 from vad.rendering.page import Rect, Scale
-from vad.rendering.rotation import LINE, SIZE, angle_radius, arc_line, sense_arrow
+from vad.rendering.rotation import LINE, angle_radius, arc_line
+from vad.rendering.sense import Sense, choose_sense
 from vad.rendering.spots import spots
 from vad.rendering.supports import WAYS, add_axes, block_pivot, blocks_on, stretch
-from vad.rendering.text import symbols
-from vad.rendering.vertices import find_vertices, halo, text_at, text_box
+from vad.rendering.vertices import find_vertices
 
-SENSE_SPAN = 60.0
-SENSE_RADII = (0.062, 0.074, 0.088, 0.104)
-SENSE_LEADS = (66.0, 90.0, 120.0, 150.0, 180.0, 210.0)  # of its middle ahead of the crank
-SLOWEST = 0.08  # of the greatest rate: below, there is no sense of rotation to be shown
 PAST = 0.014  # by which guides and slots are longer than their block's way
 
 
@@ -43,7 +36,7 @@ class Skeleton:
             for index, stroke in enumerate(poses[0].strokes)
             if isinstance(stroke.shape, Guide)
         }
-        self._sense: tuple[float, float] | None = None
+        self._sense: Sense | None = None
         add_axes(self._base, self._without_loose(poses), [], self._base.obstacles, look)
         for index, stroke in enumerate(poses[0].strokes):
             if isinstance(stroke.shape, Guide) and stroke.shape.side is not None:
@@ -73,16 +66,7 @@ class Skeleton:
             way = min(WAYS, key=met)
             base.add(Level.GROUND, 0, parts.pivot(look, at, way, 1.0, 1.0))
             block_pivot(base.obstacles, at, way, 1.0, unit)
-        driven = [
-            (stroke.shape, rate, pose)
-            for panel, rate, pose in zip(poses, rates, strokes, strict=True)
-            for stroke in panel.strokes
-            if stroke.kind == "angle" and isinstance(stroke.shape, Arc)
-        ]
-        self._sense = min(
-            product(SENSE_RADII, SENSE_LEADS),
-            key=lambda at: sum(self._meets(at, *each) for each in driven),
-        )
+        self._sense = choose_sense(poses, rates, strokes, scale=self._scale, look=look)
 
     def art(self, panel: Panel, rate: float) -> PanelArt:
         """Return what moves, in one pose; its obstacles hold what stands still, too."""
@@ -98,7 +82,8 @@ class Skeleton:
                 self._slot(art, index, stroke)
             elif stroke.kind == "angle" and isinstance(stroke.shape, Arc):
                 self._angle(art, stroke.shape)
-                self._add_sense(art, stroke, stroke.shape, rate)
+                if self._sense:
+                    self._sense.add(art, stroke, stroke.shape, rate, look)
         poles = [s.shape.at for s in panel.strokes if s.kind == "pole" and isinstance(s.shape, Dot)]
         for spot in spots(panel, self._scale).values():
             pin = all(abs(spot.at - self._scale(pole)) > 1.0 for pole in poles)
@@ -179,40 +164,3 @@ class Skeleton:
             art.add(Level.CONSTRUCTION, 0, [mark])
             line = arc_line(centre, radius, shape.start, shape.sweep)
             art.obstacles.line(line, LINE / 2 * look.unit)
-
-    def _add_sense(self, art: PanelArt, stroke: Stroke, shape: Arc, rate: float) -> None:
-        """Add the arrow of ω, which runs ahead of the driven link."""
-        if abs(rate) < SLOWEST or self._sense is None:
-            return
-        look, unit, ink = self._look, self._look.unit, self._look.ink(stroke.link)
-        radius, middle, line, spot = self._arrow(self._sense, shape, rate)
-        sweep = math.copysign(SENSE_SPAN, rate)
-        centre = self._scale(shape.centre)
-        marks = sense_arrow(centre, radius, middle, sweep, ink, 0.0032 * unit, unit)
-        runs, size = symbols("ω"), SIZE * unit
-        marks += text_at(runs, runs, spot.centre, size, ink, halo(look))
-        art.add(Level.LABEL, 0, marks)
-        art.obstacles.line(line, 0.004 * unit)
-        grown = CLEARANCE * unit
-        art.obstacles.box(Placed(spot.centre, spot.wide + grown, spot.high + grown).box)
-
-    def _arrow(
-        self, place: tuple[float, float], shape: Arc, rate: float
-    ) -> tuple[float, float, list[complex], Placed]:
-        """Return the arrow's radius, its middle (degrees) and line, and the place of its ω."""
-        unit, centre, radius = self._look.unit, self._scale(shape.centre), place[0]
-        radius *= unit
-        middle = shape.start + shape.sweep + math.copysign(place[1], rate)
-        line = arc_line(centre, radius, middle - SENSE_SPAN / 2, SENSE_SPAN)
-        box, way = text_box(symbols("ω"), SIZE * unit), cmath.exp(1j * math.radians(middle))
-        spot = beside(centre + radius * way, way, 0.010 * unit, *box)
-        return radius, middle, line, Placed(spot, *box)
-
-    def _meets(
-        self, place: tuple[float, float], shape: Arc, rate: float, strokes: Obstacles
-    ) -> int:
-        """Count how much of an arrow and its name would meet strokes in one pose."""
-        _, _, line, spot = self._arrow(place, shape, rate)
-        unit = self._look.unit
-        named = bool(strokes.free([spot.centre], spot.wide, spot.high, CLEARANCE * unit)[0])
-        return 4 * (not named) + int((~strokes.free(line, 0.0, 0.0, 0.008 * unit)).sum())

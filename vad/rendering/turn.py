@@ -33,7 +33,9 @@ class TurnBoard:
     def __init__(self, turn: Turn) -> None:
         self.turn, self.style = turn, load_style(turn.style)
         phases = [number / POSES for number in range(POSES)]
-        sheet, poses = turn.sheet, [turn.at(phase) for phase in phases]
+        poses = [turn.at(phase) for phase in phases]
+        # The equations name all vectors, though one may vanish in the pose that is given.
+        sheet = max([turn.sheet, *poses], key=lambda p: sum(len(q.strokes) for q in p.panels))
         rates = [turn.course.share(phase) for phase in phases]
         unit = min(float(turn.size[1]), 0.75 * turn.size[0])
         self.look = Look.of(sheet, self.style, unit)

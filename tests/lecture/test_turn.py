@@ -1,0 +1,84 @@
+"""Turns: the course of the driver, and a sheet of `draw` for every frame."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import vad
+from vad.kinematics.reach import closing_range
+
+
+@pytest.mark.parametrize("name", sorted(vad.MECHANISMS))
+def test_every_mechanism_turns_and_begins_where_it_is_given(name: str):
+    mechanism = vad.MECHANISMS[name]()
+    turn = vad.turn(mechanism, fps=10)
+    assert (turn.frames, turn.duration) == (80, 8.0)
+    place, rate, _ = mechanism.inputs
+    for key in (place, rate):
+        assert turn.course.inputs(0.0)[key] == pytest.approx(mechanism.inputs[key])
+    given = vad.draw(vad.solve(mechanism, **turn.course.inputs(0.0)))
+    assert turn.pose(0).panels == given.panels
+
+
+def test_a_crank_goes_once_round_in_its_own_sense():
+    turn = vad.turn(vad.solve(vad.FourBar(), angle=350.0, omega=-3.0), fps=9)
+    angles = [turn.course.inputs(frame / turn.frames)["angle"] for frame in range(turn.frames)]
+    assert angles[:3] == [350.0, 345.0, 340.0]
+    assert len({round(angle, 9) for angle in angles}) == turn.frames == 72
+    assert angles[-1] == 355.0  # the film begins again one step on
+
+
+@pytest.mark.parametrize("mechanism", [vad.FourBar(crank=130), vad.DoubleSlider(guide_b=60)])
+def test_what_cannot_go_round_swings_within_its_range(mechanism):
+    turn = vad.turn(mechanism, fps=20)
+    place, rate, second = mechanism.inputs
+    unit = math.radians(1) if place == "angle" else 1.0
+    inputs = [turn.course.inputs(frame / turn.frames) for frame in range(turn.frames)]
+    low, high = min(i[place] for i in inputs), max(i[place] for i in inputs)
+    assert any(a < low < high < b for a, b in closing_range(mechanism))
+    # Rates are those of the swing itself, by differences.
+    _, _, _, speed = turn.course.swing
+    step = math.tau / turn.frames / speed
+    for before, now, after in zip(inputs, inputs[1:], inputs[2:], strict=False):
+        slope = (after[place] - before[place]) / (2 * step) * unit
+        bend = (after[place] - 2 * now[place] + before[place]) / step**2 * unit
+        biggest = abs(mechanism.inputs[rate]) * 4
+        assert slope == pytest.approx(now[rate], abs=2e-3 * biggest)
+        assert bend == pytest.approx(now[second], abs=2e-3 * biggest * speed)
+    assert not any(c.given for r in turn.pose(3).rows for cells in r.cells.values() for c in cells)
+
+
+def test_a_place_outside_the_range_begins_at_its_end():
+    turn = vad.turn(vad.solve(vad.FourBar(crank=130), angle=0.0), fps=2)
+    assert turn.pose(0).panels
+
+
+def test_vectors_do_not_vanish_for_an_instant():
+    turn = vad.turn(vad.solve(vad.SliderCrank(), angle=90.0))  # the rod does not turn relative
+    counts = {tuple(len(p.strokes) for p in turn.at(k / 8).panels) for k in range(8)}
+    assert len(counts) == 1
+
+
+def test_speed_panels_and_language():
+    turn = vad.turn(vad.ScotchYoke(), speed=4, panels="velocity", language="de")
+    assert turn.duration == 2.0
+    assert [panel.name for panel in turn.sheet.panels] == ["velocity"]
+    assert turn.sheet.language == "de"
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [{"fps": 0}, {"speed": 0}, {"size": (10, 10)}, {"panels": "speed"}, {"language": "xx"}],
+)
+def test_values_out_of_range(wrong):
+    with pytest.raises(vad.UsageError):
+        vad.turn(vad.FourBar(), **wrong)
+
+
+def test_many_poses_and_no_pose():
+    with pytest.raises(vad.InputError, match="one pose"):
+        vad.turn(vad.solve(vad.FourBar(), angle=[1.0, 2.0]))
+    with pytest.raises(vad.AssemblyError, match="nowhere"):
+        vad.turn(vad.FourBar(crank=500))
