@@ -63,3 +63,26 @@ def test_a_size_that_cannot_be(vad, tmp_path):
     assert (result.code, result.out) == (2, "")
     assert result.err.startswith("error: size: must be between 320x240")
     assert not list(tmp_path.iterdir())
+
+
+def test_true_scale(vad, tmp_path):
+    path = tmp_path / "sheet.pdf"
+    made(vad, "draw", "slider-crank", "--paper", "A4", "-o", str(path))
+    assert path.read_bytes().startswith(b"%PDF")
+
+
+@pytest.mark.parametrize(
+    ("words", "part"),
+    [
+        ("--paper A4 -o a.png", "--paper is for PDF, not for 'a.png'"),
+        ("--paper A4 -o a.json", "--paper is for PDF"),
+        ("--paper A5 -o a.pdf", "--paper: unknown paper 'A5'"),
+        ("--paper A4 --size 640x480 -o a.pdf", "paper: not for a picture with a size"),
+    ],
+)
+def test_true_scale_is_for_pdf(vad, tmp_path, monkeypatch, words, part):
+    monkeypatch.chdir(tmp_path)
+    result = vad("draw", "slider-crank", *words.split())
+    assert result.code == 2
+    assert part in result.err
+    assert not list(tmp_path.iterdir())

@@ -16,14 +16,22 @@ Progress = Callable[[int, int], None]
 
 def painted(lesson: Film, progress: Progress | None = None) -> Iterator[Frame]:
     """Yield the frames of a film; tell ``progress`` whenever one has been consumed."""
-    from vad.rendering import film, turn
-
     done = 0
-    for frame in turn.frames(lesson) if isinstance(lesson, Turn) else film.frames(lesson):
+    for frame in _frames(lesson):
         yield frame
         done += frame.repeats
         if progress is not None:
             progress(done, lesson.frames)
+
+
+def _frames(lesson: Film) -> Iterator[Frame]:
+    if isinstance(lesson, Turn):
+        from vad.rendering.turn import frames as turning
+
+        return turning(lesson)
+    from vad.rendering.film import frames as drawn
+
+    return drawn(lesson)
 
 
 def rate(fps: float) -> Fraction:

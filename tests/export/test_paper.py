@@ -1,0 +1,115 @@
+"""Sheets from which a student measures: what a ruler finds in the file is what the panel states."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+import vad
+from tests.export import pdf_reader
+from vad.diagrams.strokes import Arrow, Sheet
+from vad.errors import UsageError
+from vad.rendering.board import Board
+from vad.rendering.paper import CENTIMETRE, load_paper, paper_names
+from vad.rendering.vertices import corners
+
+MILLIMETRE = 72 / 25.4
+#: A hundredth of a millimetre, in points.
+EXACT = 0.01 * MILLIMETRE
+SIZES = {"A4": (297, 210), "A3": (420, 297), "letter": (279.4, 215.9)}
+MANTISSAS = (1.0, 2.0, 2.5, 5.0)
+
+
+def sheet_of(name: str) -> Sheet:
+    mechanism = vad.MECHANISMS[name]()
+    return vad.draw(vad.solve(mechanism))
+
+
+@pytest.mark.parametrize("paper", paper_names())
+def test_the_page_is_the_paper(folder: Path, paper: str) -> None:
+    vad.save(sheet_of("four-bar"), "sheet.pdf", paper=paper)
+    left, bottom, right, top = pdf_reader.media_box(Path("sheet.pdf").read_bytes())
+    size = (right - left) / MILLIMETRE, (top - bottom) / MILLIMETRE
+    assert size == pytest.approx(SIZES[paper], abs=0.01)
+
+
+@pytest.mark.parametrize("panel", ["position", "velocity", "acceleration"])
+@pytest.mark.parametrize("name", ["slider-crank", "crank-slotted-lever", "gate-actuator"])
+def test_a_ruler_finds_every_vector_as_long_as_it_is(folder: Path, name: str, panel: str) -> None:
+    sheet = sheet_of(name)
+    vad.save(sheet, "sheet.pdf", paper="A4")
+    data = Path("sheet.pdf").read_bytes()
+    dots = pdf_reader.centres(data)
+    place = [each.name for each in sheet.panels].index(panel)
+    stated = re.findall(r"1 cm = (\S+) ", pdf_reader.text(data))[place]
+    points_per_unit = 10 * MILLIMETRE / float(stated)
+    arrows = [s.shape for s in sheet.panel(panel).strokes if isinstance(s.shape, Arrow)]
+    assert arrows
+    for arrow in arrows:
+        true = (arrow.end - arrow.start) * points_per_unit
+        assert any(abs(b - a - true) < EXACT for a in dots for b in dots)
+
+
+@pytest.mark.parametrize("paper", paper_names())
+@pytest.mark.parametrize("name", vad.MECHANISMS)
+def test_scales_are_round_and_polygons_fit(name: str, paper: str) -> None:
+    sheet = sheet_of(name)
+    board = Board(sheet, load_paper(paper).board, on_paper=True)
+    for panel in sheet.panels:
+        scale = board.arts[panel.name].scale
+        mantissa = float(f"{CENTIMETRE / scale.factor:.12e}".partition("e")[0])
+        assert mantissa in MANTISSAS
+        drawing = board.page.panels[panel.name].drawing
+        assert all(drawing.holds(scale(point)) for point in corners(panel))
+
+
+def test_the_bar_beside_the_statement_is_a_centimetre(folder: Path) -> None:
+    vad.save(sheet_of("slider-crank"), "sheet.pdf", paper="A4")
+    (page,) = pdf_reader.pages(Path("sheet.pdf").read_bytes())
+    lines = re.findall(r"(\S+) (\S+) m\n(\S+) \2 l\nS", page)
+    lengths = [float(end) - float(start) for start, _, end in lines]
+    assert sum(abs(length - 10 * MILLIMETRE) < EXACT for length in lengths) == 3
+
+
+def test_a_length_has_its_ratio(folder: Path) -> None:
+    vad.save(sheet_of("slider-crank"), "sheet.pdf", paper="A4")
+    written = pdf_reader.text(Path("sheet.pdf").read_bytes())
+    assert "1 cm = 20 mm   (1 : 2)" in written
+    vad.save(sheet_of("gate-actuator"), "sheet.pdf", paper="A4")
+    written = pdf_reader.text(Path("sheet.pdf").read_bytes())
+    assert "1 cm = 0.5 ft\n" in written
+
+
+def test_the_edge_has_the_background_too(folder: Path) -> None:
+    vad.save(sheet_of("scotch-yoke"), "sheet.pdf", paper="A4", style="chalk")
+    data = Path("sheet.pdf").read_bytes()
+    left, bottom, *_ = pdf_reader.media_box(data)
+    assert pdf_reader.pages(data)[0].splitlines()[1] == f"{left:g} {bottom:g} m"
+
+
+def test_it_prints_in_true_size(folder: Path) -> None:
+    vad.save(sheet_of("scotch-yoke"), "sheet.pdf", paper="A4")
+    assert b"/PrintScaling /None" in Path("sheet.pdf").read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "message"),
+    [
+        ("sheet.png", {"paper": "A4"}, "paper: .png has no such option"),
+        ("sheet.json", {"paper": "A4"}, "paper: .json has no such option"),
+        ("sheet.pdf", {"paper": "A44"}, "unknown paper 'A44'"),
+        ("sheet.pdf", {"paper": "A4", "size": (1280, 720)}, "paper: not for a picture with a size"),
+    ],
+)
+def test_what_cannot_be(folder: Path, name: str, options: dict[str, object], message: str) -> None:
+    with pytest.raises(UsageError, match=re.escape(message)):
+        vad.save(sheet_of("scotch-yoke"), name, **options)
+    assert not list(folder.iterdir())
+
+
+def test_a_step_of_a_lesson_has_no_scale(folder: Path) -> None:
+    still = vad.still(vad.animate(sheet_of("scotch-yoke")), 3)
+    with pytest.raises(UsageError, match="paper: not for a step of a lesson"):
+        vad.save(still, "step.pdf", paper="A4")
