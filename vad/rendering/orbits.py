@@ -8,10 +8,10 @@ cheapest is found (dynamic programming over direction and distance, once round a
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,10 +20,11 @@ from vad.rendering.labels import CLEARANCE, Obstacles, Placed, beside, outward
 from vad.rendering.spots import Spot
 
 Reals = NDArray[np.float64]
+Complexes = NDArray[np.complex128]
 
 DIRECTIONS = 32
 GAPS = (0.014, 0.026, 0.042)
-_WAYS = [cmath.rect(1.0, math.tau * i / DIRECTIONS) for i in range(DIRECTIONS)]
+_WAYS = np.exp(1j * math.tau * np.arange(DIRECTIONS) / DIRECTIONS)
 
 # What a label pays in each pose: for standing where it should not …
 _CLOSE, _CROSSED, _COVERED, _OUTSIDE = 1.0, 6.0, 9.0, 20.0
@@ -31,6 +32,8 @@ _ASTRAY, _FAR = 0.2, np.array([0.0, 0.25, 0.6])
 # … and for moving on by so many directions, or to the other distance.
 _MOVES = {0: 0.0, 1: 0.03, -1: 0.03, 2: 0.1, -2: 0.1}
 _STEP = 0.3
+_SOURCES = np.array([(np.arange(DIRECTIONS) - turn) % DIRECTIONS for turn in _MOVES])
+_PAID = np.array(list(_MOVES.values()))[:, None, None]
 _LAPS = 3  # the middle one is free of its beginning and of its end
 _SMOOTHING = np.array([1.0, 2.0, 3.0, 2.0, 1.0]) / 9.0
 
@@ -73,9 +76,12 @@ def find_orbit(
     ``places``, ``obstacles`` (strokes) and ``labels`` (what is placed already) have one element
     for each pose; ``size`` is that of the label's ink box, ``radius`` that of its dot.
     """
+    spots = np.array(
+        [beside(0j, way, gap * unit + radius, *size) for way in _WAYS.tolist() for gap in GAPS]
+    )
     costs = np.stack(
         [
-            _costs(place, strokes, others, size, unit, radius)
+            _costs(place, spots, strokes, others, size, unit)
             if place is not None and strokes.edge.holds(place.at)
             else np.zeros((DIRECTIONS, len(GAPS)))
             for place, strokes, others in zip(places, obstacles, labels, strict=True)
@@ -94,27 +100,27 @@ def find_orbit(
 
 def _costs(
     place: Spot,
+    spots: Complexes,
     strokes: Obstacles,
     labels: Obstacles,
     size: tuple[float, float],
     unit: float,
-    radius: float,
 ) -> Reals:
-    """Return what each direction (rows) and distance (columns) costs in one pose."""
-    centres = np.array(
-        [beside(place.at, way, gap * unit + radius, *size) for way in _WAYS for gap in GAPS]
-    )
+    """Return what each direction (rows) and distance (columns) costs in one pose.
+
+    ``spots`` are the centres of the label from its dot, direction by direction.
+    """
+    centres: Any = place.at + spots
     edge, half = strokes.edge, (size[0] / 2, size[1] / 2)
     inside = (centres.real - half[0] >= edge.left) & (centres.real + half[0] <= edge.right)
     inside &= (centres.imag - half[1] >= edge.bottom) & (centres.imag + half[1] <= edge.top)
     cost = np.where(inside, 0.0, _OUTSIDE)
-    near = [complex(centre) for centre in centres]
-    cost += np.where(strokes.free(near, *size, CLEARANCE * unit), 0.0, _CLOSE)
-    cost += np.where(strokes.free(near, *size, 0.5), 0.0, _CROSSED)
+    cost += np.where(strokes.free(centres, *size, CLEARANCE * unit), 0.0, _CLOSE)
+    cost += np.where(strokes.free(centres, *size, 0.5), 0.0, _CROSSED)
     if labels.boxes:
-        cost += np.where(labels.free(near, *size, CLEARANCE * unit), 0.0, _COVERED)
+        cost += np.where(labels.free(centres, *size, CLEARANCE * unit), 0.0, _COVERED)
     best = outward(place.ways)
-    astray = np.array([1.0 - (way * best.conjugate()).real for way in _WAYS])
+    astray = 1.0 - (_WAYS * best.conjugate()).real
     table: Reals = cost.reshape(DIRECTIONS, len(GAPS)) + _ASTRAY * astray[:, None] + _FAR
     return table
 
@@ -127,8 +133,7 @@ def _cheapest(costs: Reals) -> list[tuple[int, int]]:
     chosen = []
     for number in range(1, _LAPS * count):
         table = np.full((len(moves), *best.shape), np.inf)
-        for option, turn in zip(table, _MOVES, strict=False):
-            option[:] = np.roll(best, turn, axis=0) + _MOVES[turn]
+        table[:-2] = best[_SOURCES] + _PAID
         table[-2, :, 1:] = best[:, :-1] + _STEP
         table[-1, :, :-1] = best[:, 1:] + _STEP
         choice = table.argmin(axis=0)

@@ -23,6 +23,7 @@ from vad.rendering.vertices import halo, text_at, text_box
 SPAN = 60.0
 RADII = (0.062, 0.074, 0.088, 0.104)
 LEADS = (66.0, 90.0, 120.0, 150.0, 180.0, 210.0)
+SAMPLED = 6  # so many poses apart are enough to choose by
 SLOWEST = 0.08  # of the greatest rate: below, there is no sense of rotation to be shown
 
 
@@ -93,4 +94,5 @@ def choose_sense(
         if stroke.kind == "angle" and isinstance(stroke.shape, Arc)
     ]
     places = [Sense(*place) for place in product(RADII, LEADS)]
+    driven = driven[::SAMPLED]
     return min(places, key=lambda place: sum(place.meets(*each) for each in driven))

@@ -78,9 +78,12 @@ class TurnBoard:
         return marks
 
 
-def frames(turn: Turn) -> Iterator[Frame]:
-    """Yield the frames of a turn; see `Frame` for what each says about itself."""
-    board = TurnBoard(turn)
+def frames(turn: Turn, board: TurnBoard | None = None) -> Iterator[Frame]:
+    """Yield the frames of a turn, laid out on ``board`` if it has been laid out already.
+
+    See `Frame` for what each says about itself.
+    """
+    board = board or TurnBoard(turn)
     canvas = AggCanvas(turn.size, board.style.background)
     canvas.paint(board.still())
     base = canvas.words.copy()
