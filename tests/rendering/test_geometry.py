@@ -10,7 +10,8 @@ import pytest
 from tests.rendering.sheets import slider_crank
 from vad.rendering.board import Board
 from vad.rendering.labels import Obstacles, beside, fan, outward, place
-from vad.rendering.page import Rect, fill, lay_out, scale_bar
+from vad.rendering.page import Rect, lay_out
+from vad.rendering.scale import fill, scale_bar
 from vad.rendering.vertices import corners, find_vertices
 
 PANELS = {"position": 1, "velocity": 1, "acceleration": 1}

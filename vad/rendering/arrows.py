@@ -13,7 +13,7 @@ from vad.rendering import vectors
 from vad.rendering.art import FOREVER, Growth, Level, Look, PanelArt
 from vad.rendering.labels import Obstacles
 from vad.rendering.marks import Mark
-from vad.rendering.page import Scale
+from vad.rendering.scale import Scale
 from vad.rendering.vertices import visible_start
 
 

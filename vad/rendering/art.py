@@ -12,7 +12,8 @@ from enum import IntEnum
 from vad.diagrams.strokes import Sheet
 from vad.rendering.labels import ALWAYS, Obstacles, Span
 from vad.rendering.marks import Mark
-from vad.rendering.page import Rect, Scale
+from vad.rendering.page import Rect
+from vad.rendering.scale import Scale
 from vad.rendering.style import Line, Style
 
 FOREVER = 1_000_000

@@ -12,7 +12,8 @@ from vad.rendering import vectors
 from vad.rendering.art import FOREVER, Growth, Level, Look, PanelArt
 from vad.rendering.labels import Obstacles, Span
 from vad.rendering.marks import Mark
-from vad.rendering.page import Rect, Scale
+from vad.rendering.page import Rect
+from vad.rendering.scale import Scale
 from vad.rendering.tags import SIZE, SMALL_SIZE, add_tag
 from vad.rendering.tools import SQUARE, STUB, right_angle, set_square, square_side, tip_dot
 

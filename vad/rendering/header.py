@@ -13,7 +13,8 @@ from vad.diagrams.strokes import Panel, Sheet
 from vad.rendering.art import Look
 from vad.rendering.marks import Mark, Pen, polyline, segments
 from vad.rendering.numbers import plain, with_unit
-from vad.rendering.page import LONGEST_BAR, Page, PanelPlace, Scale, scale_bar
+from vad.rendering.page import LONGEST_BAR, Page, PanelPlace
+from vad.rendering.scale import Scale, scale_bar
 from vad.rendering.style import mix
 from vad.rendering.text import Runs, bold, fitted, outline, roman, sentence, width, wrap, write
 

@@ -13,8 +13,9 @@ from vad.rendering import parts, vectors
 from vad.rendering.art import Growth, Level, Look, PanelArt
 from vad.rendering.labels import Obstacles
 from vad.rendering.marks import Mark, Pen, arc, polygon
-from vad.rendering.page import Rect, fill
+from vad.rendering.page import Rect
 from vad.rendering.rotation import add_angle, add_sense, angle_radius
+from vad.rendering.scale import fill
 from vad.rendering.supports import add_axes, add_pivots, block_guide, guide_marks
 from vad.rendering.tools import compass, set_square, square_side, tip_dot
 from vad.rendering.vertices import (

@@ -17,8 +17,9 @@ from vad.rendering.art import FOREVER, Level, Look, PanelArt
 from vad.rendering.labels import Obstacles
 from vad.rendering.marks import Mark
 from vad.rendering.orbits import Orbit, find_orbit, stand
-from vad.rendering.page import Rect, fill
+from vad.rendering.page import Rect
 from vad.rendering.polygon import DOT, DOT_RIM, dot
+from vad.rendering.scale import fill
 from vad.rendering.skeleton import Skeleton
 from vad.rendering.spots import CORIOLIS, Spots, grouped, groups, spots
 from vad.rendering.tags import SMALL_SIZE

@@ -12,7 +12,8 @@ from vad.rendering.constructions import add_construction, line_growth, name_cons
 from vad.rendering.inset import Inset, add_inset, draw_inset, find_spot, reserved
 from vad.rendering.labels import ALWAYS, Obstacles
 from vad.rendering.marks import Mark, Pen, disc
-from vad.rendering.page import Rect, fill
+from vad.rendering.page import Rect
+from vad.rendering.scale import fill
 from vad.rendering.tags import SMALL_SIZE, add_tag
 from vad.rendering.vertices import corners, find_vertices, label_vertices
 

@@ -15,8 +15,8 @@ from itertools import product
 from vad.diagrams.strokes import Arc, Panel, Stroke
 from vad.rendering.art import Level, Look, PanelArt
 from vad.rendering.labels import CLEARANCE, Obstacles, Placed, beside
-from vad.rendering.page import Scale
 from vad.rendering.rotation import SIZE, arc_line, sense_arrow
+from vad.rendering.scale import Scale
 from vad.rendering.text import symbols
 from vad.rendering.vertices import halo, text_at, text_box
 
@@ -58,7 +58,7 @@ class Sense:
         marks = sense_arrow(arrow.centre, radius, arrow.middle, sweep, ink, 0.0032 * unit, unit)
         runs, name = symbols("ω"), arrow.name
         marks += text_at(runs, runs, name.centre, SIZE * unit, ink, halo(look))
-        art.add(Level.LABEL, 0, marks)
+        art.add(Level.CONSTRUCTION, 0, marks)  # links pass over it
         art.obstacles.line(arrow.line, 0.004 * unit)
         grown = CLEARANCE * unit
         art.obstacles.box(Placed(name.centre, name.wide + grown, name.high + grown).box)

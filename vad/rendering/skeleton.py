@@ -14,8 +14,9 @@ from vad.rendering.art import Level, Look, PanelArt
 from vad.rendering.labels import Obstacles
 from vad.rendering.marks import Mark, Pen, arc
 from vad.rendering.mechanism import Scene, add_stroke
-from vad.rendering.page import Rect, Scale
+from vad.rendering.page import Rect
 from vad.rendering.rotation import LINE, angle_radius, arc_line
+from vad.rendering.scale import Scale
 from vad.rendering.sense import Sense, choose_sense
 from vad.rendering.spots import spots
 from vad.rendering.supports import WAYS, add_axes, block_pivot, blocks_on, stretch

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from vad.diagrams.strokes import Arrow, Dot, Panel
-from vad.rendering.page import Scale
+from vad.rendering.scale import Scale
 from vad.rendering.vectors import direction_of
 from vad.rendering.vertices import COINCIDENT
 

@@ -13,7 +13,7 @@ from vad.diagrams.strokes import Arrow, Dot, Panel
 from vad.rendering.art import Level, Look, PanelArt, Tag
 from vad.rendering.labels import Obstacles, outward, place
 from vad.rendering.marks import Mark, Pen, polyline
-from vad.rendering.page import Scale
+from vad.rendering.scale import Scale
 from vad.rendering.text import Runs, outline, symbols, write
 from vad.rendering.vectors import direction_of
 
