@@ -1,6 +1,7 @@
 """A full turn of the driver, pose by pose, while the polygons live with it.
 
 In comes a mechanism or a pose, out goes a `Turn` in whole frames; each frame is a sheet of `draw`.
+The solver is loaded when a turn is made: to know that turns can be saved takes no numbers.
 """
 
 from __future__ import annotations
@@ -9,14 +10,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from vad.diagrams.draw import draw
 from vad.diagrams.strokes import PANELS, Sheet
 from vad.errors import DeadCentreError, InputError
-from vad.kinematics.motion import Motion, solve
-from vad.lecture.course import Course, course
 from vad.lecture.timeline import check
 
 if TYPE_CHECKING:
+    from vad.kinematics.motion import Motion
+    from vad.lecture.course import Course
     from vad.mechanisms.mechanism import Mechanism
 
 SECONDS = 8.0
@@ -82,6 +82,9 @@ class Turn:
         return found[0]
 
     def _draw(self, phase: float) -> Sheet:
+        from vad.diagrams.draw import draw
+        from vad.kinematics.motion import solve
+
         motion = solve(self.mechanism, **self.course.inputs(phase))
         sheet = draw(motion, self.panels, self.language)
         if self.course.swing is None:
@@ -148,6 +151,9 @@ def turn(
     >>> film.frames, film.duration
     (200, 8.0)
     """
+    from vad.kinematics.motion import Motion, solve
+    from vad.lecture.course import course
+
     check(fps, size, speed)
     motion = mechanism if isinstance(mechanism, Motion) else solve(mechanism)
     if motion.many:
