@@ -20,9 +20,8 @@ class Captions:
 
     def pole(self, letters: list[str]) -> str:
         """Say which points lie at the pole."""
-        together = f" {self._say('and')} ".join(letters)
         one = "" if len(letters) > 1 else " one"
-        return self._say(f"pole {self._panel}{one}", letters=together)
+        return self._say(f"pole {self._panel}{one}", letters=", ".join(letters))
 
     def still(self) -> str:
         """Say that nothing moves."""

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from vad.diagrams.language import Language
+from vad.diagrams.parts import NOTHING
 from vad.diagrams.polygon import polygon
 from vad.diagrams.position import position, slide_symbol
 from vad.diagrams.scene import Scene
-from vad.diagrams.strokes import PANELS, Cell, Panel, PanelName, Row, Sheet
+from vad.diagrams.strokes import PANELS, Arrow, Cell, Panel, PanelName, Row, Sheet
 from vad.errors import InputError, UsageError, unknown
 from vad.kinematics.linkage import Slide, angle_of, length_of
 from vad.kinematics.motion import Motion
@@ -52,7 +54,7 @@ def draw(motion: Motion, panels: Sequence[str] | str = PANELS, language: str = "
         mechanism=mechanism.name,
         title=scene.language.name(mechanism.title),
         parameters=_parameters(scene),
-        rows=tuple(_rows(scene, wanted)),
+        rows=_without_noise(_rows(scene, wanted), drawn),
         panels=drawn,
         language=language,
     )
@@ -89,7 +91,7 @@ def _parameters(scene: Scene) -> tuple[tuple[str, float, str], ...]:
 
 def _rows(scene: Scene, panels: tuple[PanelName, ...]) -> list[Row]:
     motion = scene.motion
-    rows = []
+    rows: list[Row] = []
     for name in motion.links:
         link, given = motion.link(name), angle_of(name) == scene.driver
         cells: dict[PanelName, tuple[Cell, ...]] = {}
@@ -104,6 +106,28 @@ def _rows(scene: Scene, panels: tuple[PanelName, ...]) -> list[Row]:
     for name in motion.slides:
         rows.append(_slide_row(scene, name, panels))
     return rows
+
+
+def _without_noise(rows: list[Row], panels: tuple[Panel, ...]) -> tuple[Row, ...]:
+    """Write as zero what is zero but for rounding, against the largest of its kind."""
+    largest: dict[str, float] = {}
+    for row in rows:
+        for cell in (cell for cells in row.cells.values() for cell in cells):
+            largest[cell.unit] = max(abs(cell.value), largest.get(cell.unit, 0.0))
+    for panel in panels:
+        arrows = [stroke.shape for stroke in panel.strokes if isinstance(stroke.shape, Arrow)]
+        sizes = (abs(arrow.end - arrow.start) for arrow in arrows)
+        largest[panel.unit] = max(largest.get(panel.unit, 0.0), *sizes, 0.0)
+    largest["rad/s²"] = max(largest.get("rad/s²", 0.0), largest.get("rad/s", 0.0) ** 2)
+
+    def cleaned(cell: Cell) -> Cell:
+        noise = abs(cell.value) < NOTHING * largest[cell.unit]
+        return replace(cell, value=0.0) if noise and not cell.given else cell
+
+    return tuple(
+        replace(row, cells={name: tuple(map(cleaned, cells)) for name, cells in row.cells.items()})
+        for row in rows
+    )
 
 
 def _slide_row(scene: Scene, name: str, panels: tuple[PanelName, ...]) -> Row:

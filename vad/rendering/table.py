@@ -81,18 +81,18 @@ class Table:
                 marks += self._cells(
                     row.cells.get(name, ()), state(row.key, name), left + shift, right, baseline
                 )
-                if noted == (row.key, name):
+                if noted == (row, name):
                     marks += self._given(right, baseline)
                     noted = None
         return marks
 
-    def _noted(self) -> tuple[str, PanelName] | None:
+    def _noted(self) -> tuple[Row, PanelName] | None:
         """Return the cell beside which "given" is written: one with room, far right and high."""
         for name in reversed(list(self.page.panels)):
             for row in self.sheet.rows:
                 cells = row.cells.get(name, ())
                 if len(cells) == 1 and cells[0].given:
-                    return row.key, name
+                    return row, name
         return None
 
     def _given(self, right: float, baseline: float) -> list[Mark]:

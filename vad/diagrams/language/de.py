@@ -98,7 +98,6 @@ PHRASES = {
     "∥ link": "∥ {link}",
     "counter-clockwise": "gegen den Uhrzeigersinn",
     "clockwise": "im Uhrzeigersinn",
-    "and": "und",
     "right": "nach rechts",
     "left": "nach links",
     "up": "nach oben",

@@ -93,7 +93,6 @@ PHRASES = {
     "∥ link": "∥ {link}",
     "counter-clockwise": "counter-clockwise",
     "clockwise": "clockwise",
-    "and": "and",
     "right": "to the right",
     "left": "to the left",
     "up": "upwards",
