@@ -238,3 +238,21 @@ def test_what_is_not_asked_for_cannot_fail() -> None:
     motion = vad.solve(vad.FourBar(), angle=GOOD, omega=1.0, alpha=np.full(5, np.nan))
     assert motion.link("rocker").angle.tolist() == WANTED
     assert np.isfinite(motion.link("rocker").omega).all()
+
+
+@pytest.mark.parametrize("name", ["four-bar", "slider-crank", "gate-actuator"])
+def test_of_a_pose_that_does_not_close_nothing_is_known(name: str) -> None:
+    cls = vad.MECHANISMS[name]
+    first = next(iter(cls.inputs))
+    mechanism = cls(crank=230.0) if first == "angle" else cls()
+    places = [0.0, 90.0] if first == "angle" else [3.8, 9.0]
+    motion = vad.solve(mechanism, **{first: places})
+    assert motion.assembled.sum() == 1
+    for part in (*map(motion.link, motion.links), *map(motion.slide, motion.slides)):
+        for value in (
+            getattr(part, key, None) for key in ("angle", "position", "omega", "velocity")
+        ):
+            assert value is None or np.array_equal(np.isnan(value), ~motion.assembled)
+    for point in map(motion.point, motion.points):
+        for value in (point.position.real, point.position.imag, point.velocity.imag):
+            assert np.array_equal(np.isnan(value), ~motion.assembled)

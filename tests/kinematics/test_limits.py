@@ -101,5 +101,5 @@ def test_a_tiny_ground_does_not_hide_the_rates_against_the_crank() -> None:
 
 @pytest.mark.parametrize("length", [1e201, 1e-201, float("inf"), float("nan"), 0.0, -3.0])
 def test_lengths_beyond_the_range_are_refused_by_name(length: float) -> None:
-    with pytest.raises(vad.InputError, match="^crank: must be"):
+    with pytest.raises(vad.InputError, match=r"^crank: must be"):
         vad.FourBar(crank=length)

@@ -83,3 +83,12 @@ def test_what_cannot_be_is_refused_by_name_with_a_hint(name: str, options: dict)
         animate(slider_crank(), **options)
     assert refusal.value.hint
     assert "\n" not in str(refusal.value)
+
+
+@pytest.mark.parametrize(
+    "options",
+    [{"fps": "30"}, {"fps": float("nan")}, {"speed": None}, {"size": 5}, {"size": (1e400, 720)}],
+)
+def test_what_is_no_number_is_refused_by_name(options: dict):
+    with pytest.raises(UsageError, match=f"^{next(iter(options))}: must be"):
+        animate(slider_crank(), **options)

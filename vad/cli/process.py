@@ -30,6 +30,8 @@ def main() -> int:
     try:
         _raise_on_signals()
         _quieten()
+        # Nothing is shown in a window, whatever the user's own programs are set to.
+        os.environ["MPLBACKEND"] = "agg"
         from vad.cli.run import run
 
         code = run(sys.argv[1:])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from vad.diagrams.figures import figure
+from vad.diagrams.figures import figure, squared
 from vad.diagrams.parts import Part
 from vad.diagrams.scene import Scene, image_letter
 from vad.kinematics.linkage import Bar, Slide, Step, angle_of, length_of
@@ -42,13 +42,18 @@ class Captions:
                     speed=scene.write(length_of(step.name), abs(scene.speed(step.name, 1))),
                     **common,
                 )
-            return self._say(f"sliding {self._panel}", line=scene.line_name(step), **common)
+            return self._say(
+                f"sliding {self._panel}",
+                line=scene.line_name(step),
+                way=self._way(part.vector),
+                **common,
+            )
         common |= {"bar": scene.letters(step), "size": scene.write_size(step)}
         if part.name == "normal":
             return self._say(
                 "normal",
                 omega=scene.symbol("ω", step.link),
-                rate=scene.write(angle_of(step.link), abs(scene.rate(step.link, 1))),
+                rate=squared(scene.write(angle_of(step.link), abs(scene.rate(step.link, 1)))),
                 head=scene.letters(step)[1],
                 tail=scene.letters(step)[0],
                 **common,
@@ -141,8 +146,9 @@ class Captions:
         images = [
             "".join(image_letter(letter, self._order) for letter in b.ends) for b in (bar, base)
         ]
+        against = isinstance(bar.length, float) and bar.length < 0.0
         return self._say(
-            "image",
+            "image against" if against else "image",
             letter=image_letter(bar.ends[1], self._order),
             part=images[0],
             whole=images[1],

@@ -44,6 +44,8 @@ def draw(motion: Motion, panels: Sequence[str] | str = PANELS, language: str = "
     >>> [stroke.label for stroke in sheet.panel("velocity").strokes]
     ['a,d', 'ab', '⟂ BC', '⟂ DC', 'c', 'bc', 'dc']
     """
+    if not isinstance(motion, Motion):
+        raise InputError(f"motion: must be what vad.solve returns, got {motion!r}")
     if motion.many:
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
     wanted = _checked(panels)

@@ -43,6 +43,17 @@ def given(value: float) -> str:
     return f"{value + 0.0:.6g}".replace("-", MINUS) if abs(value) < 1e6 else figure(value, 7)
 
 
+def squared(text: str) -> str:
+    """Write the square of a written number.
+
+    Examples
+    --------
+    >>> squared("2.432"), squared("2.583×10⁻⁵")
+    ('2.432²', '(2.583×10⁻⁵)²')
+    """
+    return f"({text})²" if "×" in text else f"{text}²"
+
+
 def degrees(value: float) -> str:
     """Write a measured angle with one decimal.
 

@@ -204,7 +204,8 @@ class _Position:
         for bar in self.linkage.images:
             if bar.ends[1] not in self.found and angle_of(bar.link) in known:
                 self.found.add(bar.ends[1])
-                self._bar(bar, "result", "tip", image=True)
+                against = isinstance(bar.length, float) and bar.length < 0.0
+                self._bar(bar, "result", "tip against" if against else "tip", image=True)
 
     def _bar(self, bar: Bar, kind: str, phrase: str, image: bool = False) -> None:
         letters = self.scene.letters(bar)

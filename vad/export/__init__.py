@@ -134,6 +134,8 @@ def format_of(kind: type, path: str | os.PathLike[str]) -> str:
     """
     if kind not in FORMATS:
         raise UsageError(f"a {kind.__name__} cannot be saved", hint="draw or animate it first")
+    if not isinstance(path, str | os.PathLike):
+        raise UsageError(f"path: must be the name of a file, got {path!r}")
     formats, text = FORMATS[kind], os.fspath(path)
     extension = Path(text).suffix.lower()
     named_as_folder = text.endswith(("/", os.sep)) or extension == ""

@@ -32,7 +32,7 @@ def new_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     """Yield a stream whose bytes become the file ``path`` when the block ends without error.
 
     The stream can be read, sought and reopened by its ``name``; the file gets the permissions of
-    any new file (the umask).
+    the one that it replaces, or of any new file (the umask).
 
     Raises
     ------
@@ -62,6 +62,8 @@ def new_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
         try:
             with open(part, "x+b") as stream:
                 yield stream
+            if final.exists():
+                shutil.copymode(final, part)
             os.replace(part, final)
         finally:
             part.unlink(missing_ok=True)
@@ -132,7 +134,11 @@ def stopped_by_exception() -> Iterator[None]:
 
 def _place(path: str | os.PathLike[str]) -> Path:
     """Return where ``path`` really is (behind links), in a folder that can be written."""
-    final = Path(os.path.realpath(path))
+    try:
+        final = Path(os.path.realpath(path))
+        final.exists()
+    except (OSError, ValueError) as error:  # a name too long, or with a zero byte in it
+        raise ExportError(f"'{path}' cannot be a file: {error}") from None
     folder, shown = final.parent, Path(path).parent
     if not folder.exists():
         hint = f"create it first: mkdir -p {shlex.quote(str(shown))}"

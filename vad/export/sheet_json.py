@@ -28,7 +28,7 @@ def to_dict(sheet: Sheet) -> dict[str, Any]:
         "mechanism": sheet.mechanism,
         "panels": {
             panel.name: {
-                "unit": panel.unit,
+                "unit": _unit(panel),
                 "strokes": [_stroke(stroke) for stroke in panel.strokes],
             }
             for panel in sheet.panels
@@ -44,7 +44,12 @@ def to_text(sheet: Sheet) -> str:
 
 def _panel_text(panel: Panel) -> str:
     strokes = ",\n".join("    " + _text(_stroke(stroke)) for stroke in panel.strokes)
-    return f'  {_text(panel.name)}: {{"unit": {_text(panel.unit)}, "strokes": [\n{strokes}]}}'
+    return f'  {_text(panel.name)}: {{"unit": {_text(_unit(panel))}, "strokes": [\n{strokes}]}}'
+
+
+def _unit(panel: Panel) -> str:
+    """Return the unit as the JSON of ``vad solve`` spells it: mm/s^2."""
+    return panel.unit.replace("²", "^2")
 
 
 def _text(value: Any) -> str:

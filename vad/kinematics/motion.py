@@ -45,6 +45,11 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion:
     >>> round(motion.slide("slider").velocity, 6)
     -490.028085
     """
+    if not hasattr(mechanism, "linkage"):
+        raise InputError(
+            f"mechanism: must be a mechanism with its dimensions, got {mechanism!r}",
+            hint="for example vad.FourBar()",
+        )
     for name in inputs:
         if name not in mechanism.inputs:
             raise unknown("input", name, mechanism.inputs)
@@ -73,7 +78,7 @@ def _checked(name: str, value: Any, largest: float) -> Number:
             raise InputError(f"{name}: must be within ±{largest:g}, got {number:g}")
         return number
     try:
-        if isinstance(value, str | bytes | bool):
+        if value is None or isinstance(value, str | bytes | bool):
             raise TypeError
         array = np.array(value, dtype=float)
     except (TypeError, ValueError, OverflowError):

@@ -7,13 +7,14 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from vad.errors import AssemblyError, DeadCentreError, InputError
 from vad.kinematics import sweep
 from vad.kinematics.closures import OpenLoopError
 from vad.kinematics.frame import Frame
 from vad.kinematics.linkage import Linkage, Scalar
-from vad.kinematics.numbers import Number, direction, fold, is_array
+from vad.kinematics.numbers import NAN_VECTOR, Number, direction, fold, is_array
 from vad.kinematics.reach import closing_range
 from vad.kinematics.solver import Solver, solver_of
 from vad.kinematics.state import Pose, Rates
@@ -49,6 +50,7 @@ class Solution:
         self._driver: Number = np.asarray(first) if self.many else first
         # Plain attributes: functools.cached_property takes a lock, a tenth of a pose's time.
         self._pose: Pose | None = None
+        self._closed: NDArray[np.bool_] | None = None
         self._whole_pose: Pose | None = None
         self._velocity: Rates | None = None
         self._acceleration: Rates | None = None
@@ -142,13 +144,19 @@ class Solution:
                 return bool(self.pose.sine)
             except AssemblyError:
                 return False
-        sines = [sine for sine in self.whole_pose.sine if is_array(sine)]
-        size = math.prod(self.shape)
-        closed = ~np.isnan(sum(sines)) if sines else np.ones(size, bool)
-        return closed.reshape(self.shape)
+        return self._closes.reshape(self.shape).copy()
+
+    @property
+    def _closes(self) -> NDArray[np.bool_]:
+        if self._closed is None:
+            self._closed = ~np.isnan(sum(self.whole_pose.sine))
+        return self._closed
 
     def shaped(self, value: Number, *scales: Number) -> Number:
-        """Return a result in the user's shape, times ``scales``; never a view of the solution."""
+        """Return a result in the user's shape, times ``scales``; never a view of the solution.
+
+        Of a pose that does not close nothing is known, not even what the driver dictates.
+        """
         if not self.many:
             for scale in scales:
                 value = value * scale
@@ -162,7 +170,10 @@ class Solution:
             for scale in scales:
                 if not (isinstance(scale, float) and scale == 1.0):
                     result *= scale
-        result[np.isinf(result)] = np.nan  # beyond the range of double precision
+        nothing = NAN_VECTOR if np.iscomplexobj(result) else math.nan
+        result[np.isinf(result)] = nothing  # beyond the range of double precision
+        if not self._closes.all():
+            result[~self._closes] = nothing
         return result.reshape(self.shape)
 
     def reckon(self, formula: Formula, orders: int) -> Number:

@@ -29,15 +29,7 @@ class Link:
         """Its direction in degrees, counter-clockwise from +x."""
         motion, name = self._motion, self._name
         if angle_of(name) == motion.linkage.driver:
-            value = motion.inputs["angle"]
-            if is_array(value):
-                with np.errstate(invalid="ignore"):
-                    folded = fold(value)
-                value = np.where(folded < 0.0, folded + 360.0, folded)
-                value[value >= 360.0] = 0.0
-                return np.array(np.broadcast_to(value, motion.shape))
-            angle = positive(fold(value)) + 0.0
-            return np.full(motion.shape, angle) if motion.many else angle
+            return self._given_angle(motion.inputs["angle"])
         turn = motion.frame.turn
         if motion.many:
             return motion.shaped(
@@ -52,6 +44,18 @@ class Link:
         if unit != unit:  # NaN
             raise DeadCentreError(f"{name}: its angle is undetermined at this dead centre")
         return degrees_of(unit * turn)
+
+    def _given_angle(self, value: Number) -> Number:
+        """Return the driver's angle: as it was given, without a turn there and back."""
+        motion = self._motion
+        if not is_array(value):
+            motion.pose  # noqa: B018  # raises where the links do not close
+            return motion.shaped(positive(fold(value)) + 0.0)
+        with np.errstate(invalid="ignore"):
+            folded = fold(value)
+        folded = np.where(folded < 0.0, folded + 360.0, folded)
+        folded[folded >= 360.0] = 0.0
+        return motion.shaped(np.broadcast_to(folded, motion.shape).ravel())
 
     @property
     def omega(self) -> Number:

@@ -29,6 +29,7 @@ OPENING = 0.8
 CLOSING = 4.0
 
 FPS = (1.0, 240.0)
+SPEED = (0.01, 1000.0)
 SMALLEST = (320, 240)
 LARGEST = (7680, 4320)
 
@@ -60,6 +61,8 @@ def animate(
     vad.errors.UsageError
         If a value is out of its range.
     """
+    if not isinstance(sheet, Sheet):
+        raise UsageError(f"sheet: must be what vad.draw returns, got {sheet!r}")
     check(fps, size, speed)
 
     def count(seconds: float) -> int:
@@ -111,20 +114,28 @@ def _length(stroke: Stroke) -> float:
 
 def check(fps: float, size: tuple[int, int], speed: float) -> None:
     """Raise `vad.errors.UsageError` for a film that cannot be."""
-    if not FPS[0] <= fps <= FPS[1]:
-        raise UsageError(
-            f"fps: must be between {FPS[0]:g} and {FPS[1]:g}, got {fps:g}", hint="try --fps 30"
-        )
-    if not 0.01 <= speed <= 1000 or math.isnan(speed):
-        raise UsageError(
-            f"speed: must be between 0.01 and 1000, got {speed:g}", hint="try --speed 1"
-        )
+    _check_number("fps", fps, FPS, "try --fps 30")
+    _check_number("speed", speed, SPEED, "try --speed 1")
     check_size(size)
+
+
+def _check_number(name: str, value: float, ends: tuple[float, float], hint: str) -> None:
+    """Raise an error for what is no number, or out of its range; NaN is out of every range."""
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    if not (number and ends[0] <= value <= ends[1]):
+        shown = f"{value:g}" if number else repr(value)
+        raise UsageError(
+            f"{name}: must be between {ends[0]:g} and {ends[1]:g}, got {shown}", hint=hint
+        )
 
 
 def check_size(size: tuple[int, int]) -> None:
     """Raise `vad.errors.UsageError` for a size that no picture can have."""
-    if len(size) != 2 or any(side != int(side) for side in size):
+    try:
+        whole = len(size) == 2 and all(side == int(side) for side in size)
+    except (TypeError, ValueError, OverflowError):
+        whole = False
+    if not whole:
         raise UsageError(
             f"size: must be a width and a height in pixels, got {size}", hint="try 1280x720"
         )

@@ -20,13 +20,18 @@ MECHANISMS: dict[str, type[Mechanism]] = {}
 
 def length(default: float | None, help: str, *, signed: bool = False) -> Any:
     """Declare a parameter that is a length; positive unless ``signed``, optional if None."""
-    metadata = {"quantity": "length", "help": help, "signed": signed}
+    metadata = {
+        "quantity": "length",
+        "help": help,
+        "signed": signed,
+        "optional": default is None,
+    }
     return field(default=default, metadata=metadata)
 
 
 def angle(default: float, help: str, *, keyword: bool = True) -> Any:
     """Declare a parameter that is an angle in degrees."""
-    metadata = {"quantity": "angle", "help": help, "signed": True}
+    metadata = {"quantity": "angle", "help": help, "signed": True, "optional": False}
     return field(default=default, metadata=metadata, kw_only=keyword)
 
 
@@ -81,12 +86,14 @@ class Mechanism:
         elif metadata["quantity"] == "unit":
             if not isinstance(value, str) or not value.strip():
                 raise InputError(f"{name}: must be the name of a unit, got {value!r}")
-        elif value is not None:
+        elif value is not None or not metadata["optional"]:
             object.__setattr__(self, name, self._number(name, value, metadata["signed"]))
 
     @staticmethod
     def _number(name: str, value: Any, signed: bool) -> float:
         try:
+            if isinstance(value, str | bytes | bool):
+                raise TypeError
             number = float(value)
         except (TypeError, ValueError, OverflowError):
             raise InputError(f"{name}: must be one number, got {value!r}") from None

@@ -12,7 +12,7 @@ PHRASES = {
     "fixed": "{letter} ist ein festes Gelenk.",
     "fixed point": "{letter}, wo sich die Führungen schneiden, ist fest.",
     "guide": "{head} kann sich nur längs seiner Führung bewegen.",
-    "slot": "{head} gleitet im Schlitz: {link}.",
+    "slot": "{head} gleitet im Schlitz ({link}).",
     "driven bar": "{link} {bar} = {size} {unit} steht unter {angle}.",
     "driven slide": "{head} steht bei {value} {unit} auf seiner Führung.",
     "angle": "Der Winkel ({link}), von der x-Achse gegen den Uhrzeigersinn gemessen.",
@@ -25,6 +25,9 @@ PHRASES = {
     "bar": "{link} {bar}: θ = {angle}.",
     "block": "Der {slide} {head}: {symbol} = {value} {unit}.",
     "tip": "{letter} ({link}) liegt {size} {unit} von {tail} entfernt.",
+    "tip against": (
+        "{letter} ({link}) liegt {size} {unit} von {tail} entfernt auf der anderen Seite."
+    ),
     # Polygone
     "pole velocity": (
         "Der Pol: feste Punkte haben die Geschwindigkeit null, also liegen {letters} hier."
@@ -35,13 +38,17 @@ PHRASES = {
     "still": "Der Antrieb steht still und mit ihm alles andere: das Polygon ist sein Pol.",
     "tangential velocity": "{label} = {omega}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar}",
     "normal": (
-        "{label} = {omega}²·{bar} = {rate}² × {size} = {value} {unit}, von {head} nach {tail}"
+        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, von {head} nach {tail}"
     ),
     "tangential acceleration": (
         "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar}"
     ),
-    "sliding velocity": "{label} = {value} {unit}, die gegebene Geschwindigkeit längs {line}",
-    "sliding acceleration": "{label} = {value} {unit}, die gegebene Beschleunigung längs {line}",
+    "sliding velocity": (
+        "{label} = {value} {unit}, {way}, die gegebene Geschwindigkeit parallel {line}"
+    ),
+    "sliding acceleration": (
+        "{label} = {value} {unit}, {way}, die gegebene Beschleunigung parallel {line}"
+    ),
     "coriolis": (
         "{label} = 2·{omega}·v = 2 × {rate} × {speed} = {value} {unit}, "
         "v um 90° mit {omega} gedreht"
@@ -55,11 +62,11 @@ PHRASES = {
         "also liegt {meeting} auf dieser Geraden."
     ),
     "along velocity": (
-        "Durch {point} parallel zu {line}: anders kann sich der {slide} nicht bewegen, also liegt "
+        "Durch {point} parallel {line}: anders kann sich der {slide} nicht bewegen, also liegt "
         "{meeting} auf dieser Geraden."
     ),
     "along acceleration": (
-        "Durch {point} parallel zu {line}: der Gleitanteil ist noch unbekannt, also liegt "
+        "Durch {point} parallel {line}: der Gleitanteil ist noch unbekannt, also liegt "
         "{meeting} auf dieser Geraden."
     ),
     "crossing": "Im Schnittpunkt der beiden Geraden liegt {letter}.",
@@ -86,12 +93,16 @@ PHRASES = {
         "{letter} aus der Ähnlichkeit: {part}/{whole} = {bar}/{base} = {size}/{length}; "
         "{label} = {value} {unit}"
     ),
+    "image against": (
+        "{letter} aus der Ähnlichkeit, auf der anderen Seite: {part}/{whole} = {bar}/{base} = "
+        "{size}/{length}; {label} = {value} {unit}"
+    ),
     # Wörter
     "the pole": "den Pol",
-    "the guide": "der Führung",
-    "the guide of": "der Führung von {head}",
-    "the slot": "dem Schlitz",
-    "the link": "der {link}",
+    "the guide": "zur Führung",
+    "the guide of": "zur Führung von {head}",
+    "the slot": "zum Schlitz",
+    "the link": "zur {link}",
     "∥ guide": "∥ Führung",
     "∥ guide of": "∥ Führung von {head}",
     "∥ slot": "∥ Schlitz",

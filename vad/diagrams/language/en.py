@@ -25,6 +25,7 @@ PHRASES = {
     "bar": "The {link} {bar}: θ = {angle}.",
     "block": "The {slide} {head}: {symbol} = {value} {unit}.",
     "tip": "{letter} lies on the {link}, {size} {unit} from {tail}.",
+    "tip against": "{letter} lies on the {link}, {size} {unit} from {tail} on the other side.",
     # polygons
     "pole velocity": "The pole: every fixed point has the velocity zero, so {letters} lie here.",
     "pole acceleration": "The pole: fixed points have no acceleration, so {letters} lie here.",
@@ -33,13 +34,13 @@ PHRASES = {
     "still": "The driver stands still, and so does everything else: the polygon is its pole.",
     "tangential velocity": "{label} = {omega}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar}",
     "normal": (
-        "{label} = {omega}²·{bar} = {rate}² × {size} = {value} {unit}, from {head} towards {tail}"
+        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, from {head} towards {tail}"
     ),
     "tangential acceleration": (
         "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar}"
     ),
-    "sliding velocity": "{label} = {value} {unit}, the given velocity along {line}",
-    "sliding acceleration": "{label} = {value} {unit}, the given acceleration along {line}",
+    "sliding velocity": "{label} = {value} {unit}, {way}, the given velocity along {line}",
+    "sliding acceleration": "{label} = {value} {unit}, {way}, the given acceleration along {line}",
     "coriolis": (
         "{label} = 2·{omega}·v = 2 × {rate} × {speed} = {value} {unit}, v turned 90° with {omega}"
     ),
@@ -80,6 +81,10 @@ PHRASES = {
     "image": (
         "{letter} by the image: {part}/{whole} = {bar}/{base} = {size}/{length}; "
         "{label} = {value} {unit}"
+    ),
+    "image against": (
+        "{letter} by the image, on the other side: {part}/{whole} = {bar}/{base} = "
+        "{size}/{length}; {label} = {value} {unit}"
     ),
     # words
     "the pole": "the pole",
