@@ -14,7 +14,7 @@ from vad.diagrams.strokes import Cell, PanelName, Row, Sheet
 from vad.rendering.art import Look
 from vad.rendering.marks import Mark, Pen, polyline
 from vad.rendering.numbers import number, with_unit
-from vad.rendering.page import ROW_PITCH_TWO, Page
+from vad.rendering.page import ROW_PITCH_TWO, Page, Rect
 from vad.rendering.text import Runs, bold, fitted, roman, symbols, width, write
 from vad.rendering.vectors import BAR
 
@@ -32,9 +32,25 @@ GROUP_GAP = 0.0755
 COLUMN_PITCH = 0.146
 COLUMN_GAP = 0.022
 LEAST_SQUEEZE = 0.85  # of the type
+LEAST_QUARTER = 0.022  # two by two: the smallest type
+SHORT_KEY = 0.7  # of the key's length, where columns need room
 
 State = Literal["hidden", "new", "measured"]
 States = Callable[[str, PanelName], State]
+
+
+@dataclass(frozen=True, slots=True)
+class Columns:
+    """The columns of the two-by-two page, in pixels.
+
+    ``type`` is what its sizes are fractions of, ``key`` is the key's length, ``rights`` are where
+    the numbers end; where ``words`` is false, rows are named by their letters alone.
+    """
+
+    type: float
+    key: float
+    rights: list[float]
+    words: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,25 +66,30 @@ class Table:
         """Return the table with each cell shown as ``state(row, panel)`` says."""
         return self._columns(state) if self.page.columns else self._quarter(state)
 
-    def _name(self, row: Row, left: float, baseline: float, room: float, unit: float) -> list[Mark]:
+    def _name(
+        self, row: Row, at: complex, unit: float, key: float, size: float, words: bool = True
+    ) -> list[Mark]:
+        """Return the key line of a row and its name."""
         look = self.look
         line = look.line(row.key)
         pen_width = 0.85 * BAR * unit * line.weight
         dash = tuple(part * pen_width for part in line.dash)
-        y = baseline + 0.0068 * unit
-        key_end = left + look.style.key * look.unit
+        start = at + 0.0068j * unit
         pen = Pen(look.ink(row.key), pen_width, dash)
-        marks = [polyline([complex(left, y), complex(key_end, y)], pen)]
-        room -= (look.style.key + 0.02) * look.unit
-        names = [_heading(each) for each in self.sheet.rows]
-        size = min(fitted(name, SIZE * unit, LEAST * unit, room) for name in names)
-        at = complex(key_end + NAME_GAP * unit, baseline)
-        return marks + write(_heading(row), at, size, look.style.text)
+        name = _heading(row) if words else symbols(row.letters)
+        return [
+            polyline([start, start + key], pen),
+            *write(name, at + key + NAME_GAP * unit, size, look.style.text),
+        ]
 
     def _columns(self, state: States) -> list[Mark]:
         unit = self.look.unit
         marks: list[Mark] = []
         noted = self._noted()
+        key = self.look.style.key * unit
+        room = (VALUES - 0.02) * unit - key
+        names = [_heading(row) for row in self.sheet.rows]
+        size = min((fitted(name, SIZE * unit, LEAST * unit, room) for name in names), default=0.0)
         for index, (name, place) in enumerate(self.page.panels.items()):
             left, right = place.drawing.left, place.drawing.right
             y = self.page.hairline
@@ -77,7 +98,7 @@ class Table:
             shift = VALUES * unit if index == 0 else 0.0
             for row, baseline in zip(self.sheet.rows, self.page.rows, strict=True):
                 if index == 0:
-                    marks += self._name(row, left, baseline, shift, unit)
+                    marks += self._name(row, complex(left, baseline), unit, key, size)
                 marks += self._cells(
                     row.cells.get(name, ()), state(row.key, name), left + shift, right, baseline
                 )
@@ -147,14 +168,12 @@ class Table:
         need = 0.040 + HEAD_GAP + sum(FIRST_GAP + gap * ROW_PITCH_TWO for gap in gaps)
         need += (len(groups) - 1) * GROUP_GAP + 0.012
         squeeze = min(1.0, area.height / (need * unit))
-        sizes = max(squeeze, LEAST_SQUEEZE) * unit
+        columns = self._fit(groups, names, area, max(squeeze, LEAST_SQUEEZE) * unit)
+        sizes, rights = columns.type, columns.rights
         title = area.top - 0.040 * unit
         head = bold(roman(Language(self.sheet.language).say("results")))
         marks = write(head, complex(area.left, title), 0.037 * unit, look.style.text)
         marks += self._given(area.right, title) if _any_given(self.sheet) else []
-        rights = [area.right]
-        for name in reversed(names[1:]):
-            rights.insert(0, rights[0] - self._pitch(name, sizes))
         y = title - HEAD_GAP * unit * squeeze
         for group, gap in zip(groups, gaps, strict=True):
             marks += self._head(group, names, rights, y, sizes)
@@ -164,8 +183,8 @@ class Table:
             row_y = y - FIRST_GAP * unit * squeeze
             y = row_y - (gap * ROW_PITCH_TWO + GROUP_GAP) * unit * squeeze
             for row in group:
-                room = rights[0] - area.left - 0.08 * unit
-                marks += self._name(row, area.left, row_y, room, sizes)
+                at, size = complex(area.left, row_y), SIZE * sizes
+                marks += self._name(row, at, sizes, columns.key, size, columns.words)
                 for depth in range(1 + _extras(row, names)):
                     for name, right in zip(names, rights, strict=True):
                         for cell in row.cells.get(name, ())[depth : depth + 1]:
@@ -174,11 +193,44 @@ class Table:
                     row_y -= ROW_PITCH_TWO * unit * squeeze
         return marks
 
-    def _pitch(self, name: PanelName, unit: float) -> float:
-        """Return from where to where a column of numbers goes: no two may touch."""
-        cells = [row.cells[name][0] for row in self.sheet.rows if row.cells.get(name)]
-        widest = max((width(roman(number(cell)), SIZE * unit) for cell in cells), default=0.0)
-        return max(COLUMN_PITCH * self.look.unit, widest + COLUMN_GAP * unit)
+    def _fit(
+        self, groups: list[list[Row]], names: list[PanelName], area: Rect, most: float
+    ) -> Columns:
+        """Return columns that never touch, whatever the numbers.
+
+        Where they need room, first the columns draw together, then the key is cut short, then
+        all type shrinks alike; where that is not enough, the words of the names go.
+        """
+        unit = self.look.unit
+        key = full = self.look.style.key * unit
+        wide = [self._widest(groups, name) + COLUMN_GAP for name in names]
+        title = max((width(_heading(row), SIZE) for row in self.sheet.rows), default=0.0)
+        letters = max((width(symbols(row.letters), SIZE) for row in self.sheet.rows), default=0.0)
+        for name in (title, letters):
+            content = NAME_GAP + name + sum(wide)
+            key = min(key, max(SHORT_KEY * full, area.width - content * most))
+            kind = min(most, (area.width - key) / content)
+            if kind >= LEAST_QUARTER / SIZE * unit:
+                break
+        pitches = [share * kind for share in wide]
+        spare = area.width - key - (NAME_GAP + name) * kind - sum(pitches)
+        wanted = [max(0.0, COLUMN_PITCH * unit - pitch) for pitch in pitches[1:]]
+        share = min(1.0, spare / sum(wanted)) if sum(wanted) else 0.0
+        rights = [area.right]
+        for pitch, more in zip(reversed(pitches[1:]), reversed(wanted), strict=True):
+            rights.insert(0, rights[0] - pitch - share * more)
+        return Columns(kind, key, rights, name == title)
+
+    def _widest(self, groups: list[list[Row]], name: PanelName) -> float:
+        """Return the width of a column's heads and numbers, bold or not, at type 1."""
+        rows = [row for group in groups for row in group if row.cells.get(name)]
+        numbers = [self.figures(row.cells[name][0]) for row in rows]
+        heads = [_quantities(group, name) for group in groups]
+        return max(
+            [width(face, SIZE) for runs in numbers for face in (runs, bold(runs))]
+            + [width(runs, HEAD_SIZE) for runs in heads],
+            default=0.0,
+        )
 
     def _head(
         self,
@@ -191,12 +243,9 @@ class Table:
         """Return the quantities of a group of rows with their units; rows may differ in one."""
         marks: list[Mark] = []
         for name, right in zip(names, rights, strict=True):
-            cells = [row.cells[name][0] for row in group if row.cells.get(name)]
-            if cells:
-                quantities = list(dict.fromkeys(cell.symbol for cell in cells))
-                runs = symbols(" / ".join(quantities)) + roman(", " + cells[0].unit)
-                at = complex(right, baseline)
-                marks += write(runs, at, HEAD_SIZE * unit, self.look.style.grey, "right")
+            at = complex(right, baseline)
+            size, ink = HEAD_SIZE * unit, self.look.style.grey
+            marks += write(_quantities(group, name), at, size, ink, "right")
         return marks
 
     def _number(self, cell: Cell, depth: int, state: State, at: complex, unit: float) -> list[Mark]:
@@ -211,6 +260,15 @@ class Table:
 
 def _heading(row: Row) -> Runs:
     return roman(row.title + " ") + symbols(row.letters)
+
+
+def _quantities(group: list[Row], name: PanelName) -> Runs:
+    """Return the head of a column: its quantities and their unit, nothing where it is empty."""
+    cells = [row.cells[name][0] for row in group if row.cells.get(name)]
+    if not cells:
+        return ()
+    quantities = list(dict.fromkeys(cell.symbol for cell in cells))
+    return symbols(" / ".join(quantities)) + roman(", " + cells[0].unit)
 
 
 def _grouped(rows: tuple[Row, ...], names: list[PanelName]) -> list[list[Row]]:
