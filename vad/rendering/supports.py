@@ -15,6 +15,7 @@ from vad.rendering.art import Level, Look, PanelArt
 from vad.rendering.labels import Obstacles
 from vad.rendering.marks import Mark
 from vad.rendering.page import Rect
+from vad.rendering.vectors import clipped
 from vad.rendering.vertices import Vertex
 
 REFERENCE = 0.164
@@ -48,7 +49,8 @@ def add_axes(
                 if abs(near - at) < 1.0
             )
             if not along:
-                lines.append((index + 1, at, at + REFERENCE * look.unit * way))
+                seen = clipped(at, at + REFERENCE * look.unit * way, obstacles.edge)
+                lines += [(index + 1, *seen)] if seen else []
     for since, start, end in lines:
         art.add(Level.GROUND, since, [parts.axis(look, start, end)])
         obstacles.line([start, end], parts.AXIS * look.unit / 2)
