@@ -15,7 +15,7 @@ from vad.rendering.marks import Mark
 from vad.rendering.page import Rect
 from vad.rendering.scale import Scale
 from vad.rendering.tags import SIZE, SMALL_SIZE, add_tag
-from vad.rendering.tools import SQUARE, STUB, right_angle, set_square, square_side, tip_dot
+from vad.rendering.tools import SQUARE, STUB, SetSquare, place_square, right_angle, tip_dot
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,11 +33,11 @@ class Construction:
         """Return the line as far as ``tip``, heavy, or faint once it is inked over."""
         return vectors.construction(self.ink, self.start, tip, self.look.unit, done)
 
-    def growing(self, grown: float, side: complex) -> list[Mark]:
-        """Return the line being drawn along a set square that lies on its ``side``."""
+    def growing(self, grown: float, square: SetSquare | None) -> list[Mark]:
+        """Return the line being drawn along a set square."""
         tip = self.start + grown * (self.end - self.start)
         return [
-            *set_square(self.look, tip, self.way, side),
+            *(square.marks(tip) if square else []),
             vectors.underlay(self.ink, vectors.LIVE * self.look.unit, self.start, tip),
             self.mark(tip),
             tip_dot(self.look, self.ink, tip),
@@ -104,8 +104,8 @@ def line_growth(
 ) -> Growth:
     """Return how one construction line is drawn."""
     line = construction_of(panel, index, art.scale, drawing, look)
-    side = square_side(look, line.start, line.end, line.way, points, drawing)
-    return Growth(Level.CONSTRUCTION, lambda grown: line.growing(grown, side))
+    square = place_square(look, line.start, line.end, line.way, points, drawing)
+    return Growth(Level.CONSTRUCTION, lambda grown: line.growing(grown, square))
 
 
 def _stub(

@@ -17,7 +17,7 @@ from vad.rendering.page import Rect
 from vad.rendering.rotation import add_angle, add_sense, angle_radius
 from vad.rendering.scale import fill
 from vad.rendering.supports import add_axes, add_pivots, block_guide, guide_marks
-from vad.rendering.tools import compass, set_square, square_side, tip_dot
+from vad.rendering.tools import compass, place_square, tip_dot
 from vad.rendering.vertices import (
     Vertex,
     corners,
@@ -231,12 +231,12 @@ def _tracing(scene: Scene, stroke: Stroke) -> Callable[[float], list[Mark]]:
     line = shape
     foot, end = scale(line.through), _end(scene, line)
     points = [vertex.at for vertex in scene.vertices]
-    side = square_side(look, foot, end, line.direction, points, scene.drawing)
+    square = place_square(look, foot, end, line.direction, points, scene.drawing)
 
     def draw_line(grown: float) -> list[Mark]:
         tip = foot + grown * (end - foot)
         return [
-            *set_square(look, tip, line.direction, side),
+            *(square.marks(tip) if square else []),
             vectors.underlay(ink, vectors.LIVE * look.unit, foot, tip),
             *_trace(scene, stroke, grown),
             tip_dot(look, ink, tip),
