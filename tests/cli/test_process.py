@@ -148,7 +148,7 @@ def test_a_signal_that_a_library_makes_an_error_of(environment):
     """As numpy does while it is being imported."""
     script = (
         "import os, signal, sys\n"
-        "from vad.cli import catalogue, process\n"
+        "from vad.cli import catalogue, main\n"
         "def fail():\n"
         "    try:\n"
         "        os.kill(os.getpid(), signal.SIGINT)\n"
@@ -156,7 +156,7 @@ def test_a_signal_that_a_library_makes_an_error_of(environment):
         "        raise ImportError('initialization failed')\n"
         "catalogue.table = fail\n"
         "sys.argv = ['vad', 'list']\n"
-        "sys.exit(process.main())\n"
+        "sys.exit(main())\n"
     )
     done = subprocess.run(
         [sys.executable, "-c", script],

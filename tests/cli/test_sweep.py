@@ -12,7 +12,7 @@ from PIL import Image
 
 import vad as library
 from vad.export import sweep_plot
-from vad.export.sweep import results_of
+from vad.export.sweep_results import results_of
 from vad.mechanisms import MECHANISMS
 from vad.rendering.style import load_style
 

@@ -13,7 +13,7 @@ _SIGNALS = [
 ]
 _received: list[int] = []
 # The exit code of a program whose reader has gone away, as a shell reports it.
-_BROKEN_PIPE = 128 + 13
+BROKEN_PIPE = 128 + 13
 
 
 class Interrupted(BaseException):
@@ -22,32 +22,6 @@ class Interrupted(BaseException):
     def __init__(self, number: int) -> None:
         super().__init__(number)
         self.exit_code = 128 + number
-
-
-def main() -> int:
-    """Run the command line of this process and return its exit code."""
-    _open_standard_streams()
-    try:
-        _raise_on_signals()
-        _quieten()
-        # Nothing is shown in a window, whatever the user's own programs are set to.
-        os.environ["MPLBACKEND"] = "agg"
-        from vad.cli.run import run
-
-        code = run(sys.argv[1:])
-        if sys.stdout is not None:
-            sys.stdout.flush()
-        return code
-    except Interrupted as stop:
-        say("error: interrupted")
-        return stop.exit_code
-    except BrokenPipeError:
-        _abandon_stdout()
-        return _BROKEN_PIPE
-    except OSError as error:
-        _abandon_stdout()
-        say(f"error: cannot write: {error.strerror or error}")
-        return 1
 
 
 def check_interrupt() -> None:
@@ -66,7 +40,7 @@ def say(line: str) -> None:
             print(line, file=sys.stderr, flush=True)
 
 
-def _open_standard_streams() -> None:
+def open_standard_streams() -> None:
     """Give closed streams a descriptor, lest the next file be opened under their number."""
     for descriptor in (0, 1, 2):
         try:
@@ -78,17 +52,21 @@ def _open_standard_streams() -> None:
             stream.reconfigure(errors="replace")  # an ω on a Latin terminal is a ?, not a crash
 
 
-def _quieten() -> None:
-    """Keep libraries from writing to stderr, unless Python was asked for warnings."""
+def quieten() -> None:
+    """Keep libraries from writing to stderr, unless Python was asked for warnings.
+
+    Nothing is shown in a window, whatever the user's own programs are set to.
+    """
     import logging
     import warnings
 
+    os.environ["MPLBACKEND"] = "agg"
     logging.getLogger().addHandler(logging.NullHandler())
     if not sys.warnoptions:
         warnings.simplefilter("ignore")
 
 
-def _raise_on_signals() -> None:
+def raise_on_signals() -> None:
     """Turn the signals that this process does not ignore into `Interrupted`."""
 
     def stop(number: int, _frame: FrameType | None) -> None:
@@ -102,6 +80,6 @@ def _raise_on_signals() -> None:
         signal.signal(each, stop)
 
 
-def _abandon_stdout() -> None:
+def abandon_stdout() -> None:
     """Let Python's own last flush go nowhere, where it cannot fail."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)

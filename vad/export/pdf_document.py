@@ -2,6 +2,9 @@
 
 In come marks whose pixels are points, out go objects on a stream.  There are no dates and no
 random identifiers: the same marks give the same bytes.
+
+matplotlib can write PDF too, but not share what pages have in common: here a lesson of 24 pages
+takes 134 kB, where a single sheet took 100 kB there, and its text can be searched.
 """
 
 from __future__ import annotations

@@ -1,0 +1,32 @@
+"""The command as a process: its signals, its streams and its exit code."""
+
+from __future__ import annotations
+
+import sys
+
+from vad.cli import process
+
+
+def main() -> int:
+    """Run the command line of this process and return its exit code."""
+    process.open_standard_streams()
+    try:
+        process.raise_on_signals()
+        process.quieten()
+        # From here on a request to stop leaves in good order, even while modules are loaded.
+        from vad.cli.run import run
+
+        code = run(sys.argv[1:])
+        if sys.stdout is not None:
+            sys.stdout.flush()
+        return code
+    except process.Interrupted as stop:
+        process.say("error: interrupted")
+        return stop.exit_code
+    except BrokenPipeError:
+        process.abandon_stdout()
+        return process.BROKEN_PIPE
+    except OSError as error:
+        process.abandon_stdout()
+        process.say(f"error: cannot write: {error.strerror or error}")
+        return 1

@@ -1,0 +1,68 @@
+"""What a sweep writes: in comes a motion over an array of inputs, out go columns with units."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vad.kinematics.motion import Motion
+from vad.units import scene_unit
+
+_LINK = ("angle", "omega", "alpha")
+_SLIDE = ("position", "velocity", "acceleration")
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """One quantity over all poses, in its unit; NaN where there is none."""
+
+    quantity: str
+    unit: str
+    values: NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One link or slide: its position, velocity and acceleration; ``driven`` if it is the input."""
+
+    name: str
+    letters: str
+    driven: bool
+    columns: tuple[Column, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Results:
+    """A motion over the places of its driver."""
+
+    place: Column
+    links: tuple[Row, ...]
+    slides: tuple[Row, ...]
+
+    @property
+    def driver(self) -> Row:
+        """The link or slide that is driven."""
+        return next(row for row in (*self.links, *self.slides) if row.driven)
+
+
+def results_of(motion: Motion) -> Results:
+    """Return what is written of a motion: its input, its links and its slides."""
+    unit, driver = motion.mechanism.length_unit, motion.linkage.driver
+    links, slides = motion.mechanism.links, motion.mechanism.slides
+    name, places = next(iter(motion.inputs.items()))
+
+    def row(owner: str, letters: str, moving: object, quantities: tuple[str, ...]) -> Row:
+        columns = tuple(
+            Column(quantity, scene_unit(quantity, unit), getattr(moving, quantity))
+            for quantity in quantities
+        )
+        driven = driver.name == owner and name == quantities[0]
+        return Row(owner, letters, driven, columns)
+
+    return Results(
+        Column(name, scene_unit(name, unit), places),
+        tuple(row(each, links[each], motion.link(each), _LINK) for each in motion.links),
+        tuple(row(each, slides[each], motion.slide(each), _SLIDE) for each in motion.slides),
+    )
