@@ -7,7 +7,7 @@ the orbits of the labels are chosen once for all poses.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -20,12 +20,12 @@ from vad.rendering.orbits import Orbit, find_orbit, stand
 from vad.rendering.page import Rect
 from vad.rendering.polygon import DOT, DOT_RIM, dot
 from vad.rendering.scale import fill
+from vad.rendering.seats import Seat, letter_size, seats
 from vad.rendering.skeleton import Skeleton
-from vad.rendering.spots import CORIOLIS, Spots, grouped, groups, spots
-from vad.rendering.tags import SMALL_SIZE
+from vad.rendering.spots import CORIOLIS, groups, spots
 from vad.rendering.text import symbols
 from vad.rendering.vectors import along, clipped, vector
-from vad.rendering.vertices import LABEL, corners, halo, text_at, text_box
+from vad.rendering.vertices import corners, halo, text_at
 
 #: A polygon this much larger than at most times may leave the panel for a while.
 _RARE, _LARGE = 80.0, 2.2
@@ -34,12 +34,12 @@ CLIPPED = 0.010  # from the panel's edge, a vector that leaves it ends
 
 @dataclass(frozen=True, slots=True)
 class Name:
-    """A label in motion: the letters that share its dot, as they are written."""
+    """A label in motion: the letters at its dot, as they are written, and the dot's radius."""
 
-    letters: tuple[str, ...]
     text: str
     size: float
     ink: str
+    radius: float
     orbit: Orbit
 
 
@@ -79,23 +79,18 @@ class MovingPanel:
 
     def labels(self, panel: Panel, phase: float) -> list[tuple[Name, Rect]]:
         """Return the labels of one pose with their ink boxes."""
-        here, found = spots(panel, self.scale), []
-        for name in self._names:
-            spot = grouped(here, name.letters)
-            if spot and self._drawing.holds(spot.at):
-                size, radius = text_box(symbols(name.text), name.size), self._radius(name.text)
-                placed = stand(name.orbit, phase, spot.at, size, self._look.unit, radius)
-                found.append((name, placed.box))
+        unit, found, taken = self._look.unit, [], Obstacles(self._drawing)
+        here = self._seats(panel)
+        for name, seat in zip(self._names, here, strict=True):
+            placed = seat and stand(name.orbit, phase, seat, taken, unit, name.radius)
+            if seat and placed:
+                taken.box(placed.box)
+                found.append((replace(name, text=seat.text), placed.box))
         return found
 
     def obstacles(self, panel: Panel, rate: float) -> Obstacles:
         """Return the strokes of one pose, which labels keep clear of."""
         return self._art(panel, rate).obstacles
-
-    def _radius(self, text: str) -> float:
-        if text == CORIOLIS:
-            return 0.0
-        return self._skeleton.radius if self._skeleton else 0.0
 
     def _art(self, panel: Panel, rate: float) -> PanelArt:
         if self._skeleton:
@@ -134,21 +129,22 @@ class MovingPanel:
     def _place(self, poses: Sequence[Panel], strokes: Sequence[Obstacles]) -> list[Name]:
         look, names = self._look, []
         placed = [Obstacles(self._drawing) for _ in poses]
-        where: list[Spots] = [spots(pose, self.scale) for pose in poses]
-        for letters in groups(where, look.unit):
-            text, size, ink = ", ".join(letters), LABEL * look.unit, look.style.text
+        found = groups([spots(pose, self.scale) for pose in poses], look.unit)
+        self._groups = sorted(found, key=lambda letters: CORIOLIS in letters)  # points come first
+        here = [self._seats(pose) for pose in poses]
+        for index, letters in enumerate(self._groups):
+            text, ink = ", ".join(letters), look.style.text
+            radius = self._skeleton.radius if self._skeleton else 0.0
             if text == CORIOLIS:
-                size, ink = SMALL_SIZE * look.unit, self._coriolis_ink(poses)
-            orbit = find_orbit(
-                [grouped(pose, letters) for pose in where],
-                strokes,
-                placed,
-                text_box(symbols(text), size),
-                look.unit,
-                self._radius(text),
-            )
-            names.append(Name(letters, text, size, ink, orbit))
+                ink, radius = self._coriolis_ink(poses), 0.0
+            orbit = find_orbit([pose[index] for pose in here], strokes, placed, look.unit, radius)
+            names.append(Name(text, letter_size(text, look.unit), ink, radius, orbit))
         return names
+
+    def _seats(self, panel: Panel) -> list[Seat | None]:
+        unit, here = self._look.unit, spots(panel, self.scale)
+        radius = self._skeleton.radius if self._skeleton else (DOT + DOT_RIM) * unit
+        return seats(here, self._groups, self._drawing, unit, radius)
 
     def _coriolis_ink(self, poses: Sequence[Panel]) -> str:
         links = [s.link for pose in poses for s in pose.strokes if s.component == "coriolis"]
