@@ -9,8 +9,8 @@ import pytest
 import vad
 from vad.rendering.page import Rect
 from vad.rendering.polygon import DOT
-from vad.rendering.spots import CORIOLIS, Spots, spots
-from vad.rendering.turn import TurnBoard
+from vad.rendering.turning.film import TurnBoard
+from vad.rendering.turning.spots import CORIOLIS, Spots, spots
 
 SHARE = 0.8  # of the distance to any other dot, at which its own has to be
 PHASES = [step / 41 for step in range(41)]  # beside those that are planned

@@ -11,10 +11,10 @@ import vad
 from vad.cli.run import run
 from vad.diagrams.strokes import Cell
 from vad.rendering.canvas import AggCanvas
-from vad.rendering.figures import Figures
 from vad.rendering.frame import EMPTY
 from vad.rendering.text import outline
-from vad.rendering.turn import TurnBoard, frames, redraw
+from vad.rendering.turning.figures import Figures
+from vad.rendering.turning.film import TurnBoard, frames, redraw
 
 SIZE = (640, 360)
 

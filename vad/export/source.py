@@ -26,7 +26,7 @@ def painted(lesson: Film, progress: Progress | None = None) -> Iterator[Frame]:
 
 def _frames(lesson: Film) -> Iterator[Frame]:
     if isinstance(lesson, Turn):
-        from vad.rendering.turn import frames as turning
+        from vad.rendering.turning.film import frames as turning
 
         return turning(lesson)
     from vad.rendering.film import frames as drawn

@@ -16,14 +16,14 @@ from vad.rendering.arrows import vector_of
 from vad.rendering.art import FOREVER, Level, Look, PanelArt
 from vad.rendering.labels import Obstacles
 from vad.rendering.marks import Mark
-from vad.rendering.orbits import Orbit, find_orbit, stand
 from vad.rendering.page import Rect
 from vad.rendering.polygon import DOT, DOT_RIM, dot
 from vad.rendering.scale import fill
-from vad.rendering.seats import Seat, letter_size, seats
-from vad.rendering.skeleton import Skeleton
-from vad.rendering.spots import CORIOLIS, groups, spots
 from vad.rendering.text import symbols
+from vad.rendering.turning.orbits import Orbit, find_orbit, stand
+from vad.rendering.turning.seats import Seat, letter_size, seats
+from vad.rendering.turning.skeleton import Skeleton
+from vad.rendering.turning.spots import CORIOLIS, groups, spots
 from vad.rendering.vectors import along, clipped, vector
 from vad.rendering.vertices import corners, halo, text_at
 

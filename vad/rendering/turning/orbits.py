@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.rendering.labels import CLEARANCE, Obstacles, Placed, beside, outward
-from vad.rendering.seats import Seat
+from vad.rendering.turning.seats import Seat
 
 Reals = NDArray[np.float64]
 Complexes = NDArray[np.complex128]

@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.rendering.page import Rect
-from vad.rendering.spots import CORIOLIS, Spot, Spots, grouped
 from vad.rendering.tags import SMALL_SIZE
 from vad.rendering.text import symbols
+from vad.rendering.turning.spots import CORIOLIS, Spot, Spots, grouped
 from vad.rendering.vertices import COINCIDENT, LABEL, text_box
 
 Bools = NDArray[np.bool_]

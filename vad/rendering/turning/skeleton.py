@@ -18,8 +18,8 @@ from vad.rendering.page import Rect
 from vad.rendering.rotation import LINE, angle_radius, arc_line
 from vad.rendering.scale import Scale
 from vad.rendering.sense import Sense, choose_sense
-from vad.rendering.spots import spots
 from vad.rendering.supports import WAYS, add_axes, block_pivot, blocks_on, stretch
+from vad.rendering.turning.spots import spots
 from vad.rendering.vertices import find_vertices
 
 PAST = 0.014  # by which guides and slots are longer than their block's way

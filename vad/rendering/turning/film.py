@@ -14,14 +14,14 @@ from vad.rendering.art import Look
 from vad.rendering.board import arrange
 from vad.rendering.canvas import AggCanvas
 from vad.rendering.equation import foot_marks
-from vad.rendering.figures import Figures
 from vad.rendering.film import Pixels, difference
 from vad.rendering.frame import Box, Frame
 from vad.rendering.header import head_marks, title_marks
 from vad.rendering.marks import Mark
-from vad.rendering.moving import MovingPanel
 from vad.rendering.style import load_style
 from vad.rendering.table import Table
+from vad.rendering.turning.figures import Figures
+from vad.rendering.turning.panel import MovingPanel
 
 #: Poses from which scale, columns and the ways of the labels are found.
 POSES = 120

@@ -1,0 +1,1 @@
+"""A mechanism in motion: the page of a turn, with labels that glide and numbers that keep still."""
