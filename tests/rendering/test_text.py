@@ -50,6 +50,21 @@ def test_lines_break_between_words_within_their_room():
     assert "".join(r.text for r in lines[0]) + " " + "".join(r.text for r in lines[1]) == text
 
 
+def test_a_number_stays_with_its_unit():
+    text = "ab = 0.3333 ft/s, so ω₃ = 1.2×10⁻⁷ rad/s, at 5 mm"
+    for room in range(60, 700, 7):
+        lines = ["".join(r.text for r in line) for line in wrap(text, roman, 28.0, room)]
+        assert not any(line.startswith(("ft", "rad", "mm")) for line in lines)
+
+
+def test_lines_are_as_few_as_fit():
+    text = "sb = 0.3281 ft/s, so ω = sb/DB = 0.3281/3.8 = 0.08633 rad/s, clockwise: B from D."
+    for room in range(560, 1000, 10):
+        lines = wrap(text, roman, 28.0, room)
+        assert len(lines) <= 2
+        assert all(width(line, 28.0) <= room + 1.0 for line in lines)
+
+
 def test_shrinking_to_fit_stops_at_the_least_size():
     runs = roman("crank and slotted lever")
     assert fitted(runs, 40.0, 30.0, 1e6) == 40.0

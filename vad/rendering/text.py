@@ -31,6 +31,8 @@ _BOLD: dict[Face, Face] = {"roman": "bold", "italic": "bolditalic"}
 _SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑₙₚₛₜₓ", "0123456789aenpstx", strict=True))
 _SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−", strict=True))
 _TOKEN = re.compile(r"[A-Za-zÀ-ÖØ-öø-ÿ]+|.", re.DOTALL)
+# Words part at a space, unless it stands between a number and its unit.
+_BREAK = re.compile(r"(?<![0-9⁰¹²³⁴⁵⁶⁷⁸⁹]) | (?!(?:mm|cm|km|m|in|ft|yd|rad)\b)")
 _GREEK = re.compile(r"[α-ωΑ-Ω]")
 
 SCRIPT_SIZE = 0.7
@@ -216,14 +218,27 @@ def fitted(runs: Runs, size: float, least: float, room: float) -> float:
 
 
 def wrap(text: str, setter: Callable[[str], Runs], size: float, room: float) -> list[Runs]:
-    """Break ``text`` between words into as few lines as fit ``room``, evenly filled."""
-    words = text.split(" ")
+    """Break ``text`` between words into as few lines as fit ``room``, evenly filled.
+
+    A number stays with its unit.
+    """
+    words = _BREAK.split(text)
     widths = [width(setter(word), size) for word in words]
     space = 0.25 * size
     total = sum(widths) + space * (len(words) - 1)
     if total <= room:
         return [setter(text)]
-    goal = min(room, 1.12 * total / (int(total / room) + 1))
+    fewest = len(_filled(words, widths, space, room))
+    goals = [min(room, filled * total / fewest) for filled in (1.12, 1.2, 1.3, 1.4)]
+    for goal in (*goals, room):
+        lines = _filled(words, widths, space, goal)
+        if len(lines) == fewest:
+            break
+    return [setter(" ".join(line)) for line in lines]
+
+
+def _filled(words: list[str], widths: list[float], space: float, goal: float) -> list[list[str]]:
+    """Return the words in lines, each as long as ``goal`` allows."""
     lines: list[list[str]] = [[]]
     used = 0.0
     for word, wide in zip(words, widths, strict=True):
@@ -232,4 +247,4 @@ def wrap(text: str, setter: Callable[[str], Runs], size: float, room: float) -> 
             used = 0.0
         used += wide + (space if lines[-1] else 0.0)
         lines[-1].append(word)
-    return [setter(" ".join(line)) for line in lines]
+    return lines
