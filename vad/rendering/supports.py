@@ -6,19 +6,20 @@ In come the position panel's strokes and the vertices placed, out go marks and o
 from __future__ import annotations
 
 import cmath
-import itertools
 import math
+from itertools import pairwise, permutations
 
 from vad.diagrams.strokes import Arc, Arrow, Block, Dot, Guide, Panel, Stroke
 from vad.rendering import parts
 from vad.rendering.art import Level, Look, PanelArt
 from vad.rendering.labels import Obstacles
-from vad.rendering.marks import Mark
+from vad.rendering.marks import Mark, Pen, polyline
 from vad.rendering.page import Rect
 from vad.rendering.vectors import clipped
 from vad.rendering.vertices import Vertex
 
 REFERENCE = 0.164
+PAST_JOINT = 0.016  # from a pivot's apex; what is nearer lies under the joint
 WAYS = (-1j, -1 + 0j, 1 + 0j, 1j)
 
 
@@ -36,7 +37,7 @@ def add_axes(
     """Add the dash-dotted ground link, and the line from which the angle is measured."""
     fixed = _fixed(panel)
     lines: list[tuple[int, complex, complex]] = []
-    for (_, one), (index, other) in itertools.pairwise(fixed):
+    for (_, one), (index, other) in pairwise(fixed):
         lines.append((index + 1, art.scale(one), art.scale(other)))
     for index, stroke in enumerate(panel.strokes):
         if stroke.kind == "angle" and isinstance(stroke.shape, Arc):
@@ -68,11 +69,11 @@ def add_pivots(
     for index, point in _fixed(panel):
         at = art.scale(point)
         bars = [
-            (art.scale(s.shape.end) - art.scale(s.shape.start))
-            * (1 if abs(art.scale(s.shape.start) - at) < 1.0 else -1)
+            end - at
             for s in panel.strokes
             if isinstance(s.shape, Arrow)
-            and min(abs(art.scale(s.shape.start) - at), abs(art.scale(s.shape.end) - at)) < 1.0
+            for start, end in permutations((art.scale(s.shape.start), art.scale(s.shape.end)))
+            if abs(end - at) > 1.0 and _leads_from(at, start, end)
         ]
         way, size = _orientation(at, bars, obstacles, look.unit)
         lean = 1.0
@@ -80,18 +81,35 @@ def add_pivots(
             # Where no side is clear, at least the ticks lean away from the link.
             nearest = max(bars, key=lambda bar: (bar / abs(bar) * way.conjugate()).real)
             lean = 1.0 if (nearest * way.conjugate()).imag > 0 else -1.0
-        art.add(Level.GROUND, index + 1, parts.pivot(look, at, way, size, lean))
+        foot = parts.pivot(look, at, way, size, lean)
+        if any(abs(axis - way) < 0.02 for v in vertices if abs(v.at - at) < 1.0 for axis in v.ways):
+            foot.insert(0, _gap(look, at, way, size))
+        art.add(Level.GROUND, index + 1, foot)
         block_pivot(obstacles, at, way, size, look.unit)
         for vertex in vertices:
             if abs(vertex.at - at) < 1.0:
                 vertex.ways.append(way)
 
 
+def _leads_from(at: complex, start: complex, end: complex) -> bool:
+    """Tell whether a bar begins at a point, or passes over it."""
+    way = (end - start) / abs(end - start)
+    along, across = ((at - start) * way.conjugate()).real, ((at - start) * way.conjugate()).imag
+    return abs(across) < 1.0 and -1.0 < along < abs(end - start)
+
+
+def _gap(look: Look, at: complex, way: complex, size: float) -> Mark:
+    """Return a gap in the axis that runs under a pivot, from its base past its ticks."""
+    base = at + parts.PIVOT_HEIGHT * size * look.unit * way
+    end = base + (0.72 * parts.TICK * size + 0.006) * look.unit * way
+    return polyline([base, end], Pen(look.style.background, 3 * parts.AXIS * look.unit))
+
+
 def _footprint(way: complex, size: float, unit: float) -> tuple[complex, float, float]:
     """Return where, from its apex, the box of a pivot's lower part lies, and its size."""
-    deep = (parts.PIVOT_HEIGHT + 0.72 * parts.TICK - 0.016) * size * unit
+    deep = ((parts.PIVOT_HEIGHT + 0.72 * parts.TICK) * size - PAST_JOINT) * unit
     wide = 2 * (parts.PIVOT_GROUND + 0.004) * size * unit
-    centre = way * (0.016 * size * unit + deep / 2)
+    centre = way * (PAST_JOINT * unit + deep / 2)
     return (centre, wide, deep) if way.imag else (centre, deep, wide)
 
 
