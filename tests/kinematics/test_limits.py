@@ -103,3 +103,22 @@ def test_a_tiny_ground_does_not_hide_the_rates_against_the_crank() -> None:
 def test_lengths_beyond_the_range_are_refused_by_name(length: float) -> None:
     with pytest.raises(vad.InputError, match=r"^crank: must be"):
         vad.FourBar(crank=length)
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "place", "words", "works"),
+    [
+        (vad.FourBar(crank=130), 10.0, "13.3254° … 120.255° and 239.745° … 346.675°", 15.46),
+        (vad.FourBar(crank=300), 60.0, "they close for angle 0°", 0.0),
+        (vad.GateActuator(), 9.0, "3.20018 ft … 4.57302 ft", 4.546),
+    ],
+)
+def test_an_open_loop_says_by_how_much_and_where_it_would_close(
+    mechanism: Any, place: float, words: str, works: float
+) -> None:
+    first = next(iter(mechanism.inputs))
+    with pytest.raises(vad.AssemblyError, match="the links miss by") as caught:
+        vad.solve(mechanism, **{first: place}).point("B").position  # noqa: B018
+    assert words in str(caught.value)
+    assert caught.value.hint == f"try {first} {works:g}"
+    assert vad.solve(mechanism, **{first: works}).assembled

@@ -204,11 +204,26 @@ def _broadcast(inputs: dict[str, Number]) -> tuple[int, ...]:
 def _not_assembled(mechanism: Mechanism, value: float, miss: float) -> AssemblyError:
     solver = solver_of(mechanism)
     name = next(iter(mechanism.inputs))
-    unit = "°" if name == "angle" else f" {mechanism.length_unit}"
+    turns = name == "angle"
+    unit = "°" if turns else f" {mechanism.length_unit}"
     miss *= solver.frame.scale
     message = f"{name} {value:g}{unit}: the links miss by {miss:.4g} {mechanism.length_unit}"
-    ranges = closing_range(mechanism)
+    ranges = [_without_rounding(*ends) for ends in closing_range(mechanism)]
     if not ranges:
-        return AssemblyError(message, hint=f"with these lengths they close at no {name}")
-    words = " and ".join(f"{low:.6g}{unit} … {high:.6g}{unit}" for low, high in ranges)
-    return AssemblyError(message, hint=f"they close for {name} {words}")
+        return AssemblyError(f"{message}; with these lengths they close at no {name}")
+    words = " and ".join(
+        f"{low:.6g}{unit}" + (f" … {high:.6g}{unit}" if high > low else "") for low, high in ranges
+    )
+    inside = [low + share * (high - low) for low, high in ranges for share in (0.02, 0.98)]
+    period = 360.0 if turns else math.inf
+    nearest = min(inside, key=lambda place: abs(math.remainder(place - value, period)))
+    hint = f"try {name} {nearest:.4g}"
+    return AssemblyError(f"{message}; they close for {name} {words}", hint=hint)
+
+
+def _without_rounding(low: float, high: float) -> tuple[float, float]:
+    """Return a range, or twice the one place that it is but for rounding."""
+    if high - low > 1e-5 * max(abs(low), abs(high), 1.0):
+        return low, high
+    place = float(f"{0.5 * (low + high):.6f}") + 0.0
+    return place, place
