@@ -72,12 +72,13 @@ def test_the_same_lesson_gives_the_same_bytes():
         assert np.array_equal(one.pixels, other.pixels)
 
 
+@pytest.mark.parametrize("style", style_names())
 @pytest.mark.parametrize("name", sorted(vad.MECHANISMS))
-def test_films_of_every_mechanism_equal_full_redraws(name: str):
+def test_films_of_every_mechanism_equal_full_redraws(name: str, style: str):
     mechanism = vad.MECHANISMS[name]
     sheet = vad.draw(vad.solve(mechanism(), **mechanism.inputs))
-    lesson = animate(sheet, fps=4, size=SIZE)
-    board = Board(sheet, SIZE, lesson=True)
+    lesson = animate(sheet, fps=4, size=SIZE, style=style)
+    board = Board(sheet, SIZE, style, lesson=True)
     for frame, (state, _) in zip(frames(lesson), moments(lesson), strict=True):
         canvas = AggCanvas(SIZE, board.style.background)
         paint(board, state, canvas)
