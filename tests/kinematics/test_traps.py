@@ -232,10 +232,13 @@ def test_the_rounding_band_of_a_toggle_is_the_toggle(side: str) -> None:
 
 
 def test_assembly_errors_say_what_would_work() -> None:
+    mechanism = vad.FourBar(4, 3, 2, 3)
     with pytest.raises(vad.AssemblyError) as caught:
-        crank(vad.FourBar(4, 3, 2, 3), 120.0).point("C").position  # noqa: B018
+        crank(mechanism, 120.0).point("C").position  # noqa: B018
     assert "\n" not in str(caught.value)
-    assert caught.value.hint and "90" in caught.value.hint
+    assert "they close for angle -90° … 90°" in str(caught.value)
+    assert caught.value.hint is not None
+    assert crank(mechanism, float(caught.value.hint.split()[-1])).assembled
 
 
 @pytest.mark.parametrize("cls", [vad.CrankSlottedLever, vad.Whitworth])

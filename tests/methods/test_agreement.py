@@ -27,7 +27,7 @@ CASES = [
     (name, assembly, *pose)
     for name in vad.MECHANISMS
     for assembly in ("open", "crossed")
-    for pose in (({}, {}), POSES[name])
+    for pose in (({}, {}), POSES.get(name, ({}, {})))
 ]
 # In units of the last place of a result these would be some tens: the poses are well-conditioned
 # but for the gate's default, whose accelerations are a hundredth of the terms that they are
@@ -54,7 +54,9 @@ def test_every_method_agrees(name, assembly, dimensions, inputs):
         assert largest_error(solve(problem), truth) < TOLERANCES[method], method
 
 
-@pytest.mark.parametrize(("name", "assembly", "dimensions", "inputs"), CASES)
+@pytest.mark.parametrize(
+    ("name", "assembly", "dimensions", "inputs"), [case for case in CASES if case[0] in POSES]
+)
 def test_high_precision_agrees_with_the_tests_own_oracle(name, assembly, dimensions, inputs):
     mechanism = vad.MECHANISMS[name](**dimensions, assembly=assembly)
     given = {**mechanism.inputs, **inputs}
