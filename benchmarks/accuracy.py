@@ -26,7 +26,6 @@ from benchmarks.common import (
     RESULTS,
     facts,
     floor,
-    seconds,
     three,
     write_csv,
 )
@@ -50,6 +49,7 @@ from vad.methods import (
     newton,
     problem_of,
 )
+from vad.methods.comparison import seconds
 
 MICRO = math.degrees(1e-6)
 COURSES = {

@@ -10,13 +10,13 @@ import csv
 import importlib.metadata
 import os
 import platform
-import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 import numpy as np
 
 import vad
+from vad.methods.comparison import seconds
 
 ROOT = Path(__file__).parents[1]
 RESULTS = ROOT / "benchmarks" / "results"
@@ -24,23 +24,6 @@ GALLERY = ROOT / "gallery"
 SOLVERS = ("numpy", "scipy", "mechanism", "pylinkage", "numba")
 # Told apart by colour-blind eyes too.
 BLUE, ORANGE, GREEN, PURPLE, BLACK = "#0072B2", "#D55E00", "#009E73", "#AA3377", "#000000"
-
-
-def seconds(call: Callable[[], object], repeats: int = 5, least: float = 0.002) -> float:
-    """Return the time of one call: the best of a few runs that are long enough to be measured."""
-    count = 1
-    while True:
-        best = min(_elapsed(call, count) for _ in range(repeats))
-        if best >= least:
-            return best / count
-        count *= 4
-
-
-def _elapsed(call: Callable[[], object], count: int) -> float:
-    start = time.perf_counter()
-    for _ in range(count):
-        call()
-    return time.perf_counter() - start
 
 
 def floor(size: int = 1_000_000) -> float:

@@ -11,9 +11,10 @@ from typing import Any
 import numpy as np
 
 import vad
-from benchmarks.common import RESULTS, floor, seconds, three, write_csv
+from benchmarks.common import RESULTS, floor, three, write_csv
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
+from vad.methods.comparison import seconds
 
 POSES = 1_000_000
 MECHANISMS = {

@@ -146,9 +146,8 @@ class Captions:
         images = [
             "".join(image_letter(letter, self._order) for letter in b.ends) for b in (bar, base)
         ]
-        against = isinstance(bar.length, float) and bar.length < 0.0
         return self._say(
-            "image against" if against else "image",
+            "image against" if bar.against else "image",
             letter=image_letter(bar.ends[1], self._order),
             part=images[0],
             whole=images[1],

@@ -8,7 +8,7 @@ from vad.diagrams.captions import Captions
 from vad.diagrams.parts import Part
 from vad.diagrams.scene import Scene, image_letter
 from vad.diagrams.strokes import Arrow, Component, CoriolisInset, Dot, Line, Stroke
-from vad.kinematics.linkage import Bar, Slide, Step
+from vad.kinematics.linkage import Bar, Slide, Step, scalar_of
 
 
 class Tip:
@@ -149,7 +149,7 @@ class Pencil:
 
 def owner(step: Step) -> str:
     """Return the row of the results table whose ink a step takes."""
-    return step.link if isinstance(step, Bar) else step.name
+    return scalar_of(step).name
 
 
 def _arrow(part: Part, tip: Tip, name: str, at: complex) -> Arrow:

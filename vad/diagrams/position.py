@@ -204,8 +204,7 @@ class _Position:
         for bar in self.linkage.images:
             if bar.ends[1] not in self.found and angle_of(bar.link) in known:
                 self.found.add(bar.ends[1])
-                against = isinstance(bar.length, float) and bar.length < 0.0
-                self._bar(bar, "result", "tip against" if against else "tip", image=True)
+                self._bar(bar, "result", "tip against" if bar.against else "tip", image=True)
 
     def _bar(self, bar: Bar, kind: str, phrase: str, image: bool = False) -> None:
         letters = self.scene.letters(bar)
@@ -266,7 +265,7 @@ class _Position:
                 label = self.scene.letters(step)
                 if side is sides[1] and step is chain[0] and label[0] == start[1]:
                     label = second_start + label[1]
-                owner = step.link if isinstance(step, Bar) else step.name
+                owner = scalar_of(step).name
                 side.add(step, Term(label, owner, self._drawn(step, owner)))
         return equation(loop, *sides)
 

@@ -36,6 +36,11 @@ class Bar:
     length: float | str
     reverse: bool = False
 
+    @property
+    def against(self) -> bool:
+        """Whether it points against its link."""
+        return isinstance(self.length, float) and self.length < 0.0
+
     def __neg__(self) -> Bar:
         return replace(self, reverse=not self.reverse)
 

@@ -141,15 +141,16 @@ def degrees_of(value: Number) -> Number:
     (270.0, 0.0)
     """
     if is_array(value):
-        angle = np.degrees(np.arctan2(value.imag, value.real))
-        angle[angle < 0.0] += 360.0
-        angle[angle >= 360.0] = 0.0
-        return angle
+        return positive(np.degrees(np.arctan2(value.imag, value.real)))
     return positive(math.degrees(cmath.phase(value)))
 
 
-def positive(degrees: float) -> float:
-    """Return one angle within ±360° as the same angle within [0, 360)."""
+def positive(degrees: Number) -> Number:
+    """Return an angle within ±360° as the same angle within [0, 360); an array changes in place."""
+    if is_array(degrees):
+        degrees[degrees < 0.0] += 360.0
+        degrees[degrees >= 360.0] = 0.0
+        return degrees
     if degrees < 0.0:
         degrees += 360.0
     return degrees if degrees < 360.0 else 0.0

@@ -52,9 +52,7 @@ class Link:
             motion.pose  # noqa: B018  # raises where the links do not close
             return motion.shaped(positive(fold(value)) + 0.0)
         with np.errstate(invalid="ignore"):
-            folded = fold(value)
-        folded = np.where(folded < 0.0, folded + 360.0, folded)
-        folded[folded >= 360.0] = 0.0
+            folded = positive(fold(value))
         return motion.shaped(np.broadcast_to(folded, motion.shape).ravel())
 
     @property

@@ -78,7 +78,7 @@ def _row(name: str, method: Method, problem: Problem, truth: Found) -> Row:
         found = method(problem)
     except (ArithmeticError, ValueError, VadError) as error:  # LinAlgError is a ValueError
         return Row(name, None, problem=str(error))
-    return Row(name, found, largest_error(found, truth), _seconds(lambda: method(problem)))
+    return Row(name, found, largest_error(found, truth), seconds(lambda: method(problem)))
 
 
 def largest_error(found: Found, truth: Found) -> float:
@@ -106,7 +106,7 @@ def _error(scalar: Scalar, order: int, value: float, truth: Found) -> float:
         return float(miss / (abs(truth[scalar][order]) or max(alike) or 1))
 
 
-def _seconds(call: Callable[[], object], least: float = 0.002, repeats: int = 5) -> float:
+def seconds(call: Callable[[], object], least: float = 0.002, repeats: int = 5) -> float:
     """Return the time of one call: the best of a few runs that are long enough to be measured."""
     count, best = 1, 0.0
     while True:
