@@ -29,9 +29,9 @@ from matplotlib.patches import FancyArrowPatch, Polygon
 from matplotlib.patheffects import withStroke
 
 import vad
-from vad.diagrams.strokes import Arc, Arrow, Block, Dot, Guide, Line, Panel, Row, Shape, Stroke
 from vad.lecture.lesson import Lesson
 from vad.lecture.moment import Moment, moments
+from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Row, Shape, Stroke
 
 INKS = ("#0072B2", "#D55E00", "#009E73", "#AA3377", "#000000")
 TEXT, GREY = "#1A1A1A", "#6B6B6B"

@@ -70,9 +70,9 @@ def check_frames() -> None:
 
     import vad
     from vad.lecture.moment import moments
-    from vad.rendering.board import Board
-    from vad.rendering.canvas import AggCanvas
-    from vad.rendering.film import frames, paint
+    from vad.painting.canvas import AggCanvas
+    from vad.painting.film import frames, paint
+    from vad.plan.board import Board
 
     lesson = vad.animate(vad.draw(vad.solve(vad.SliderCrank())))
     board = Board(lesson.sheet, lesson.size, lesson.style, lesson=True)

@@ -19,11 +19,11 @@ from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
 import vad
-from vad.diagrams.strokes import Sheet
 from vad.export.palette import Palette, fine
 from vad.lecture.lesson import Lesson
-from vad.rendering.still import still
-from vad.rendering.style import style_names
+from vad.painting.posed import still
+from vad.strokes.sheet import Sheet
+from vad.style import style_names
 
 HERE = Path(__file__).parent
 

@@ -18,7 +18,7 @@ __version__ = "0.1.0"
 _HOMES = {
     "solve": "vad.kinematics.motion",
     "Motion": "vad.kinematics.motion",
-    "draw": "vad.diagrams.draw",
+    "draw": "vad.strokes.draw",
     "animate": "vad.lecture.timeline",
     "turn": "vad.lecture.turn",
     "still": "vad.lecture.still",

@@ -10,9 +10,9 @@ import sys
 import pytest
 
 import vad as library
-from vad.diagrams.language import languages
 from vad.mechanisms import MECHANISMS
-from vad.rendering.style import style_names
+from vad.strokes.language import languages
+from vad.style import style_names
 
 SMALL = ("--fps", "5", "--size", "320x240", "--speed", "20")
 BEGINNINGS = {

@@ -14,7 +14,7 @@ import vad as library
 from vad.export import sweep_plot
 from vad.export.sweep_results import results_of
 from vad.mechanisms import MECHANISMS
-from vad.rendering.style import load_style
+from vad.style import load_style
 
 
 def swept(vad, folder, *words):

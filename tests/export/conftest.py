@@ -11,7 +11,7 @@ from tests.export.synthetic import as_film_module
 @pytest.fixture
 def painter(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let lessons be painted by the small synthetic painter."""
-    monkeypatch.setitem(sys.modules, "vad.rendering.film", as_film_module())
+    monkeypatch.setitem(sys.modules, "vad.painting.film", as_film_module())
 
 
 @pytest.fixture

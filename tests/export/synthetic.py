@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.diagrams.strokes import Arc, Arrow, Block, Dot, Guide, Line, Panel, Sheet, Stroke
 from vad.lecture.lesson import Lesson, Step
-from vad.rendering.frame import EMPTY, Frame
+from vad.painting.picture import EMPTY, Frame
+from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Sheet, Stroke
 
 Bytes = NDArray[np.uint8]
 INKS = np.array([[0, 114, 178], [213, 94, 0], [0, 158, 115], [170, 51, 119]])
@@ -109,8 +109,8 @@ def pictures(lesson: Lesson) -> list[Bytes]:
 
 
 def as_film_module(source: Any = frames) -> ModuleType:
-    """Return a module that stands for ``vad.rendering.film``."""
-    module = ModuleType("vad.rendering.film")
+    """Return a module that stands for ``vad.painting.film``."""
+    module = ModuleType("vad.painting.film")
     module.__dict__["frames"] = source
     return module
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from vad.export.boxes import bands, parted
-from vad.rendering.frame import EMPTY, Frame
+from vad.painting.picture import EMPTY, Frame
 
 SIZE = (60, 200)
 

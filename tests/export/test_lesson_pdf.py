@@ -10,12 +10,12 @@ from PIL import Image
 
 import vad
 from tests.export import pdf_reader
-from tests.rendering.sheets import slider_crank
+from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
 from vad.lecture.lesson import Lesson
 from vad.lecture.moment import moments
 from vad.lecture.still import ends
-from vad.rendering.film import redraw
+from vad.painting.film import redraw
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from vad.export.palette import Palette, coarse, fine
-from vad.rendering.style import load_style, style_names
+from vad.style import load_style, style_names
 
 
 def rgb(colour: str) -> list[int]:

@@ -9,11 +9,11 @@ import pytest
 
 import vad
 from tests.export import pdf_reader
-from vad.diagrams.strokes import Arrow, Sheet
 from vad.errors import UsageError
-from vad.rendering.board import Board
-from vad.rendering.paper import CENTIMETRE, load_paper, paper_names
-from vad.rendering.vertices import corners
+from vad.plan.board import Board
+from vad.plan.paper import CENTIMETRE, load_paper, paper_names
+from vad.plan.vertices import corners
+from vad.strokes.sheet import Arrow, Sheet
 
 MILLIMETRE = 72 / 25.4
 #: A hundredth of a millimetre, in points.

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from tests.export.synthetic import SHEET
-from vad.diagrams.strokes import Dot, Panel, Stroke
 from vad.export import save, sheet_json
+from vad.strokes.sheet import Dot, Panel, Stroke
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ from PIL import Image
 import vad
 from gallery import build
 from vad.cli.run import run
-from vad.rendering.style import style_names
+from vad.style import style_names
 
 FILMS = sorted(build.HERE.glob("films/*.gif"))
 

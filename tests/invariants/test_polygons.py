@@ -11,9 +11,9 @@ from hypothesis import given
 
 import vad
 from tests.invariants.test_motion import drawn, everything, motions
-from vad.diagrams.strokes import Arrow, Dot, Line, Panel, Sheet, Stroke
 from vad.errors import DeadCentreError
 from vad.kinematics.linkage import Bar, Slide
+from vad.strokes.sheet import Arrow, Dot, Line, Panel, Sheet, Stroke
 
 ORDERS = {"velocity": 1, "acceleration": 2}
 

@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import pytest
 
-from tests.rendering.sheets import slider_crank
+from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
 from vad.lecture.easing import smooth, steady
 from vad.lecture.moment import moment, moments

@@ -9,13 +9,13 @@ import click
 
 import vad
 from vad.cli.progress import progress, written
-from vad.diagrams.strokes import Sheet
 from vad.errors import UsageError
 from vad.export import FOLDER, format_of
 from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
 from vad.lecture.turn import Turn
 from vad.mechanisms import Mechanism
+from vad.strokes.sheet import Sheet
 
 Inputs = dict[str, Any]
 #: The files that lie beside a film with ``--subtitles``, and the films that take them.

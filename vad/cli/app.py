@@ -11,14 +11,14 @@ from vad import __version__
 from vad.cli import actions, catalogue, compare, values
 from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import named_option
-from vad.diagrams.language import languages
-from vad.diagrams.strokes import PANELS, Sheet
 from vad.errors import unknown
 from vad.export import FOLDER, FORMATS
 from vad.lecture.lesson import Lesson
 from vad.mechanisms import MECHANISMS
-from vad.rendering.paper import paper_names
-from vad.rendering.style import style_names
+from vad.plan.paper import paper_names
+from vad.strokes.language import languages
+from vad.strokes.sheet import PANELS, Sheet
+from vad.style import style_names
 
 CARD = """\
 vad draws velocity and acceleration polygons: as numbers, as a picture, as a film.

@@ -20,12 +20,12 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from vad.diagrams.strokes import Sheet
 from vad.errors import UsageError
 from vad.export import files
 from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
 from vad.lecture.turn import Turn
+from vad.strokes.sheet import Sheet
 
 FOLDER = "/"
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.rendering.frame import EMPTY, Box, Frame
+from vad.painting.picture import EMPTY, Box, Frame
 
 Picture = NDArray[Any]
 

@@ -17,7 +17,7 @@ from vad.export.boxes import bands, parted, union
 from vad.export.gif_image import image_bytes
 from vad.export.palette import Palette, coarse
 from vad.export.source import Film, Progress, painted, rate
-from vad.rendering.frame import EMPTY, Box, Frame
+from vad.painting.picture import EMPTY, Box, Frame
 
 Bytes = NDArray[np.uint8]
 

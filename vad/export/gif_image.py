@@ -10,7 +10,7 @@ import struct
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.rendering.frame import Box
+from vad.painting.picture import Box
 
 Bytes = NDArray[np.uint8]
 Mask = NDArray[np.bool_]

@@ -14,9 +14,9 @@ from vad.export.source import Progress
 from vad.lecture.lesson import Lesson
 from vad.lecture.moment import Moment
 from vad.lecture.still import ends
-from vad.rendering.alt import title
-from vad.rendering.board import Board
-from vad.rendering.still import board_of, ground, whole
+from vad.painting.posed import board_of, ground, whole
+from vad.plan.board import Board
+from vad.strokes.words import title
 
 
 def write(lesson: Lesson, target: BinaryIO, *, progress: Progress | None = None) -> None:

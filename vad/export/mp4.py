@@ -21,7 +21,7 @@ from vad.export.planes import Bytes, Samples, converted
 from vad.export.source import Film, Progress, painted, rate
 from vad.export.subtitles import Cue, cues
 from vad.lecture.lesson import Lesson
-from vad.rendering.frame import Frame
+from vad.painting.picture import Frame
 
 if TYPE_CHECKING:
     from av.container import OutputContainer

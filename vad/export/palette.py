@@ -13,7 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.rendering.style import Style, load_style
+from vad.style import Style, load_style
 
 Bytes = NDArray[np.uint8]
 Colour = NDArray[np.float64]

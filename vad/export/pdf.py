@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import BinaryIO
 
-from vad.diagrams.strokes import Sheet
 from vad.errors import UsageError
 from vad.export.lesson_pdf import pages
 from vad.export.pdf_document import Document
 from vad.lecture.still import Still
-from vad.rendering.alt import title
-from vad.rendering.still import posed, sheet_of
+from vad.painting.posed import posed, sheet_of
+from vad.strokes.sheet import Sheet
+from vad.strokes.words import title
 
 
 def write(

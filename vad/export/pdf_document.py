@@ -16,7 +16,7 @@ from typing import BinaryIO
 from vad.export import pdf_syntax as pdf
 from vad.export.pdf_syntax import Area
 from vad.export.pdf_type import Letters
-from vad.rendering.marks import Mark, Pen
+from vad.plan.marks import Mark, Pen
 
 _CATALOG, _PAGES, _RESOURCES, _INFO = 1, 2, 3, 4
 #: A path with more points than this is written once, however often it is shown.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from vad.rendering.marks import CLOSE, CURVE, LINE, MOVE, Codes, Pen, Points
+from vad.plan.marks import CLOSE, CURVE, LINE, MOVE, Codes, Pen, Points
 
 #: A thousandth of a point is 0.35 µm; fewer digits save little.
 _DIGITS = 3

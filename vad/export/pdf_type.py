@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
 from vad.export import pdf_syntax as pdf
-from vad.rendering.marks import Letter, Setting
+from vad.plan.marks import Letter, Setting
 
 _EM = 1000  # units of a character's own space
 _FULL = 256  # characters of one font

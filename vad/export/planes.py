@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.export.boxes import parted
-from vad.rendering.frame import Box, Frame
+from vad.painting.picture import Box, Frame
 
 Bytes = NDArray[np.uint8]
 

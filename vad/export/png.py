@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import BinaryIO
 
-from vad.diagrams.strokes import Sheet
 from vad.lecture.still import Still
-from vad.rendering.alt import describe, title
-from vad.rendering.still import sheet_of, still
+from vad.painting.posed import sheet_of, still
+from vad.strokes.sheet import Sheet
+from vad.strokes.words import describe, title
 
 
 def write(

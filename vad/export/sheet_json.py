@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 from typing import Any, BinaryIO
 
-from vad.diagrams.strokes import Arc, Arrow, Block, Dot, Guide, Line, Panel, Shape, Sheet, Stroke
+from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Shape, Sheet, Stroke
 
 
 def write(

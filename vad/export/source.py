@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from vad.lecture.lesson import Lesson
 from vad.lecture.turn import Turn
-from vad.rendering.frame import Frame
+from vad.painting.picture import Frame
 
 Film = Lesson | Turn
 #: Called with how many frames are done and how many there will be.
@@ -26,10 +26,10 @@ def painted(lesson: Film, progress: Progress | None = None) -> Iterator[Frame]:
 
 def _frames(lesson: Film) -> Iterator[Frame]:
     if isinstance(lesson, Turn):
-        from vad.rendering.turning.film import frames as turning
+        from vad.painting.turning import frames as turning
 
         return turning(lesson)
-    from vad.rendering.film import frames as drawn
+    from vad.painting.film import frames as drawn
 
     return drawn(lesson)
 

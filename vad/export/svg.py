@@ -5,10 +5,10 @@ from __future__ import annotations
 import io
 from typing import BinaryIO
 
-from vad.diagrams.strokes import Sheet
 from vad.lecture.still import Still
-from vad.rendering.alt import describe, title
-from vad.rendering.still import posed, sheet_of, sketch
+from vad.painting.posed import posed, sheet_of, sketch
+from vad.strokes.sheet import Sheet
+from vad.strokes.words import describe, title
 
 
 def write(

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from vad.export.sweep_results import Column, Results, Row
 from vad.kinematics.motion import Motion
-from vad.rendering.style import Style, load_style
+from vad.style import Style, load_style
 from vad.units import scene_unit
 
 _SIZE, _DPI = (1600, 1200), 100

@@ -1,13 +1,13 @@
 """When each stroke is drawn: a sheet laid out in time, as whole frames.
 
-In comes a sheet, out goes a `Lesson`; how a frame looks is known only to `vad.rendering`.
+In comes a sheet, out goes a `Lesson`; how a frame looks is known only to `vad.plan`.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from vad.diagrams.strokes import Panel, Sheet, Stroke
+from vad.strokes.sheet import Panel, Sheet, Stroke
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from vad.diagrams.strokes import Sheet
 from vad.errors import UsageError, unknown
 from vad.lecture.lesson import Lesson
 from vad.lecture.moment import Moment
+from vad.strokes.sheet import Sheet
 
 
 @dataclass(frozen=True, slots=True)

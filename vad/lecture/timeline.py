@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import math
 
-from vad.diagrams.strokes import Arc, Arrow, Line, Panel, Sheet, Stroke
 from vad.errors import UsageError
 from vad.lecture.lesson import Lesson, Step
+from vad.strokes.sheet import Arc, Arrow, Line, Panel, Sheet, Stroke
 
 GROWTH = {
     "fixed": 0.20,

@@ -10,9 +10,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from vad.diagrams.strokes import PANELS, Sheet
 from vad.errors import DeadCentreError, InputError
 from vad.lecture.timeline import check
+from vad.strokes.sheet import PANELS, Sheet
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
@@ -82,8 +82,8 @@ class Turn:
         return found[0]
 
     def _draw(self, phase: float) -> Sheet:
-        from vad.diagrams.draw import draw
         from vad.kinematics.motion import solve
+        from vad.strokes.draw import draw
 
         motion = solve(self.mechanism, **self.course.inputs(phase))
         sheet = draw(motion, self.panels, self.language)

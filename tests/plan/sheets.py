@@ -1,0 +1,278 @@
+"""A slider-crank sheet built by hand, so that these tests need no solver."""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+from vad.strokes.sheet import (
+    Arc,
+    Arrow,
+    Block,
+    Cell,
+    Dot,
+    Equation,
+    Guide,
+    Line,
+    Panel,
+    Row,
+    Sheet,
+    Stroke,
+    Term,
+)
+
+
+def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0) -> Sheet:
+    """Return the sheet of a slider-crank, crank 60 and rod 140, at one pose."""
+    crank, rod = 60.0, 140.0
+    theta = math.radians(degrees)
+    b = crank * cmath.exp(1j * theta)
+    c = complex(b.real + math.sqrt(rod**2 - b.imag**2), 0.0)
+    way = (c - b) / rod
+    vb = 1j * omega * b
+    rod_omega = -vb.imag / (1j * (c - b)).imag
+    vc = complex((vb + 1j * rod_omega * (c - b)).real, 0.0)
+    ab_n = -(omega**2) * b
+    ab = ab_n + 1j * alpha * b
+    cn = ab - rod_omega**2 * (c - b)
+    rod_alpha = -cn.imag / (1j * (c - b)).imag
+    ac = complex((cn + 1j * rod_alpha * (c - b)).real, 0.0)
+
+    def unit(z: complex) -> complex:
+        return z / abs(z) if abs(z) > 1e-9 else 1 + 0j
+
+    position = Panel(
+        "position",
+        "mm",
+        (
+            Stroke("fixed", "A", Dot(0j), "A is the crank's pivot, fixed in the frame."),
+            Stroke("guide", "", Guide(0j, 1 + 0j, -1j), "C slides on the guide.", "slider"),
+            Stroke(
+                "known",
+                "AB",
+                Arrow(0j, b, "A", "B"),
+                "AB, the crank, is 60 mm long.",
+                "crank",
+                "link",
+            ),
+            Stroke("angle", f"{degrees:g}°", Arc(0j, crank, 0.0, degrees), "It stands at 60°."),
+            Stroke(
+                "construction",
+                "BC",
+                Arc(b, rod, math.degrees(cmath.phase(way)) - 14, 28.0, through=c),
+                "C lies on a circle of 140 mm about B.",
+                "rod",
+            ),
+            Stroke(
+                "construction",
+                "∥ guide",
+                Line(0j, 1 + 0j, c),
+                "C lies on the guide.",
+                "slider",
+            ),
+            Stroke("intersection", "C", Dot(c), "They meet at C."),
+            Stroke(
+                "result",
+                "BC",
+                Arrow(b, c, "B", "C"),
+                "BC is the rod: θ₃ = 338.2°.",
+                "rod",
+                "link",
+                reveals=("rod",),
+            ),
+            Stroke(
+                "result",
+                "C",
+                Block(c, 1 + 0j),
+                "C is the slider: x = 160.0 mm.",
+                "slider",
+                reveals=("slider",),
+            ),
+        ),
+        (
+            Equation(
+                (Term("AB", "crank", 2), Term("BC", "rod", 7)),
+                (Term("AC", "slider", 8),),
+            ),
+        ),
+    )
+    velocity = Panel(
+        "velocity",
+        "mm/s",
+        (
+            Stroke("pole", "a, d", Dot(0j), "The fixed points a and d are at the pole."),
+            Stroke(
+                "known",
+                "ab",
+                Arrow(0j, vb, "a", "b"),
+                "ab = ω₂·AB = 10 × 60 = 600.0 mm/s, ⟂ AB",
+                "crank",
+                "tangential",
+            ),
+            Stroke(
+                "construction",
+                "⟂ BC",
+                Line(vb, unit(vc - vb), vc, "BC"),
+                "Through b, perpendicular to BC: C moves about B in a circle.",
+                "rod",
+            ),
+            Stroke(
+                "construction",
+                "∥ guide",
+                Line(0j, unit(vc), vc),
+                "Through the pole, parallel to the guide: the slider can move no other way, "
+                "so c lies on this line.",
+                "slider",
+            ),
+            Stroke("intersection", "c", Dot(vc), "The lines cross at c."),
+            Stroke(
+                "result",
+                "bc",
+                Arrow(vb, vc, "b", "c"),
+                "bc = 323.2 mm/s, so ω₃ = bc/BC = −2.308 rad/s.",
+                "rod",
+                "tangential",
+                reveals=("rod",),
+            ),
+            Stroke(
+                "result",
+                "dc",
+                Arrow(0j, vc, "d", "c"),
+                "dc = 639.5 mm/s is the velocity of C.",
+                "slider",
+                "absolute",
+                reveals=("slider",),
+            ),
+        ),
+        (Equation((Term("ab", "crank", 1), Term("bc", "rod", 5)), (Term("dc", "slider", 6),)),),
+    )
+    acceleration = Panel(
+        "acceleration",
+        "mm/s²",
+        (
+            Stroke("pole", "a′, d′", Dot(0j), "The fixed points a′ and d′ are at the pole."),
+            Stroke(
+                "known",
+                "a′b′ₙ",
+                Arrow(0j, ab_n, "a′", "b′ₙ"),
+                "a′b′ₙ = ω₂²·AB = 10² × 60 = 6000 mm/s², from B towards A",
+                "crank",
+                "normal",
+            ),
+            Stroke(
+                "known",
+                "b′ₙb′",
+                Arrow(ab_n, ab, "b′ₙ", "b′"),
+                "b′ₙb′ = α₂·AB = 20 × 60 = 1200 mm/s², ⟂ AB",
+                "crank",
+                "tangential",
+            ),
+            Stroke(
+                "result",
+                "a′b′",
+                Arrow(0j, ab, "a′", "b′"),
+                "a′b′ = 6119 mm/s² is the acceleration of B.",
+                "crank",
+                "relative",
+            ),
+            Stroke(
+                "known",
+                "b′cₙ",
+                Arrow(ab, cn, "b′", "cₙ"),
+                "b′cₙ = ω₃²·BC = 746.0 mm/s², from C towards B",
+                "rod",
+                "normal",
+            ),
+            Stroke(
+                "construction",
+                "⟂ BC",
+                Line(cn, unit(ac - cn), ac, "BC"),
+                "Through cₙ, perpendicular to BC.",
+                "rod",
+            ),
+            Stroke(
+                "construction",
+                "∥ guide",
+                Line(0j, unit(ac), ac),
+                "Through the pole, parallel to the guide.",
+                "slider",
+            ),
+            Stroke("intersection", "c′", Dot(ac), "The lines cross at c′."),
+            Stroke(
+                "result",
+                "cₙc′",
+                Arrow(cn, ac, "cₙ", "c′"),
+                "cₙc′ = 4653 mm/s², so α₃ = 33.23 rad/s².",
+                "rod",
+                "tangential",
+                reveals=("rod",),
+            ),
+            Stroke(
+                "result",
+                "b′c′",
+                Arrow(ab, ac, "b′", "c′"),
+                "b′c′ is the whole acceleration of C relative to B.",
+                "rod",
+                "relative",
+            ),
+            Stroke(
+                "result",
+                "d′c′",
+                Arrow(0j, ac, "d′", "c′"),
+                "d′c′ = 3005 mm/s² is the acceleration of C.",
+                "slider",
+                "absolute",
+                reveals=("slider",),
+            ),
+        ),
+        (
+            Equation(
+                (
+                    Term("a′b′ₙ", "crank", 1),
+                    Term("b′ₙb′", "crank", 2),
+                    Term("b′cₙ", "rod", 4),
+                    Term("cₙc′", "rod", 8),
+                ),
+                (Term("d′c′", "slider", 10),),
+            ),
+        ),
+    )
+    rows = (
+        Row(
+            "crank",
+            "crank",
+            "AB",
+            {
+                "position": (Cell("θ", degrees, "°", True),),
+                "velocity": (Cell("ω", omega, "rad/s", True),),
+                "acceleration": (Cell("α", alpha, "rad/s²", True),),
+            },
+        ),
+        Row(
+            "rod",
+            "rod",
+            "BC",
+            {
+                "position": (Cell("θ", math.degrees(cmath.phase(way)) % 360, "°"),),
+                "velocity": (Cell("ω", rod_omega, "rad/s"),),
+                "acceleration": (Cell("α", rod_alpha, "rad/s²"),),
+            },
+        ),
+        Row(
+            "slider",
+            "slider",
+            "C",
+            {
+                "position": (Cell("x", c.real, "mm"),),
+                "velocity": (Cell("v", vc.real, "mm/s"),),
+                "acceleration": (Cell("a", ac.real, "mm/s²"),),
+            },
+        ),
+    )
+    return Sheet(
+        "slider-crank",
+        "Slider–crank",
+        (("crank", crank, "mm"), ("rod", rod, "mm"), ("offset", 0.0, "mm")),
+        rows,
+        (position, velocity, acceleration),
+    )

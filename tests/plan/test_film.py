@@ -1,0 +1,85 @@
+"""Films: every incremental frame equals a full redraw, and says truly what has changed."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import vad
+from tests.plan.sheets import slider_crank
+from vad.lecture.moment import moments
+from vad.lecture.timeline import animate
+from vad.painting.canvas import AggCanvas
+from vad.painting.film import frames, paint, redraw
+from vad.painting.picture import EMPTY
+from vad.plan.board import Board
+from vad.style import style_names
+
+SIZE = (640, 360)
+
+
+@pytest.mark.parametrize("style", style_names())
+@pytest.mark.parametrize("size", [SIZE, (480, 360)])
+def test_incremental_frames_equal_full_redraws_byte_for_byte(style: str, size: tuple[int, int]):
+    lesson = animate(slider_crank(), fps=12, size=size, style=style)
+    board = Board(lesson.sheet, size, style, lesson=True)
+    count = 0
+    for frame, (state, repeats) in zip(frames(lesson), moments(lesson), strict=True):
+        canvas = AggCanvas(size, board.style.background)
+        paint(board, state, canvas)
+        assert np.array_equal(frame.pixels, canvas.pixels), f"frame {count}"
+        assert frame.repeats == repeats
+        count += repeats
+    assert count == lesson.frames
+
+
+def test_redraw_is_the_same_reference():
+    lesson = animate(slider_crank(), fps=5, size=SIZE)
+    at = 0
+    for number, frame in enumerate(frames(lesson)):
+        if number % 11 == 0:
+            assert np.array_equal(redraw(lesson, at), frame.pixels)
+        at += frame.repeats
+
+
+def test_changed_box_holds_all_that_differs_and_no_margin():
+    lesson = animate(slider_crank(), fps=12, size=SIZE)
+    before = None
+    for frame in frames(lesson):
+        left, top, right, bottom = frame.changed
+        if before is None:
+            assert frame.changed == (0, 0, *SIZE)
+        else:
+            differs = (before != frame.pixels).any(axis=2)
+            rows, columns = np.flatnonzero(differs.any(1)), np.flatnonzero(differs.any(0))
+            tight = (columns[0], rows[0], columns[-1] + 1, rows[-1] + 1) if len(rows) else EMPTY
+            assert (left, top, right, bottom) == tight
+        before = frame.pixels.copy()
+
+
+def test_pixels_are_one_buffer_and_opaque():
+    lesson = animate(slider_crank(), fps=5, size=SIZE)
+    buffers = {id(frame.pixels) for frame in frames(lesson)}
+    assert len(buffers) == 1
+    *_, last = frames(lesson)
+    assert last.pixels.shape == (360, 640, 4)
+    assert (last.pixels[..., 3] == 255).all()
+
+
+def test_the_same_lesson_gives_the_same_bytes():
+    lesson = animate(slider_crank(), fps=5, size=SIZE)
+    for one, other in zip(frames(lesson), frames(lesson), strict=True):
+        assert np.array_equal(one.pixels, other.pixels)
+
+
+@pytest.mark.parametrize("style", style_names())
+@pytest.mark.parametrize("name", sorted(vad.MECHANISMS))
+def test_films_of_every_mechanism_equal_full_redraws(name: str, style: str):
+    mechanism = vad.MECHANISMS[name]
+    sheet = vad.draw(vad.solve(mechanism(), **mechanism.inputs))
+    lesson = animate(sheet, fps=4, size=SIZE, style=style)
+    board = Board(sheet, SIZE, style, lesson=True)
+    for frame, (state, _) in zip(frames(lesson), moments(lesson), strict=True):
+        canvas = AggCanvas(SIZE, board.style.background)
+        paint(board, state, canvas)
+        assert np.array_equal(frame.pixels, canvas.pixels), state

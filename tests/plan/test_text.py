@@ -1,0 +1,71 @@
+"""Type: what is italic, how wide it is, where lines break."""
+
+from __future__ import annotations
+
+from vad.plan.text import Run, fitted, outline, roman, sentence, symbols, width, wrap, write
+
+
+def italics(runs: tuple[Run, ...]) -> str:
+    return " ".join(run.text for run in runs if run.face == "italic")
+
+
+def test_points_are_italic_words_digits_and_primes_upright():
+    assert italics(symbols("b′cₙ")) == "b c n"
+    assert italics(symbols("⟂ BC")) == "BC"
+    assert italics(symbols("∥ guide")) == ""
+    assert italics(roman("2.308 rad/s")) == ""
+    assert italics(roman("ω = 10")) == "ω"
+
+
+def test_subscripts_and_superscripts_become_scripts():
+    runs = symbols("b′ₙ")
+    assert runs[-1] == Run("n", "italic", -1)
+    assert Run("2", "roman", 1) in roman("mm/s²")
+
+
+def test_a_caption_tells_the_point_a_from_the_article_and_seconds_from_the_point_s():
+    names = {"a", "s", "ab", "AB"}
+    assert italics(sentence("a line through a, perpendicular to AB", names, "a")) == "a AB"
+    assert italics(sentence("ab = 600 mm/s along s", names)) == "ab s"
+    assert italics(sentence("Durch a parallel", names)) == "a"
+
+
+def test_ink_box_bounds_the_marks():
+    runs = symbols("C")
+    shape = outline(runs)
+    (mark,) = write(runs, 100 + 50j, 40.0, "#000000")
+    assert mark.vertices[:, 0].min() == 100 + 40 * shape.left
+    assert mark.vertices[:, 1].max() == 50 + 40 * shape.top
+
+
+def test_missing_letters_do_not_stop_the_painter():
+    assert outline(symbols("ä ″ 漢")).advance > 0
+
+
+def test_lines_break_between_words_within_their_room():
+    text = "Through the pole, parallel to the guide: the slider can move no other way"
+    lines = wrap(text, roman, 28.0, 500.0)
+    assert len(lines) == 2
+    assert all(width(line, 28.0) <= 500.0 for line in lines)
+    assert "".join(r.text for r in lines[0]) + " " + "".join(r.text for r in lines[1]) == text
+
+
+def test_a_number_stays_with_its_unit():
+    text = "ab = 0.3333 ft/s, so ω₃ = 1.2×10⁻⁷ rad/s, at 5 mm"
+    for room in range(60, 700, 7):
+        lines = ["".join(r.text for r in line) for line in wrap(text, roman, 28.0, room)]
+        assert not any(line.startswith(("ft", "rad", "mm")) for line in lines)
+
+
+def test_lines_are_as_few_as_fit():
+    text = "sb = 0.3281 ft/s, so ω = sb/DB = 0.3281/3.8 = 0.08633 rad/s, clockwise: B from D."
+    for room in range(560, 1000, 10):
+        lines = wrap(text, roman, 28.0, room)
+        assert len(lines) <= 2
+        assert all(width(line, 28.0) <= room + 1.0 for line in lines)
+
+
+def test_shrinking_to_fit_stops_at_the_least_size():
+    runs = roman("crank and slotted lever")
+    assert fitted(runs, 40.0, 30.0, 1e6) == 40.0
+    assert fitted(runs, 40.0, 30.0, 1.0) == 30.0

@@ -1,0 +1,136 @@
+"""Turns: frames equal full redraws; nothing rescales, nothing jumps, no number wobbles."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import vad
+from vad.cli.run import run
+from vad.painting.canvas import AggCanvas
+from vad.painting.picture import EMPTY
+from vad.painting.turning import TurnBoard, frames, redraw
+from vad.plan.text import outline
+from vad.plan.turning.figures import Figures
+from vad.strokes.sheet import Cell
+
+SIZE = (640, 360)
+
+
+# One of each kind: a lever, guides, bars alone, a strut, and a slot that moves.
+KINDS = ["crank-slotted-lever", "double-slider", "four-bar", "gate-actuator", "scotch-yoke"]
+
+
+@pytest.fixture(scope="module", params=KINDS)
+def board(request) -> TurnBoard:
+    mechanism = vad.MECHANISMS[request.param]()
+    return TurnBoard(vad.turn(mechanism, fps=2, size=SIZE))
+
+
+def test_every_frame_equals_one_painted_from_nothing(board: TurnBoard):
+    turn, before = board.turn, None
+    for number, frame in enumerate(frames(turn, board)):
+        canvas = AggCanvas(SIZE, board.style.background)
+        canvas.paint([*board.still(), *board.marks(turn.pose(number), number / turn.frames)])
+        assert np.array_equal(frame.pixels, canvas.pixels), number
+        assert frame.repeats == 1
+        if before is None:
+            assert frame.changed == (0, 0, *SIZE)
+        else:
+            differs = (before != frame.pixels).any(axis=2)
+            rows, columns = np.flatnonzero(differs.any(1)), np.flatnonzero(differs.any(0))
+            tight = (columns[0], rows[0], columns[-1] + 1, rows[-1] + 1) if len(rows) else EMPTY
+            assert frame.changed == tight
+        before = frame.pixels.copy()
+    assert number + 1 == turn.frames
+
+
+def test_redraw_finds_the_same_places_again():
+    turn = vad.turn(vad.ScotchYoke(), fps=1, size=(480, 360), style="chalk")
+    for number, frame in enumerate(frames(turn)):
+        if number == 5:
+            assert np.array_equal(frame.pixels, redraw(turn, number))
+
+
+def test_labels_glide_and_the_last_frame_meets_the_first(board: TurnBoard):
+    turn, unit = board.turn, board.look.unit
+    for index, panel in enumerate(board.panels.values()):
+        track = []
+        for step in range(101):  # a fifth of the turn, at full rate, and over the seam
+            phase = 0.9 + step / 500
+            boxes = panel.labels(turn.at(phase).panels[index], phase)
+            track.append({name.text: box.centre for name, box in boxes})
+        for before, now in pairwise(track):
+            for text in before.keys() & now.keys():
+                assert abs(before[text] - now[text]) < 0.09 * unit, text
+
+
+def test_labels_seldom_meet_strokes_or_each_other(board: TurnBoard):
+    turn, met, count = board.turn, 0, 0
+    for index, panel in enumerate(board.panels.values()):
+        for step in range(24):
+            phase = step / 24
+            pose = turn.at(phase).panels[index]
+            strokes = panel.obstacles(pose, turn.course.share(phase))
+            for _, box in panel.labels(pose, phase):
+                count += 1
+                met += not strokes.free([box.centre], box.width, box.height, 0.0)[0]
+                strokes.box(box)
+    assert met <= 0.09 * count
+
+
+def test_nothing_leaves_its_panel(board: TurnBoard):
+    for step in range(6):
+        phase = step / 6
+        sheet = board.turn.at(phase)
+        for index, (name, panel) in enumerate(board.panels.items()):
+            drawing = board.page.panels[name].drawing
+            for mark in panel.marks(sheet.panels[index], phase, 1.0):
+                left, _, right, top = mark.box
+                assert left > drawing.left - 0.05 * board.look.unit
+                assert right < drawing.right + 0.05 * board.look.unit
+                assert top < drawing.top + 0.03 * board.look.unit
+
+
+def test_vectors_that_are_rarely_large_leave_the_panel():
+    """A parallelogram folds: its rates run away there, and must not shrink all the rest."""
+    parallelogram = vad.FourBar(ground=100, crank=40, coupler=100, rocker=40)
+    turn = vad.turn(parallelogram, fps=2, size=SIZE, panels="acceleration")
+    assert sum(1 for _ in frames(turn)) == turn.frames
+
+
+def test_numbers_are_always_as_wide():
+    cells = [Cell("v", value, "mm/s") for value in (-371.94, 0.0, -0.004, 9.9996, 1250.0)]
+    cells += [Cell("α", value, "rad/s²") for value in (2.5e7, -1e3)]
+    cells += [Cell("θ", value, "°") for value in (359.98, 7.0, 120.04)]
+    figures = Figures(cells)
+    shown = ["".join(run.text for run in figures(cell) if run.shown) for cell in cells]
+    assert shown[:5] == ["−372", "0", "0", "10", "1250"]
+    assert shown[5:7] == ["2.500×107", "0.000×107"]  # 7 is raised
+    assert shown[7:] == ["0.0", "7.0", "120.0"]
+    for unit in ("mm/s", "rad/s²", "°"):
+        assert len({round(outline(figures(c)).advance, 9) for c in cells if c.unit == unit}) == 1
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--still", "3", "-o", "x.png"], "--still does not go with --turn"),
+        (["--subtitles", "-o", "x.mp4"], "--subtitles does not go with --turn"),
+        (["-o", "x.srt"], "a turn cannot be saved as 'x.srt'"),
+    ],
+)
+def test_options_that_do_not_go_together(words: list[str], said: str, capsys):
+    assert run(["animate", "four-bar", "--turn", *words])
+    assert said in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("path", ["turn.mp4", "turn.gif", "turn/"])
+def test_a_turn_is_saved(tmp_path, path: str):
+    vad.save(
+        vad.turn(vad.ScotchYoke(), fps=2, size=(320, 240), panels="velocity"), f"{tmp_path}/{path}"
+    )
+    found = tmp_path / path
+    assert len(list(found.iterdir())) == 16 if found.is_dir() else found.stat().st_size > 1000

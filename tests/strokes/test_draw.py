@@ -1,0 +1,103 @@
+"""A sheet holds what was asked for, and nothing more is computed for it."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+import numpy as np
+import pytest
+
+import vad
+from vad.kinematics.solver import Solver
+from vad.strokes.sheet import PANELS
+
+
+@pytest.fixture
+def calls(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
+    """Count what the solver is asked for: positions, velocities, accelerations."""
+    counted: Counter[str] = Counter()
+    positions, rates = Solver.positions, Solver.rates
+
+    def counting_positions(self: Solver, value: Any) -> Any:
+        counted["position"] += 1
+        return positions(self, value)
+
+    def counting_rates(self: Solver, pose: Any, lower: Any, value: Any) -> Any:
+        counted[PANELS[len(lower) + 1]] += 1
+        return rates(self, pose, lower, value)
+
+    monkeypatch.setattr(Solver, "positions", counting_positions)
+    monkeypatch.setattr(Solver, "rates", counting_rates)
+    return counted
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+@pytest.mark.parametrize("name", list(vad.MECHANISMS))
+def test_a_panel_costs_its_own_order_and_those_below(
+    name: str, count: int, calls: Counter[str]
+) -> None:
+    vad.draw(vad.solve(vad.MECHANISMS[name]()), panels=PANELS[count - 1])
+    assert calls == dict.fromkeys(PANELS[:count], 1)
+
+
+def test_nothing_is_computed_before_it_is_asked_for(calls: Counter[str]) -> None:
+    motion = vad.solve(vad.FourBar(), angle=np.linspace(0, 360, 100))
+    assert not calls
+    assert motion.point("C").position.shape == (100,)
+    assert calls == {"position": 1}
+    assert motion.link("rocker").omega.shape == (100,)
+    assert calls == {"position": 1, "velocity": 1}
+    assert motion.point("C").acceleration.shape == (100,)
+    assert calls == {"position": 1, "velocity": 1, "acceleration": 1}
+
+
+def test_panels_come_in_their_own_order() -> None:
+    sheet = vad.draw(vad.solve(vad.FourBar()), panels=("acceleration", "position"))
+    assert [panel.name for panel in sheet.panels] == ["position", "acceleration"]
+    assert all(set(row.cells) == {"position", "acceleration"} for row in sheet.rows)
+
+
+@pytest.mark.parametrize(
+    ("options", "message", "hint"),
+    [
+        ({"panels": "velocty"}, "unknown panel 'velocty'", "did you mean 'velocity'?"),
+        ({"panels": ()}, "panels: none given", "known: position, velocity, acceleration"),
+        ({"language": "xx"}, "unknown language 'xx'", "known: de, en"),
+    ],
+)
+def test_wrong_options_name_what_would_work(
+    options: dict[str, Any], message: str, hint: str
+) -> None:
+    with pytest.raises(vad.UsageError) as caught:
+        vad.draw(vad.solve(vad.FourBar()), **options)
+    assert (str(caught.value), caught.value.hint) == (message, hint)
+
+
+def test_many_poses_make_no_sheet() -> None:
+    with pytest.raises(vad.InputError, match="one pose"):
+        vad.draw(vad.solve(vad.FourBar(), angle=[10.0, 20.0]))
+
+
+def test_captions_give_symbol_numbers_result_and_unit() -> None:
+    motion = vad.solve(vad.SliderCrank(), angle=116.9, omega=11.59, alpha=21.15)
+    sheet = vad.draw(motion)
+    captions = {s.label: s.caption for panel in sheet.panels for s in panel.strokes}
+    assert captions["ab"] == "ab = ω₂·AB = 11.59 × 60 = 695.4 mm/s, ⟂ AB"
+    assert captions["b′cₙ"] == ("b′cₙ = ω₃²·BC = 2.432² × 140 = 828.0 mm/s², from C towards B")
+    assert captions["bc"].startswith(
+        "bc = 340.5 mm/s, so ω₃ = bc/BC = 340.5/140 = 2.432 rad/s, counter-clockwise"
+    )
+    assert captions["dc"].endswith("v = −490.0 mm/s.")
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+@pytest.mark.parametrize("angle", [20.0, 200.0])
+def test_coriolis_is_the_sliding_velocity_turned_with_omega(sense: int, angle: float) -> None:
+    motion = vad.solve(vad.CrankSlottedLever(), angle=angle, omega=10.0 * sense)
+    inset = vad.draw(motion).panel("acceleration").inset
+    assert inset is not None
+    assert inset.sense == (1 if motion.link("lever").omega > 0 else -1)
+    assert inset.coriolis == pytest.approx(inset.sense * 1j * inset.sliding)
+    way = 1 if motion.slide("block").velocity > 0 else -1
+    assert inset.sliding == pytest.approx(way * inset.slot)

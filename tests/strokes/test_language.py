@@ -1,0 +1,39 @@
+"""Every language has every phrase, with the same gaps to fill."""
+
+from __future__ import annotations
+
+import string
+from importlib import import_module
+
+import pytest
+
+import vad
+from vad.strokes.language import Language, languages
+
+
+def gaps(phrase: str) -> set[str]:
+    return {name for _, name, _, _ in string.Formatter().parse(phrase) if name}
+
+
+@pytest.mark.parametrize("code", languages())
+def test_all_phrases_are_there(code: str) -> None:
+    english = import_module("vad.strokes.language.en").PHRASES
+    other = import_module(f"vad.strokes.language.{code}").PHRASES
+    assert set(other) == set(english)
+    assert {key: gaps(phrase) for key, phrase in other.items()} == {
+        key: gaps(phrase) for key, phrase in english.items()
+    }
+
+
+def test_german_translates_what_it_names_and_leaves_the_rest() -> None:
+    german = Language("de")
+    assert german.name("crank") == "Kurbel"
+    assert german.name("ram_height") == "Stößelhöhe"
+    assert german.name("geneva_wheel") == "geneva wheel"
+
+
+def test_numbers_are_the_same_in_every_language() -> None:
+    motion = vad.solve(vad.FourBar(), alpha=5.0)
+    sheets = [vad.draw(motion, language=code) for code in languages()]
+    shapes = [[[s.shape for s in panel.strokes] for panel in sheet.panels] for sheet in sheets]
+    assert all(other == shapes[0] for other in shapes)

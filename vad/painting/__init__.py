@@ -1,0 +1,1 @@
+"""How a plan becomes pixels and files: painters, and the frames of films."""

@@ -1,0 +1,100 @@
+"""The loop equation under a panel, each term in the ink of its link.
+
+In come a panel's equations and the width they may take, out go lines of pieces and their marks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from vad.plan.art import Look
+from vad.plan.marks import Mark
+from vad.plan.text import Runs, roman, symbols, width, write
+from vad.strokes.sheet import Equation, Panel, Term
+
+SIZE = 0.036
+LEAST = 0.028
+PENDING = 0.42
+SPACE = 0.24  # about a sign, in type sizes
+LOOP_SPACE = 1.3
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A term or a sign, with the space before it in type sizes."""
+
+    runs: Runs
+    term: Term | None
+    space: float
+
+
+@dataclass(frozen=True, slots=True)
+class Foot:
+    """The equation lines of one panel and their type size as a fraction of the unit."""
+
+    lines: tuple[tuple[Piece, ...], ...]
+    size: float
+
+
+def _sum(terms: Sequence[Term], sign: str = "") -> list[Piece]:
+    pieces: list[Piece] = []
+    for term in terms:
+        if sign:
+            pieces.append(Piece(roman(sign), None, SPACE))
+        pieces.append(Piece(symbols(term.label), term, SPACE if sign else 0.0))
+        sign = "+"
+    return pieces
+
+
+def _pieces(equation: Equation) -> list[Piece]:
+    return _sum(equation.left) + _sum(equation.right, "=")
+
+
+def _width(pieces: Sequence[Piece]) -> float:
+    return sum(width(piece.runs, 1.0) + piece.space for piece in pieces)
+
+
+def compose(panel: Panel, room: float, unit: float) -> Foot:
+    """Return the lines of a panel's foot: loops share a line if they fit ``room`` pixels."""
+    loops = [_pieces(equation) for equation in panel.equations]
+    if not loops:
+        return Foot((), SIZE)
+    together: list[Piece] = []
+    for loop in loops:
+        first = Piece(loop[0].runs, loop[0].term, LOOP_SPACE if together else 0.0)
+        together += [first, *loop[1:]]
+    if _width(together) * SIZE * unit <= room:
+        return Foot((tuple(together),), SIZE)
+    widest = max(_width(loop) for loop in loops)
+    size = min(SIZE, room / (widest * unit))
+    if size >= LEAST:
+        return Foot(tuple(tuple(loop) for loop in loops), size)
+    lines: list[tuple[Piece, ...]] = []
+    for equation, loop in zip(panel.equations, loops, strict=True):
+        if _width(loop) * LEAST * unit <= room:
+            lines.append(tuple(loop))
+        else:
+            left = _sum(equation.left)
+            lines += [tuple(left), tuple(loop[len(left) :])]
+    widest = max(_width(line) for line in lines)
+    return Foot(tuple(lines), min(SIZE, room / (widest * unit)))
+
+
+def foot_marks(
+    foot: Foot, baselines: Sequence[float], middle: float, done: int, look: Look
+) -> list[Mark]:
+    """Return the equation with the first ``done`` strokes inked and the rest pale."""
+    marks: list[Mark] = []
+    size = foot.size * look.unit
+    for line, baseline in zip(foot.lines, baselines, strict=False):
+        x = middle - _width(line) * size / 2
+        for piece in line:
+            x += piece.space * size
+            term = piece.term
+            pending = term is not None and term.stroke is not None and term.stroke >= done
+            ink = look.ink(term.link) if term else look.style.grey
+            alpha = PENDING if pending else 1.0
+            marks += write(piece.runs, complex(x, baseline), size, ink, alpha=alpha)
+            x += width(piece.runs, size)
+    return marks

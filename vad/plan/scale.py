@@ -1,0 +1,92 @@
+"""Scales: how a panel's coordinates become pixels.
+
+In come points and the room for them, out go the scale at which they fill it, and round numbers
+for scales that are stated.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from vad.plan.page import Rect
+
+SIDE_PADDING = 0.075
+TOP_PADDING = 0.055
+BOTTOM_PADDING = 0.060
+BOTTOM_PADDING_POSITION = 0.090
+
+
+@dataclass(frozen=True, slots=True)
+class Scale:
+    """From panel coordinates to pixels: ``origin + factor * z``."""
+
+    origin: complex
+    factor: float
+
+    def __call__(self, z: complex) -> complex:
+        """Return the pixel position of the panel's point ``z``."""
+        return self.origin + self.factor * z
+
+
+def fill(
+    points: Iterable[complex],
+    drawing: Rect,
+    unit: float,
+    position: bool,
+    centimetre: float | None = None,
+) -> Scale:
+    """Return the scale at which ``points`` fill the drawing less its padding, centred.
+
+    Where the length of a ``centimetre`` is given, it stands for a round number.
+    """
+    pad = BOTTOM_PADDING_POSITION if position else BOTTOM_PADDING
+    inner = Rect(
+        drawing.left + SIDE_PADDING * unit,
+        drawing.bottom + pad * unit,
+        drawing.right - SIDE_PADDING * unit,
+        drawing.top - TOP_PADDING * unit,
+    )
+    all_points = list(points) or [0j]
+    xs = [p.real for p in all_points]
+    ys = [p.imag for p in all_points]
+    wide, high = max(xs) - min(xs), max(ys) - min(ys)
+    if not wide and not high:
+        return Scale(inner.centre, 1.0)
+    factor = min(
+        inner.width / wide if wide else math.inf, inner.height / high if high else math.inf
+    )
+    if centimetre:
+        factor = centimetre / round_up(centimetre / factor)
+    middle = complex(min(xs) + wide / 2, min(ys) + high / 2)
+    return Scale(inner.centre - factor * middle, factor)
+
+
+def round_up(value: float) -> float:
+    """Return the smallest 1, 2, 2.5 or 5 × 10ⁿ that is not less than ``value``.
+
+    Examples
+    --------
+    >>> round_up(2.1), round_up(20.0), round_up(0.03), round_up(700.0)
+    (2.5, 20.0, 0.05, 1000.0)
+    """
+    power = math.floor(math.log10(value))
+    steps = (float(f"{step}e{power}") for step in (1, 2, 2.5, 5, 10))
+    return next(step for step in steps if step >= value * (1 - 1e-9))
+
+
+def scale_bar(factor: float, longest: float) -> float:
+    """Return the largest 1, 2 or 5 × 10ⁿ whose bar is no longer than ``longest`` pixels.
+
+    Examples
+    --------
+    >>> scale_bar(factor=1.7, longest=86.4)
+    50.0
+    """
+    most = longest / factor * (1 + 1e-9)
+    power = 10.0 ** math.floor(math.log10(most))
+    for step in (5.0, 2.0):
+        if step * power <= most:
+            return step * power
+    return power

@@ -1,1 +1,0 @@
-"""How it looks: the page, the labels and the board that paints strokes."""

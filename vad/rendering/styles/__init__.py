@@ -1,1 +1,0 @@
-"""One file per style; its name is the style's name."""

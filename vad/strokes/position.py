@@ -1,0 +1,293 @@
+"""The position panel: the mechanism as compasses and set square construct it."""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, angle_of, scalar_of
+from vad.strokes.equations import Side, equation
+from vad.strokes.figures import degrees, figure, given
+from vad.strokes.scene import Scene
+from vad.strokes.sheet import (
+    Arc,
+    Arrow,
+    Block,
+    Dot,
+    Equation,
+    Guide,
+    Line,
+    Panel,
+    Shape,
+    Stroke,
+    Term,
+)
+
+#: A compass arc shows this much on either side of the point that it is after, in degrees.
+COMPASS = 14.0
+
+
+def position(scene: Scene) -> Panel:
+    """Return the position panel of a pose."""
+    return _Position(scene).panel()
+
+
+class _Position:
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self.motion = scene.motion
+        self.frame = scene.motion.frame
+        self.linkage = scene.motion.linkage
+        self.strokes: list[Stroke] = []
+        self.found: set[str] = set(self.frame.fixed)
+
+    def at(self, letter: str) -> complex:
+        """Return where a point is, in the user's frame and unit."""
+        return self.scene.outward(self.motion.solver.routes.position(letter, self.motion.pose))
+
+    def panel(self) -> Panel:
+        self._frame()
+        self._driver()
+        known = {self.scene.driver}
+        equations = []
+        for loop, unknowns in zip(self.linkage.loops, self.linkage.unknowns, strict=True):
+            self._construct(loop, unknowns)
+            self._ink(loop, unknowns)
+            known.update(unknowns)
+            self._images(known)
+            equations.append(self._equation(loop))
+        return Panel("position", self.scene.unit, tuple(self.strokes), tuple(equations))
+
+    def _draw(
+        self,
+        kind: str,
+        label: str,
+        shape: Shape,
+        phrase: str,
+        parts: dict[str, object],
+        **more: object,
+    ) -> None:
+        caption = self.scene.language.say(phrase, **parts)
+        self.strokes.append(Stroke(kind, label, shape, caption, **more))  # type: ignore[arg-type]
+
+    # --- what is given ------------------------------------------------------------------------
+
+    def _frame(self) -> None:
+        """Draw the fixed pivots and the guides of the frame."""
+        bars = "".join(step.ends for step in self.frame.steps if isinstance(step, Bar))
+        for letter in self.motion.points:
+            if letter in self.frame.fixed:
+                pivot = letter in bars or letter in "".join(self.motion.mechanism.links.values())
+                kind, phrase = ("fixed", "fixed") if pivot else ("pole", "fixed point")
+                self._draw(kind, letter, Dot(self.at(letter)), phrase, {"letter": letter})
+        for slide in self._slides():
+            if self.scene.is_guide(slide):
+                self._guide(slide)
+
+    def _slides(self) -> list[Slide]:
+        return [step for step in self.frame.steps if isinstance(step, Slide)]
+
+    def _guide(self, slide: Slide) -> None:
+        line = self.scene.heading(self.frame.line(slide, self.motion.pose))
+        origin = self.at(slide.ends[0]) + self.scene.outward(self.frame.shift(slide))
+        guide = Guide(origin, line, self._away(slide.ends[1], line))
+        self._draw("guide", "", guide, "guide", {"head": slide.ends[1]}, link=slide.name)
+
+    def _away(self, letter: str, line: complex) -> complex:
+        """Return the unit vector across a guide, on the side away from the rod."""
+        normal = -1j * line
+        if normal.imag > 0 or (normal.imag == 0 and normal.real < 0):
+            normal = -normal
+        for step in self.frame.steps:
+            if isinstance(step, Bar) and letter in step.ends:
+                other = step.ends.replace(letter, "")
+                height = (normal.conjugate() * (self.at(other) - self.at(letter))).real
+                if abs(height) > 1e-9 * self.scene.size(step):
+                    return normal if height < 0 else -normal
+        return normal
+
+    def _driver(self) -> None:
+        """Draw what the driver dictates: a bar at its angle, or a block in its place."""
+        driver = self.scene.driver
+        for step in self.frame.steps:
+            if scalar_of(step) != driver:
+                continue
+            if isinstance(step, Bar):
+                self._bar(step, "known", "driven bar")
+                tail, head = (self.at(letter) for letter in step.ends)
+                sweep = self.motion.link(step.link).angle
+                arc = Arc(tail, abs(head - tail), 0.0, sweep)
+                label = f"{given(sweep)}°"
+                self._draw("angle", label, arc, "angle", {"link": step.link}, link=step.link)
+                self.found.update(step.ends)
+            elif isinstance(step.along, float):
+                self._block(step, "known", "driven slide")
+                self.found.add(step.ends[1])
+            return
+
+    # --- what is found ------------------------------------------------------------------------
+
+    def _construct(self, loop: Loop, unknowns: tuple[Scalar, ...]) -> None:
+        """Draw the arcs and lines that fix the point at which both chains end."""
+        end = loop.first[-1].ends[0 if loop.first[-1].reverse else 1]
+        if end in self.found:
+            return
+        phrase: tuple[str, dict[str, object]] = ("found", {"letter": end})
+        unknown = [s for _, s in loop.steps() if scalar_of(s) in unknowns]
+        for step in (*loop.first, *loop.second):
+            if isinstance(step, Bar) and scalar_of(step) in unknowns:
+                if any(
+                    scalar_of(other) in unknowns and other.name == step.length
+                    for other in loop.first
+                    if isinstance(other, Slide)
+                ):
+                    phrase = self._lever_line(step, end)
+                else:
+                    self._compass(step, end)
+            elif isinstance(step, Slide) and isinstance(step.along, float):
+                if not self.scene.is_guide(step):
+                    self._slot_line(step)
+                elif phrase[0] == "found" and any(isinstance(s, Bar) for s in unknown):
+                    phrase = ("on guide", {"letter": end})
+        self._draw("intersection", end, Dot(self.at(end)), *phrase)
+        self.found.add(end)
+
+    def _compass(self, bar: Bar, end: str) -> None:
+        letters = self.scene.letters(bar)
+        centre, point = self.at(letters[0]), self.at(end)
+        angle = math.degrees(cmath.phase(point - centre))
+        arc = Arc(centre, self.scene.size(bar), angle - COMPASS, 2 * COMPASS, through=point)
+        parts: dict[str, object] = {"head": end, "tail": letters[0], "bar": letters}
+        parts["unit"] = self.scene.unit
+        parts["size"] = self.scene.write_size(bar)
+        self._draw("construction", letters, arc, "compass", parts, link=bar.link)
+
+    def _lever_line(self, bar: Bar, end: str) -> tuple[str, dict[str, object]]:
+        tail, point = self.at(bar.ends[0]), self.at(end)
+        pin = next(hop for hop in self._slides() if end in hop.ends).ends.replace(end, "")
+        line = Line(tail, self.scene.heading(self.motion.pose.unit[bar.link]), point)
+        parts: dict[str, object] = {"link": bar.link, "tail": bar.ends[0], "pin": pin}
+        self._draw("construction", bar.ends[0] + pin, line, "lever line", parts, link=bar.link)
+        return "on lever", {"letter": end, "link": bar.link, "pin": pin}
+
+    def _slot_line(self, slide: Slide) -> None:
+        head, tail = slide.ends[1], slide.ends[0]
+        towards = self.at(tail) - self.at(head)
+        line = self.scene.heading(self.frame.line(slide, self.motion.pose))
+        if (line.conjugate() * towards).real < 0:
+            line = -line
+        shape = Line(self.at(head), line, self.at(tail))
+        parts: dict[str, object] = {"head": tail, "pin": head}
+        label = self.scene.line_label(slide)
+        self._draw("construction", label, shape, "slot line", parts, link=slide.name)
+
+    def _ink(self, loop: Loop, unknowns: tuple[Scalar, ...]) -> None:
+        for step in (*loop.first, *loop.second):
+            if scalar_of(step) in unknowns and isinstance(step, Bar):
+                self._bar(step, "result", "bar")
+        for step in (*loop.first, *loop.second):
+            if scalar_of(step) in unknowns and isinstance(step, Slide):
+                if isinstance(step.along, str) and not step.reverse:
+                    continue  # a strut has no block
+                if not self.scene.is_guide(step) and isinstance(step.along, float):
+                    self._slot(step)
+                self._block(step, "result", "block")
+
+    def _slot(self, slide: Slide) -> None:
+        owner = next(s for s in self._slides() if s.ends[1] == slide.ends[0]).name
+        line = self.scene.heading(self.frame.line(slide, self.motion.pose))
+        guide = Guide(self.at(slide.ends[0]), line)
+        parts: dict[str, object] = {"head": slide.ends[1], "link": owner}
+        self._draw("guide", "", guide, "slot", parts, link=owner)
+
+    def _images(self, known: set[Scalar]) -> None:
+        for bar in self.linkage.images:
+            if bar.ends[1] not in self.found and angle_of(bar.link) in known:
+                self.found.add(bar.ends[1])
+                self._bar(bar, "result", "tip against" if bar.against else "tip", image=True)
+
+    def _bar(self, bar: Bar, kind: str, phrase: str, image: bool = False) -> None:
+        letters = self.scene.letters(bar)
+        arrow = Arrow(self.at(letters[0]), self.at(letters[1]), letters[0], letters[1])
+        angle = self.motion.link(bar.link).angle
+        driven = angle_of(bar.link) == self.scene.driver
+        parts: dict[str, object] = {"link": bar.link, "bar": letters, "unit": self.scene.unit}
+        parts["size"] = self.scene.write_size(bar)
+        parts |= {"angle": f"{given(angle)}°" if driven else degrees(angle)}
+        parts |= {"letter": letters[1], "tail": letters[0]}
+        reveals = () if driven or image else (bar.link,)
+        self._draw(
+            kind,
+            letters,
+            arrow,
+            phrase,
+            parts,
+            link=bar.link,
+            component="link",
+            image=image,
+            reveals=reveals,
+        )
+
+    def _block(self, slide: Slide, kind: str, phrase: str) -> None:
+        letter = slide.ends[1]
+        line = self.scene.heading(self.frame.line(slide, self.motion.pose))
+        on = slide.along if isinstance(slide.along, str) else None
+        value = self.motion.slide(slide.name).position
+        driven = scalar_of(slide) == self.scene.driver
+        parts: dict[str, object] = {
+            "slide": slide.name.split("_")[0],
+            "head": letter,
+            "symbol": slide_symbol(self.scene, slide),
+            "value": given(value) if driven else figure(value),
+            "unit": self.scene.unit,
+        }
+        reveals = () if driven else (slide.name,)
+        block = Block(self.at(letter), line, on)
+        self._draw(
+            kind, letter, block, phrase, parts, link=slide.name, component="link", reveals=reveals
+        )
+
+    # --- the equation -------------------------------------------------------------------------
+
+    def _equation(self, loop: Loop) -> Equation:
+        sides = Side(), Side()
+        start = [_start(chain) for chain in (loop.first, loop.second)]
+        second_start = start[1]
+        if start[0] != start[1] and start[0] in self.frame.fixed:
+            if self.frame.fixed[start[0]] == self.frame.fixed[start[1]]:
+                second_start = start[0]
+            else:
+                sides[1].add(loop.second[0], Term(start[0] + start[1], None, None))
+        for chain, side in zip((loop.first, loop.second), sides, strict=True):
+            for step in chain:
+                if isinstance(step, Slide) and isinstance(step.along, str):
+                    continue  # the bar carries its length
+                label = self.scene.letters(step)
+                if side is sides[1] and step is chain[0] and label[0] == start[1]:
+                    label = second_start + label[1]
+                owner = scalar_of(step).name
+                side.add(step, Term(label, owner, self._drawn(step, owner)))
+        return equation(loop, *sides)
+
+    def _drawn(self, step: Step, owner: str) -> int | None:
+        """Return the stroke that inks a step: its bar or its block."""
+        letters = self.scene.letters(step) if isinstance(step, Bar) else step.ends[1]
+        for index, stroke in enumerate(self.strokes):
+            if stroke.kind in ("known", "result") and (stroke.link, stroke.label) == (
+                owner,
+                letters,
+            ):
+                return index
+        return None
+
+
+def _start(chain: tuple[Step, ...]) -> str:
+    first = chain[0]
+    return first.ends[1] if first.reverse else first.ends[0]
+
+
+def slide_symbol(scene: Scene, slide: Slide) -> str:
+    """Return the symbol of a slide's position: x or y along an axis of the frame, else s."""
+    if scene.is_guide(slide) and slide.along in (0.0, 90.0):
+        return "x" if slide.along == 0.0 else "y"
+    return "s"

@@ -1,0 +1,44 @@
+"""The sheet in words, for readers who cannot see it.
+
+In comes a sheet, out goes plain text for PNG metadata and for ``<title>`` and ``<desc>`` of SVG.
+"""
+
+from __future__ import annotations
+
+from vad.plan.numbers import number, plain, with_unit
+from vad.strokes.language import Language
+from vad.strokes.sheet import Row, Sheet
+
+
+def title(sheet: Sheet) -> str:
+    """Return the sheet's title with its parameters."""
+    parameters = ", ".join(
+        f"{name} {with_unit(plain(value), unit)}" for name, value, unit in sheet.parameters
+    )
+    return f"{sheet.title}: {parameters}" if parameters else sheet.title
+
+
+def describe(sheet: Sheet) -> str:
+    """Return what the panels show, step by step, and what was measured."""
+    say = Language(sheet.language).say
+    lines = [
+        f"{say(panel.name)}: " + " ".join(_ended(s.caption) for s in panel.strokes)
+        for panel in sheet.panels
+    ]
+    lines.append(f"{say('results')}: " + "; ".join(_row(row, sheet) for row in sheet.rows) + ".")
+    return "\n".join(lines)
+
+
+def _ended(caption: str) -> str:
+    return caption if caption.endswith((".", "!", "?")) else caption + "."
+
+
+def _row(row: Row, sheet: Sheet) -> str:
+    given = Language(sheet.language).say("given")
+    cells = [cell for panel in sheet.panels for cell in row.cells.get(panel.name, ())]
+    values = [
+        f"{cell.symbol} = {with_unit(number(cell), cell.unit)}"
+        + (f" ({given})" if cell.given else "")
+        for cell in cells
+    ]
+    return f"{row.title} {row.letters} " + ", ".join(values)
