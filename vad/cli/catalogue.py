@@ -11,6 +11,7 @@ from typing import Any
 from vad.cli.options import flag, length_unit_of
 from vad.mechanisms import MECHANISMS, Mechanism
 from vad.units import scene_unit
+from vad.written import typed
 
 _WIDTH = 100
 
@@ -22,7 +23,8 @@ def table() -> str:
     for name, kind in MECHANISMS.items():
         unit = length_unit_of(kind)
         inputs = "  ".join(
-            f"{flag(key)} {value:.4g} {scene_unit(key, unit)}" for key, value in kind.inputs.items()
+            f"{flag(key)} {typed(value)} {scene_unit(key, unit)}"
+            for key, value in kind.inputs.items()
         )
         what = [*textwrap.wrap(_what(kind), _WIDTH - indent), inputs]
         lines += [

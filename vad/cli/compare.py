@@ -15,11 +15,13 @@ import click
 from vad.cli.groups import MechanismGroup
 from vad.mechanisms import Mechanism
 from vad.units import scene_unit
+from vad.written import typed
 
 if TYPE_CHECKING:
     from vad.methods.comparison import Comparison, Row
 
 _REFERENCE = "50 digits"
+_DIGITS = 8  # of every result
 # What a scalar's two derivatives are called: for the table, for JSON, and as a quantity.
 _SIGNS = {"angle": ("ω", "α"), "length": ("v", "a")}
 _NAMES = {"angle": ("omega", "alpha"), "length": ("velocity", "acceleration")}
@@ -49,13 +51,17 @@ def _table(mechanism: Mechanism, inputs: dict[str, Any], comparison: Comparison)
         if row.found is None:
             notes.append(f"{row.method}: {row.problem}")
         else:
-            numbers = [f"{row.found[scalar][order]:.8g}" for scalar, order in columns]
+            numbers = [
+                typed(float(row.found[scalar][order]), digits=_DIGITS) for scalar, order in columns
+            ]
             ends = [_power(row.error), f"{row.seconds * 1e6:.0f}"]
         lines.append([row.method, *numbers, *ends])
-    exact = [f"{float(comparison.truth[scalar][order]):.8g}" for scalar, order in columns]
+    exact = [
+        typed(float(comparison.truth[scalar][order]), digits=_DIGITS) for scalar, order in columns
+    ]
     lines.append([_REFERENCE, *exact])
     given = ", ".join(
-        f"{name} {value:.12g} {scene_unit(name, mechanism.length_unit)}"
+        f"{name} {typed(value, digits=12)} {scene_unit(name, mechanism.length_unit)}"
         for name, value in {**mechanism.inputs, **inputs}.items()
     )
     return "\n\n".join([f"{mechanism.title}  ({given})", _aligned(lines), "\n".join(notes)])

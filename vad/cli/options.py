@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Collection, Mapping
-from typing import Any
+from typing import Any, cast
 
 import click
 
 from vad.cli import values
 from vad.mechanisms import Mechanism
 from vad.units import scene_unit
+from vad.written import typed
 
 _INPUT_HELP = {
     "angle": "angle of the driven link",
@@ -95,7 +96,7 @@ def named_option(name: str, what: str, names: Collection[str], text: str) -> cli
 
 def _field_option(field: dataclasses.Field[Any], unit: str) -> click.Option:
     """Return the option that sets one field of a mechanism."""
-    name, default = field.name, field.default
+    name, default = field.name, cast(Any, field.default)
     quantity, text = field.metadata["quantity"], field.metadata["help"]
     if quantity == "choice":
         return named_option(name, name, field.metadata["choices"], f"{text}  [{default}]")
@@ -108,12 +109,12 @@ def _field_option(field: dataclasses.Field[Any], unit: str) -> click.Option:
             metavar="UNIT",
             help=f"{text}  [{default}]",
         )
-    shown = "none" if default is None else f"{default:.6g} {scene_unit(quantity, unit)}"
+    shown = "none" if default is None else f"{typed(default)} {scene_unit(quantity, unit)}"
     return _quantity_option([flag(name), name], quantity, f"{text}  [{shown}]", unit)
 
 
 def _input_option(kind: type[Mechanism], name: str, unit: str) -> click.Option:
-    shown = f"{kind.inputs[name]:.6g} {scene_unit(name, unit)}"
+    shown = f"{typed(kind.inputs[name])} {scene_unit(name, unit)}"
     return _quantity_option([flag(name)], name, f"{_INPUT_HELP[name]}  [{shown}]", unit)
 
 

@@ -22,6 +22,7 @@ from vad.export.sweep_results import Column, Results, Row
 from vad.kinematics.motion import Motion
 from vad.style import Style, load_style
 from vad.units import scene_unit
+from vad.written import WRITTEN_OUT, quantity, sign
 
 _SIZE, _DPI = (1600, 1200), 100
 _SYMBOLS = {
@@ -33,7 +34,6 @@ _SYMBOLS = {
     "acceleration": "$a$",
 }
 _LINE = 110  # characters of the smallest type on one line
-_DEGREE = "\N{DEGREE SIGN}"
 # Where this share of the poses at either end makes the range so much wider, it is cut off.
 _TAIL, _PEAK = 4.0, 6.0
 _NOTHING = 1e-9
@@ -48,6 +48,8 @@ def plot(motion: Motion, results: Results, file: IO[bytes]) -> None:
         "font.family": "STIXGeneral",
         "mathtext.fontset": "stix",
         "font.size": _points(0.028),
+        "axes.formatter.limits": (WRITTEN_OUT[0] - 1, WRITTEN_OUT[1]),
+        "axes.formatter.use_mathtext": True,
         "text.color": style.text,
         "axes.labelcolor": style.text,
         "xtick.color": style.grey,
@@ -70,10 +72,8 @@ def _head(figure: Figure, motion: Motion, style: Style) -> None:
     ]
     given += [(f"{_SYMBOLS[name]} =", value, name) for name, value in rates]
     items = [
-        f"{name} {value:.5g} {_pretty(scene_unit(quantity, mechanism.length_unit))}".replace(
-            f" {_DEGREE}", _DEGREE
-        )
-        for name, value, quantity in given
+        f"{name} {quantity(value, sign(scene_unit(kind, mechanism.length_unit)), given=True)}"
+        for name, value, kind in given
         if np.ndim(value) == 0
     ]
     joined = "   ".join(item.replace(" ", _HARD_SPACE) for item in items)
@@ -81,7 +81,7 @@ def _head(figure: Figure, motion: Motion, style: Style) -> None:
     figure.text(
         0.03,
         0.915,
-        textwrap.fill(joined.replace("-", "\N{MINUS SIGN}"), _LINE),
+        textwrap.fill(joined, _LINE),
         color=style.grey,
         verticalalignment="top",
     )
@@ -118,7 +118,7 @@ def _dress(plot: Axes, curves: Sequence[Column], scale: float, style: Style) -> 
 
     What is nothing to ``scale`` is rounding, and shown as the straight line that it stands for.
     """
-    quantity, unit = curves[0].quantity, _pretty(curves[0].unit)
+    quantity, unit = curves[0].quantity, sign(curves[0].unit)
     plot.set_title(f"{_SYMBOLS[quantity]}, {unit}", loc="left", fontsize=_points(0.0335))
     plot.grid(color=style.hairline, linewidth=_points(0.0012))
     plot.set_axisbelow(True)
@@ -156,7 +156,7 @@ def _legend(plot: Axes, count: int) -> None:
 def _input_axis(plot: Axes, results: Results) -> None:
     given = results.place
     driver = _name(results.driver)
-    plot.set_xlabel(f"{given.quantity} of the {driver}, {_pretty(given.unit)}")
+    plot.set_xlabel(f"{given.quantity} of the {driver}, {sign(given.unit)}")
     plot.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
     low, high = float(given.values.min()), float(given.values.max())
     if given.quantity == "angle" and 180.0 <= high - low <= 720.0:
@@ -202,7 +202,3 @@ def _name(row: Row) -> str:
 
 def _words(name: str) -> str:
     return name.replace("_", " ")
-
-
-def _pretty(unit: str) -> str:
-    return _DEGREE if unit == "deg" else unit.replace("^2", "$^2$")

@@ -8,9 +8,12 @@ import numpy as np
 
 from vad.kinematics.numbers import Number
 from vad.units import scene_unit
+from vad.written import typed
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
+
+_DIGITS = 12  # of the text table, from which numbers are copied
 
 
 def units(length_unit: str) -> dict[str, str]:
@@ -42,7 +45,10 @@ def table(data: dict[str, Any], mechanism: Mechanism) -> str:
             f"alpha, {unit['alpha']}",
         ]
         rows = [
-            [f"{name} {mechanism.links[name]}", *(_number(x) for x in link.values())]
+            [
+                f"{name} {mechanism.links[name]}",
+                *(_number(x, unit[kind]) for kind, x in link.items()),
+            ]
             for name, link in data["links"].items()
         ]
         blocks.append(_columns([head, *rows]))
@@ -70,14 +76,16 @@ def table(data: dict[str, Any], mechanism: Mechanism) -> str:
 
 def _inputs(data: dict[str, Any]) -> str:
     unit = data["units"] | {"position": data["units"]["length"]}
-    given = [f"{name} {_number(value)} {unit[name]}" for name, value in data["input"].items()]
+    given = [
+        f"{name} {_number(value, unit[name])} {unit[name]}" for name, value in data["input"].items()
+    ]
     if data["assembly"]:
         given.append(data["assembly"])
     return ", ".join(given)
 
 
-def _number(value: Any) -> str:
-    return f"{value:.12g}" if isinstance(value, float) else str(value)
+def _number(value: Any, unit: str = "") -> str:
+    return typed(value, unit, _DIGITS) if isinstance(value, float) else str(value)
 
 
 def _columns(rows: list[list[str]]) -> str:

@@ -10,13 +10,13 @@ from collections.abc import Callable
 
 from vad.plan.art import Look
 from vad.plan.marks import Mark, Pen, polyline, segments
-from vad.plan.numbers import plain, with_unit
 from vad.plan.page import LONGEST_BAR, Page, PanelPlace
 from vad.plan.scale import Scale, scale_bar
 from vad.plan.text import Runs, bold, fitted, outline, roman, sentence, width, wrap, write
 from vad.strokes.language import Language
 from vad.strokes.sheet import Panel, Sheet
 from vad.style import mix
+from vad.written import given, quantity
 
 TITLE = 0.050
 PARAMETERS = 0.032
@@ -38,8 +38,7 @@ def title_marks(sheet: Sheet, page: Page, look: Look) -> list[Mark]:
     size = fitted(title, TITLE * unit, 0.036 * unit, 0.6 * room)
     marks = write(title, complex(page.left, page.title), size, look.style.text)
     items = [
-        f"{name} {with_unit(plain(value), unit_ if value else '')}"
-        for name, value, unit_ in sheet.parameters
+        f"{name} {quantity(value, unit_, given=True)}" for name, value, unit_ in sheet.parameters
     ]
     room -= width(title, size) + 0.04 * unit
     lines = [items]
@@ -100,10 +99,10 @@ def head_marks(
 
 def _stated(panel: Panel, value: float) -> Runs:
     """Return what a centimetre of paper stands for, and the ratio where both are metric lengths."""
-    text = f"1 cm = {with_unit(plain(value), panel.unit)}"
+    text = f"1 cm = {quantity(value, panel.unit, given=True)}"
     ratio = value * _CENTIMETRES.get(panel.unit, 0.0)
     if ratio:
-        text += f"   ({plain(max(1.0, 1.0 / ratio))} : {plain(max(1.0, ratio))})"
+        text += f"   ({given(max(1.0, 1.0 / ratio))} : {given(max(1.0, ratio))})"
     return roman(text)
 
 
@@ -113,7 +112,7 @@ def _scale(panel: Panel, scale: Scale, room: float, look: Look) -> tuple[float, 
     longest = LONGEST_BAR * unit
     while True:
         value = scale_bar(scale.factor, longest)
-        runs = roman(with_unit(plain(value), panel.unit))
+        runs = roman(quantity(value, panel.unit, given=True))
         need = width(runs, SCALE * unit) + value * scale.factor + 0.035 * unit
         if need <= room or longest < 0.03 * unit:
             return value, runs

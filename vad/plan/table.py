@@ -11,12 +11,12 @@ from typing import Literal
 
 from vad.plan.art import Look
 from vad.plan.marks import Mark, Pen, polyline
-from vad.plan.numbers import number, with_unit
 from vad.plan.page import ROW_PITCH_TWO, Page, Rect
 from vad.plan.text import Runs, bold, fitted, roman, symbols, width, write
 from vad.plan.vectors import BAR
 from vad.strokes.language import Language
 from vad.strokes.sheet import Cell, PanelName, Row, Sheet
+from vad.written import number, with_unit
 
 SIZE = 0.0335
 LEAST = 0.024
@@ -60,7 +60,7 @@ class Table:
     sheet: Sheet
     page: Page
     look: Look
-    figures: Callable[[Cell], Runs] = lambda cell: roman(number(cell))
+    figures: Callable[[Cell], Runs] = lambda cell: roman(number(cell.value, cell.unit, cell.given))
 
     def marks(self, state: States) -> list[Mark]:
         """Return the table with each cell shown as ``state(row, panel)`` says."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from vad.kinematics.linkage import Bar, Slide, Step, angle_of, length_of
 from vad.strokes.chains import Part
-from vad.strokes.figures import figure, squared
 from vad.strokes.scene import Scene, image_letter
+from vad.written import measured, squared
 
 
 class Captions:
@@ -30,7 +30,7 @@ class Captions:
     def known(self, label: str, part: Part) -> str:
         """Work out a component that is known before the crossing."""
         scene, step = self._scene, part.step
-        value = figure(abs(part.vector))
+        value = measured(abs(part.vector))
         common = {"label": label, "value": value, "unit": self._unit}
         if isinstance(step, Slide):
             if part.name == "coriolis":
@@ -42,6 +42,7 @@ class Captions:
                     speed=scene.write(length_of(step.name), abs(scene.speed(step.name, 1))),
                     **common,
                 )
+            common["value"] = scene.write(length_of(step.name), abs(part.vector))
             return self._say(
                 f"sliding {self._panel}",
                 line=scene.line_name(step),
@@ -97,14 +98,14 @@ class Captions:
     def measured(self, label: str, part: Part) -> str:
         """Measure a result off the polygon."""
         scene, step = self._scene, part.step
-        common = {"label": label, "value": figure(abs(part.vector)), "unit": self._unit}
+        common = {"label": label, "value": measured(abs(part.vector)), "unit": self._unit}
         if isinstance(step, Slide):
             return self._say(
                 f"measured sliding {self._panel}",
                 slide=step.name.split("_")[0],
                 way=self._way(part.vector),
                 symbol="va"[self._order - 1],
-                rate=figure(scene.speed(step.name, self._order)),
+                rate=measured(scene.speed(step.name, self._order)),
                 **common,
             )
         rate = scene.rate(step.link, self._order)
@@ -117,7 +118,7 @@ class Captions:
             tail=bar[0],
             head=bar[1],
             size=scene.write_size(step),
-            rate=figure(abs(rate)),
+            rate=measured(abs(rate)),
             sense=self._say("counter-clockwise" if rate > 0 else "clockwise"),
             way=self._way(part.vector),
             **common,
@@ -128,7 +129,7 @@ class Captions:
         return self._say(
             "whole absolute" if still else "whole relative",
             label=label,
-            value=figure(abs(vector)),
+            value=measured(abs(vector)),
             unit=self._unit,
             head=step.ends[1],
             tail=step.ends[0],
@@ -156,7 +157,7 @@ class Captions:
             size=scene.write_size(bar),
             length=scene.write_size(base),
             label=label,
-            value=figure(value),
+            value=measured(value),
             unit=self._unit,
         )
 

@@ -7,7 +7,6 @@ import math
 
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, angle_of, scalar_of
 from vad.strokes.equations import Side, equation
-from vad.strokes.figures import degrees, figure, given
 from vad.strokes.scene import Scene
 from vad.strokes.sheet import (
     Arc,
@@ -22,6 +21,7 @@ from vad.strokes.sheet import (
     Stroke,
     Term,
 )
+from vad.written import number, quantity
 
 #: A compass arc shows this much on either side of the point that it is after, in degrees.
 COMPASS = 14.0
@@ -117,7 +117,7 @@ class _Position:
                 tail, head = (self.at(letter) for letter in step.ends)
                 sweep = self.motion.link(step.link).angle
                 arc = Arc(tail, abs(head - tail), 0.0, sweep)
-                label = f"{given(sweep)}°"
+                label = quantity(sweep, "°", given=True)
                 self._draw("angle", label, arc, "angle", {"link": step.link}, link=step.link)
                 self.found.update(step.ends)
             elif isinstance(step.along, float):
@@ -213,7 +213,7 @@ class _Position:
         driven = angle_of(bar.link) == self.scene.driver
         parts: dict[str, object] = {"link": bar.link, "bar": letters, "unit": self.scene.unit}
         parts["size"] = self.scene.write_size(bar)
-        parts |= {"angle": f"{given(angle)}°" if driven else degrees(angle)}
+        parts |= {"angle": quantity(angle, "°", driven)}
         parts |= {"letter": letters[1], "tail": letters[0]}
         reveals = () if driven or image else (bar.link,)
         self._draw(
@@ -238,7 +238,7 @@ class _Position:
             "slide": slide.name.split("_")[0],
             "head": letter,
             "symbol": slide_symbol(self.scene, slide),
-            "value": given(value) if driven else figure(value),
+            "value": number(value, given=driven),
             "unit": self.scene.unit,
         }
         reveals = () if driven else (slide.name,)

@@ -8,8 +8,8 @@ from functools import cached_property
 from vad.kinematics.linkage import Bar, Scalar, Slide, Step, length_of, scalar_of
 from vad.kinematics.motion import Motion
 from vad.kinematics.state import Rates
-from vad.strokes.figures import PRIME, figure, given, per_second, subscript
 from vad.strokes.language import Language
+from vad.written import PRIME, number, per_second, subscript
 
 
 @dataclass(frozen=True)
@@ -70,12 +70,12 @@ class Scene:
 
     def write(self, scalar: Scalar, value: float) -> str:
         """Write a number: as it was given for the driver, with four digits for the rest."""
-        return given(value) if scalar == self.driver else figure(value)
+        return number(value, given=scalar == self.driver)
 
     def write_size(self, bar: Bar) -> str:
         """Write the length of a bar, which is given unless it is that of a slide to be found."""
         is_given = isinstance(bar.length, float) or length_of(bar.length) == self.driver
-        return given(self.size(bar)) if is_given else figure(self.size(bar))
+        return number(self.size(bar), given=is_given)
 
     def orders(self, order: int) -> tuple[Rates, ...]:
         """Return the rates up to an order, solved for no further than that."""

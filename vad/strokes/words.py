@@ -5,15 +5,15 @@ In comes a sheet, out goes plain text for PNG metadata and for ``<title>`` and `
 
 from __future__ import annotations
 
-from vad.plan.numbers import number, plain, with_unit
 from vad.strokes.language import Language
 from vad.strokes.sheet import Row, Sheet
+from vad.written import quantity
 
 
 def title(sheet: Sheet) -> str:
     """Return the sheet's title with its parameters."""
     parameters = ", ".join(
-        f"{name} {with_unit(plain(value), unit)}" for name, value, unit in sheet.parameters
+        f"{name} {quantity(value, unit, given=True)}" for name, value, unit in sheet.parameters
     )
     return f"{sheet.title}: {parameters}" if parameters else sheet.title
 
@@ -34,11 +34,11 @@ def _ended(caption: str) -> str:
 
 
 def _row(row: Row, sheet: Sheet) -> str:
-    given = Language(sheet.language).say("given")
+    note = Language(sheet.language).say("given")
     cells = [cell for panel in sheet.panels for cell in row.cells.get(panel.name, ())]
     values = [
-        f"{cell.symbol} = {with_unit(number(cell), cell.unit)}"
-        + (f" ({given})" if cell.given else "")
+        f"{cell.symbol} = {quantity(cell.value, cell.unit, cell.given)}"
+        + (f" ({note})" if cell.given else "")
         for cell in cells
     ]
     return f"{row.title} {row.letters} " + ", ".join(values)

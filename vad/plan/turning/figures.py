@@ -5,17 +5,12 @@ In come all cells of a turn, out goes the type of any cell, always as wide as th
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from vad.plan.numbers import plain
 from vad.plan.text import Run, Runs, roman
 from vad.strokes.sheet import Cell
-
-MINUS = "−"
-_DIGITS = 4
-_LARGEST, _SMALLEST = 6, -3  # powers of ten that are written out
+from vad.written import MEASURED, MINUS, WRITTEN_OUT, in_turn, power_of_ten, typeset
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,8 +41,8 @@ class Form:
         missing = self.digits - len(text.partition(".")[0])
         room = "0" * missing + (MINUS if self.signed and not negative else "")
         blank = (Run(room, shown=False),) if room else ()
-        tail = plain(10.0**self.power).replace("1×", "×") if self.power else ""
-        return blank + roman((MINUS if negative else "") + text + tail)
+        tail = power_of_ten(self.power) if self.power else ""
+        return blank + roman(typeset(("-" if negative else "") + text) + tail)
 
 
 class Figures:
@@ -61,9 +56,7 @@ class Figures:
 
     def __call__(self, cell: Cell) -> Runs:
         """Return a cell's number in the form of its column."""
-        value = cell.value
-        if cell.unit == "°" and value >= 0:
-            value = round(value, 1) % 360  # 359.97° is 0.0°
+        value = in_turn(cell.value) if cell.unit == "°" else cell.value
         return self._forms[cell.unit].runs(value)
 
 
@@ -72,7 +65,8 @@ def _form(unit: str, values: list[float]) -> Form:
     signed = any(value < 0 for value in values)
     if unit == "°":
         return Form(3, 1, signed)
-    power = math.floor(math.log10(peak)) if peak else 0
-    if not _SMALLEST <= power < _LARGEST:
-        return Form(1, _DIGITS - 1, signed, power)
-    return Form(max(power, 0) + 1, _DIGITS - 1 - power, signed)
+    # Rounded to the digits first: 9999.7 reads 10000.
+    power = int(f"{peak:.{MEASURED - 1}e}".partition("e")[2])
+    if not WRITTEN_OUT[0] <= power < WRITTEN_OUT[1]:
+        return Form(1, MEASURED - 1, signed, power)
+    return Form(max(power, 0) + 1, MEASURED - 1 - power, signed)

@@ -1,0 +1,202 @@
+"""Numbers and quantities as they are written: one rule, wherever they stand.
+
+In come values, units and whether they were given; out go strings for captions, tables, titles,
+scale bars and axes.  A measured value has four significant digits, a given one is as it was given,
+an angle has one decimal.  `typed` is for the terminal, from which numbers are copied; files for
+machines hold them in full.
+"""
+
+from __future__ import annotations
+
+import math
+
+MINUS = "\N{MINUS SIGN}"
+PRIME = "\N{PRIME}"
+#: Significant digits of a measured value, and the most that a given one shows.
+MEASURED, GIVEN = 4, 6
+#: Powers of ten whose digits are written out: the first of them, and the first that is not.
+WRITTEN_OUT = (-4, 6)
+
+_DEGREE = "°"
+_FULL_TURN = 360.0
+_SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_SIGNS = {"deg": _DEGREE, "^2": "²"}
+
+
+def quantity(value: float, unit: str, given: bool = False) -> str:
+    """Write a value with its unit.
+
+    Parameters
+    ----------
+    value
+        The value, in ``unit``.
+    unit
+        The unit's sign, as in mm/s² or °; empty for a bare number.
+    given
+        Whether the value was given, not measured.
+
+    Examples
+    --------
+    >>> quantity(1234567.0, "mm/s²"), quantity(338.213, "°"), quantity(60.0, "mm", given=True)
+    ('1.235×10⁶ mm/s²', '338.2°', '60 mm')
+    """
+    return with_unit(number(value, unit, given), unit)
+
+
+def number(value: float, unit: str = "", given: bool = False) -> str:
+    """Write a value without its unit, which decides how many digits it has.
+
+    Parameters
+    ----------
+    value, unit, given
+        As for `quantity`.
+
+    Examples
+    --------
+    >>> number(359.97, "°"), number(359.97, "°", given=True), number(359.97, "mm")
+    ('0.0', '359.97', '360.0')
+    """
+    if not math.isfinite(value):
+        return "–"
+    if given:
+        return typeset(typed(value, unit))
+    return typeset(f"{in_turn(value):.1f}") if unit == _DEGREE else measured(value)
+
+
+def measured(value: float) -> str:
+    """Write a measured value: four significant digits, and a power of ten only from a million on.
+
+    Examples
+    --------
+    >>> [measured(x) for x in (490.0281, -3005.2, 57549.8, 1234567.0, 0.0588235, 2e-5, 0.0)]
+    ['490.0', '−3005', '57550', '1.235×10⁶', '0.05882', '2.000×10⁻⁵', '0']
+    """
+    if value == 0.0 or not math.isfinite(value):
+        return "0" if value == 0.0 else "–"
+    rounded = f"{value:.{MEASURED - 1}e}"
+    power = int(rounded.partition("e")[2])
+    if WRITTEN_OUT[0] <= power < WRITTEN_OUT[1]:
+        # Rounded to the digits first: 57549.8 reads 57550.
+        rounded = f"{float(rounded):.{max(MEASURED - 1 - power, 0)}f}"
+    return typeset(rounded)
+
+
+def given(value: float) -> str:
+    """Write a given value as it was given, up to six digits.
+
+    Examples
+    --------
+    >>> [given(x) for x in (60.0, -11.59, 0.0588235294, 2e6)]
+    ['60', '−11.59', '0.0588235', '2×10⁶']
+    """
+    return number(value, given=True)
+
+
+def in_turn(angle: float) -> float:
+    """Round a measured angle to its one decimal, within a full turn; it keeps its sign.
+
+    Examples
+    --------
+    >>> in_turn(338.213), in_turn(359.97), in_turn(-0.04), in_turn(-30.0)
+    (338.2, 0.0, 0.0, -30.0)
+    """
+    return round(math.fmod(round(angle, 1), _FULL_TURN), 1) + 0.0
+
+
+def typed(value: float, unit: str = "", digits: int = GIVEN) -> str:
+    """Write a value as it is typed, so that it can be copied into another program.
+
+    Parameters
+    ----------
+    value
+        The value.
+    unit
+        Its unit's sign or name: an angle below a full turn never reads 360.
+    digits
+        The most significant digits that it shows.
+
+    Examples
+    --------
+    >>> typed(-490.02810237, digits=12), typed(359.9999999, "deg"), typed(1e-17)
+    ('-490.02810237', '0', '1e-17')
+    """
+    text = f"{value + 0.0:.{digits}g}"
+    is_angle = sign(unit) == _DEGREE
+    return "0" if is_angle and abs(value) < _FULL_TURN <= abs(float(text)) else text
+
+
+def typeset(text: str) -> str:
+    """Turn a number in the notation of programs into print: the minus, the power of ten.
+
+    Every number of the page passes here, and so will a decimal comma.
+
+    Examples
+    --------
+    >>> typeset("-1.235e+06")
+    '−1.235×10⁶'
+    """
+    mantissa, exponent, power = text.partition("e")
+    return mantissa.replace("-", MINUS) + (power_of_ten(int(power)) if exponent else "")
+
+
+def power_of_ten(power: int) -> str:
+    """Write the factor after a mantissa.
+
+    Examples
+    --------
+    >>> "1.235" + power_of_ten(-6)
+    '1.235×10⁻⁶'
+    """
+    return "×10" + str(power).translate(_SUPERSCRIPTS)
+
+
+def with_unit(text: str, unit: str) -> str:
+    """Put a unit behind a written number; a degree sign stands close.
+
+    Examples
+    --------
+    >>> with_unit("60", "°"), with_unit("160.0", "mm"), with_unit("2", "")
+    ('60°', '160.0 mm', '2')
+    """
+    return text + ("" if unit == _DEGREE or not unit else " ") + unit
+
+
+def sign(unit: str) -> str:
+    """Return the sign of a unit that is named as in `vad.units`.
+
+    Examples
+    --------
+    >>> sign("deg"), sign("rad/s^2")
+    ('°', 'rad/s²')
+    """
+    for name, written in _SIGNS.items():
+        unit = unit.replace(name, written)
+    return unit
+
+
+def per_second(unit: str, order: int) -> str:
+    """Write the unit of a derivative: mm, mm/s, mm/s²."""
+    return unit + ("", "/s", "/s²")[order]
+
+
+def squared(text: str) -> str:
+    """Write the square of a written number.
+
+    Examples
+    --------
+    >>> squared("2.432"), squared("2.583×10⁻⁵")
+    ('2.432²', '(2.583×10⁻⁵)²')
+    """
+    return f"({text})²" if "×" in text else f"{text}²"
+
+
+def subscript(number: int) -> str:
+    """Write a whole number as a subscript.
+
+    Examples
+    --------
+    >>> "ω" + subscript(3)
+    'ω₃'
+    """
+    return str(number).translate(_SUBSCRIPTS)
