@@ -45,8 +45,17 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
         "position",
         "mm",
         (
-            Stroke("fixed", "A", Dot(0j), "A is the crank's pivot, fixed in the frame."),
-            Stroke("guide", "", Guide(0j, 1 + 0j, -1j), "C slides on the guide.", "slider"),
+            Stroke(
+                "fixed", "A", Dot(0j), "A is the crank's pivot, fixed in the frame.", name="A.fixed"
+            ),
+            Stroke(
+                "guide",
+                "",
+                Guide(0j, 1 + 0j, -1j),
+                "C slides on the guide.",
+                "slider",
+                name="DC.guide",
+            ),
             Stroke(
                 "known",
                 "AB",
@@ -54,14 +63,22 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "AB, the crank, is 60 mm long.",
                 "crank",
                 "link",
+                name="AB.bar",
             ),
-            Stroke("angle", f"{degrees:g}°", Arc(0j, crank, 0.0, degrees), "It stands at 60°."),
+            Stroke(
+                "angle",
+                f"{degrees:g}°",
+                Arc(0j, crank, 0.0, degrees),
+                "It stands at 60°.",
+                name="AB.angle",
+            ),
             Stroke(
                 "construction",
                 "BC",
                 Arc(b, rod, math.degrees(cmath.phase(way)) - 14, 28.0, through=c),
                 "C lies on a circle of 140 mm about B.",
                 "rod",
+                name="BC.compass",
             ),
             Stroke(
                 "construction",
@@ -69,8 +86,9 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 Line(0j, 1 + 0j, c),
                 "C lies on the guide.",
                 "slider",
+                name="DC.line",
             ),
-            Stroke("intersection", "C", Dot(c), "They meet at C."),
+            Stroke("intersection", "C", Dot(c), "They meet at C.", name="C.found"),
             Stroke(
                 "result",
                 "BC",
@@ -79,6 +97,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "rod",
                 "link",
                 reveals=("rod",),
+                name="BC.bar",
             ),
             Stroke(
                 "result",
@@ -87,12 +106,13 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "C is the slider: x = 160.0 mm.",
                 "slider",
                 reveals=("slider",),
+                name="DC.block",
             ),
         ),
         (
             Equation(
-                (Term("AB", "crank", 2), Term("BC", "rod", 7)),
-                (Term("AC", "slider", 8),),
+                (Term("AB", "crank", "AB.bar"), Term("BC", "rod", "BC.bar")),
+                (Term("AC", "slider", "DC.block"),),
             ),
         ),
     )
@@ -100,7 +120,9 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
         "velocity",
         "mm/s",
         (
-            Stroke("pole", "a, d", Dot(0j), "The fixed points a and d are at the pole."),
+            Stroke(
+                "pole", "a, d", Dot(0j), "The fixed points a and d are at the pole.", name="pole"
+            ),
             Stroke(
                 "known",
                 "ab",
@@ -108,6 +130,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "ab = ω₂·AB = 10 × 60 = 600.0 mm/s, ⟂ AB",
                 "crank",
                 "tangential",
+                name="AB.tangential",
             ),
             Stroke(
                 "construction",
@@ -115,6 +138,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 Line(vb, unit(vc - vb), vc, "BC"),
                 "Through b, perpendicular to BC: C moves about B in a circle.",
                 "rod",
+                name="BC.line",
             ),
             Stroke(
                 "construction",
@@ -123,8 +147,9 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "Through the pole, parallel to the guide: the slider can move no other way, "
                 "so c lies on this line.",
                 "slider",
+                name="DC.line",
             ),
-            Stroke("intersection", "c", Dot(vc), "The lines cross at c."),
+            Stroke("intersection", "c", Dot(vc), "The lines cross at c.", name="C.crossing"),
             Stroke(
                 "result",
                 "bc",
@@ -133,6 +158,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "rod",
                 "tangential",
                 reveals=("rod",),
+                name="BC.tangential",
             ),
             Stroke(
                 "result",
@@ -142,15 +168,27 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "slider",
                 "absolute",
                 reveals=("slider",),
+                name="DC.sliding",
             ),
         ),
-        (Equation((Term("ab", "crank", 1), Term("bc", "rod", 5)), (Term("dc", "slider", 6),)),),
+        (
+            Equation(
+                (Term("ab", "crank", "AB.tangential"), Term("bc", "rod", "BC.tangential")),
+                (Term("dc", "slider", "DC.sliding"),),
+            ),
+        ),
     )
     acceleration = Panel(
         "acceleration",
         "mm/s²",
         (
-            Stroke("pole", "a′, d′", Dot(0j), "The fixed points a′ and d′ are at the pole."),
+            Stroke(
+                "pole",
+                "a′, d′",
+                Dot(0j),
+                "The fixed points a′ and d′ are at the pole.",
+                name="pole",
+            ),
             Stroke(
                 "known",
                 "a′b′ₙ",
@@ -158,6 +196,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "a′b′ₙ = ω₂²·AB = 10² × 60 = 6000 mm/s², from B towards A",
                 "crank",
                 "normal",
+                name="AB.normal",
             ),
             Stroke(
                 "known",
@@ -166,6 +205,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "b′ₙb′ = α₂·AB = 20 × 60 = 1200 mm/s², ⟂ AB",
                 "crank",
                 "tangential",
+                name="AB.tangential",
             ),
             Stroke(
                 "result",
@@ -174,6 +214,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "a′b′ = 6119 mm/s² is the acceleration of B.",
                 "crank",
                 "relative",
+                name="AB.whole",
             ),
             Stroke(
                 "known",
@@ -182,6 +223,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "b′cₙ = ω₃²·BC = 746.0 mm/s², from C towards B",
                 "rod",
                 "normal",
+                name="BC.normal",
             ),
             Stroke(
                 "construction",
@@ -189,6 +231,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 Line(cn, unit(ac - cn), ac, "BC"),
                 "Through cₙ, perpendicular to BC.",
                 "rod",
+                name="BC.line",
             ),
             Stroke(
                 "construction",
@@ -196,8 +239,9 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 Line(0j, unit(ac), ac),
                 "Through the pole, parallel to the guide.",
                 "slider",
+                name="DC.line",
             ),
-            Stroke("intersection", "c′", Dot(ac), "The lines cross at c′."),
+            Stroke("intersection", "c′", Dot(ac), "The lines cross at c′.", name="C.crossing"),
             Stroke(
                 "result",
                 "cₙc′",
@@ -206,6 +250,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "rod",
                 "tangential",
                 reveals=("rod",),
+                name="BC.tangential",
             ),
             Stroke(
                 "result",
@@ -214,6 +259,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "b′c′ is the whole acceleration of C relative to B.",
                 "rod",
                 "relative",
+                name="BC.whole",
             ),
             Stroke(
                 "result",
@@ -223,17 +269,18 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "slider",
                 "absolute",
                 reveals=("slider",),
+                name="DC.sliding",
             ),
         ),
         (
             Equation(
                 (
-                    Term("a′b′ₙ", "crank", 1),
-                    Term("b′ₙb′", "crank", 2),
-                    Term("b′cₙ", "rod", 4),
-                    Term("cₙc′", "rod", 8),
+                    Term("a′b′ₙ", "crank", "AB.normal"),
+                    Term("b′ₙb′", "crank", "AB.tangential"),
+                    Term("b′cₙ", "rod", "BC.normal"),
+                    Term("cₙc′", "rod", "BC.tangential"),
                 ),
-                (Term("d′c′", "slider", 10),),
+                (Term("d′c′", "slider", "DC.sliding"),),
             ),
         ),
     )

@@ -64,8 +64,9 @@ class TurnBoard:
         for panel in sheet.panels:
             place, moving = self.page.panels[panel.name], self.panels[panel.name]
             marks += head_marks(panel, place, moving.scale, True, sheet.language, look)
-            middle, done = place.drawing.centre.real, len(panel.strokes)
-            marks += foot_marks(self.feet[panel.name], place.equations, middle, done, look)
+            middle = place.drawing.centre.real
+            drawn = {stroke.name for stroke in panel.strokes}
+            marks += foot_marks(self.feet[panel.name], place.equations, middle, drawn, look)
             marks += moving.still()
         return marks
 

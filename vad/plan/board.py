@@ -165,11 +165,12 @@ class Board:
         area = Rect(left, low, right, place.drawing.bottom)
         middle = place.drawing.centre.real
         foot = self.feet[panel.name]
+        drawn = {stroke.name for stroke in panel.strokes[:done]}
 
         def draw() -> tuple[list[Mark], list[Mark]]:
             if not begun:
                 return [], []
-            return foot_marks(foot, place.equations, middle, done, self.look), []
+            return foot_marks(foot, place.equations, middle, drawn, self.look), []
 
         return Layer(panel.name + " foot", area, (done, begun), draw)
 

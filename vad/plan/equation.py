@@ -5,7 +5,7 @@ In come a panel's equations and the width they may take, out go lines of pieces 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from vad.plan.art import Look
@@ -82,9 +82,9 @@ def compose(panel: Panel, room: float, unit: float) -> Foot:
 
 
 def foot_marks(
-    foot: Foot, baselines: Sequence[float], middle: float, done: int, look: Look
+    foot: Foot, baselines: Sequence[float], middle: float, drawn: Collection[str], look: Look
 ) -> list[Mark]:
-    """Return the equation with the first ``done`` strokes inked and the rest pale."""
+    """Return the equation with the vectors ``drawn`` inked and the rest pale."""
     marks: list[Mark] = []
     size = foot.size * look.unit
     for line, baseline in zip(foot.lines, baselines, strict=False):
@@ -92,7 +92,7 @@ def foot_marks(
         for piece in line:
             x += piece.space * size
             term = piece.term
-            pending = term is not None and term.stroke is not None and term.stroke >= done
+            pending = term is not None and term.stroke is not None and term.stroke not in drawn
             ink = look.ink(term.link) if term else look.style.grey
             alpha = PENDING if pending else 1.0
             marks += write(piece.runs, complex(x, baseline), size, ink, alpha=alpha)

@@ -52,8 +52,11 @@ class Spot:
     caption: complex
 
 
-def draw_inset(inset: CoriolisInset, caption: str, look: Look, size: float) -> Inset:
-    """Return the inset, not yet in its place; ``size`` is 1, or less where room is short."""
+def draw_inset(inset: CoriolisInset, stroke: int, caption: str, look: Look, size: float) -> Inset:
+    """Return the inset, not yet in its place; ``size`` is 1, or less where room is short.
+
+    It is shown from stroke number ``stroke`` on.
+    """
     marks, names = _picture(inset, look, size)
     boxes = [mark.box for mark in marks]
     box = Rect(
@@ -63,7 +66,7 @@ def draw_inset(inset: CoriolisInset, caption: str, look: Look, size: float) -> I
         max(b[3] for b in boxes),
     )
     runs = roman(caption, lambda token: token == "v")
-    return Inset(marks, names, box, runs, text_box(runs, CAPTION_SIZE * look.unit), inset.stroke)
+    return Inset(marks, names, box, runs, text_box(runs, CAPTION_SIZE * look.unit), stroke)
 
 
 def find_spot(obstacles: Obstacles, drawing: Rect, inset: Inset, unit: float) -> Spot | None:

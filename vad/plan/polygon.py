@@ -30,7 +30,8 @@ def draw_polygon(panel: Panel, drawing: Rect, look: Look, coriolis: str) -> Pane
     """
     art = _sketch(panel, drawing, drawing, look)
     if panel.inset:
-        insets = [draw_inset(panel.inset, coriolis, look, size) for size in INSET_SIZES]
+        since = panel.number(panel.inset.stroke)
+        insets = [draw_inset(panel.inset, since, coriolis, look, size) for size in INSET_SIZES]
         art = _with_inset(panel, drawing, look, insets, art)
     points = [vertex.at for vertex in find_vertices(panel, art.scale, look.unit)]
     for index, stroke in enumerate(panel.strokes):

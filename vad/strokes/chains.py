@@ -28,6 +28,11 @@ class Part:
     unknown: bool
 
     @property
+    def stroke_name(self) -> str:
+        """What the stroke that draws it is called: ``AB.normal``."""
+        return f"{self.step.ends}.{self.name}"
+
+    @property
     def reverse(self) -> bool:
         """Whether its chain runs through it from head to tail."""
         return self.step.reverse

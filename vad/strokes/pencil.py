@@ -10,6 +10,9 @@ from vad.strokes.chains import Part
 from vad.strokes.scene import Scene, image_letter
 from vad.strokes.sheet import Arrow, Component, CoriolisInset, Dot, Line, Stroke
 
+#: The name of the point from which a polygon begins, or where a first crossing finds it.
+POLE = "pole"
+
 
 class Tip:
     """Where the drawing of one chain has got to: the vertex and its coordinates."""
@@ -40,16 +43,24 @@ class Pencil:
         orders = self.scene.orders(self.order)
         return self.scene.outward(motion.solver.routes.rate(letter, motion.pose, orders))
 
-    def add(self, stroke: Stroke) -> int:
-        """Append a stroke and return its number."""
+    def add(self, stroke: Stroke) -> Stroke:
+        """Append a stroke and return it."""
         self.strokes.append(stroke)
-        return len(self.strokes) - 1
+        return stroke
+
+    def joining(self, tail: str, head: str) -> str | None:
+        """Return the name of the vector that joins two vertices, None where none is drawn."""
+        for stroke in self.strokes:
+            match stroke.shape:
+                case Arrow(tail=start, head=end) if (start, end) == (tail, head):
+                    return stroke.name
+        return None
 
     def pole(self) -> None:
         """Draw the pole, where all fixed points are."""
         letters = [self.letter(letter) for letter in self.scene.motion.frame.fixed]
         self.vertices.update(dict.fromkeys(letters, 0j))
-        self.add(Stroke("pole", ",".join(letters), Dot(0j), self.say.pole(letters)))
+        self.add(Stroke("pole", ",".join(letters), Dot(0j), self.say.pole(letters), name=POLE))
 
     def share_pole(self, letter: str) -> None:
         """Write a point that does not move, though it could, beside the pole's letters."""
@@ -62,21 +73,21 @@ class Pencil:
         motion = self.scene.motion
         label = ",".join(self.letter(letter) for letter in motion.frame.fixed)
         rows = (*motion.links, *motion.slides)
-        self.add(Stroke("pole", label, Dot(0j), self.say.still(), reveals=rows))
+        self.add(Stroke("pole", label, Dot(0j), self.say.still(), reveals=rows, name=POLE))
 
-    def known(self, part: Part, tip: Tip, name: str, at: complex | None = None) -> int:
+    def known(self, part: Part, tip: Tip, name: str, at: complex | None = None) -> Stroke:
         """Draw a known part from the tip of its chain, or towards it, and move the tip."""
         new = tip.at + (-part.vector if part.reverse else part.vector) if at is None else at
         arrow = _arrow(part, tip, name, new)
         label = arrow.tail + arrow.head
         caption = self.say.known(label, part)
-        component = self._component(part)
-        index = self.add(Stroke("known", label, arrow, caption, owner(part.step), component))
+        row, component = owner(part.step), self._component(part)
+        stroke = Stroke("known", label, arrow, caption, row, component, name=part.stroke_name)
         if part.name == "coriolis" and isinstance(part.step, Slide):
-            self.inset = self._rule(part, part.step, index)
+            self.inset = self._rule(part, part.step, stroke.name)
         self.vertices[name] = new
         tip.name, tip.at = name, new
-        return index
+        return self.add(stroke)
 
     def line(self, part: Part, tip: Tip, end: str) -> None:
         """Draw the construction line of an unknown part, past the crossing at ``end``."""
@@ -90,23 +101,28 @@ class Pencil:
             square, label = None, self.scene.line_label(part.step)
         caption = self.say.line(part, tip.name, self.letter(end))
         line = Line(tip.at, direction, crossing, square)
-        self.add(Stroke("construction", label, line, caption, owner(part.step)))
+        name = f"{part.step.ends}.line"
+        self.add(Stroke("construction", label, line, caption, owner(part.step), name=name))
 
     def crossing(self, end: str, reveals: tuple[str, ...]) -> None:
         """Mark the point where two lines cross; ``reveals`` are results that are zero."""
-        name, at = self.letter(end), self.place(end)
-        self.vertices[name] = at
-        caption = self.say.crossing(name, end in self.scene.motion.frame.fixed)
-        self.add(Stroke("intersection", name, Dot(at), caption, reveals=reveals))
+        letter, at = self.letter(end), self.place(end)
+        self.vertices[letter] = at
+        fixed = end in self.scene.motion.frame.fixed
+        name = POLE if fixed else f"{end}.crossing"
+        caption = self.say.crossing(letter, fixed)
+        self.add(Stroke("intersection", letter, Dot(at), caption, reveals=reveals, name=name))
 
-    def result(self, part: Part, tip: Tip, end: str) -> int:
+    def result(self, part: Part, tip: Tip, end: str) -> Stroke:
         """Ink the part that the crossing has found."""
-        name = self.letter(end)
-        arrow = _arrow(part, tip, name, self.vertices[name])
+        letter = self.letter(end)
+        arrow = _arrow(part, tip, letter, self.vertices[letter])
         label = arrow.tail + arrow.head
         row, caption = owner(part.step), self.say.measured(label, part)
-        component = self._component(part)
-        return self.add(Stroke("result", label, arrow, caption, row, component, reveals=(row,)))
+        component, name = self._component(part), part.stroke_name
+        return self.add(
+            Stroke("result", label, arrow, caption, row, component, reveals=(row,), name=name)
+        )
 
     def whole(self, step: Step, tail: str, head: str) -> None:
         """Ink the sum of a step's parts."""
@@ -114,24 +130,26 @@ class Pencil:
         still = step.ends[0] in self.scene.motion.frame.fixed
         component: Component = "absolute" if still else "relative"
         caption = self.say.whole(tail + head, end - start, step, still)
-        arrow = Arrow(start, end, tail, head)
-        self.add(Stroke("result", tail + head, arrow, caption, owner(step), component))
+        arrow, name = Arrow(start, end, tail, head), f"{step.ends}.whole"
+        self.add(Stroke("result", tail + head, arrow, caption, owner(step), component, name=name))
 
     def image(self, bar: Bar, start: str, nothing: float) -> None:
         """Find a further point of a link by proportion, and ink its vector from the pole."""
-        name, at = self.letter(bar.ends[1]), self.place(bar.ends[1])
-        self.vertices[name] = at
+        end, at = self.letter(bar.ends[1]), self.place(bar.ends[1])
+        self.vertices[end] = at
         if abs(at) > nothing:
-            caption = self.say.image(bar, start + name, abs(at))
-            arrow = Arrow(0j, at, start, name)
-            label = start + name
-            self.add(Stroke("result", label, arrow, caption, bar.link, "absolute", image=True))
+            label, name = start + end, f"{bar.ends[1]}.image"
+            caption = self.say.image(bar, label, abs(at))
+            arrow = Arrow(0j, at, start, end)
+            self.add(
+                Stroke("result", label, arrow, caption, bar.link, "absolute", image=True, name=name)
+            )
 
     def _component(self, part: Part) -> Component:
         """Name a part; what slides on the frame moves absolutely."""
         return "absolute" if self.scene.is_guide(part.step) else part.name
 
-    def _rule(self, part: Part, slide: Slide, index: int) -> CoriolisInset:
+    def _rule(self, part: Part, slide: Slide, stroke: str) -> CoriolisInset:
         """Return the directions that the Coriolis inset shows."""
         motion = self.scene.motion
         line = self.scene.heading(motion.frame.line(slide, motion.pose))
@@ -143,7 +161,7 @@ class Pencil:
             sliding=line if forward else -line,
             coriolis=part.vector / abs(part.vector),
             sense=1 if self.scene.rate(str(slide.along), 1) > 0 else -1,
-            stroke=index,
+            stroke=stroke,
         )
 
 

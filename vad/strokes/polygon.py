@@ -94,13 +94,13 @@ class _Polygon:
 
     def _walk(self, trace: _Trace) -> None:
         """Walk over the steps whose head is on the board already."""
-        vertices, strokes = self.pencil.vertices, self.pencil.strokes
+        vertices = self.pencil.vertices
         for step in trace.chain.steps:
             name = self.pencil.letter(step.ends[1])
             if name not in vertices or step.reverse or not trace.chain.wholly_known(step):
                 return
             label = trace.tip.name + name
-            drawn = next((i for i, stroke in enumerate(strokes) if stroke.label == label), None)
+            drawn = self.pencil.joining(trace.tip.name, name)
             trace.side.add(step, Term(label, owner(step), drawn))
             trace.chain.known = [part for part in trace.chain.known if part.step is not step]
             trace.tip = Tip(name, vertices[name])
@@ -119,8 +119,8 @@ class _Polygon:
             ends = last and chain.wholly_known(step) and not _on_link(step)
             several = tip.name != tail
             name = self._end_name(chain, part, last)
-            index = pencil.known(part, tip, name, pencil.place(step.ends[1]) if ends else None)
-            trace.side.add(step, Term(pencil.strokes[index].label, owner(step), index))
+            stroke = pencil.known(part, tip, name, pencil.place(step.ends[1]) if ends else None)
+            trace.side.add(step, Term(stroke.label, owner(step), stroke.name))
             if ends and several:
                 pencil.whole(step, tail, name)
         for step in dict.fromkeys(part.step for part in parts):
@@ -167,9 +167,8 @@ class _Polygon:
                 self.pencil.whole(part.step, tail, self.pencil.letter(end))
 
     def _result(self, part: Part, trace: _Trace, end: str) -> None:
-        index = self.pencil.result(part, trace.tip, end)
-        label = self.pencil.strokes[index].label
-        trace.side.add(part.step, Term(label, owner(part.step), index))
+        stroke = self.pencil.result(part, trace.tip, end)
+        trace.side.add(part.step, Term(stroke.label, owner(part.step), stroke.name))
 
     def _images(self, known: set[Scalar]) -> None:
         """Find the further points of the links that are known by now."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Mapping
 
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, angle_of, scalar_of
 from vad.strokes.equations import Side, equation
@@ -60,15 +61,17 @@ class _Position:
 
     def _draw(
         self,
+        name: str,
         kind: str,
         label: str,
         shape: Shape,
         phrase: str,
-        parts: dict[str, object],
+        parts: Mapping[str, object],
         **more: object,
     ) -> None:
         caption = self.scene.language.say(phrase, **parts)
-        self.strokes.append(Stroke(kind, label, shape, caption, **more))  # type: ignore[arg-type]
+        stroke = Stroke(kind, label, shape, caption, name=name, **more)  # type: ignore[arg-type]
+        self.strokes.append(stroke)
 
     # --- what is given ------------------------------------------------------------------------
 
@@ -79,7 +82,8 @@ class _Position:
             if letter in self.frame.fixed:
                 pivot = letter in bars or letter in "".join(self.motion.mechanism.links.values())
                 kind, phrase = ("fixed", "fixed") if pivot else ("pole", "fixed point")
-                self._draw(kind, letter, Dot(self.at(letter)), phrase, {"letter": letter})
+                parts = {"letter": letter}
+                self._draw(f"{letter}.fixed", kind, letter, Dot(self.at(letter)), phrase, parts)
         for slide in self._slides():
             if self.scene.is_guide(slide):
                 self._guide(slide)
@@ -91,7 +95,8 @@ class _Position:
         line = self.scene.heading(self.frame.line(slide, self.motion.pose))
         origin = self.at(slide.ends[0]) + self.scene.outward(self.frame.shift(slide))
         guide = Guide(origin, line, self._away(slide.ends[1], line))
-        self._draw("guide", "", guide, "guide", {"head": slide.ends[1]}, link=slide.name)
+        name, parts = f"{slide.ends}.guide", {"head": slide.ends[1]}
+        self._draw(name, "guide", "", guide, "guide", parts, link=slide.name)
 
     def _away(self, letter: str, line: complex) -> complex:
         """Return the unit vector across a guide, on the side away from the rod."""
@@ -118,7 +123,8 @@ class _Position:
                 sweep = self.motion.link(step.link).angle
                 arc = Arc(tail, abs(head - tail), 0.0, sweep)
                 label = quantity(sweep, "°", given=True)
-                self._draw("angle", label, arc, "angle", {"link": step.link}, link=step.link)
+                name, parts = f"{step.ends}.angle", {"link": step.link}
+                self._draw(name, "angle", label, arc, "angle", parts, link=step.link)
                 self.found.update(step.ends)
             elif isinstance(step.along, float):
                 self._block(step, "known", "driven slide")
@@ -149,7 +155,7 @@ class _Position:
                     self._slot_line(step)
                 elif phrase[0] == "found" and any(isinstance(s, Bar) for s in unknown):
                     phrase = ("on guide", {"letter": end})
-        self._draw("intersection", end, Dot(self.at(end)), *phrase)
+        self._draw(f"{end}.found", "intersection", end, Dot(self.at(end)), *phrase)
         self.found.add(end)
 
     def _compass(self, bar: Bar, end: str) -> None:
@@ -160,14 +166,16 @@ class _Position:
         parts: dict[str, object] = {"head": end, "tail": letters[0], "bar": letters}
         parts["unit"] = self.scene.unit
         parts["size"] = self.scene.write_size(bar)
-        self._draw("construction", letters, arc, "compass", parts, link=bar.link)
+        name = f"{bar.ends}.compass"
+        self._draw(name, "construction", letters, arc, "compass", parts, link=bar.link)
 
     def _lever_line(self, bar: Bar, end: str) -> tuple[str, dict[str, object]]:
         tail, point = self.at(bar.ends[0]), self.at(end)
         pin = next(hop for hop in self._slides() if end in hop.ends).ends.replace(end, "")
         line = Line(tail, self.scene.heading(self.motion.pose.unit[bar.link]), point)
         parts: dict[str, object] = {"link": bar.link, "tail": bar.ends[0], "pin": pin}
-        self._draw("construction", bar.ends[0] + pin, line, "lever line", parts, link=bar.link)
+        name, label = f"{bar.ends}.line", bar.ends[0] + pin
+        self._draw(name, "construction", label, line, "lever line", parts, link=bar.link)
         return "on lever", {"letter": end, "link": bar.link, "pin": pin}
 
     def _slot_line(self, slide: Slide) -> None:
@@ -178,8 +186,8 @@ class _Position:
             line = -line
         shape = Line(self.at(head), line, self.at(tail))
         parts: dict[str, object] = {"head": tail, "pin": head}
-        label = self.scene.line_label(slide)
-        self._draw("construction", label, shape, "slot line", parts, link=slide.name)
+        name, label = f"{slide.ends}.line", self.scene.line_label(slide)
+        self._draw(name, "construction", label, shape, "slot line", parts, link=slide.name)
 
     def _ink(self, loop: Loop, unknowns: tuple[Scalar, ...]) -> None:
         for step in (*loop.first, *loop.second):
@@ -198,7 +206,7 @@ class _Position:
         line = self.scene.heading(self.frame.line(slide, self.motion.pose))
         guide = Guide(self.at(slide.ends[0]), line)
         parts: dict[str, object] = {"head": slide.ends[1], "link": owner}
-        self._draw("guide", "", guide, "slot", parts, link=owner)
+        self._draw(f"{slide.ends}.slot", "guide", "", guide, "slot", parts, link=owner)
 
     def _images(self, known: set[Scalar]) -> None:
         for bar in self.linkage.images:
@@ -217,6 +225,7 @@ class _Position:
         parts |= {"letter": letters[1], "tail": letters[0]}
         reveals = () if driven or image else (bar.link,)
         self._draw(
+            f"{bar.ends}.bar",
             kind,
             letters,
             arrow,
@@ -242,9 +251,16 @@ class _Position:
             "unit": self.scene.unit,
         }
         reveals = () if driven else (slide.name,)
-        block = Block(self.at(letter), line, on)
         self._draw(
-            kind, letter, block, phrase, parts, link=slide.name, component="link", reveals=reveals
+            f"{slide.ends}.block",
+            kind,
+            letter,
+            Block(self.at(letter), line, on),
+            phrase,
+            parts,
+            link=slide.name,
+            component="link",
+            reveals=reveals,
         )
 
     # --- the equation -------------------------------------------------------------------------
@@ -265,20 +281,9 @@ class _Position:
                 label = self.scene.letters(step)
                 if side is sides[1] and step is chain[0] and label[0] == start[1]:
                     label = second_start + label[1]
-                owner = scalar_of(step).name
-                side.add(step, Term(label, owner, self._drawn(step, owner)))
+                drawn = f"{step.ends}.bar" if isinstance(step, Bar) else f"{step.ends}.block"
+                side.add(step, Term(label, scalar_of(step).name, drawn))
         return equation(loop, *sides)
-
-    def _drawn(self, step: Step, owner: str) -> int | None:
-        """Return the stroke that inks a step: its bar or its block."""
-        letters = self.scene.letters(step) if isinstance(step, Bar) else step.ends[1]
-        for index, stroke in enumerate(self.strokes):
-            if stroke.kind in ("known", "result") and (stroke.link, stroke.label) == (
-                owner,
-                letters,
-            ):
-                return index
-        return None
 
 
 def _start(chain: tuple[Step, ...]) -> str:

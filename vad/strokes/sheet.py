@@ -2,6 +2,19 @@
 
 Nothing here knows colours, times or pixels.  Coordinates are complex numbers in the panel's own
 unit (mm, mm/s, mm/s² …) with x to the right and y up; the pole of a polygon is the origin.
+
+Every stroke has a name, unique in its panel and the same in every pose: the ends of a step of the
+linkage and what is drawn of it, or a point's letter and how it is found.
+
+=========================  ====================================================================
+position                   ``A.fixed``, ``C.found``; ``DC.guide``, ``CB.slot``, ``DC.block``,
+                           ``AB.bar``, ``AB.angle``, ``BC.compass``, ``DQ.line``
+velocity and acceleration  ``pole``, ``C.crossing``, ``C.image``; ``AB.normal``,
+                           ``AB.tangential``, ``AB.whole``, ``QB.sliding``, ``QB.coriolis``,
+                           ``BC.line``
+=========================  ====================================================================
+
+Beyond its panel a stroke is called ``velocity:BC.line``.
 """
 
 from __future__ import annotations
@@ -126,6 +139,8 @@ class Stroke:
         True for the vector to a point found by the velocity or acceleration image.
     reveals
         The rows of the results table whose cell in this panel is measured by this stroke.
+    name
+        What it is called in its panel, in every pose: ``BC.line``.
     """
 
     kind: Kind
@@ -136,19 +151,20 @@ class Stroke:
     component: Component | None = None
     image: bool = False
     reveals: tuple[str, ...] = ()
+    name: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Term:
     """One vector of a loop equation: ``bc``.
 
-    ``stroke`` is the number of the stroke that draws it in its panel, None where none does: a
+    ``stroke`` is the name of the stroke that draws it in its panel, None where none does: a
     ground link, or a vector of length zero.
     """
 
     label: str
     link: str | None
-    stroke: int | None
+    stroke: str | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,7 +181,7 @@ class CoriolisInset:
 
     ``slot`` is the direction of the turning link, ``sliding`` that of the block relative to
     it, ``coriolis`` the result; ``sense`` is +1 for a counter-clockwise ω.  It is shown from
-    stroke number ``stroke`` of the acceleration panel on.
+    the stroke called ``stroke`` on.
     """
 
     link: str
@@ -174,7 +190,7 @@ class CoriolisInset:
     sliding: complex
     coriolis: complex
     sense: int
-    stroke: int
+    stroke: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,6 +202,19 @@ class Panel:
     strokes: tuple[Stroke, ...]
     equations: tuple[Equation, ...] = ()
     inset: CoriolisInset | None = None
+
+    def number(self, name: str) -> int:
+        """Return the place of a stroke in drawing order, from 0.
+
+        Raises
+        ------
+        KeyError
+            If no stroke of that name is drawn.
+        """
+        for number, stroke in enumerate(self.strokes):
+            if stroke.name == name:
+                return number
+        raise KeyError(name)
 
 
 @dataclass(frozen=True, slots=True)
