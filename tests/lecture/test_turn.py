@@ -7,6 +7,7 @@ import math
 import pytest
 
 import vad
+from vad.kinematics import motion
 from vad.kinematics.reach import closing_range
 
 
@@ -55,10 +56,55 @@ def test_a_place_outside_the_range_begins_at_its_end():
     assert turn.pose(0).panels
 
 
-def test_vectors_do_not_vanish_for_an_instant():
-    turn = vad.turn(vad.solve(vad.SliderCrank(), angle=90.0))  # the rod does not turn relative
-    counts = {tuple(len(p.strokes) for p in turn.at(k / 8).panels) for k in range(8)}
-    assert len(counts) == 1
+def test_a_frame_is_one_pose_solved_once(monkeypatch: pytest.MonkeyPatch):
+    """Where a vector vanishes, too: at 90° the rod does not turn for an instant."""
+    turn = vad.turn(vad.solve(vad.SliderCrank(), angle=90.0))
+    solved = []
+
+    def counting(mechanism, **inputs):
+        solved.append(inputs)
+        return solve(mechanism, **inputs)
+
+    solve = motion.solve
+    monkeypatch.setattr(motion, "solve", counting)
+    assert turn.pose(0).panels == vad.draw(solve(vad.SliderCrank(), angle=90.0)).panels
+    assert solved == [turn.course.inputs(0.0)]
+
+
+def test_every_pose_has_the_same_strokes_drawn_or_not():
+    turn = vad.turn(vad.solve(vad.SliderCrank(), angle=90.0))
+    for panels in zip(*(turn.at(k / 8).panels for k in range(8)), strict=True):
+        names = {frozenset(s.name for s in (*panel.strokes, *panel.zeros)) for panel in panels}
+        assert len(names) == 1
+    assert len({len(turn.at(k / 8).panels[2].strokes) for k in range(8)}) > 1
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "angle"),
+    [
+        (vad.FourBar(ground=100, crank=40, coupler=100, rocker=40), 180.0),  # it folds flat
+        (vad.SliderCrank(crank=60, rod=60), 90.0),
+        (vad.CrankSlottedLever(ground=50, crank=50), 270.0),  # the pin on the lever's pivot
+    ],
+)
+def test_a_dead_centre_in_a_turn_is_passed_by_a_hair(mechanism, angle: float):
+    turn = vad.turn(vad.solve(mechanism, angle=angle - 90.0))
+    with pytest.raises(vad.DeadCentreError):
+        vad.draw(vad.solve(mechanism, angle=angle))
+    there, before = turn.at(0.25), turn.at(0.25 - 1 / 240)
+    crank = there.rows[0].cells["position"][0]
+    assert crank.value == pytest.approx(angle, abs=0.1)
+    assert crank.value != angle
+    for panel, other in zip(there.panels, before.panels, strict=True):
+        names = [{s.name for s in (*p.strokes, *p.zeros)} for p in (panel, other)]
+        assert names[0] == names[1]
+
+
+@pytest.mark.parametrize("mechanism", [vad.FourBar(crank=130), vad.DoubleSlider(guide_b=60)])
+def test_a_swing_keeps_away_from_its_dead_centres(mechanism):
+    turn = vad.turn(mechanism)
+    for frame in range(turn.frames):
+        vad.draw(vad.solve(mechanism, **turn.course.inputs(frame / turn.frames)))
 
 
 def test_speed_panels_and_language():

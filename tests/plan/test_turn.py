@@ -67,6 +67,19 @@ def test_labels_glide_and_the_last_frame_meets_the_first(board: TurnBoard):
                 assert abs(before[text] - now[text]) < 0.09 * unit, text
 
 
+@pytest.mark.parametrize(
+    ("mechanism", "angle", "kept"),
+    [(vad.SliderCrank(), 90.0, "cₙ"), (vad.CrankSlottedLever(), 90.0, "z")],
+)
+def test_a_label_stays_where_its_vector_vanishes_for_an_instant(mechanism, angle, kept: str):
+    turn = vad.turn(vad.solve(mechanism, angle=angle), fps=2, size=SIZE, panels="acceleration")
+    (panel,) = TurnBoard(turn).panels.values()
+    for phase in (0.0, 0.002, 0.998):
+        written = ", ".join(name.text for name, _ in panel.labels(turn.at(phase).panels[0], phase))
+        assert kept in written.split(", ")
+        assert "b′ₙ" not in written.split(", ")  # α is zero all through
+
+
 def test_labels_seldom_meet_strokes_or_each_other(board: TurnBoard):
     turn, met, count = board.turn, 0, 0
     for index, panel in enumerate(board.panels.values()):

@@ -20,18 +20,13 @@ if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
 
 SECONDS = 8.0
-#: Phases at which no vector of a usual mechanism happens to vanish.
-_GENERIC = (0.0137, 0.1571, 0.2963, 0.4289, 0.5711, 0.6947, 0.8311, 0.9613)
-#: Where a vector vanishes for an instant, a pose so much later is shown in its place.
-_ASIDE = (0.0, 2e-4, -2e-4, 1e-3)
+#: A pose that has no rates is shown so much later: 1.6 ms of the 8 s that a turn takes.
+_LATER = 2e-4
 
 
 @dataclass(frozen=True, slots=True)
 class Turn:
-    """One turn as a film that begins again where it ends.
-
-    ``whole`` is the number of strokes of each panel when no vector vanishes.
-    """
+    """One turn as a film that begins again where it ends."""
 
     mechanism: Mechanism
     course: Course
@@ -41,7 +36,6 @@ class Turn:
     style: str
     panels: tuple[str, ...]
     language: str
-    whole: tuple[int, ...] = ()
 
     @property
     def duration(self) -> float:
@@ -60,26 +54,20 @@ class Turn:
     def at(self, phase: float) -> Sheet:
         """Return the sheet at a phase of the turn, 0 to 1.
 
-        A vector that vanishes takes letters with it; as it does so for an instant only, the
-        nearest pose with all of them is drawn instead, which the eye cannot tell apart.
+        A swing keeps away from its dead centres, but a crank that goes round can stand exactly
+        at one: a parallelogram that folds flat, a crank as long as its rod at 90°, a pin on the
+        lever's pivot.  As it does so for an instant only, the pose a hair's breadth later is
+        drawn instead.
 
         Raises
         ------
         vad.errors.DeadCentreError
-            If this pose and those beside it have no rates.
+            If that pose has no rates either.
         """
-        found: list[Sheet] = []
-        for aside in _ASIDE:
-            try:
-                sheet = self._draw(phase + aside)
-            except DeadCentreError:
-                if aside == _ASIDE[-1] and not found:
-                    raise
-                continue
-            if all(n >= most for n, most in zip(_counts(sheet), self.whole, strict=False)):
-                return sheet
-            found.append(sheet)
-        return found[0]
+        try:
+            return self._draw(phase)
+        except DeadCentreError:
+            return self._draw(phase + _LATER)
 
     def _draw(self, phase: float) -> Sheet:
         from vad.kinematics.motion import solve
@@ -153,26 +141,22 @@ def turn(
     """
     from vad.kinematics.motion import Motion, solve
     from vad.lecture.course import course
+    from vad.strokes.draw import chosen
+    from vad.strokes.language import Language
 
     check(fps, size, speed)
     motion = mechanism if isinstance(mechanism, Motion) else solve(mechanism)
     if motion.many:
         raise InputError("motion: a turn begins with one pose, got arrays of poses")
-    names = (panels,) if isinstance(panels, str) else tuple(panels)
-    frames = max(2, round(SECONDS / speed * fps))
-    film = Turn(
+    names = chosen(panels)
+    Language(language)
+    return Turn(
         motion.mechanism,
         course(motion),
-        frames,
+        max(2, round(SECONDS / speed * fps)),
         fps,
         (size[0], size[1]),
         style,
         names,
         language,
     )
-    counts = [_counts(film.at(phase)) for phase in _GENERIC]
-    return replace(film, whole=tuple(map(max, zip(*counts, strict=True))))
-
-
-def _counts(sheet: Sheet) -> tuple[int, ...]:
-    return tuple(len(panel.strokes) for panel in sheet.panels)

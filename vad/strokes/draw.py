@@ -48,7 +48,7 @@ def draw(motion: Motion, panels: Sequence[str] | str = PANELS, language: str = "
         raise InputError(f"motion: must be what vad.solve returns, got {motion!r}")
     if motion.many:
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
-    wanted = _checked(panels)
+    wanted = chosen(panels)
     scene = Scene(motion, Language(language))
     drawn = tuple(_panel(scene, name) for name in wanted)
     mechanism = motion.mechanism
@@ -62,7 +62,14 @@ def draw(motion: Motion, panels: Sequence[str] | str = PANELS, language: str = "
     )
 
 
-def _checked(panels: Sequence[str] | str) -> tuple[PanelName, ...]:
+def chosen(panels: Sequence[str] | str) -> tuple[PanelName, ...]:
+    """Return the names of panels in their own order, each once.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        For an unknown name, or none.
+    """
     names = (panels,) if isinstance(panels, str) else tuple(panels)
     for name in names:
         if name not in PANELS:

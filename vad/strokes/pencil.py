@@ -8,28 +8,48 @@ from vad.kinematics.linkage import Bar, Slide, Step, scalar_of
 from vad.strokes.captions import Captions
 from vad.strokes.chains import Part
 from vad.strokes.scene import Scene, image_letter
-from vad.strokes.sheet import Arrow, Component, CoriolisInset, Dot, Line, Stroke
+from vad.strokes.sheet import Arrow, Component, CoriolisInset, Dot, Kind, Line, Stroke
 
 #: The name of the point from which a polygon begins, or where a first crossing finds it.
 POLE = "pole"
 
 
 class Tip:
-    """Where the drawing of one chain has got to: the vertex and its coordinates."""
+    """Where the drawing of one chain has got to: the vertex and its coordinates.
+
+    ``name`` is the vertex's letter as it is drawn, ``full`` what it would be if no vector of the
+    chain had vanished.
+    """
 
     def __init__(self, name: str, at: complex) -> None:
-        self.name = name
+        self.name = self.full = name
         self.at = at
 
 
 class Pencil:
-    """Strokes and vertices of the velocity (order 1) or acceleration (order 2) polygon."""
+    """Strokes and vertices of the velocity (order 1) or acceleration (order 2) polygon.
 
-    def __init__(self, scene: Scene, order: int) -> None:
+    Parameters
+    ----------
+    scene
+        The pose.
+    order
+        The order of the polygon.
+    nothing
+        The length up to which a vector is zero; 0 where nothing moves.
+    from_pole
+        Whether the polygon begins at the pole, and does not find it by a crossing.
+    """
+
+    def __init__(self, scene: Scene, order: int, nothing: float, from_pole: bool) -> None:
         self.scene = scene
         self.order = order
+        self.resting = nothing == 0.0
+        self._nothing = nothing
+        self._from_pole = from_pole
         self.say = Captions(scene, order)
         self.strokes: list[Stroke] = []
+        self.zeros: list[Stroke] = []
         self.vertices: dict[str, complex] = {}
         self.inset: CoriolisInset | None = None
 
@@ -43,9 +63,16 @@ class Pencil:
         orders = self.scene.orders(self.order)
         return self.scene.outward(motion.solver.routes.rate(letter, motion.pose, orders))
 
+    def shows(self, vector: complex) -> bool:
+        """Tell whether a vector is long enough to be drawn."""
+        return not self.resting and abs(vector) > self._nothing
+
     def add(self, stroke: Stroke) -> Stroke:
-        """Append a stroke and return it."""
-        self.strokes.append(stroke)
+        """Append a stroke and return it; a polygon at rest is not drawn but for its pole."""
+        if self.resting:
+            self.zeros.append(replace(stroke, caption="", reveals=()))
+        else:
+            self.strokes.append(stroke)
         return stroke
 
     def joining(self, tail: str, head: str) -> str | None:
@@ -57,28 +84,33 @@ class Pencil:
         return None
 
     def pole(self) -> None:
-        """Draw the pole, where all fixed points are."""
-        letters = [self.letter(letter) for letter in self.scene.motion.frame.fixed]
-        self.vertices.update(dict.fromkeys(letters, 0j))
-        self.add(Stroke("pole", ",".join(letters), Dot(0j), self.say.pole(letters), name=POLE))
+        """Draw the pole, where all fixed points are, unless a crossing is to find it.
+
+        Where nothing moves it is the whole polygon.
+        """
+        motion = self.scene.motion
+        letters = [self.letter(letter) for letter in motion.frame.fixed]
+        if self._from_pole:
+            self.vertices.update(dict.fromkeys(letters, 0j))
+        if self.resting:
+            caption, rows = self.say.still(), (*motion.links, *motion.slides)
+        elif self._from_pole:
+            caption, rows = self.say.pole(letters), ()
+        else:
+            return
+        pole = Stroke("pole", ",".join(letters), Dot(0j), caption, reveals=rows, name=POLE)
+        self.strokes.append(pole)
 
     def share_pole(self, letter: str) -> None:
         """Write a point that does not move, though it could, beside the pole's letters."""
-        if self.strokes and self.strokes[0].kind == "pole":
+        if self._from_pole and not self.resting:
             pole = self.strokes[0]
             self.strokes[0] = replace(pole, label=f"{pole.label},{letter}")
-
-    def rest(self) -> None:
-        """Draw the polygon of a mechanism that stands still: the pole alone."""
-        motion = self.scene.motion
-        label = ",".join(self.letter(letter) for letter in motion.frame.fixed)
-        rows = (*motion.links, *motion.slides)
-        self.add(Stroke("pole", label, Dot(0j), self.say.still(), reveals=rows, name=POLE))
 
     def known(self, part: Part, tip: Tip, name: str, at: complex | None = None) -> Stroke:
         """Draw a known part from the tip of its chain, or towards it, and move the tip."""
         new = tip.at + (-part.vector if part.reverse else part.vector) if at is None else at
-        arrow = _arrow(part, tip, name, new)
+        arrow = _arrow(part, tip.name, tip.at, name, new)
         label = arrow.tail + arrow.head
         caption = self.say.known(label, part)
         row, component = owner(part.step), self._component(part)
@@ -88,6 +120,11 @@ class Pencil:
         self.vertices[name] = new
         tip.name, tip.at = name, new
         return self.add(stroke)
+
+    def vanish(self, kind: Kind, part: Part, tip: Tip, name: str) -> None:
+        """Keep a part of length zero, with the letters that it would have."""
+        arrow = _arrow(part, tip.full, tip.at, name, tip.at)
+        self._leave_out(kind, arrow, owner(part.step), self._component(part), part.stroke_name)
 
     def line(self, part: Part, tip: Tip, end: str) -> None:
         """Draw the construction line of an unknown part, past the crossing at ``end``."""
@@ -109,14 +146,16 @@ class Pencil:
         letter, at = self.letter(end), self.place(end)
         self.vertices[letter] = at
         fixed = end in self.scene.motion.frame.fixed
-        name = POLE if fixed else f"{end}.crossing"
+        name = POLE if fixed and not self._from_pole else f"{end}.crossing"
+        if self.resting and name == POLE:
+            return  # it is drawn already
         caption = self.say.crossing(letter, fixed)
         self.add(Stroke("intersection", letter, Dot(at), caption, reveals=reveals, name=name))
 
     def result(self, part: Part, tip: Tip, end: str) -> Stroke:
         """Ink the part that the crossing has found."""
         letter = self.letter(end)
-        arrow = _arrow(part, tip, letter, self.vertices[letter])
+        arrow = _arrow(part, tip.name, tip.at, letter, self.vertices[letter])
         label = arrow.tail + arrow.head
         row, caption = owner(part.step), self.say.measured(label, part)
         component, name = self._component(part), part.stroke_name
@@ -124,26 +163,45 @@ class Pencil:
             Stroke("result", label, arrow, caption, row, component, reveals=(row,), name=name)
         )
 
-    def whole(self, step: Step, tail: str, head: str) -> None:
-        """Ink the sum of a step's parts."""
-        start, end = self.vertices[tail], self.vertices[head]
+    def whole(self, step: Step, several: bool) -> None:
+        """Ink the sum of a step's parts; without ``several`` to be seen, it is left out."""
+        tail, head = (self.letter(end) for end in step.ends)
+        start, end = (self.place(end) for end in step.ends)
         still = step.ends[0] in self.scene.motion.frame.fixed
         component: Component = "absolute" if still else "relative"
-        caption = self.say.whole(tail + head, end - start, step, still)
         arrow, name = Arrow(start, end, tail, head), f"{step.ends}.whole"
+        if not several:
+            self._leave_out("result", arrow, owner(step), component, name)
+            return
+        caption = self.say.whole(tail + head, end - start, step, still)
         self.add(Stroke("result", tail + head, arrow, caption, owner(step), component, name=name))
 
-    def image(self, bar: Bar, start: str, nothing: float) -> None:
+    def image(self, bar: Bar, start: str) -> None:
         """Find a further point of a link by proportion, and ink its vector from the pole."""
         end, at = self.letter(bar.ends[1]), self.place(bar.ends[1])
         self.vertices[end] = at
-        if abs(at) > nothing:
-            label, name = start + end, f"{bar.ends[1]}.image"
-            caption = self.say.image(bar, label, abs(at))
-            arrow = Arrow(0j, at, start, end)
-            self.add(
-                Stroke("result", label, arrow, caption, bar.link, "absolute", image=True, name=name)
-            )
+        arrow, name = Arrow(0j, at, start, end), f"{bar.ends[1]}.image"
+        if not self.shows(at):
+            self._leave_out("result", arrow, bar.link, "absolute", name, image=True)
+            return
+        label = start + end
+        caption = self.say.image(bar, label, abs(at))
+        self.add(
+            Stroke("result", label, arrow, caption, bar.link, "absolute", image=True, name=name)
+        )
+
+    def _leave_out(
+        self,
+        kind: Kind,
+        arrow: Arrow,
+        link: str,
+        component: Component,
+        name: str,
+        image: bool = False,
+    ) -> None:
+        """Keep a vector that is not drawn in this pose."""
+        label = arrow.tail + arrow.head
+        self.zeros.append(Stroke(kind, label, arrow, "", link, component, image, name=name))
 
     def _component(self, part: Part) -> Component:
         """Name a part; what slides on the frame moves absolutely."""
@@ -170,8 +228,6 @@ def owner(step: Step) -> str:
     return scalar_of(step).name
 
 
-def _arrow(part: Part, tip: Tip, name: str, at: complex) -> Arrow:
+def _arrow(part: Part, tip: str, tip_at: complex, name: str, at: complex) -> Arrow:
     """Return the arrow between the tip of a chain and ``name``, which runs with its step."""
-    if part.reverse:
-        return Arrow(at, tip.at, name, tip.name)
-    return Arrow(tip.at, at, tip.name, name)
+    return Arrow(at, tip_at, name, tip) if part.reverse else Arrow(tip_at, at, tip, name)

@@ -7,6 +7,7 @@ and measured.
 
 from __future__ import annotations
 
+from collections.abc import Container
 from dataclasses import dataclass, field
 
 from vad.kinematics.linkage import Bar, Scalar, Slide, Step, angle_of
@@ -25,7 +26,12 @@ def polygon(scene: Scene, order: int) -> Panel:
     equations = drawing.draw()
     pencil = drawing.pencil
     return Panel(
-        PANELS[order], scene.rate_unit(order), tuple(pencil.strokes), equations, pencil.inset
+        PANELS[order],
+        scene.rate_unit(order),
+        tuple(pencil.strokes),
+        equations,
+        pencil.inset,
+        tuple(pencil.zeros),
     )
 
 
@@ -41,23 +47,22 @@ class _Trace:
 class _Polygon:
     def __init__(self, scene: Scene, order: int) -> None:
         self.scene = scene
-        self.pencil = Pencil(scene, order)
+        self.order = order
         self.linkage = scene.motion.linkage
         self.loops = [
             [Chain(scene, chain, unknowns, order) for chain in (loop.first, loop.second)]
             for loop, unknowns in zip(self.linkage.loops, self.linkage.unknowns, strict=True)
         ]
-        longest = max(chain.longest for chains in self.loops for chain in chains)
-        self.nothing = NOTHING * longest
+        chains = [chain for pair in self.loops for chain in pair]
+        nothing = NOTHING * max(chain.longest for chain in chains)
+        from_pole = all(chain.start in scene.motion.frame.fixed for chain in chains)
+        self.pencil = Pencil(scene, order, nothing, from_pole)
+        #: The letters of known parts' ends, drawn or not.
+        self.letters: set[str] = set()
 
     def draw(self) -> tuple[Equation, ...]:
-        """Draw loop after loop and return their equations."""
-        if self.nothing == 0.0:
-            self.pencil.rest()
-            return ()
-        fixed = self.scene.motion.frame.fixed
-        if all(chain.start in fixed for chains in self.loops for chain in chains):
-            self.pencil.pole()
+        """Draw loop after loop and return their equations; there are none where nothing moves."""
+        self.pencil.pole()
         equations = []
         known = {self.scene.driver}
         for loop, unknowns, chains in zip(
@@ -67,7 +72,7 @@ class _Polygon:
             equations.append(equation(loop, first.side, second.side))
             known.update(unknowns)
             self._images(known)
-        return tuple(equations)
+        return () if self.pencil.resting else tuple(equations)
 
     def _loop(self, chains: list[Chain]) -> list[_Trace]:
         traces = [_Trace(chain, self._begin(chain)) for chain in chains]
@@ -110,28 +115,40 @@ class _Polygon:
     def _lay(self, trace: _Trace, parts: list[Part]) -> None:
         """Draw known parts tip to tail."""
         pencil, chain, tip = self.pencil, trace.chain, trace.tip
-        drawn = [part for part in parts if abs(part.vector) > self.nothing]
-        begun: dict[Step, str] = {}
-        for number, part in enumerate(drawn):
-            step = part.step
-            tail = begun.setdefault(step, tip.name)
-            last = all(later.step is not step for later in drawn[number + 1 :])
-            ends = last and chain.wholly_known(step) and not _on_link(step)
-            several = tip.name != tail
-            name = self._end_name(chain, part, last)
-            stroke = pencil.known(part, tip, name, pencil.place(step.ends[1]) if ends else None)
-            trace.side.add(step, Term(stroke.label, owner(step), stroke.name))
-            if ends and several:
-                pencil.whole(step, tail, name)
-        for step in dict.fromkeys(part.step for part in parts):
-            name = pencil.letter(step.ends[1])
-            point = step.ends[1] in self.scene.motion.points
-            if point and chain.wholly_known(step) and name not in pencil.vertices:
-                pencil.vertices[name] = tip.at  # it could move, but stands still
-                pencil.share_pole(name)
-                tip.name = name
+        seen = [part for part in parts if pencil.shows(part.vector)]
+        for part in parts:
+            step, last = part.step, _last(part, parts)
+            arrives = chain.wholly_known(step) and not _on_link(step)
+            full = self._end_name(chain, part, last, self.letters)
+            if part in seen:
+                ends = _last(part, seen)
+                name = self._end_name(chain, part, ends, pencil.vertices)
+                exact = pencil.place(step.ends[1]) if ends and arrives else None
+                stroke = pencil.known(part, tip, name, exact)
+                trace.side.add(step, Term(stroke.label, owner(step), stroke.name))
+            else:
+                pencil.vanish("known", part, tip, full)
+            tip.full = full
+            self.letters.add(full)
+            if last and arrives:
+                self._arrive(step, tip, sum(other.step is step for other in seen))
 
-    def _end_name(self, chain: Chain, part: Part, last: bool) -> str:
+    def _arrive(self, step: Step, tip: Tip, seen: int) -> None:
+        """Come to the end of a step that is wholly known; so many of its parts are ``seen``."""
+        name = self.pencil.letter(step.ends[1])
+        if not seen and step.ends[1] in self.scene.motion.points:
+            self.pencil.vertices[name] = tip.at  # it could move, but stands still
+            self.pencil.share_pole(name)
+            tip.name = name
+        if self._has_whole(step):
+            self.pencil.whole(step, seen > 1)
+
+    def _has_whole(self, step: Step) -> bool:
+        """Tell whether a step's vector is measured beside its parts: a bar's, but no strut's."""
+        strut = isinstance(step, Bar) and step.length == self.scene.driver.name
+        return self.order > 1 and isinstance(step, Bar) and not strut
+
+    def _end_name(self, chain: Chain, part: Part, last: bool, taken: Container[str]) -> str:
         """Name the vertex at the end of a known part: b′, b′ₙ, cₙ, c″ₙ, s′ or z."""
         step, letter = part.step, part.step.ends[1].lower()
         if part.name == "coriolis":
@@ -143,28 +160,32 @@ class _Polygon:
         if isinstance(step, Bar) and step.length == self.scene.driver.name:
             letter = step.ends[0].lower()  # the strut's part before it turns
         name = letter + SUBSCRIPT_N
-        return name if name not in self.pencil.vertices else f"{letter}″{SUBSCRIPT_N}"
+        return name if name not in taken else f"{letter}″{SUBSCRIPT_N}"
 
     # --- the crossing and what it shows -------------------------------------------------------
 
     def _cross(self, traces: list[_Trace]) -> None:
         found = [(t.chain.unknown, t) for t in traces if t.chain.unknown is not None]
-        nothing = [part for part, _ in found if abs(part.vector) <= self.nothing]
+        seen = [(part, trace) for part, trace in found if self.pencil.shows(part.vector)]
+        zero = [(part, trace) for part, trace in found if (part, trace) not in seen]
         end = traces[0].chain.end
-        self.pencil.crossing(end, tuple(owner(part.step) for part in nothing))
+        self.pencil.crossing(end, tuple(owner(part.step) for part, _ in zero))
         # Forward parts first: the lever's point is reached before the block slides on from it.
-        found = [(part, trace) for part, trace in found if part not in nothing]
-        found.sort(key=lambda pair: pair[0].reverse)
-        composite = [trace.side.has(part.step) for part, trace in found]
-        for (part, trace), several in zip(found, composite, strict=True):
-            if several:
+        seen.sort(key=lambda pair: pair[0].reverse)
+        sums = [part for part, trace in seen if trace.side.has(part.step)]
+        for part, trace in seen:
+            if part in sums:
                 self._result(part, trace, end)
-        for (part, trace), several in zip(found, composite, strict=True):
-            if not several:
+        for part, trace in seen:
+            if part not in sums:
                 self._result(part, trace, end)
-            elif isinstance(part.step, Bar) and part.step.length != self.scene.driver.name:
-                tail = self.pencil.letter(part.step.ends[0])
-                self.pencil.whole(part.step, tail, self.pencil.letter(end))
+            elif self._has_whole(part.step):
+                self.pencil.whole(part.step, several=True)
+        for part, trace in zero:
+            self.pencil.vanish("result", part, trace.tip, self.pencil.letter(end))
+        for part, _ in found:
+            if part not in sums and self._has_whole(part.step):
+                self.pencil.whole(part.step, several=False)
 
     def _result(self, part: Part, trace: _Trace, end: str) -> None:
         stroke = self.pencil.result(part, trace.tip, end)
@@ -177,7 +198,12 @@ class _Polygon:
             if angle_of(bar.link) in known and not drawn:
                 still = bar.ends[0] in self.scene.motion.frame.fixed
                 start = bar.ends[0] if still else self.linkage.pivot
-                self.pencil.image(bar, self.pencil.letter(start), self.nothing)
+                self.pencil.image(bar, self.pencil.letter(start))
+
+
+def _last(part: Part, parts: list[Part]) -> bool:
+    """Tell whether a part is the last of its step among ``parts``."""
+    return [other for other in parts if other.step is part.step][-1] is part
 
 
 def _on_link(step: Step) -> bool:

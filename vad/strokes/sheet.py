@@ -195,13 +195,20 @@ class CoriolisInset:
 
 @dataclass(frozen=True, slots=True)
 class Panel:
-    """One of the three diagrams: its strokes in drawing order."""
+    """One of the three diagrams: its strokes in drawing order.
+
+    ``zeros`` holds what is not drawn in this pose, with its name, letters and place but without
+    a caption: vectors of length zero, whole vectors that are no more than one of their parts,
+    and, where nothing moves, the lines and crossings of the polygon.  Strokes and zeros together
+    have the same names in every pose.
+    """
 
     name: PanelName
     unit: str
     strokes: tuple[Stroke, ...]
     equations: tuple[Equation, ...] = ()
     inset: CoriolisInset | None = None
+    zeros: tuple[Stroke, ...] = ()
 
     def number(self, name: str) -> int:
         """Return the place of a stroke in drawing order, from 0.

@@ -129,7 +129,9 @@ class MovingPanel:
     def _place(self, poses: Sequence[Panel], strokes: Sequence[Obstacles]) -> list[Name]:
         look, names = self._look, []
         placed = [Obstacles(self._drawing) for _ in poses]
-        found = groups([spots(pose, self.scale) for pose in poses], look.unit)
+        # A vector that vanishes for an instant keeps its letters; one that is never there has none.
+        self._letters = {letter for pose in poses for letter in spots(pose, self.scale)}
+        found = groups([spots(pose, self.scale, self._letters) for pose in poses], look.unit)
         self._groups = sorted(found, key=lambda letters: CORIOLIS in letters)  # points come first
         here = [self._seats(pose) for pose in poses]
         for index, letters in enumerate(self._groups):
@@ -142,7 +144,7 @@ class MovingPanel:
         return names
 
     def _seats(self, panel: Panel) -> list[Seat | None]:
-        unit, here = self._look.unit, spots(panel, self.scale)
+        unit, here = self._look.unit, spots(panel, self.scale, self._letters)
         radius = self._skeleton.radius if self._skeleton else (DOT + DOT_RIM) * unit
         return seats(here, self._groups, self._drawing, unit, radius)
 

@@ -6,7 +6,7 @@ group is in any pose.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 
 from vad.plan.scale import Scale
@@ -28,8 +28,11 @@ class Spot:
 Spots = dict[str, Spot]
 
 
-def spots(panel: Panel, scale: Scale) -> Spots:
-    """Return the place of every letter in pixels; `CORIOLIS` is amid the vector it names."""
+def spots(panel: Panel, scale: Scale, lasting: Collection[str] = ()) -> Spots:
+    """Return the place of every letter in pixels; `CORIOLIS` is amid the vector it names.
+
+    Letters in ``lasting`` keep their place where their vectors are zero.
+    """
     found: Spots = {}
 
     def meet(letters: str, z: complex, way: complex = 0j) -> None:
@@ -48,6 +51,10 @@ def spots(panel: Panel, scale: Scale) -> Spots:
             if stroke.component == "coriolis":
                 middle = scale((shape.start + shape.end) / 2)
                 found[CORIOLIS] = Spot(middle, [-1j * way])
+    kept = Panel(panel.name, panel.unit, panel.zeros)
+    for letter, spot in spots(kept, scale).items() if lasting else ():
+        if letter in lasting:
+            found.setdefault(letter, Spot(spot.at, [0j]))
     return found
 
 
