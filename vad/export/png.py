@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import BinaryIO
 
 from vad.lecture.still import Still
-from vad.painting.posed import sheet_of, still
+from vad.painting.agg_painter import AggPainter
+from vad.painting.posed import posed
 from vad.strokes.sheet import Sheet
-from vad.strokes.words import describe, title
 
 
 def write(
@@ -20,9 +20,11 @@ def write(
     from PIL import Image
     from PIL.PngImagePlugin import PngInfo
 
-    pixels = still(thing, size, style)
+    shown = posed(thing, size, style)
+    painter = AggPainter(shown.board.form)
+    shown.play(painter)
     words = PngInfo()
-    words.add_itxt("Title", title(sheet_of(thing)))
-    words.add_itxt("Description", describe(sheet_of(thing)))
-    picture = Image.fromarray(pixels[..., :3])
+    words.add_itxt("Title", shown.title)
+    words.add_itxt("Description", shown.description)
+    picture = Image.fromarray(painter.pixels[..., :3])
     picture.save(target, format="PNG", pnginfo=words, compress_level=4)

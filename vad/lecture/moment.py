@@ -1,7 +1,7 @@
-"""What is on the board at a frame: a pure function from lesson and frame number.
+"""What is on the board at a frame, counted in beats.
 
-In comes a lesson, out go `Moment` objects, which the incremental painter and the full redraw
-both follow.
+Beat 2k is the board with k strokes done, at rest; beat 2k + 1 is the stroke after them being
+drawn.  In comes a lesson, out go `Moment` objects, which every painter follows.
 """
 
 from __future__ import annotations
@@ -15,41 +15,31 @@ from vad.lecture.lesson import Lesson
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """The state of the board.
+    """A beat, and the ``share`` of its stroke that is drawn: 1 at rest."""
 
-    Attributes
-    ----------
-    done
-        The number of finished strokes of each panel of the sheet, in its order.
-    panel
-        The panel (its number) of the current step; None before the first one.
-    stroke
-        The stroke (its number) of the current step.
-    grown
-        The share of that stroke that is drawn; None once it is finished.
-    """
+    beat: int
+    share: float = 1.0
 
-    done: tuple[int, ...]
-    panel: int | None = None
-    stroke: int = 0
-    grown: float | None = None
+
+def drawing(stroke: int) -> int:
+    """Return the beat in which stroke number ``stroke``, counted from 0, is drawn."""
+    return 2 * stroke + 1
+
+
+def done(strokes: int) -> int:
+    """Return the beat at which ``strokes`` strokes are done."""
+    return 2 * strokes
 
 
 def moments(lesson: Lesson) -> Iterator[tuple[Moment, int]]:
     """Yield every different state of a lesson, and for how many frames it stands."""
-    names = [panel.name for panel in lesson.sheet.panels]
-    done = [0] * len(names)
-    before = Moment(tuple(done))
-    rest = lesson.opening
-    for step in lesson.steps:
+    before, rest = Moment(done(0)), lesson.opening
+    for number, step in enumerate(lesson.steps):
         if rest:
             yield before, rest
-        panel = names.index(step.panel.name)
         for count in range(1, step.grow + 1):
-            grown = smooth(count / (step.grow + 1))
-            yield Moment(tuple(done), panel, step.index, grown), 1
-        done[panel] = step.index + 1
-        before, rest = Moment(tuple(done), panel, step.index), step.hold
+            yield Moment(drawing(number), smooth(count / (step.grow + 1))), 1
+        before, rest = Moment(done(number + 1)), step.hold
     if rest + lesson.closing:
         yield before, rest + lesson.closing
 

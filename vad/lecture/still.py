@@ -5,12 +5,11 @@ In come a lesson and the number of a step, out goes a `Still`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from vad.errors import UsageError, unknown
 from vad.lecture.lesson import Lesson
-from vad.lecture.moment import Moment
+from vad.lecture.moment import Moment, done
 from vad.strokes.sheet import Sheet
 
 
@@ -24,16 +23,17 @@ class Still:
     @property
     def moment(self) -> Moment:
         """The state of the board."""
-        return next(state for count, state in enumerate(ends(self.lesson), 1) if count == self.step)
+        return Moment(done(self.step))
 
     @property
     def drawn(self) -> Sheet:
         """The strokes that are there, and the rows with what is given or has been measured."""
         sheet = self.lesson.sheet
+        steps = self.lesson.steps[: self.step]
         panels = tuple(
-            replace(panel, strokes=panel.strokes[:done])
-            for panel, done in zip(sheet.panels, self.moment.done, strict=True)
-            if done
+            replace(panel, strokes=panel.strokes[:count])
+            for panel in sheet.panels
+            if (count := sum(step.panel is panel for step in steps))
         )
         known = {(p.name, key) for p in panels for stroke in p.strokes for key in stroke.reveals}
         rows = []
@@ -80,13 +80,3 @@ def still(lesson: Lesson, step: int | str) -> Still:
     if not 1 <= int(number) <= len(steps):
         raise UsageError(f"there is no step {number}: {where} has {len(steps)}, from 1 on")
     return Still(lesson, steps[int(number) - 1])
-
-
-def ends(lesson: Lesson) -> Iterator[Moment]:
-    """Yield the state of the board at the end of every step, however short the step is."""
-    names = [panel.name for panel in lesson.sheet.panels]
-    done = [0] * len(names)
-    for step in lesson.steps:
-        panel = names.index(step.panel.name)
-        done[panel] = step.index + 1
-        yield Moment(tuple(done), panel, step.index)

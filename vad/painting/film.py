@@ -1,160 +1,196 @@
-"""Films: each frame paints only the growing stroke on a committed base.
+"""Films: each frame paints only what changed on a committed base.
 
-In comes a lesson, out go its `Frame` objects; `redraw` paints one frame from nothing, which is
-what every incremental frame must equal.
+In come a board and its moments, out go `Frame` objects; `redraw` paints one moment from nothing,
+which is what every incremental frame must equal.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.lecture.lesson import Lesson
-from vad.lecture.moment import Moment, moment, moments
-from vad.painting.canvas import AggCanvas, Canvas
+from vad.lecture.moment import Moment
+from vad.painting.agg_painter import AggPainter
+from vad.painting.outlines import outline
+from vad.painting.painter import Looks, play
 from vad.painting.picture import EMPTY, Box, Frame
-from vad.plan.board import Board, Layer
+from vad.plan.board import Board
+from vad.plan.geometry import Rect
+from vad.plan.items import Item
 from vad.plan.marks import Mark
-from vad.plan.page import Rect
+from vad.style import Style
 
 Pixels = NDArray[np.uint8]
 Words = NDArray[np.uint32]  # one per pixel
 
 
-def frames(lesson: Lesson) -> Iterator[Frame]:
-    """Yield the pictures of a lesson; see `Frame` for what each says about itself."""
-    painter = _Painter(lesson)
-    for state, repeats in moments(lesson):
-        changed = painter.show(state)
+def frames(board: Board, moments: Iterable[tuple[Moment, int]], style: Style) -> Iterator[Frame]:
+    """Yield the pictures of a film; see `Frame` for what each says about itself."""
+    painter = _Incremental(board, style)
+    for moment, repeats in moments:
+        changed = painter.show(moment)
         yield Frame(painter.pixels, changed, repeats)
 
 
-def redraw(lesson: Lesson, frame: int) -> Pixels:
-    """Return one frame painted from nothing: the reference for `frames`."""
-    board = Board(lesson.sheet, lesson.size, lesson.style, lesson=True)
-    canvas = AggCanvas(lesson.size, board.style.background)
-    paint(board, moment(lesson, frame), canvas)
-    return canvas.pixels
+def redraw(board: Board, moment: Moment, style: Style) -> Pixels:
+    """Return one moment painted from nothing: the reference for `frames`."""
+    painter = AggPainter(board.form)
+    play(board, moment, style, painter)
+    return painter.pixels
 
 
-def paint(board: Board, state: Moment, canvas: Canvas) -> None:
-    """Paint the board at a moment on an empty canvas."""
-    canvas.paint(board.background())
-    for layer in board.layers(state):
-        under, over = layer.draw()
-        canvas.paint(under)
-    canvas.paint(board.growing(state))
-    canvas.paint(over)  # of the last layer: nothing lies above a region where nothing grows
+class _Incremental:
+    """Holds the buffer, and the committed base beneath what grows.
 
+    While a stroke is drawn, the base holds all that lies beneath it; what grows and what lies
+    above it is painted in each frame, as far as it is touched.
+    """
 
-class _Painter:
-    """Holds the buffer, the committed base beneath a growing stroke, and what lies above it."""
-
-    def __init__(self, lesson: Lesson) -> None:
-        self._board = Board(lesson.sheet, lesson.size, lesson.style, lesson=True)
-        self._canvas = AggCanvas(lesson.size, self._board.style.background)
-        self._canvas.paint(self._board.background())
-        self._words = self._canvas.words
+    def __init__(self, board: Board, style: Style) -> None:
+        self._board, self._looks = board, Looks(style)
+        self._painter = AggPainter(board.form)
+        self._painter.begin(board.form, style.background)
+        self._ground = self._painter.word(style.background)
+        self._words = self._painter.words
         self._base = self._words.copy()
-        self._over: list[tuple[Box, Mark]] = []
-        self._keys: dict[str, object] = {}
-        self._step: tuple[object, ...] | None = None
+        self._shown: dict[str, list[Item]] = {}
+        #: What is not in the base, in painting order: marks that grow, and marks with their boxes.
+        self._top: list[tuple[Mark, Box | None]] = []
+        self._beat: int | None = None
         self._dirty: Box = EMPTY
-        self.pixels = self._canvas.pixels
+        self.pixels = self._painter.pixels
 
-    def show(self, state: Moment) -> Box:
+    def show(self, moment: Moment) -> Box:
         """Paint a moment and return the box of all that differs from the one before."""
-        first = self._step is None
-        if self._step == _step(state):
-            box = self._reach(self._board.growing(state))
-            before = self._cut(box).copy()
-        else:
+        first, box = self._beat is None, EMPTY
+        regions: dict[str, list[Item]] = {}
+        top = self._top
+        if moment.beat != self._beat:
+            regions = self._changed(moment.beat)
             box = self._dirty
-            layers = [
-                layer
-                for layer in self._board.layers(state)
-                if self._keys.get(layer.region, self) != layer.key
-            ]
-            for layer in layers:
-                box = _union(box, self._pixels_of(layer.area))
-            box = self._reach(self._board.growing(state), box)
-            before = self._cut(box).copy()
-            self._commit(layers, state.grown is not None)
-            self._step = _step(state)
-        self._lay(self._board.growing(state))
+            for region in regions:
+                box = _union(box, self._pixels_of(self._board.regions[region]))
+            top = self._split(regions, moment.beat)
+        box = _union(box, self._reach(top, moment.share))
+        before = self._cut(box).copy()
+        if moment.beat != self._beat:
+            self._commit(regions, moment.beat)
+            self._beat, self._top = moment.beat, top
+        self._lay(moment.share)
         if first:
             return 0, 0, self.pixels.shape[1], self.pixels.shape[0]
         return difference(before, self._cut(box), box)
 
-    def _commit(self, layers: list[Layer], growing: bool) -> None:
-        """Repaint the regions that look different now; keep what lies above a growth apart."""
-        self._cut(self._dirty)[:] = self._base_cut(self._dirty)
-        over: list[Mark] = []
-        for layer in layers:
-            self._keys[layer.region] = layer.key
-            self._cut(self._pixels_of(layer.area))[:] = self._canvas.background
-            beneath, above = layer.draw()
-            self._canvas.paint(beneath)
-            over += above
-        if growing:
-            self._base[:] = self._words
-            self._canvas.paint(over)
-        self._over = [(self._box(mark), mark) for mark in over]
+    def _changed(self, beat: int) -> dict[str, list[Item]]:
+        """Return the regions that look different at a beat, with what they show."""
+        shown: dict[str, list[Item]] = {region: [] for region in self._board.regions}
+        for item in self._board.shown(beat):
+            shown[item.region].append(item)
+        changed = {
+            region: items
+            for region, items in shown.items()
+            if items != self._shown.get(region)
+            or any(_growing(item, beat) or _growing(item, self._beat) for item in items)
+        }
+        self._shown = shown
+        return changed
+
+    def _split(self, regions: dict[str, list[Item]], beat: int) -> list[tuple[Mark, Box | None]]:
+        """Return what grows and what lies above it, in painting order."""
+        top: list[tuple[Mark, Box | None]] = []
+        for items in regions.values():
+            for item in items[_first_growing(items, beat) :]:
+                grows = _growing(item, beat)
+                top += [(mark, None if grows else self._box(mark)) for mark in item.marks]
+        return top
+
+    def _commit(self, regions: dict[str, list[Item]], beat: int) -> None:
+        """Repaint the regions that look different, up to what grows in them; keep that as base."""
+        self._cut(self._dirty)[:] = self._base[_window(self._dirty)]
+        for region, items in regions.items():
+            area = self._pixels_of(self._board.regions[region])
+            self._cut(area)[:] = self._ground
+            for item in items[: _first_growing(items, beat)]:
+                for mark in item.marks:
+                    self._painter.paint(mark.shape, self._looks(mark))
+        self._base[:] = self._words
         self._dirty = EMPTY
 
-    def _lay(self, marks: list[Mark]) -> None:
-        """Paint ``marks`` on the base, and above them whatever of the rest they touch."""
-        if not marks:
+    def _lay(self, share: float) -> None:
+        """Paint what grows on the base, and whatever of the rest it touches."""
+        if not self._top:
             return
-        box = self._reach(marks)
-        self._cut(box)[:] = self._base_cut(box)
-        self._canvas.paint(marks)
-        self._canvas.paint(mark for spot, mark in self._over if _touch(spot, box))
+        box = self._reach(self._top, share)
+        self._cut(box)[:] = self._base[_window(box)]
+        for mark, spot in self._top:
+            if spot is None:
+                grown = mark.at(share)
+                if grown:
+                    self._painter.paint(grown.shape, self._looks(grown))
+            elif _touch(spot, box):
+                self._painter.paint(mark.shape, self._looks(mark))
         self._dirty = box
 
-    def _reach(self, marks: list[Mark], also: Box = EMPTY) -> Box:
-        """Return the box that painting ``marks`` touches.
+    def _reach(self, top: list[tuple[Mark, Box | None]], share: float) -> Box:
+        """Return the box that painting the top touches.
 
-        It holds theirs, that of the frame before, and in turn those of the marks above it.
+        It holds what grows, what the frame before has painted, and in turn what lies above.
         """
-        box = _union(also, self._dirty)
-        for mark in marks:
-            box = _union(box, self._box(mark))
+        box = self._dirty
+        for mark, spot in top:
+            grown = mark.at(share) if spot is None else None
+            if grown:
+                box = _union(box, self._box(grown))
+        if top is not self._top:  # nothing of it is on the board yet
+            for _, spot in top:
+                box = _union(box, spot or EMPTY)
         while True:
             wider = box
-            for spot, _ in self._over:
-                if _touch(spot, wider):
+            for _, spot in top:
+                if spot and _touch(spot, wider):
                     wider = _union(wider, spot)
             if wider == box:
                 return box
             box = wider
 
     def _cut(self, box: Box) -> Words:
-        return self._words[box[1] : box[3], box[0] : box[2]]
-
-    def _base_cut(self, box: Box) -> Words:
-        return self._base[box[1] : box[3], box[0] : box[2]]
+        return self._words[_window(box)]
 
     def _box(self, mark: Mark) -> Box:
-        left, bottom, right, top = mark.box
-        return self._pixels_of(Rect(left, bottom, right, top))
+        """Return the pixels that a mark can touch."""
+        vertices, _ = outline(mark.shape)
+        if not len(vertices):
+            return EMPTY
+        look, unit = self._looks(mark), self._board.form.unit
+        pad = 2.0 / unit + max(pen.width if pen else 0.0 for pen in (look.pen, look.under))
+        (left, bottom), (right, top) = vertices.min(axis=0), vertices.max(axis=0)
+        return self._pixels_of(Rect(left, bottom, right, top).inside(-pad))
 
     def _pixels_of(self, area: Rect) -> Box:
         """Return an area as a pixel box, rows counted from the top, inside the frame."""
-        height, width = self.pixels.shape[:2]
+        (height, width), unit = self.pixels.shape[:2], self._board.form.unit
         return (
-            min(max(math.floor(area.left), 0), width),
-            min(max(height - math.ceil(area.top), 0), height),
-            min(max(math.ceil(area.right), 0), width),
-            min(max(height - math.floor(area.bottom), 0), height),
+            min(max(math.floor(area.left * unit), 0), width),
+            min(max(height - math.ceil(area.top * unit), 0), height),
+            min(max(math.ceil(area.right * unit), 0), width),
+            min(max(height - math.floor(area.bottom * unit), 0), height),
         )
 
 
-def _step(state: Moment) -> tuple[object, ...]:
-    return state.done, state.panel, state.stroke, state.grown is None
+def _growing(item: Item, beat: int | None) -> bool:
+    return item.since == beat and item.grows
+
+
+def _first_growing(items: list[Item], beat: int) -> int:
+    numbers = (number for number, item in enumerate(items) if _growing(item, beat))
+    return next(numbers, len(items))
+
+
+def _window(box: Box) -> tuple[slice, slice]:
+    return slice(box[1], box[3]), slice(box[0], box[2])
 
 
 def _touch(one: Box, other: Box) -> bool:

@@ -1,11 +1,8 @@
-"""Stills: a finished sheet or a step of a lesson as pixels, or as marks for any other painter.
-
-In come a sheet with a size and a style, or a `Still`, out goes an RGBA array or a painted page.
-"""
+"""A sheet, a step or a lesson on its page: in comes what is to be seen, out goes what to play."""
 
 from __future__ import annotations
 
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,33 +11,44 @@ from vad.lecture.lesson import Lesson
 from vad.lecture.moment import Moment
 from vad.lecture.still import Still
 from vad.lecture.timeline import check_size
-from vad.painting.canvas import AggCanvas, Canvas
-from vad.painting.film import paint
-from vad.plan.board import Board
-from vad.plan.marks import Mark, polygon
-from vad.plan.paper import EDGE, load_paper
+from vad.painting.agg_painter import AggPainter
+from vad.painting.painter import Painter, play
+from vad.plan.board import Plan, plan
+from vad.plan.format import paper as paper_format
+from vad.plan.format import screen
 from vad.strokes.sheet import Sheet
+from vad.strokes.words import describe, title
+from vad.style import Style, load_style
 
 SIZE = (1280, 720)
 STYLE = "paper"
 
 
-def still(
-    thing: Sheet | Still, size: tuple[int, int] | None = None, style: str | None = None
-) -> NDArray[np.uint8]:
-    """Return a picture, shape (height, width, 4)."""
-    board, state = posed(thing, size, style)
-    pixels = round(board.page.width), round(board.page.height)
-    canvas = AggCanvas(pixels, board.style.background)
-    paint(board, state, canvas)
-    return canvas.pixels
+@dataclass(frozen=True, slots=True)
+class Posed:
+    """A board at a moment in a style.
 
+    ``sheet`` is what shows of it, for words: of a step of a lesson, as far as it is drawn.
+    """
 
-def sketch(renderer: Any, board: Board, state: Moment) -> None:
-    """Paint a board on a renderer whose page has its size at 72 dpi."""
-    canvas = Canvas(renderer)
-    canvas.paint([ground(board)])
-    paint(board, state, canvas)
+    board: Plan
+    moment: Moment
+    style: Style
+    sheet: Sheet
+
+    @property
+    def title(self) -> str:
+        """The sheet's title with its parameters."""
+        return title(self.sheet)
+
+    @property
+    def description(self) -> str:
+        """What the picture shows, in words."""
+        return describe(self.sheet)
+
+    def play(self, painter: Painter) -> None:
+        """Paint the picture."""
+        play(self.board, self.moment, self.style, painter)
 
 
 def posed(
@@ -48,42 +56,33 @@ def posed(
     size: tuple[int, int] | None = None,
     style: str | None = None,
     paper: str | None = None,
-) -> tuple[Board, Moment]:
-    """Return the board and what is on it; a step of a lesson has a size and a style already.
+) -> Posed:
+    """Return a picture on its page; a step of a lesson has a size and a style already.
 
-    ``paper`` is the name of a `Paper`, whose size the board takes, and its true scale.
+    ``paper`` is the name of a size of paper, whose format and true scale the page takes.
     """
     if isinstance(thing, Still):
-        return board_of(thing.lesson), thing.moment
-    if paper:
-        board = Board(thing, load_paper(paper).board, style or STYLE, on_paper=True)
-        return board, board.finished()
+        lesson = thing.lesson
+        return Posed(board_of(lesson), thing.moment, load_style(lesson.style), thing.drawn)
     if size:
         check_size(size)
-    board = Board(thing, size or SIZE, style or STYLE)
-    return board, board.finished()
+    form = paper_format(paper) if paper else screen(size or SIZE)
+    look = load_style(style or STYLE)
+    board = plan(thing, form, look.key)
+    return Posed(board, Moment(board.finished), look, thing)
 
 
-def sheet_of(thing: Sheet | Still) -> Sheet:
-    """Return the sheet that a picture shows; of a step of a lesson, as far as it is drawn."""
-    return thing.drawn if isinstance(thing, Still) else thing
-
-
-def board_of(lesson: Lesson) -> Board:
+def board_of(lesson: Lesson) -> Plan:
     """Return the board on which a lesson is drawn."""
-    return Board(lesson.sheet, lesson.size, lesson.style, lesson=True)
+    key = load_style(lesson.style).key
+    return plan(lesson.sheet, screen(lesson.size), key, lesson=True)
 
 
-def ground(board: Board) -> Mark:
-    """Return the background, for a page that begins empty."""
-    left, bottom, right, top = whole(board)
-    corners = [
-        complex(x, y) for x, y in ((left, bottom), (right, bottom), (right, top), (left, top))
-    ]
-    return polygon(corners, board.style.background)
-
-
-def whole(board: Board) -> tuple[float, float, float, float]:
-    """Return left, bottom, right and top of the page, which on paper has an edge of its own."""
-    edge = EDGE if board.look.centimetre else 0.0
-    return -edge, -edge, board.page.width + edge, board.page.height + edge
+def picture(
+    thing: Sheet | Still, size: tuple[int, int] | None = None, style: str | None = None
+) -> NDArray[np.uint8]:
+    """Return the pixels of a picture, shape (height, width, 4)."""
+    shown = posed(thing, size, style)
+    painter = AggPainter(shown.board.form)
+    shown.play(painter)
+    return painter.pixels

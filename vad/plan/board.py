@@ -1,236 +1,258 @@
-"""The board: a sheet on a page in a style, as marks for any moment.
+"""The board: everything that a sheet can show on a page, placed once; nothing moves later.
 
-In come a sheet, a size and a style; out go regions of the page, each with its marks, and the
-strokes that grow.  Everything is placed once, for the finished sheet; nothing moves later.
+In come a sheet and a format, out goes a `Plan`: frozen items in page units, with roles instead of
+colours.  A still, a step and a film are one plan at different beats.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from importlib import import_module
+from typing import Protocol
 
-from vad.lecture.moment import Moment
-from vad.plan.art import Level, Look, PanelArt
-from vad.plan.equation import Foot, compose, foot_marks
-from vad.plan.header import caption_lines, caption_marks, head_marks, title_marks
+from vad.lecture.moment import done, drawing
+from vad.plan.format import Format
+from vad.plan.geometry import Rect
+from vad.plan.items import Item, Level
+from vad.plan.layout import MARGIN, Page, lay_out
 from vad.plan.marks import Mark
-from vad.plan.mechanism import draw_mechanism
-from vad.plan.page import GUTTER, GUTTER_TWO, MARGIN, Page, Rect, lay_out, unit_of
-from vad.plan.paper import CENTIMETRE, UNIT
-from vad.plan.polygon import draw_polygon
-from vad.plan.table import State, Table
+from vad.plan.page.captioning import caption_lines, caption_marks, setter
+from vad.plan.page.foot import Foot, compose, placed
+from vad.plan.page.heads import head, pale_head
+from vad.plan.page.table import table
+from vad.plan.page.title import title_marks
+from vad.plan.sketch import Setting, Sketch
 from vad.strokes.language import Language
-from vad.strokes.sheet import Panel, PanelName, Sheet, Stroke
-from vad.style import load_style
+from vad.strokes.sheet import Panel, Sheet
 
 
-@dataclass(frozen=True, slots=True)
-class Layer:
-    """One region of the page at a moment.
+class Board(Protocol):
+    """What a painter plays: a page and the items that show at a beat."""
 
-    Two layers of a region with the same ``key`` look the same; only where it changes need
-    ``draw`` be called.  It returns the marks beneath what grows in the region, and those above.
+    @property
+    def form(self) -> Format:
+        """The shape of the page."""
+
+    @property
+    def regions(self) -> Mapping[str, Rect]:
+        """The parts of the page in painting order; what stands in one stays within it."""
+
+    def shown(self, beat: int) -> Sequence[Item]:
+        """Return the items that show at a beat, in painting order."""
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """A sheet on a page.
+
+    Attributes
+    ----------
+    sheet
+        What is drawn.
+    form
+        The shape of the page.
+    page
+        Where the parts of the page are.
+    regions
+        The parts of the page that change on their own, in painting order.
+    items
+        All that can show, in painting order.
+    sketches
+        The panels with their scales, labels and obstacles, by their names.
     """
 
-    region: str
-    area: Rect
-    key: Hashable
-    draw: Callable[[], tuple[list[Mark], list[Mark]]]
+    sheet: Sheet
+    form: Format
+    page: Page
+    regions: Mapping[str, Rect]
+    items: tuple[Item, ...]
+    sketches: Mapping[str, Sketch]
+
+    def shown(self, beat: int) -> list[Item]:
+        """Return the items that show at a beat, in painting order."""
+        return [item for item in self.items if item.since <= beat < item.until]
+
+    @property
+    def finished(self) -> int:
+        """The beat at which all strokes are done."""
+        return done(sum(len(panel.strokes) for panel in self.sheet.panels))
 
 
-def arrange(
-    sheet: Sheet, size: tuple[float, float], unit: float, caption_lines: int
-) -> tuple[Page, dict[PanelName, Foot]]:
-    """Return the page of a sheet, and the equations at the feet of its panels."""
-    names, rows = [panel.name for panel in sheet.panels], len(sheet.rows)
-    # A first layout tells the panels' width, the second knows how many lines they need.
-    first = lay_out(size, dict.fromkeys(names, 1), rows, caption_lines, unit)
-    feet = {
-        panel.name: compose(panel, first.panels[panel.name].drawing.width, unit)
-        for panel in sheet.panels
-    }
-    lines = {name: len(foot.lines) for name, foot in feet.items()}
-    return lay_out(size, lines, rows, caption_lines, unit), feet
-
-
-class Board:
-    """A sheet laid out on a page.
+def plan(sheet: Sheet, form: Format, key: float, lesson: bool = False) -> Plan:
+    """Return the plan of a sheet.
 
     Parameters
     ----------
     sheet
         What is drawn.
-    size
-        Width and height in pixels.
-    style
-        The name of a style.
+    form
+        The shape of the page.
+    key
+        The length of the line before a row's name, which a style asks for.
     lesson
-        True where captions need room.
-    on_paper
-        True where a pixel is a point of paper, from which lengths are measured.
+        True where captions need room, and what is new stands out.
     """
+    lines = caption_lines(sheet, form.width - 2 * MARGIN) if lesson else 0
+    page, feet = arrange(sheet, form, lines)
+    rows = rows_of(sheet)
+    sketches: dict[str, Sketch] = {}
+    first = 0
+    for panel in sheet.panels:
+        room = page.panels[panel.name].drawing
+        sketches[panel.name] = draw(Setting(sheet, panel, room, rows, first, form.centimetre))
+        first += len(panel.strokes)
+    regions = regions_of(page)
+    items = [
+        Item("", "title", Level.GROUND, tuple(title_marks(sheet, page))),
+        *_heads(sheet, page, sketches),
+        *_feet(sheet, page, feet, sketches),
+        *_results(sheet, page, sketches, key, lesson),
+        *(_captions(sheet, page, sketches) if lesson else ()),
+        *(item for sketch in sketches.values() for item in sketch.items),
+        *_lights(sketches),
+    ]
+    order = {name: number for number, name in enumerate(regions)}
+    items.sort(key=lambda item: (order[item.region], item.level))
+    return Plan(sheet, form, page, regions, tuple(items), sketches)
 
-    def __init__(
-        self,
-        sheet: Sheet,
-        size: tuple[float, float],
-        style: str = "paper",
-        lesson: bool = False,
-        on_paper: bool = False,
-    ) -> None:
-        self.sheet = sheet
-        self.style = load_style(style)
-        unit = UNIT if on_paper else unit_of(size)
-        self.look = Look.of(sheet, self.style, unit, CENTIMETRE if on_paper else None)
-        room = size[0] - 2 * MARGIN * unit
-        lines = caption_lines(sheet, room, unit) if lesson else 0
-        self.page, self.feet = arrange(sheet, size, unit, lines)
-        self.table = Table(sheet, self.page, self.look)
-        self.arts: dict[PanelName, PanelArt] = {
-            panel.name: self._draw(panel) for panel in sheet.panels
-        }
 
-    def _draw(self, panel: Panel) -> PanelArt:
-        drawing = self.page.panels[panel.name].drawing
-        if panel.name == "position":
-            return draw_mechanism(panel, drawing, self.look, self._sense())
-        return draw_polygon(
-            panel, drawing, self.look, Language(self.sheet.language).say("coriolis rule")
+def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[str, Foot]]:
+    """Return the page of a sheet, and the equations at the feet of its panels."""
+    names, rows = [panel.name for panel in sheet.panels], len(sheet.rows)
+    # A first layout tells the panels' width, the second knows how many lines they need.
+    first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines)
+    feet = {
+        panel.name: compose(panel, first.panels[panel.name].drawing.width) for panel in sheet.panels
+    }
+    lines = {name: len(foot.lines) for name, foot in feet.items()}
+    return lay_out(form, lines, rows, caption_lines), feet
+
+
+def rows_of(sheet: Sheet) -> dict[str, int]:
+    """Return the row of every link and slide, whose number gives it its ink."""
+    rows: dict[str, int] = {}
+    for index, row in enumerate(sheet.rows):
+        rows.setdefault(row.key, index)  # an actuator is a link and a slide: one ink
+    return rows
+
+
+def draw(setting: Setting) -> Sketch:
+    """Return the sketch of a panel; each picture is a module with a function ``draw``."""
+    picture = import_module(
+        "vad.plan.pictures." + ("mechanism" if setting.panel.name == "position" else "vectors")
+    )
+    sketch = picture.draw(setting)
+    assert isinstance(sketch, Sketch)
+    return sketch
+
+
+def regions_of(page: Page) -> dict[str, Rect]:
+    """Return the parts of a page that change on their own, in painting order."""
+    regions = {"title": Rect(0.0, page.title - 0.02, page.width, page.height)}
+    for name, place in page.panels.items():
+        whole, drawing = place.region, place.drawing
+        regions[f"{name} head"] = Rect(whole.left, drawing.top, whole.right, whole.top)
+        regions[f"{name} foot"] = Rect(whole.left, whole.bottom, whole.right, drawing.bottom)
+    if page.results:
+        area = page.results
+        regions["results"] = Rect(
+            area.left - 0.002, area.bottom - 0.012, area.right + 0.002, area.top - 0.006
         )
+    else:
+        low = page.rows[-1] - 0.012 if page.rows else page.hairline
+        regions["results"] = Rect(page.left - 0.002, low, page.right + 0.002, page.hairline + 0.003)
+    top = page.captions[0] + 0.038 if page.captions else 0.0
+    regions["caption"] = Rect(0.0, 0.0, page.width, top)
+    for name, place in page.panels.items():
+        whole, drawing = place.region, place.drawing
+        regions[name] = Rect(whole.left, drawing.bottom, whole.right, drawing.top)
+    return regions
 
-    def _sense(self) -> float:
-        """Return the given ω of the driven link, 0 where there is none."""
-        for row in self.sheet.rows:
-            for cell in row.cells.get("velocity", ()):
-                if cell.given and cell.symbol.startswith("ω"):
-                    return cell.value
-        return 0.0
 
-    def finished(self) -> Moment:
-        """Return the state in which all strokes are done."""
-        return Moment(tuple(len(panel.strokes) for panel in self.sheet.panels))
+def _heads(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[Item]:
+    language = Language(sheet.language)
+    for panel in sheet.panels:
+        sketch, place = sketches[panel.name], page.panels[panel.name]
+        begun, region = drawing(sketch.setting.first), f"{panel.name} head"
+        pale = pale_head(panel, place, language)
+        full = head(panel, place, language, sketch.scale, sketch.setting.centimetre)
+        yield Item("", region, Level.GROUND, tuple(pale), 0, begun)
+        yield Item("", region, Level.GROUND, tuple(full), begun)
 
-    def stroke(self, moment: Moment) -> Stroke | None:
-        """Return the stroke of the current step."""
-        if moment.panel is None:
-            return None
-        return self.sheet.panels[moment.panel].strokes[moment.stroke]
 
-    def background(self) -> list[Mark]:
-        """Return what never changes: the title line."""
-        return title_marks(self.sheet, self.page, self.look)
-
-    def growing(self, moment: Moment) -> list[Mark]:
-        """Return the marks of the growing stroke, none where nothing grows."""
-        if moment.panel is None or moment.grown is None:
-            return []
-        art = self.arts[self.sheet.panels[moment.panel].name]
-        return art.growths[moment.stroke].draw(moment.grown)
-
-    def layers(self, moment: Moment) -> list[Layer]:
-        """Return the regions of the page; the one in which a stroke grows comes last."""
-        layers: list[Layer] = []
-        for index, panel in enumerate(self.sheet.panels):
-            done, begun = moment.done[index], moment.done[index] > 0 or moment.panel == index
-            layers.append(self._head(panel, begun))
-            layers.append(self._foot(panel, done, begun))
-        layers += [self._results(moment), self._caption(moment)]
-        for index, panel in enumerate(self.sheet.panels):
-            if index != moment.panel:
-                layers.append(self._panel(index, panel, moment))
-        if moment.panel is not None:
-            layers.append(self._panel(moment.panel, self.sheet.panels[moment.panel], moment))
-        return layers
-
-    def _span(self, panel: Panel) -> tuple[float, float]:
-        """Return left and right of a panel's region: its column and half the gutters."""
-        drawing = self.page.panels[panel.name].drawing
-        half = (GUTTER if self.page.columns else GUTTER_TWO) / 2 * self.look.unit
-        return drawing.left - half, drawing.right + half
-
-    def _head(self, panel: Panel, begun: bool) -> Layer:
-        place, (left, right) = self.page.panels[panel.name], self._span(panel)
-        area = Rect(left, place.drawing.top, right, place.rule + 0.006 * self.look.unit)
-        art = self.arts[panel.name]
-        language = self.sheet.language
-
-        def draw() -> tuple[list[Mark], list[Mark]]:
-            return head_marks(panel, place, art.scale, begun, language, self.look), []
-
-        return Layer(panel.name + " head", area, begun, draw)
-
-    def _foot(self, panel: Panel, done: int, begun: bool) -> Layer:
-        place, (left, right) = self.page.panels[panel.name], self._span(panel)
-        low = min(place.equations) - 0.012 * self.look.unit
-        area = Rect(left, low, right, place.drawing.bottom)
+def _feet(
+    sheet: Sheet, page: Page, feet: Mapping[str, Foot], sketches: Mapping[str, Sketch]
+) -> Iterator[Item]:
+    """Yield the equations, in which a term is pale until its stroke is inked."""
+    for panel in sheet.panels:
+        setting, place = sketches[panel.name].setting, page.panels[panel.name]
+        begun, region = drawing(setting.first), f"{panel.name} foot"
         middle = place.drawing.centre.real
-        foot = self.feet[panel.name]
-        drawn = {stroke.name for stroke in panel.strokes[:done]}
+        for text, term in placed(feet[panel.name], place.equations, middle):
+            row = setting.row(term.link) if term else None
+            if term is None or term.stroke is None:
+                yield Item("", region, Level.LABEL, (Mark(text, "term", row),), begun)
+                continue
+            inked = setting.after(setting.panel.number(term.stroke))
+            name = f"{panel.name}:{term.stroke}"
+            pending = (Mark(text, "pending term", row),)
+            yield Item(name, region, Level.LABEL, pending, begun, inked)
+            yield Item(name, region, Level.LABEL, (Mark(text, "term", row),), inked)
 
-        def draw() -> tuple[list[Mark], list[Mark]]:
-            if not begun:
-                return [], []
-            return foot_marks(foot, place.equations, middle, drawn, self.look), []
 
-        return Layer(panel.name + " foot", area, (done, begun), draw)
+def _results(
+    sheet: Sheet, page: Page, sketches: Mapping[str, Sketch], key: float, lesson: bool
+) -> Iterator[Item]:
+    """Yield the results: what is given at once, the rest as its stroke measures it."""
+    results = table(sheet, page, key)
+    yield Item("", "results", Level.GROUND, tuple(results.frame()))
+    for panel in sheet.panels:
+        setting = sketches[panel.name].setting
+        for index, row in enumerate(sheet.rows):
+            marks = results.cells(index, row, panel.name, False)
+            cells = row.cells.get(panel.name, ())
+            if all(cell.given for cell in cells):
+                yield Item("", "results", Level.LABEL, tuple(marks))
+                continue
+            number = _revealing(panel, row.key)
+            if number is None:
+                continue
+            since, name = setting.after(number), f"{panel.name}:{panel.strokes[number].name}"
+            if lesson:
+                bold = results.cells(index, row, panel.name, True)
+                yield Item(name, "results", Level.LABEL, tuple(bold), since, since + 1)
+                since += 1
+            yield Item(name, "results", Level.LABEL, tuple(marks), since)
 
-    def _results(self, moment: Moment) -> Layer:
-        names = [panel.name for panel in self.sheet.panels]
-        measured: dict[tuple[str, str], State] = {}
-        for panel, done in zip(self.sheet.panels, moment.done, strict=True):
-            for index, stroke in enumerate(panel.strokes[:done]):
-                for key in stroke.reveals:
-                    current = moment.panel is not None and moment.grown is None
-                    new = (
-                        current
-                        and index == moment.stroke
-                        and panel.name == names[moment.panel or 0]
+
+def _revealing(panel: Panel, key: str) -> int | None:
+    """Return the number of the stroke that measures a row."""
+    strokes = enumerate(panel.strokes)
+    return next((number for number, stroke in strokes if key in stroke.reveals), None)
+
+
+def _captions(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[Item]:
+    """Yield the captions, each from when its stroke is begun until the next one is."""
+    write = setter(sheet)
+    for panel in sheet.panels:
+        setting = sketches[panel.name].setting
+        for index, stroke in enumerate(panel.strokes):
+            marks = caption_marks(panel, index, write, page)
+            since, name = setting.during(index), f"{panel.name}:{stroke.name}"
+            yield Item(name, "caption", Level.LABEL, tuple(marks), since, since + 2)
+
+
+def _lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
+    """Yield the light on a link of the mechanism while a vector of it is drawn elsewhere."""
+    for home, sketch in sketches.items():
+        for other, elsewhere in sketches.items():
+            setting = elsewhere.setting
+            for index, stroke in enumerate(setting.panel.strokes):
+                marks = sketch.lights.get(stroke.link or "") if other != home else None
+                if marks:
+                    name, span = (
+                        f"{other}:{stroke.name}",
+                        (setting.during(index), setting.after(index)),
                     )
-                    measured[key, panel.name] = "new" if new else "measured"
-
-        def state(key: str, name: PanelName) -> State:
-            return measured.get((key, name), "hidden")
-
-        page, unit = self.page, self.look.unit
-        if page.results:
-            area = page.results
-            area = Rect(
-                area.left - 1.0,
-                area.bottom - 0.012 * unit,
-                area.right + 1.0,
-                area.top - 0.006 * unit,
-            )
-        else:
-            low = page.rows[-1] - 0.012 * unit if page.rows else page.hairline
-            area = Rect(page.left - 1, low, page.right + 1, page.hairline + 2)
-        shown = tuple(sorted(measured.items()))
-        return Layer("results", area, shown, lambda: (self.table.marks(state), []))
-
-    def _caption(self, moment: Moment) -> Layer:
-        page, unit = self.page, self.look.unit
-        top = (page.captions[0] + 0.038 * unit) if page.captions else 0.0
-        area = Rect(0.0, 0.0, float(page.width), top)
-        stroke = self.stroke(moment)
-        if not page.captions or stroke is None or moment.panel is None:
-            return Layer("caption", area, None, lambda: ([], []))
-        panel = self.sheet.panels[moment.panel]
-
-        def draw() -> tuple[list[Mark], list[Mark]]:
-            return caption_marks(self.sheet, panel, moment.stroke, page, self.look), []
-
-        return Layer("caption", area, (moment.panel, moment.stroke), draw)
-
-    def _panel(self, index: int, panel: Panel, moment: Moment) -> Layer:
-        (left, right), drawing = self._span(panel), self.page.panels[panel.name].drawing
-        area = Rect(left, drawing.bottom, right, drawing.top)
-        growing = moment.grown is not None
-        level, lit = Level.LABEL, None
-        art = self.arts[panel.name]
-        if growing and moment.panel == index:
-            level = art.growths[moment.stroke].level
-        elif growing and moment.panel is not None:
-            lit = self.sheet.panels[moment.panel].strokes[moment.stroke].link
-            lit = lit if lit in art.glow else None
-        done = moment.done[index]
-        key = (done, lit, growing and moment.panel == index)
-        return Layer(panel.name, area, key, lambda: art.split(done, level, lit))
+                    yield Item(name, home, Level.GLOW, tuple(marks), *span)

@@ -1,7 +1,7 @@
-"""The painter's alphabet: a `Mark` is one path with its pen and fill, in pixels.
+"""The alphabet of a plan: shapes on the page with the role that they play.
 
-In come points as complex numbers (pixels, y up, origin at the lower left corner of the frame),
-out go vertices and codes as matplotlib's renderers take them; matplotlib itself is not needed.
+Points are complex numbers in page units, y up, with the origin at the lower left corner of the
+page.  A painter turns roles into colours and shapes into whatever its medium knows.
 """
 
 from __future__ import annotations
@@ -10,148 +10,198 @@ import cmath
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
 
-import numpy as np
-from numpy.typing import NDArray
-
-Points = NDArray[np.float64]
-Codes = NDArray[np.uint8]
-
-MOVE, LINE, CURVE, CLOSE = 1, 2, 4, 79  # the codes of matplotlib.path.Path
+from vad.plan.growth import Growth, Trimming
+from vad.plan.lettering.runs import Runs
 
 
 @dataclass(frozen=True, slots=True)
-class Pen:
-    """The line along a path; ``width`` and ``dash`` are in pixels."""
+class Polyline:
+    """Open lines, each through its own points."""
 
-    ink: str
-    width: float
-    dash: tuple[float, ...] = ()
-    cap: Literal["butt", "round"] = "butt"
-    join: Literal["miter", "round"] = "miter"
+    pieces: tuple[tuple[complex, ...], ...]
+
+    def mapped(self, turn: complex, shift: complex) -> Polyline:
+        """Return the shape with every point z at ``turn * z + shift``."""
+        return Polyline(tuple(tuple(turn * z + shift for z in piece) for piece in self.pieces))
+
+    def trimmed(self, share: float) -> Polyline:
+        """Return the first ``share`` of the length, piece after piece."""
+        left = share * sum(abs(b - a) for piece in self.pieces for a, b in _pairs(piece))
+        kept: list[tuple[complex, ...]] = []
+        for piece in self.pieces:
+            line = [piece[0]]
+            for a, b in _pairs(piece):
+                length = abs(b - a)
+                if length > left:
+                    if left > 0.0:
+                        line.append(a + (b - a) * (left / length))
+                    left = 0.0
+                    break
+                line.append(b)
+                left -= length
+            if len(line) > 1:
+                kept.append(tuple(line))
+            if left <= 0.0:
+                break
+        return Polyline(tuple(kept))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Letter:
-    """One letter of a line of text: its outline and advance, and where it stands, all in ems.
+@dataclass(frozen=True, slots=True)
+class Polygon:
+    """A closed area; rings after the first, wound the other way, are holes in it."""
 
-    ``face`` and ``text`` say which letter it is, ``size`` is less than 1 for a small one.
-    """
+    rings: tuple[tuple[complex, ...], ...]
 
-    face: str
-    text: str
-    vertices: Points
-    codes: Codes
-    advance: float
+    def mapped(self, turn: complex, shift: complex) -> Polygon:
+        """Return the shape with every point z at ``turn * z + shift``."""
+        return Polygon(tuple(tuple(turn * z + shift for z in ring) for ring in self.rings))
+
+
+@dataclass(frozen=True, slots=True)
+class Disc:
+    """A circle with what is in it."""
+
+    centre: complex
+    radius: float
+
+    def mapped(self, turn: complex, shift: complex) -> Disc:
+        """Return the shape with every point z at ``turn * z + shift``."""
+        return Disc(turn * self.centre + shift, abs(turn) * self.radius)
+
+
+@dataclass(frozen=True, slots=True)
+class Bow:
+    """An open arc of a circle; ``start`` and ``sweep`` in degrees, counter-clockwise positive."""
+
+    centre: complex
+    radius: float
+    start: float
+    sweep: float
+
+    def mapped(self, turn: complex, shift: complex) -> Bow:
+        """Return the shape with every point z at ``turn * z + shift``."""
+        start = self.start + math.degrees(cmath.phase(turn))
+        return Bow(turn * self.centre + shift, abs(turn) * self.radius, start, self.sweep)
+
+    def trimmed(self, share: float) -> Bow:
+        """Return the first ``share`` of the arc."""
+        return replace(self, sweep=share * self.sweep)
+
+    def curve(self) -> list[complex]:
+        """Return the points of cubic Bézier curves, accurate to 1e-4 of the radius."""
+        pieces = max(1, math.ceil(abs(self.sweep) / 45.0))
+        step = math.radians(self.sweep) / pieces
+        pull = 4.0 / 3.0 * math.tan(step / 4.0)
+        spoke = cmath.rect(self.radius, math.radians(self.start))
+        points = [self.centre + spoke]
+        for _ in range(pieces):
+            ahead = spoke * cmath.exp(1j * step)
+            points += [self.centre + spoke * (1 + 1j * pull), self.centre + ahead * (1 - 1j * pull)]
+            points.append(self.centre + ahead)
+            spoke = ahead
+        return points
+
+
+@dataclass(frozen=True, slots=True)
+class Lettering:
+    """A line of text whose baseline starts at ``at``; ``size`` is an em."""
+
+    runs: Runs
     at: complex
     size: float
 
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Setting:
-    """What a path of letters says: the letters, where their line starts, and an em in pixels."""
-
-    letters: tuple[Letter, ...]
-    at: complex
-    size: float
+    def mapped(self, turn: complex, shift: complex) -> Lettering:
+        """Return the text moved and scaled; it stays upright."""
+        return Lettering(self.runs, turn * self.at + shift, abs(turn) * self.size)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+Outline = Polyline | Polygon | Disc | Bow | Lettering
+
+
+@dataclass(frozen=True, slots=True)
 class Mark:
-    """One path: stroked with ``pen``, filled with the colour ``fill``, or both.
+    """A shape in its role.
 
-    ``text`` is there where the path is text, for files that know letters.
+    Attributes
+    ----------
+    shape
+        Where it is.
+    role
+        What it is, one of `vad.plan.roles.ROLES`.
+    row
+        The row of the results whose ink it takes; None for the frame's grey.
+    growth
+        How it comes about while its stroke is drawn.
+    width
+        The width of its line, as a share of the role's.
+    alpha
+        How much of the role's alpha it has.
     """
 
-    vertices: Points
-    codes: Codes
-    pen: Pen | None = None
-    fill: str | None = None
+    shape: Outline
+    role: str
+    row: int | None = None
+    growth: Growth | None = None
+    width: float = 1.0
     alpha: float = 1.0
-    text: Setting | None = None
 
-    @property
-    def box(self) -> tuple[float, float, float, float]:
-        """Left, bottom, right and top of all that the mark can touch."""
-        pad = 2.0 + (self.pen.width if self.pen else 0.0)
-        left, bottom = self.vertices.min(axis=0)
-        right, top = self.vertices.max(axis=0)
-        return left - pad, bottom - pad, right + pad, top + pad
+    def at(self, share: float) -> Mark | None:
+        """Return the mark when ``share`` of its stroke is drawn, None while nothing shows."""
+        growth = self.growth
+        if growth is None:
+            return self
+        if isinstance(growth, Trimming):
+            assert isinstance(self.shape, Polyline | Bow)
+            part = growth.part(share)
+            return replace(self, shape=self.shape.trimmed(part)) if part > 0.0 else None
+        turn, shift, alpha = growth.change(share)
+        return replace(self, shape=self.shape.mapped(turn, shift), alpha=self.alpha * alpha)
 
     def moved(self, by: complex) -> Mark:
-        """Return the mark shifted."""
-        shifted: Points = self.vertices + np.array([by.real, by.imag])
-        text = replace(self.text, at=self.text.at + by) if self.text else None
-        return replace(self, vertices=shifted, text=text)
+        """Return the mark shifted; it must not grow."""
+        return replace(self, shape=self.shape.mapped(1.0, by))
 
 
-def _points(points: Sequence[complex]) -> Points:
-    return np.array(points, dtype=np.complex128).view(np.float64).reshape(-1, 2)
-
-
-def polyline(points: Sequence[complex], pen: Pen, alpha: float = 1.0) -> Mark:
+def line(
+    points: Sequence[complex], role: str, row: int | None = None, growth: Growth | None = None
+) -> Mark:
     """Return an open line through ``points``."""
-    codes = np.full(len(points), LINE, dtype=np.uint8)
-    codes[0] = MOVE
-    return Mark(_points(points), codes, pen, None, alpha)
+    return Mark(Polyline((tuple(points),)), role, row, growth)
 
 
-def segments(pairs: Iterable[tuple[complex, complex]], pen: Pen, alpha: float = 1.0) -> Mark:
-    """Return separate straight lines as one mark."""
-    ends = [end for pair in pairs for end in pair]
-    codes = np.tile(np.array([MOVE, LINE], dtype=np.uint8), len(ends) // 2)
-    return Mark(_points(ends), codes, pen, None, alpha)
+def lines(
+    pieces: Iterable[Sequence[complex]],
+    role: str,
+    row: int | None = None,
+    growth: Growth | None = None,
+) -> Mark:
+    """Return separate lines as one mark."""
+    return Mark(Polyline(tuple(tuple(piece) for piece in pieces)), role, row, growth)
 
 
-def polygon(
+def area(
     points: Sequence[complex],
-    fill: str | None = None,
-    pen: Pen | None = None,
-    alpha: float = 1.0,
+    role: str,
+    row: int | None = None,
+    growth: Growth | None = None,
     hole: Sequence[complex] = (),
 ) -> Mark:
-    """Return a closed shape, with a hole where one is given (wound the other way)."""
-    vertices: list[complex] = []
-    codes: list[int] = []
-    for ring in (points, hole):
-        if ring:
-            vertices += [*ring, ring[0]]
-            codes += [MOVE, *[LINE] * (len(ring) - 1), CLOSE]
-    return Mark(_points(vertices), np.array(codes, dtype=np.uint8), pen, fill, alpha)
-
-
-def arc_points(centre: complex, radius: float, start: float, sweep: float) -> list[complex]:
-    """Return the Bézier points of an arc, degrees; accurate to 1e-4 of the radius."""
-    pieces = max(1, math.ceil(abs(sweep) / 45.0))
-    step = math.radians(sweep) / pieces
-    pull = 4.0 / 3.0 * math.tan(step / 4.0)
-    points: list[complex] = []
-    spoke = cmath.rect(radius, math.radians(start))
-    points.append(centre + spoke)
-    for _ in range(pieces):
-        ahead = spoke * cmath.exp(1j * step)
-        points += [centre + spoke * (1 + 1j * pull), centre + ahead * (1 - 1j * pull)]
-        points.append(centre + ahead)
-        spoke = ahead
-    return points
-
-
-def arc(
-    centre: complex, radius: float, start: float, sweep: float, pen: Pen, alpha: float = 1.0
-) -> Mark:
-    """Return an open circular arc, degrees."""
-    points = arc_points(centre, radius, start, sweep)
-    codes = np.full(len(points), CURVE, dtype=np.uint8)
-    codes[0] = MOVE
-    return Mark(_points(points), codes, pen, None, alpha)
+    """Return a closed area, with a hole where one is given."""
+    rings = (tuple(points), tuple(hole)) if hole else (tuple(points),)
+    return Mark(Polygon(rings), role, row, growth)
 
 
 def disc(
-    centre: complex, radius: float, fill: str, pen: Pen | None = None, alpha: float = 1.0
+    centre: complex,
+    radius: float,
+    role: str,
+    row: int | None = None,
+    growth: Growth | None = None,
 ) -> Mark:
-    """Return a filled circle."""
-    points = arc_points(centre, radius, 0.0, 360.0)
-    codes = np.full(len(points) + 1, CURVE, dtype=np.uint8)
-    codes[0], codes[-1] = MOVE, CLOSE
-    return Mark(_points([*points, points[0]]), codes, pen, fill, alpha)
+    """Return a circle."""
+    return Mark(Disc(centre, radius), role, row, growth)
+
+
+def _pairs(points: Sequence[complex]) -> Iterable[tuple[complex, complex]]:
+    return zip(points[:-1], points[1:], strict=True)

@@ -1,4 +1,4 @@
-"""Scales: how a panel's coordinates become pixels.
+"""Scales: how a panel's coordinates become places on the page.
 
 In come points and the room for them, out go the scale at which they fill it, and round numbers
 for scales that are stated.
@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from vad.plan.page import Rect
+from vad.plan.geometry import Rect
 
 SIDE_PADDING = 0.075
 TOP_PADDING = 0.055
@@ -20,20 +20,19 @@ BOTTOM_PADDING_POSITION = 0.090
 
 @dataclass(frozen=True, slots=True)
 class Scale:
-    """From panel coordinates to pixels: ``origin + factor * z``."""
+    """From panel coordinates to the page: ``origin + factor * z``."""
 
     origin: complex
     factor: float
 
     def __call__(self, z: complex) -> complex:
-        """Return the pixel position of the panel's point ``z``."""
+        """Return where on the page is the panel's point ``z``."""
         return self.origin + self.factor * z
 
 
 def fill(
     points: Iterable[complex],
     drawing: Rect,
-    unit: float,
     position: bool,
     centimetre: float | None = None,
 ) -> Scale:
@@ -43,10 +42,10 @@ def fill(
     """
     pad = BOTTOM_PADDING_POSITION if position else BOTTOM_PADDING
     inner = Rect(
-        drawing.left + SIDE_PADDING * unit,
-        drawing.bottom + pad * unit,
-        drawing.right - SIDE_PADDING * unit,
-        drawing.top - TOP_PADDING * unit,
+        drawing.left + SIDE_PADDING,
+        drawing.bottom + pad,
+        drawing.right - SIDE_PADDING,
+        drawing.top - TOP_PADDING,
     )
     all_points = list(points) or [0j]
     xs = [p.real for p in all_points]
@@ -77,11 +76,11 @@ def round_up(value: float) -> float:
 
 
 def scale_bar(factor: float, longest: float) -> float:
-    """Return the largest 1, 2 or 5 × 10ⁿ whose bar is no longer than ``longest`` pixels.
+    """Return the largest 1, 2 or 5 × 10ⁿ whose bar is no longer than ``longest``.
 
     Examples
     --------
-    >>> scale_bar(factor=1.7, longest=86.4)
+    >>> scale_bar(factor=1.7 / 720, longest=0.12)
     50.0
     """
     most = longest / factor * (1 + 1e-9)

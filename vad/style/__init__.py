@@ -1,7 +1,6 @@
-"""How roles and rows look: a `Style` is frozen data, one file per style in this folder.
+"""How roles look: a `Style` is frozen data, one file per style in this folder.
 
-In comes the name of a style, out go colours, dashes and weights; sizes live in `SIZES`-like
-constants of the modules that use them, as fractions of the frame's height.
+In come a role and a row of the results, out go colours, widths and dashes.
 """
 
 from __future__ import annotations
@@ -10,8 +9,13 @@ import importlib
 import pkgutil
 from dataclasses import dataclass
 from functools import cache
+from typing import Literal
 
 from vad.errors import unknown
+from vad.plan.roles import ROLES, Ink
+
+#: How much ink is in the tint of a block, and in the words of a panel that is not begun.
+TINT, PALE = 0.12, 0.55
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +27,27 @@ class Line:
 
     weight: float = 1.0
     dash: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Pen:
+    """The line along a path; ``width`` and ``dash`` are in page units."""
+
+    colour: str
+    width: float
+    dash: tuple[float, ...] = ()
+    cap: Literal["butt", "round"] = "butt"
+    join: Literal["miter", "round"] = "miter"
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """How a mark is painted: ``under`` it a line of background, then its fill and its pen."""
+
+    fill: str | None = None
+    pen: Pen | None = None
+    under: Pen | None = None
+    alpha: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +63,7 @@ class Style:
     lines
         One line per row of the results table, in order.
     key
-        Length of the line before a row's name, as a fraction of the frame's height.
+        Length of the line before a row's name, in page units: a dash has to show in it.
     erase
         By how much wider than a dashed stroke the background is cleared beneath it.
     """
@@ -53,13 +78,38 @@ class Style:
     key: float = 0.058
     erase: float = 0.0
 
-    def ink(self, row: int | None) -> str:
-        """Return the colour of a row; grey for the frame (None)."""
-        return self.grey if row is None else self.inks[row % len(self.inks)]
+    def colour(self, ink: Ink, row: int | None) -> str:
+        """Return the colour of an ink; a row of None is the frame, in grey."""
+        link = self.grey if row is None else self.inks[row % len(self.inks)]
+        match ink:
+            case "row":
+                return link
+            case "tint":
+                return mix(link, self.background, TINT)
+            case "pale":
+                return mix(self.grey, self.background, PALE)
+            case "ground":
+                return self.background
+            case "text" | "grey" | "hairline":
+                return str(getattr(self, ink))
 
-    def line(self, row: int | None) -> Line:
-        """Return the weight and dash of a row; solid for the frame (None)."""
-        return Line() if row is None else self.lines[row % len(self.lines)]
+    def look(self, role: str, row: int | None, width: float = 1.0) -> Look:
+        """Return how a mark of a role looks, its line ``width`` times as wide as usual."""
+        part = ROLES[role]
+        fill = self.colour(part.fill, row) if part.fill else None
+        under = Pen(self.background, part.halo, (), "round", "round") if part.halo else None
+        if part.line is None:
+            return Look(fill, None, under, part.alpha)
+        line = Line()
+        if part.linked and row is not None:
+            line = self.lines[row % len(self.lines)]
+        wide = part.width * width * line.weight
+        dash = line.dash or part.dash
+        cap = "butt" if line.dash else part.cap
+        pen = Pen(self.colour(part.line, row), wide, tuple(p * wide for p in dash), cap, part.join)
+        if line.dash and self.erase:
+            under = Pen(self.background, wide + self.erase)
+        return Look(fill, pen, under, part.alpha)
 
 
 def mix(colour: str, ground: str, share: float) -> str:
@@ -88,9 +138,8 @@ def load_style(name: str) -> Style:
     vad.errors.UsageError
         If there is none of that name.
     """
-    names = style_names()
-    if name not in names:
-        raise unknown("style", name, names)
+    if name not in style_names():
+        raise unknown("style", name, style_names())
     style = importlib.import_module(f"vad.style.{name}").STYLE
     assert isinstance(style, Style)
     return style

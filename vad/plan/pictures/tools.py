@@ -1,6 +1,6 @@
 """The teacher's tools: right-angle mark, set square and compass.
 
-In come pixel positions, out go marks.
+In come places on the page, out go marks that move with the pencil.
 """
 
 from __future__ import annotations
@@ -9,31 +9,32 @@ import math
 from dataclasses import dataclass
 from itertools import product
 
-from vad.plan.art import Look
-from vad.plan.marks import Mark, Pen, disc, polygon, polyline
-from vad.plan.page import Rect
+from vad.plan.geometry import SHORTEST, Rect
+from vad.plan.growth import Sliding, Turning
+from vad.plan.marks import Bow, Mark, area, disc, line
 
 STUB = 0.080
 SQUARE = 0.022
-THIN = 0.0022
-TIP_DOT = 0.0085
+PENCIL = 0.0085
 LONG_LEG = 0.26
 SHORT_LEG = math.tan(math.radians(30))  # of the long one
 SIZES = (1.0, 0.85, 0.7, 0.55, 0.4, 0.3)
 LEAD = 0.035
 WINDOW = 0.42
+HINGE = 0.012
 
 
 def right_angle(
-    look: Look, ink: str, at: complex, way: complex, stub: complex, length: float = STUB
+    at: complex, way: complex, stub: complex, row: int | None, length: float = STUB
 ) -> list[Mark]:
     """Return the right angle at ``at`` between a line along ``way`` and a link along ``stub``."""
-    side = SQUARE * look.unit
-    pen = Pen(ink, THIN * look.unit)
-    return [
-        polyline([at, at + length * look.unit * stub], pen, 0.7),
-        polyline([at + side * stub, at + side * (stub + way), at + side * way], pen),
-    ]
+    corner = [at + SQUARE * stub, at + SQUARE * (stub + way), at + SQUARE * way]
+    return [line([at, at + length * stub], "stub", row), line(corner, "right angle", row)]
+
+
+def pencil(start: complex, end: complex, row: int | None) -> Mark:
+    """Return the dot that a growing construction line carries at its tip."""
+    return disc(end, PENCIL, "pencil", row, Sliding(((0.0, start - end), (1.0, 0j))))
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +55,6 @@ class SetSquare:
         How far along the line its right angle may get, back and forth.
     """
 
-    look: Look
     start: complex
     way: complex
     side: complex
@@ -62,25 +62,32 @@ class SetSquare:
     ahead: int
     reach: tuple[float, float]
 
-    def marks(self, tip: complex) -> list[Mark]:
-        """Return the set square, its leg where the line is drawn as far as ``tip``."""
-        drawn = ((tip - self.start) * self.way.conjugate()).real
-        unit, grey = self.look.unit, self.look.style.grey
-        spot = self.start + _corner(drawn, self.size * unit, self.ahead, self.reach) * self.way
-        outer = [spot + way for way in _shape(self.way, self.side, self.size * unit, self.ahead)]
+    def marks(self, length: float) -> list[Mark]:
+        """Return the set square, sliding along a line of ``length``; at an edge it waits."""
+        waits = [(end - _lead(self.size, self.ahead)) / length for end in self.reach]
+        shares = sorted({0.0, 1.0, *(share for share in waits if 0.0 < share < 1.0)})
+        spots = [_corner(share * length, self.size, self.ahead, self.reach) for share in shares]
+        last = self.start + spots[-1] * self.way
+        slide = Sliding(
+            tuple(
+                (share, (spot - spots[-1]) * self.way)
+                for share, spot in zip(shares, spots, strict=True)
+            )
+        )
+        outer = [last + corner for corner in _shape(self.way, self.side, self.size, self.ahead)]
         lengths = [abs(outer[2] - outer[1]), abs(outer[0] - outer[2]), abs(outer[1] - outer[0])]
         incentre = sum(
             (length * point for length, point in zip(lengths, outer, strict=True)), 0j
         ) / sum(lengths)
         window = [incentre + WINDOW * (point - incentre) for point in reversed(outer)]
         return [
-            polygon(outer, fill=grey, alpha=0.16, hole=window),
-            polygon(outer, pen=Pen(grey, 0.0020 * unit, join="round"), alpha=0.55, hole=window),
+            area(outer, "set square", growth=slide, hole=window),
+            area(outer, "set square edge", growth=slide, hole=window),
         ]
 
 
 def place_square(
-    look: Look, start: complex, end: complex, way: complex, points: list[complex], room: Rect
+    start: complex, end: complex, way: complex, points: list[complex], room: Rect
 ) -> SetSquare | None:
     """Return a set square on the emptier side of a line, None where there is no room for any.
 
@@ -88,38 +95,41 @@ def place_square(
     smaller, if need be; at an edge it waits for the pencil.
     """
     found: list[tuple[float, SetSquare]] = []
-    inner, length = room.inside(0.003 * look.unit), ((end - start) * way.conjugate()).real
+    inner, length = room.inside(0.003), ((end - start) * way.conjugate()).real
     for side in sorted((1j * way, -1j * way), key=lambda side: side.imag):
-        deep = LONG_LEG * look.unit * SHORT_LEG
+        deep = LONG_LEG * SHORT_LEG
         crowd = sum(
-            0.01 * look.unit < ((point - start) * side.conjugate()).real < 1.2 * deep
-            for point in points
+            0.01 < ((point - start) * side.conjugate()).real < 1.2 * deep for point in points
         )
         for size, ahead in product(SIZES, (1, -1)):
-            corners = [start + by for by in _shape(way, side, size * look.unit, ahead)]
+            corners = [start + by for by in _shape(way, side, size, ahead)]
             reach = _sliding(corners, way, inner)
-            if reach and _covers(length, size * look.unit, ahead, reach):
+            if reach and _covers(length, size, ahead, reach):
                 cost = crowd + 8.0 * (1.0 - size) + 0.1 * (ahead < 0)
-                found.append((cost, SetSquare(look, start, way, side, size, ahead, reach)))
+                found.append((cost, SetSquare(start, way, side, size, ahead, reach)))
     return min(found, key=lambda each: each[0])[1] if found else None
 
 
-def _shape(way: complex, side: complex, unit: float, ahead: int) -> list[complex]:
+def _shape(way: complex, side: complex, size: float, ahead: int) -> list[complex]:
     """Return the corners of a set square, seen from its right angle."""
-    leg = LONG_LEG * unit
+    leg = LONG_LEG * size
     return [0j, -ahead * leg * way, SHORT_LEG * leg * side]
 
 
-def _corner(drawn: float, unit: float, ahead: int, reach: tuple[float, float]) -> float:
+def _corner(drawn: float, size: float, ahead: int, reach: tuple[float, float]) -> float:
     """Return how far along the line the right angle stands."""
-    lead = LEAD * unit - (LONG_LEG * unit if ahead < 0 else 0.0)
-    return min(max(drawn + lead, reach[0]), reach[1])
+    return min(max(drawn + _lead(size, ahead), reach[0]), reach[1])
 
 
-def _covers(length: float, unit: float, ahead: int, reach: tuple[float, float]) -> bool:
+def _lead(size: float, ahead: int) -> float:
+    """Return how far the right angle runs ahead of the pencil."""
+    return LEAD * size - (LONG_LEG * size if ahead < 0 else 0.0)
+
+
+def _covers(length: float, size: float, ahead: int, reach: tuple[float, float]) -> bool:
     """Tell whether the long leg lies at the pencil from the line's start to its end."""
-    first, last = (_corner(drawn, unit, ahead, reach) for drawn in (0.0, length))
-    leg = LONG_LEG * unit
+    first, last = (_corner(drawn, size, ahead, reach) for drawn in (0.0, length))
+    leg = LONG_LEG * size
     behind, before = (leg, 0.0) if ahead > 0 else (0.0, leg)
     return first - behind <= 0.0 and last + before >= length
 
@@ -140,24 +150,19 @@ def _sliding(corners: list[complex], way: complex, room: Rect) -> tuple[float, f
     return (low, high) if low <= high else None
 
 
-def tip_dot(look: Look, ink: str, tip: complex) -> Mark:
-    """Return the dot that a growing construction line carries at its tip."""
-    return disc(tip, TIP_DOT * look.unit, ink)
-
-
-def compass(look: Look, centre: complex, tip: complex) -> list[Mark]:
-    """Return a pair of compasses with the needle at ``centre`` and the pencil at ``tip``."""
-    unit, grey = look.unit, look.style.grey
-    span = abs(tip - centre)
-    leg = max(0.17 * unit, 0.62 * span)
-    middle = (centre + tip) / 2
+def compass(arc: Bow, row: int | None) -> list[Mark]:
+    """Return a pair of compasses that turns about the centre of an arc, and the pencil in it."""
+    tip = arc.curve()[-1]
+    span = abs(tip - arc.centre)
+    leg = max(0.17, 0.62 * span)
     rise = math.sqrt(max(leg * leg - span * span / 4, 0.0))
-    up = 1j * (tip - centre) / span if span > 1e-9 else 1j
+    up = 1j * (tip - arc.centre) / span if span > SHORTEST else 1j
     if up.imag < 0:
         up = -up
-    hinge = middle + rise * up
-    pen = Pen(grey, 0.0075 * unit, (), "round", "round")
+    hinge = (arc.centre + tip) / 2 + rise * up
+    turn = Turning(arc.centre, ((0.0, -arc.sweep), (1.0, 0.0)))
     return [
-        polyline([centre, hinge, tip], pen, 0.30),
-        disc(hinge, 0.012 * unit, grey, alpha=0.75),
+        line([arc.centre, hinge, tip], "compass leg", growth=turn),
+        disc(hinge, HINGE, "compass hinge", growth=turn),
+        disc(tip, PENCIL, "pencil", row, turn),
     ]

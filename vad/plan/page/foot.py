@@ -1,21 +1,20 @@
 """The loop equation under a panel, each term in the ink of its link.
 
-In come a panel's equations and the width they may take, out go lines of pieces and their marks.
+In come a panel's equations and the width that they may take, out go lines of pieces in their places.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from vad.plan.art import Look
-from vad.plan.marks import Mark
-from vad.plan.text import Runs, roman, symbols, width, write
+from vad.plan.lettering.glyphs import width
+from vad.plan.lettering.runs import Runs, roman, symbols
+from vad.plan.marks import Lettering
 from vad.strokes.sheet import Equation, Panel, Term
 
 SIZE = 0.036
 LEAST = 0.028
-PENDING = 0.42
 SPACE = 0.24  # about a sign, in type sizes
 LOOP_SPACE = 1.3
 
@@ -31,7 +30,7 @@ class Piece:
 
 @dataclass(frozen=True, slots=True)
 class Foot:
-    """The equation lines of one panel and their type size as a fraction of the unit."""
+    """The equation lines of one panel and their type size."""
 
     lines: tuple[tuple[Piece, ...], ...]
     size: float
@@ -55,8 +54,8 @@ def _width(pieces: Sequence[Piece]) -> float:
     return sum(width(piece.runs, 1.0) + piece.space for piece in pieces)
 
 
-def compose(panel: Panel, room: float, unit: float) -> Foot:
-    """Return the lines of a panel's foot: loops share a line if they fit ``room`` pixels."""
+def compose(panel: Panel, room: float) -> Foot:
+    """Return the lines of a panel's foot: loops share a line if they fit ``room``."""
     loops = [_pieces(equation) for equation in panel.equations]
     if not loops:
         return Foot((), SIZE)
@@ -64,37 +63,32 @@ def compose(panel: Panel, room: float, unit: float) -> Foot:
     for loop in loops:
         first = Piece(loop[0].runs, loop[0].term, LOOP_SPACE if together else 0.0)
         together += [first, *loop[1:]]
-    if _width(together) * SIZE * unit <= room:
+    if _width(together) * SIZE <= room:
         return Foot((tuple(together),), SIZE)
     widest = max(_width(loop) for loop in loops)
-    size = min(SIZE, room / (widest * unit))
+    size = min(SIZE, room / widest)
     if size >= LEAST:
         return Foot(tuple(tuple(loop) for loop in loops), size)
     lines: list[tuple[Piece, ...]] = []
     for equation, loop in zip(panel.equations, loops, strict=True):
-        if _width(loop) * LEAST * unit <= room:
+        if _width(loop) * LEAST <= room:
             lines.append(tuple(loop))
         else:
             left = _sum(equation.left)
             lines += [tuple(left), tuple(loop[len(left) :])]
     widest = max(_width(line) for line in lines)
-    return Foot(tuple(lines), min(SIZE, room / (widest * unit)))
+    return Foot(tuple(lines), min(SIZE, room / widest))
 
 
-def foot_marks(
-    foot: Foot, baselines: Sequence[float], middle: float, drawn: Collection[str], look: Look
-) -> list[Mark]:
-    """Return the equation with the vectors ``drawn`` inked and the rest pale."""
-    marks: list[Mark] = []
-    size = foot.size * look.unit
-    for line, baseline in zip(foot.lines, baselines, strict=False):
-        x = middle - _width(line) * size / 2
-        for piece in line:
-            x += piece.space * size
-            term = piece.term
-            pending = term is not None and term.stroke is not None and term.stroke not in drawn
-            ink = look.ink(term.link) if term else look.style.grey
-            alpha = PENDING if pending else 1.0
-            marks += write(piece.runs, complex(x, baseline), size, ink, alpha=alpha)
-            x += width(piece.runs, size)
-    return marks
+def placed(
+    foot: Foot, baselines: Sequence[float], middle: float
+) -> list[tuple[Lettering, Term | None]]:
+    """Return the terms and signs of the equation, centred, each with its term."""
+    found: list[tuple[Lettering, Term | None]] = []
+    for pieces, baseline in zip(foot.lines, baselines, strict=False):
+        x = middle - _width(pieces) * foot.size / 2
+        for piece in pieces:
+            x += piece.space * foot.size
+            found.append((Lettering(piece.runs, complex(x, baseline), foot.size), piece.term))
+            x += width(piece.runs, foot.size)
+    return found

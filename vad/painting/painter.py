@@ -1,0 +1,66 @@
+"""What every painter does, and the one order in which a board is played to it."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from vad.lecture.moment import Moment
+from vad.plan.board import Board
+from vad.plan.format import Format
+from vad.plan.items import Item
+from vad.plan.marks import Mark, Outline
+from vad.style import Look, Style
+
+
+class Painter(Protocol):
+    """A medium: it is told of a page, of groups, and of shapes with their looks."""
+
+    def begin(self, form: Format, background: str) -> None:
+        """Begin a page with its ground."""
+
+    def group(self, item: Item) -> None:
+        """Begin the marks of an item."""
+
+    def paint(self, shape: Outline, look: Look) -> None:
+        """Paint one shape, in page units."""
+
+    def end(self) -> None:
+        """End the page."""
+
+
+class Looks:
+    """The looks of a style, each worked out once."""
+
+    def __init__(self, style: Style) -> None:
+        self._style = style
+        self._known: dict[tuple[str, int | None, float], Look] = {}
+
+    def __call__(self, mark: Mark) -> Look:
+        """Return how a mark looks."""
+        key = mark.role, mark.row, mark.width
+        look = self._known.get(key)
+        if look is None:
+            look = self._known[key] = self._style.look(*key)
+        if mark.alpha == 1.0:
+            return look
+        return Look(look.fill, look.pen, look.under, look.alpha * mark.alpha)
+
+
+def play(board: Board, moment: Moment, style: Style, painter: Painter) -> None:
+    """Paint a board at a moment."""
+    looks = Looks(style)
+    painter.begin(board.form, style.background)
+    for item in board.shown(moment.beat):
+        marks = shown_marks(item, moment)
+        if marks:
+            painter.group(item)
+            for mark in marks:
+                painter.paint(mark.shape, looks(mark))
+    painter.end()
+
+
+def shown_marks(item: Item, moment: Moment) -> list[Mark]:
+    """Return the marks of an item at a moment: grown as far as their stroke is drawn."""
+    if item.grows and item.since == moment.beat:
+        return item.at(moment.share)
+    return list(item.marks)

@@ -1,0 +1,92 @@
+"""The five ways in which a mark comes about: trim, slide, turn, scale and fade.
+
+Each is data: knots between which a painter interpolates linearly over the share of the stroke
+that is drawn, 0 to 1.  At share 1 every mark is as it stays.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from bisect import bisect_right
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Trimming:
+    """A line is drawn from its first point on: knots are (share, part of its length)."""
+
+    knots: tuple[tuple[float, float], ...] = ((0.0, 0.0), (1.0, 1.0))
+
+    def part(self, share: float) -> float:
+        """Return the part of the length that is drawn."""
+        return between(self.knots, share).real
+
+
+@dataclass(frozen=True, slots=True)
+class Sliding:
+    """A mark is moved into its place: knots are (share, offset from that place)."""
+
+    knots: tuple[tuple[float, complex], ...]
+
+    def change(self, share: float) -> tuple[complex, complex, float]:
+        """Return what maps the mark, ``turn * z + shift``, and its alpha."""
+        return 1.0, between(self.knots, share), 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Turning:
+    """A mark turns about ``centre`` into its place: knots are (share, degrees still to go)."""
+
+    centre: complex
+    knots: tuple[tuple[float, float], ...]
+
+    def change(self, share: float) -> tuple[complex, complex, float]:
+        """Return what maps the mark, ``turn * z + shift``, and its alpha."""
+        turn = cmath.exp(1j * math.radians(between(self.knots, share).real))
+        return turn, self.centre * (1.0 - turn), 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Scaling:
+    """A mark swells about ``centre``: knots are (share, factor)."""
+
+    centre: complex
+    knots: tuple[tuple[float, float], ...]
+
+    def change(self, share: float) -> tuple[complex, complex, float]:
+        """Return what maps the mark, ``turn * z + shift``, and its alpha."""
+        factor = between(self.knots, share).real
+        return factor, self.centre * (1.0 - factor), 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Fading:
+    """A mark comes out of the ground: knots are (share, alpha)."""
+
+    knots: tuple[tuple[float, float], ...] = ((0.0, 0.0), (1.0, 1.0))
+
+    def change(self, share: float) -> tuple[complex, complex, float]:
+        """Return what maps the mark, ``turn * z + shift``, and its alpha."""
+        return 1.0, 0j, between(self.knots, share).real
+
+
+Growth = Trimming | Sliding | Turning | Scaling | Fading
+
+
+def between(knots: Sequence[tuple[float, complex]], share: float) -> complex:
+    """Return the value at ``share``, linear between the knots and constant beyond them.
+
+    Examples
+    --------
+    >>> between(((0.0, 0.0), (0.5, 0.0), (1.0, 4.0)), 0.75)
+    2.0
+    """
+    index = bisect_right(knots, share, key=lambda knot: knot[0])
+    if index == 0:
+        return knots[0][1]
+    if index == len(knots):
+        return knots[-1][1]
+    (x0, y0), (x1, y1) = knots[index - 1], knots[index]
+    return y0 + (y1 - y0) * ((share - x0) / (x1 - x0))

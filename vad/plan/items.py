@@ -1,0 +1,70 @@
+"""What stands on a page, and when: items that come and go with the strokes.
+
+An item shows while ``since`` ≤ beat < ``until``, in the beats of `vad.lecture.moment`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+from vad.plan.marks import Mark
+
+FOREVER = 1_000_000
+
+#: An item shows from the first beat on, until the second.
+Span = tuple[int, int]
+ALWAYS: Span = (0, FOREVER)
+
+
+class Level(IntEnum):
+    """Painting order within a region, lowest first."""
+
+    GROUND = 0
+    GLOW = 1
+    CONSTRUCTION = 2
+    CARRIER = 3
+    BLOCK = 4
+    STROKE = 5
+    DOT = 6
+    LABEL = 7
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Item:
+    """Marks that belong together.
+
+    Attributes
+    ----------
+    stroke
+        The full name of the stroke that they draw, as ``velocity:BC.line``; empty for the page.
+    region
+        The part of the page that they stand in.
+    level
+        Their place in the painting order of the region.
+    marks
+        In painting order; those with a growth come about while the stroke is drawn.
+    since, until
+        The beats between which they show.
+    """
+
+    stroke: str
+    region: str
+    level: Level
+    marks: tuple[Mark, ...]
+    since: int = 0
+    until: int = FOREVER
+
+    @property
+    def grows(self) -> bool:
+        """Whether any of the marks comes about while the stroke is drawn."""
+        return any(mark.growth for mark in self.marks)
+
+    def at(self, share: float) -> list[Mark]:
+        """Return the marks that show when ``share`` of the stroke is drawn."""
+        return [shown for mark in self.marks if (shown := mark.at(share))]
+
+
+def together(one: Span, other: Span) -> bool:
+    """Tell whether two spans have a beat in common."""
+    return one[0] < other[1] and other[0] < one[1]

@@ -1,0 +1,1 @@
+"""Letters and names beside what they name, where they touch nothing."""

@@ -1,0 +1,119 @@
+"""What labels keep clear of: strokes with their width, boxes, and the edge of the panel.
+
+Pure geometry: in come shapes with the beats in which they show, out goes which places are free.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vad.plan.geometry import Rect
+from vad.plan.items import ALWAYS, Span, together
+
+Reals = NDArray[np.float64]
+Complexes = NDArray[np.complex128]
+Bools = NDArray[np.bool_]
+
+#: A pixel of a page 720 pixels high: nearer than this is the same place to the eye.
+PIXEL = 1.0 / 720.0
+
+
+@dataclass
+class Obstacles:
+    """What labels keep clear of: straight strokes with a half width, boxes, and an edge."""
+
+    edge: Rect
+    lines: list[tuple[complex, complex, float, Span]] = field(default_factory=list)
+    boxes: list[tuple[Rect, Span]] = field(default_factory=list)
+
+    def line(self, points: Sequence[complex], half_width: float, span: Span = ALWAYS) -> None:
+        """Add a polyline."""
+        for start, end in itertools.pairwise(points):
+            self.lines.append((start, end, half_width, span))
+
+    def disc(self, centre: complex, radius: float, span: Span = ALWAYS) -> None:
+        """Add a dot."""
+        self.lines.append((centre, centre, radius, span))
+
+    def box(self, box: Rect, span: Span = ALWAYS) -> None:
+        """Add a box."""
+        self.boxes.append((box, span))
+
+    def during(self, span: Span) -> Obstacles:
+        """Return only what shows at some time in ``span``."""
+        return Obstacles(
+            self.edge,
+            [line for line in self.lines if together(line[3], span)],
+            [box for box in self.boxes if together(box[1], span)],
+        )
+
+    def free(self, centres: Sequence[complex], wide: float, high: float, grow: float) -> Bools:
+        """Tell for each centre whether a box there, grown, meets nothing."""
+        at = np.asarray(centres, dtype=np.complex128)
+        x, y = at.real, at.imag
+        half_x, half_y = wide / 2 + grow, high / 2 + grow
+        edge = self.edge
+        free = (x - half_x >= edge.left) & (x + half_x <= edge.right)
+        free &= (y - half_y >= edge.bottom) & (y + half_y <= edge.top)
+        for box, _ in self.boxes:
+            free &= (
+                (x - half_x >= box.right)
+                | (x + half_x <= box.left)
+                | (y - half_y >= box.top)
+                | (y + half_y <= box.bottom)
+            )
+        if self.lines and free.any():
+            starts = np.array([line[0] for line in self.lines])
+            ends = np.array([line[1] for line in self.lines])
+            halves = np.array([line[2] for line in self.lines])
+            sides = np.full(len(x), half_x), np.full(len(x), half_y)
+            free &= ~_meets(at, sides, starts, ends, halves).any(axis=1)
+        return free
+
+    def crossed(self, start: complex, end: complex) -> Literal["nothing", "strokes", "labels"]:
+        """Tell what a leader from ``start`` to ``end`` would pass through, the worst of it."""
+        if not self.clear_of_labels(start, end, 1.5 * PIXEL):
+            return "labels"
+        steps = max(2, int(abs(end - start) / (3.0 * PIXEL)))
+        centres = [start + (end - start) * i / steps for i in range(1, steps)]
+        return "nothing" if self.free(centres, 0.0, 0.0, PIXEL).all() else "strokes"
+
+    def clear_of_labels(self, start: complex, end: complex, half_width: float) -> bool:
+        """Tell whether a straight stroke would meet no box."""
+        if not self.boxes:
+            return True
+        at = np.array([box.centre for box, _ in self.boxes])
+        wide = np.array([box.width / 2 for box, _ in self.boxes])
+        high = np.array([box.height / 2 for box, _ in self.boxes])
+        line = np.array([start]), np.array([end]), np.array([half_width])
+        return not bool(_meets(at, (wide, high), *line).any())
+
+
+def _meets(
+    at: Complexes, sides: tuple[Reals, Reals], starts: Complexes, ends: Complexes, halves: Reals
+) -> Bools:
+    """Tell which boxes (rows) meet which lines (columns), by the slab method."""
+    ways = ends - starts
+    enter = np.zeros((len(at), len(starts)))
+    leave = np.ones_like(enter)
+    for centre, half, start, way in (
+        (at.real, sides[0], starts.real, ways.real),
+        (at.imag, sides[1], starts.imag, ways.imag),
+    ):
+        low = (centre - half)[:, None] - halves - start
+        high = (centre + half)[:, None] + halves - start
+        still = np.abs(way) < 1e-12
+        step = np.where(still, 1.0, way)
+        one, other = low / step, high / step
+        inside = (low <= 0) & (high >= 0)
+        first = np.where(still, np.where(inside, 0.0, 2.0), np.minimum(one, other))
+        last = np.where(still, np.where(inside, 1.0, -1.0), np.maximum(one, other))
+        enter, leave = np.maximum(enter, first), np.minimum(leave, last)
+    meets: Bools = enter <= leave
+    return meets

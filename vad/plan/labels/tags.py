@@ -1,0 +1,63 @@
+"""Labels along strokes: ``⟂ BC`` and ``∥ guide`` at a construction line, ``2ωv`` at Coriolis.
+
+In come a stroke's ends and a string, out goes a label that touches nothing.
+"""
+
+from __future__ import annotations
+
+from vad.plan.items import Level, Span
+from vad.plan.labels.obstacles import PIXEL, Obstacles
+from vad.plan.labels.placing import CLEARANCE, Placed, beside, place
+from vad.plan.labels.vertices import text_at
+from vad.plan.lettering.glyphs import ink_size
+from vad.plan.lettering.runs import Runs, symbols
+from vad.plan.marks import line
+from vad.plan.sketch import Sketch, Tag
+from vad.strokes.sheet import Stroke
+
+SIZE = 0.033
+SMALL_SIZE = 0.030
+GAPS = (0.013, 0.022, 0.034)
+SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82, 0.10, 0.90)
+
+
+def add_tag(
+    sketch: Sketch,
+    stroke: Stroke,
+    text: str,
+    ends: tuple[complex, complex],
+    size: float,
+    span: Span,
+    since: int,
+) -> None:
+    """Write ``text`` beside the line between ``ends``, nearest its middle.
+
+    It keeps clear of all that shows in its ``span`` of beats, and appears at ``since``.
+    """
+    runs, row = symbols(text), sketch.setting.row(stroke.link)
+    placed = _along(sketch.obstacles.during(span), *ends, runs, size)
+    sketch.obstacles.box(placed.box, span)
+    marks = [text_at(runs, runs, placed.centre, size, "tag", row)]
+    if placed.leader:
+        sketch.obstacles.line(placed.leader, PIXEL, span)
+        marks.insert(0, line(placed.leader, "leader"))
+    sketch.add(stroke, Level.LABEL, since, marks, span[1])
+    sketch.tags.append(Tag(text, placed.box, span))
+
+
+def _along(obstacles: Obstacles, start: complex, end: complex, runs: Runs, size: float) -> Placed:
+    wide, high = ink_size(runs, size)
+    span = end - start
+    normal = 1j * span / abs(span) if abs(span) > 1e-9 else 1j
+    if normal.imag < 0 or (normal.imag < 1e-9 and normal.real < 0):
+        normal = -normal
+    for gap in GAPS:
+        centres = [
+            beside(start + share * span, side * normal, gap, wide, high)
+            for share in SHARES
+            for side in (1, -1)
+        ]
+        free = obstacles.free(centres, wide, high, CLEARANCE)
+        if free.any():
+            return Placed(centres[int(free.argmax())], wide, high)
+    return place(obstacles, (start + end) / 2, normal, wide, high, near=())

@@ -1,0 +1,165 @@
+"""Layout of the page: where title, panels, equations, results and captions go.
+
+In come the page's format and the counts that need room, out go rectangles and baselines.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from vad.plan.format import Format
+from vad.plan.geometry import Rect
+
+MARGIN = 0.05
+GUTTER = 0.045
+GUTTER_GRID = 0.05
+NARROWEST_COLUMN = 0.436  # three columns from W/H = 1.5 on
+ROW_PITCH = 0.040
+EQUATION_PITCH = 0.043
+CAPTION_PITCH = 0.046
+FLOOR = 0.051  # the lowest baseline where there is no caption
+TOP_RULE = 0.115  # below the top
+
+
+@dataclass(frozen=True, slots=True)
+class PanelPlace:
+    """Where one panel stands: its rule and title, its drawing, its equation lines.
+
+    ``region`` is all that belongs to it, to the middle of the gutters.
+    """
+
+    rule: float
+    title: float
+    drawing: Rect
+    equations: tuple[float, ...]
+    region: Rect
+
+
+@dataclass(frozen=True, slots=True)
+class Page:
+    """Where everything stands.
+
+    Attributes
+    ----------
+    columns
+        True for panels side by side with the results beneath, False for a grid in which the
+        results have a place of their own.
+    rows
+        Baselines of the results rows (columns only).
+    hairline
+        Height of the rule above them (columns only).
+    results
+        The place that holds the results table (grid only).
+    captions
+        Baselines of the caption's lines, none in a still.
+    """
+
+    width: float
+    height: float
+    columns: bool
+    title: float
+    panels: dict[str, PanelPlace]
+    rows: tuple[float, ...]
+    hairline: float
+    results: Rect | None
+    captions: tuple[float, ...]
+
+    @property
+    def left(self) -> float:
+        """The left margin's edge."""
+        return MARGIN
+
+    @property
+    def right(self) -> float:
+        """The right margin's edge."""
+        return self.width - MARGIN
+
+
+def lay_out(form: Format, equations: dict[str, int], rows: int, caption_lines: int) -> Page:
+    """Return the page for the panels named in ``equations`` (their numbers of foot lines)."""
+    gaps = 2 * MARGIN + (len(equations) - 1) * GUTTER
+    if (form.width - gaps * form.whole) / len(equations) >= NARROWEST_COLUMN * form.whole:
+        return _side_by_side(form, equations, rows, caption_lines)
+    return _grid(form, equations, caption_lines)
+
+
+def _captions(lines: int) -> tuple[float, ...]:
+    return tuple(0.036 + CAPTION_PITCH * (lines - 1 - i) for i in range(lines))
+
+
+def _place(
+    left: float, right: float, rule: float, lowest: float, lines: int, gap: float
+) -> PanelPlace:
+    """Return the place of a panel whose last equation line stands at ``lowest``."""
+    foot = tuple(lowest + EQUATION_PITCH * (lines - 1 - i) for i in range(lines))
+    title = rule - 0.040
+    drawing = Rect(left, max(foot) + 0.028, right, title - 0.015)
+    region = Rect(left - gap / 2, min(foot) - 0.012, right + gap / 2, rule + 0.006)
+    return PanelPlace(rule, title, drawing, foot, region)
+
+
+def _side_by_side(form: Format, equations: dict[str, int], rows: int, caption_lines: int) -> Page:
+    count = len(equations)
+    room = (form.width - 2 * MARGIN - (count - 1) * GUTTER) / count
+    last = FLOOR if not caption_lines else 0.111 + CAPTION_PITCH * (caption_lines - 1)
+    baselines = tuple(last + ROW_PITCH * (rows - 1 - i) for i in range(rows))
+    hairline = (baselines[0] if rows else last) + 0.034
+    panels: dict[str, PanelPlace] = {}
+    for index, (name, lines) in enumerate(equations.items()):
+        left = MARGIN + index * (room + GUTTER)
+        rule = form.height - TOP_RULE
+        panels[name] = _place(left, left + room, rule, hairline + 0.030, max(lines, 1), GUTTER)
+    return Page(
+        form.width,
+        form.height,
+        columns=True,
+        title=form.height - 0.075,
+        panels=panels,
+        rows=baselines,
+        hairline=hairline,
+        results=None,
+        captions=_captions(caption_lines),
+    )
+
+
+def _grid(form: Format, equations: dict[str, int], caption_lines: int) -> Page:
+    """Return a page with its panels in rows; the results open the last row."""
+    across = grid_columns(form, len(equations) + 1)
+    down = -(-(len(equations) + 1) // across)
+    room = (form.width - 2 * MARGIN - (across - 1) * GUTTER_GRID) / across
+    floor = FLOOR if not caption_lines else 0.103 + CAPTION_PITCH * (caption_lines - 1)
+    first = form.height - TOP_RULE
+    # Captions take from all rows alike; the last row, with the results, is a little taller.
+    pitch = (first - floor) / down - 0.010
+    rules = [first - row * pitch for row in range(down)]
+    lefts = [MARGIN + index * (room + GUTTER_GRID) for index in range(across)]
+    cells = [(row, column) for row in range(down) for column in range(across)]
+    home = (down - 1, 0)
+    cells.remove(home)
+    panels: dict[str, PanelPlace] = {}
+    for (name, lines), (row, column) in zip(equations.items(), cells, strict=False):
+        lowest = rules[row + 1] + 0.040 if row + 1 < down else floor
+        left = lefts[column]
+        panels[name] = _place(left, left + room, rules[row], lowest, max(lines, 1), GUTTER_GRID)
+    return Page(
+        form.width,
+        form.height,
+        columns=False,
+        title=form.height - 0.075,
+        panels=panels,
+        rows=(),
+        hairline=0.0,
+        results=Rect(lefts[0], floor, lefts[0] + room, rules[-1]),
+        captions=_captions(caption_lines),
+    )
+
+
+def grid_columns(form: Format, cells: int) -> int:
+    """Return how many columns make the cells of a grid most nearly 4 : 3."""
+
+    def badness(across: int) -> float:
+        down = -(-cells // across)
+        shape = (form.width / across) / ((form.height - TOP_RULE) / down)
+        return max(shape / (4 / 3), (4 / 3) / shape)
+
+    return min(range(1, cells + 1), key=badness)

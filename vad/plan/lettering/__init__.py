@@ -1,0 +1,1 @@
+"""Type: strings become runs, runs become glyphs that are measured by their ink."""

@@ -1,0 +1,87 @@
+"""Lines of text as runs of one face each: what is italic, what stands high or low.
+
+In come plain strings (``b′ₙ``, ``338.2°``, a caption), out go `Run` tuples.  Points and
+quantities are italic; words, digits, units and primes are upright.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from typing import Literal
+
+Face = Literal["roman", "italic", "bold", "bolditalic"]
+
+_BOLD: dict[Face, Face] = {"roman": "bold", "italic": "bolditalic"}
+_SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑₙₚₛₜₓ", "0123456789aenpstx", strict=True))
+_SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−", strict=True))
+_TOKEN = re.compile(r"[A-Za-zÀ-ÖØ-öø-ÿ]+|.", re.DOTALL)
+_GREEK = re.compile(r"[α-ωΑ-Ω]")
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """A stretch of one face; ``script`` is −1 for a subscript, +1 for a superscript.
+
+    What is not ``shown`` takes up its room all the same.
+    """
+
+    text: str
+    face: Face = "roman"
+    script: int = 0
+    shown: bool = True
+
+
+Runs = tuple[Run, ...]
+
+
+def roman(text: str, italic: Callable[[str], bool] = lambda _: False) -> Runs:
+    """Return ``text`` upright, but for Greek letters and what ``italic`` picks out."""
+    runs: list[Run] = []
+    for token in _TOKEN.findall(text):
+        if token in _SUBSCRIPTS:
+            letter = _SUBSCRIPTS[token]
+            runs.append(Run(letter, "italic" if letter.isalpha() else "roman", -1))
+        elif token in _SUPERSCRIPTS:
+            runs.append(Run(_SUPERSCRIPTS[token], "roman", 1))
+        elif _GREEK.match(token) or (token[0].isalpha() and italic(token)):
+            runs.append(Run(token, "italic"))
+        else:
+            runs.append(Run(token))
+    return tuple(runs)
+
+
+def symbols(text: str) -> Runs:
+    """Return a label: points and quantities italic, words upright.
+
+    A word has three letters or more, or small letters behind a sign: "of" in "∥ guide of A".
+    """
+    if text[:1] in "∥⟂":
+        return roman(text, str.isupper)
+    return roman(text, lambda token: len(token) <= 2)
+
+
+def sentence(text: str, names: Iterable[str], article: str = "") -> Runs:
+    """Return a caption, in which the ``names`` of points, vectors and quantities are italic.
+
+    Units after a stroke (mm/s) stay upright, and so does the ``article`` of a language that is
+    also the name of a point: "a" before a word, in English.
+    """
+    known = set(names)
+    upright = r"(?<=/)s(?![A-Za-z])"
+    if article:
+        upright += rf"|\b{article}(?= [a-zà-ÿ]{{3,}})"
+    pieces: list[Run] = []
+    start = 0
+    for found in re.finditer(upright, text):
+        pieces += roman(text[start : found.start()], known.__contains__)
+        pieces.append(Run(found.group()))
+        start = found.end()
+    pieces += roman(text[start:], known.__contains__)
+    return tuple(pieces)
+
+
+def bold(runs: Runs) -> Runs:
+    """Return the same runs in bold."""
+    return tuple(replace(r, face=_BOLD.get(r.face, r.face)) for r in runs)

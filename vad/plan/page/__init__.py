@@ -1,0 +1,1 @@
+"""What stands about the panels: title, heads, equations, results and captions."""

@@ -1,0 +1,83 @@
+"""The sentences at the foot of a lesson's page, and the number of the stroke in its panel."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from vad.plan.layout import Page
+from vad.plan.lettering.glyphs import typeset, width
+from vad.plan.lettering.runs import Runs, roman, sentence
+from vad.plan.lettering.wrapping import wrap
+from vad.plan.marks import Lettering, Mark
+from vad.strokes.language import Language
+from vad.strokes.sheet import Panel, Sheet
+
+CAPTION = 0.040
+LEAST_CAPTION = 26.0 / 720.0
+COUNT = 0.032
+COUNT_ROOM = 0.095
+UNITS = frozenset({"mm", "cm", "ft", "in", "m"})
+
+#: Turns a sentence into runs.
+Setter = Callable[[str], Runs]
+
+
+def italic_names(sheet: Sheet) -> frozenset[str]:
+    """Return the letters and letter pairs that name points, vectors and quantities."""
+    found = {"v", "x", "s"}
+    for panel in sheet.panels:
+        words = ("angle", "construction")  # whose labels have words in them
+        strings = [stroke.label for stroke in panel.strokes if stroke.kind not in words]
+        # An image is found by the ratio of two vectors, of which one is not drawn.
+        ratios = (re.match(r"\D* ([a-z]{2})/", s.caption) for s in panel.strokes if s.image)
+        strings += [ratio.group(1) for ratio in ratios if ratio]
+        for equation in panel.equations:
+            strings += [term.label for term in (*equation.left, *equation.right)]
+        for text in strings:
+            found |= {token for token in re.findall(r"[A-Za-z]+", text) if len(token) <= 2}
+    for row in sheet.rows:
+        found |= {token for token in re.findall(r"[A-Za-z]+", row.letters) if len(token) <= 2}
+        found |= {cell.symbol for cells in row.cells.values() for cell in cells}
+    singles = {letter for name in found for letter in name if letter.isalpha()}
+    return frozenset(found | singles) - UNITS
+
+
+def setter(sheet: Sheet) -> Setter:
+    """Return what sets the captions of a sheet in type."""
+    names = italic_names(sheet)
+    article = Language(sheet.language).article
+    return lambda text: sentence(text, names, article)
+
+
+def caption_lines(sheet: Sheet, room: float) -> int:
+    """Return how many lines the sheet's longest caption takes."""
+    write = setter(sheet)
+    captions = {stroke.caption for panel in sheet.panels for stroke in panel.strokes}
+    return max((len(_set(caption, write, room)[0]) for caption in captions), default=1)
+
+
+def _set(text: str, write: Setter, room: float) -> tuple[list[Runs], float]:
+    """Return a caption in lines, and its size: one line if it can be, two if need be."""
+    room -= COUNT_ROOM
+    advance = typeset(write(text)).advance
+    size = min(CAPTION, room / max(advance, 1e-9))
+    size = CAPTION if size < LEAST_CAPTION else size
+    lines = wrap(text, write, size, room * (1 + 1e-9))
+    if len(lines) > 2:
+        size = LEAST_CAPTION
+        lines = wrap(text, write, size, room)
+    return lines, size
+
+
+def caption_marks(panel: Panel, index: int, write: Setter, page: Page) -> list[Mark]:
+    """Return the caption of a stroke and its number in the panel."""
+    room = page.right - page.left
+    lines, size = _set(panel.strokes[index].caption, write, room)
+    marks = [
+        Mark(Lettering(runs, complex(page.left, baseline), size), "words")
+        for runs, baseline in zip(lines, page.captions, strict=False)
+    ]
+    count = roman(f"{index + 1} / {len(panel.strokes)}")
+    at = complex(page.right - width(count, COUNT), page.captions[-1])
+    return [*marks, Mark(Lettering(count, at, COUNT), "notes")]

@@ -1,0 +1,174 @@
+"""The results in a place of their own among the panels: units in the heads, numbers aligned."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from vad.plan.layout import Page
+from vad.plan.lettering.glyphs import width
+from vad.plan.lettering.runs import Runs, bold, roman, symbols
+from vad.plan.marks import Lettering, Mark, line
+from vad.plan.page.table import GIVEN_SIZE, NAME_GAP, SIZE, Entries, heading
+from vad.strokes.language import Language
+from vad.strokes.sheet import Row
+
+TITLE_SIZE = 0.037
+HEAD_SIZE = 0.031
+HEAD_GAP = 0.060  # title to head, head to first row, row to next head
+FIRST_GAP = 0.0535
+ROW_PITCH = 0.050
+GROUP_GAP = 0.0755
+COLUMN_PITCH = 0.146
+COLUMN_GAP = 0.022
+LEAST_SQUEEZE = 0.85  # of the type
+LEAST_TYPE = 0.022
+SHORT_KEY = 0.7  # of the key's length, where columns need room
+
+
+@dataclass(frozen=True, slots=True)
+class _Fit:
+    """How the columns share the width.
+
+    ``type`` is a factor on all sizes, ``key`` is the key's length, ``rights`` are where the
+    numbers end; where ``words`` is false, rows are named by their letters alone.
+    """
+
+    type: float
+    key: float
+    rights: list[float]
+    words: bool
+
+
+class Quarter:
+    """The table of a page with its panels in a grid."""
+
+    def __init__(self, entries: Entries, page: Page) -> None:
+        assert page.results is not None
+        self._entries, self._area = entries, page.results
+        self._names = list(page.panels)
+        self._groups = _grouped(entries.sheet.rows, self._names)
+        gaps = [self._depth(group) for group in self._groups]
+        need = 0.040 + HEAD_GAP + sum(FIRST_GAP + gap * ROW_PITCH for gap in gaps)
+        need += (len(self._groups) - 1) * GROUP_GAP + 0.012
+        self._squeeze = min(1.0, self._area.height / need)
+        self._fit = self._fitted(max(self._squeeze, LEAST_SQUEEZE))
+        self._heads: list[float] = []
+        self._baselines: list[float] = []
+        y = self._area.top - (0.040 + HEAD_GAP * self._squeeze)
+        for group, gap in zip(self._groups, gaps, strict=True):
+            self._heads.append(y)
+            first = y - FIRST_GAP * self._squeeze
+            y = first - (gap * ROW_PITCH + GROUP_GAP) * self._squeeze
+            for row in group:
+                self._baselines.append(first)
+                first -= (1 + _extras(row, self._names)) * ROW_PITCH * self._squeeze
+
+    def _depth(self, group: list[Row]) -> int:
+        """Return how many lines a group takes below its first."""
+        return len(group) + sum(_extras(row, self._names) for row in group) - 1
+
+    def frame(self) -> list[Mark]:
+        """Return the title, the heads with their rules, keys and names."""
+        area, fit, sheet = self._area, self._fit, self._entries.sheet
+        title = area.top - 0.040
+        say = Language(sheet.language).say
+        word = bold(roman(say("results")))
+        marks = [Mark(Lettering(word, complex(area.left, title), TITLE_SIZE), "words")]
+        if any(c.given for row in sheet.rows for cells in row.cells.values() for c in cells):
+            marks.append(
+                _right(roman(say("given")), complex(area.right, title), GIVEN_SIZE, "notes")
+            )
+        for group, head in zip(self._groups, self._heads, strict=True):
+            for name, right in zip(self._names, fit.rights, strict=True):
+                at, size = complex(right, head), HEAD_SIZE * fit.type
+                marks.append(_right(_quantities(group, name), at, size, "notes"))
+            y = head - 0.0135 * self._squeeze
+            marks.append(line([complex(area.left, y), complex(area.right, y)], "hairline"))
+        for row, baseline in zip(sheet.rows, self._baselines, strict=True):
+            at, size = complex(area.left, baseline), SIZE * fit.type
+            marks += self._entries.name(row, at, fit.key, size, fit.type, fit.words)
+        return [mark for mark in marks if not isinstance(mark.shape, Lettering) or mark.shape.runs]
+
+    def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Mark]:
+        """Return the numbers of a row in a panel's column, one below the other."""
+        right, size = self._fit.rights[self._names.index(panel)], SIZE * self._fit.type
+        marks: list[Mark] = []
+        for depth, cell in enumerate(row.cells.get(panel, ())):
+            baseline = self._baselines[index] - depth * ROW_PITCH * self._squeeze
+            runs = self._entries.figures(cell)
+            if depth:
+                runs = symbols(cell.symbol) + roman(" = ") + runs
+            runs = self._entries.dressed(cell, new, runs)
+            marks.append(_right(runs, complex(right, baseline), size, self._entries.role(cell)))
+        return marks
+
+    def _fitted(self, most: float) -> _Fit:
+        """Return columns that never touch, whatever the numbers.
+
+        Where they need room, first the columns draw together, then the key is cut short, then
+        all type shrinks alike; where that is not enough, the words of the names go.
+        """
+        area, rows = self._area, self._entries.sheet.rows
+        key = full = self._entries.key
+        wide = [self._widest(name) + COLUMN_GAP for name in self._names]
+        title = max((width(heading(row), SIZE) for row in rows), default=0.0)
+        letters = max((width(symbols(row.letters), SIZE) for row in rows), default=0.0)
+        for name in (title, letters):
+            content = NAME_GAP + name + sum(wide)
+            key = min(key, max(SHORT_KEY * full, area.width - content * most))
+            kind = min(most, (area.width - key) / content)
+            if kind >= LEAST_TYPE / SIZE:
+                break
+        pitches = [share * kind for share in wide]
+        spare = area.width - key - (NAME_GAP + name) * kind - sum(pitches)
+        wanted = [max(0.0, COLUMN_PITCH - pitch) for pitch in pitches[1:]]
+        share = min(1.0, spare / sum(wanted)) if sum(wanted) else 0.0
+        rights = [area.right]
+        for pitch, more in zip(reversed(pitches[1:]), reversed(wanted), strict=True):
+            rights.insert(0, rights[0] - pitch - share * more)
+        return _Fit(kind, key, rights, name == title)
+
+    def _widest(self, name: str) -> float:
+        """Return the width of a column's heads and numbers, bold or not, at type 1."""
+        rows = [row for row in self._entries.sheet.rows if row.cells.get(name)]
+        numbers = [self._entries.figures(row.cells[name][0]) for row in rows]
+        heads = [_quantities(group, name) for group in self._groups]
+        return max(
+            [width(face, SIZE) for runs in numbers for face in (runs, bold(runs))]
+            + [width(runs, HEAD_SIZE) for runs in heads],
+            default=0.0,
+        )
+
+
+def _right(runs: Runs, at: complex, size: float, role: str) -> Mark:
+    """Return text that ends at ``at``."""
+    return Mark(Lettering(runs, at - width(runs, size), size), role)
+
+
+def _quantities(group: list[Row], name: str) -> Runs:
+    """Return the head of a column: its quantities and their unit, nothing where it is empty."""
+    cells = [row.cells[name][0] for row in group if row.cells.get(name)]
+    if not cells:
+        return ()
+    quantities = list(dict.fromkeys(cell.symbol for cell in cells))
+    return symbols(" / ".join(quantities)) + roman(", " + cells[0].unit)
+
+
+def _grouped(rows: tuple[Row, ...], names: list[str]) -> list[list[Row]]:
+    """Return neighbouring rows that share their units, and so a head."""
+    groups: list[list[Row]] = []
+    for row in rows:
+        if groups and _units(groups[-1][0], names) == _units(row, names):
+            groups[-1].append(row)
+        else:
+            groups.append([row])
+    return groups
+
+
+def _units(row: Row, names: list[str]) -> list[str]:
+    return [cell.unit for name in names for cell in row.cells.get(name, ())[:1]]
+
+
+def _extras(row: Row, names: list[str]) -> int:
+    """Return how many lines a row takes below its first."""
+    return max((len(row.cells.get(name, ())) - 1 for name in names), default=0)

@@ -1,0 +1,132 @@
+"""The construction lines of a polygon, with their names, right angles and the set square.
+
+In come a panel's strokes and its scale, out go lines that live until a result is inked over them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from vad.plan.growth import Trimming
+from vad.plan.items import FOREVER, Level, Span
+from vad.plan.labels.obstacles import PIXEL, Obstacles
+from vad.plan.labels.tags import SIZE, SMALL_SIZE, add_tag
+from vad.plan.marks import Mark, line
+from vad.plan.pictures.straight import construction_end
+from vad.plan.pictures.tools import SQUARE, STUB, pencil, place_square, right_angle
+from vad.plan.roles import CONSTRUCTION
+from vad.plan.sketch import Sketch
+from vad.strokes.sheet import Line, Panel
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedLine:
+    """A construction line on the page; ``span`` are the beats in which it is heavy."""
+
+    start: complex
+    end: complex
+    way: complex
+    row: int | None
+    span: Span
+
+
+def line_of(sketch: Sketch, index: int) -> PlacedLine:
+    """Return the construction line of one stroke, which must be a line."""
+    setting, scale = sketch.setting, sketch.scale
+    stroke = setting.panel.strokes[index]
+    shape = stroke.shape
+    assert isinstance(shape, Line)
+    start = scale(shape.through)
+    end = construction_end(start, shape.direction, scale(shape.until), setting.room)
+    span = setting.during(index), setting.after(inked_by(setting.panel, index))
+    return PlacedLine(start, end, shape.direction, setting.row(stroke.link), span)
+
+
+def inked_by(panel: Panel, index: int) -> int:
+    """Return the stroke that inks over construction ``index``, else the last one."""
+    link = panel.strokes[index].link
+    for later in range(index + 1, len(panel.strokes)):
+        stroke = panel.strokes[later]
+        if stroke.kind == "result" and stroke.link == link:
+            return later
+    return len(panel.strokes) - 1
+
+
+def drawn_line(start: complex, end: complex, row: int | None) -> tuple[Mark, Mark, Mark]:
+    """Return the light beneath a construction line, the line, and the pencil at its tip."""
+    ends, grows = (start, end), Trimming()
+    return (
+        line(ends, "construction light", row, grows),
+        line(ends, "construction", row, grows),
+        pencil(start, end, row),
+    )
+
+
+def add_drawn_line(sketch: Sketch, index: int, placed: PlacedLine, points: list[complex]) -> None:
+    """Add a construction line as it is drawn along a set square, clear of ``points``."""
+    setting = sketch.setting
+    stroke, during, after = (
+        setting.panel.strokes[index],
+        setting.during(index),
+        setting.after(index),
+    )
+    light, heavy, tip = drawn_line(placed.start, placed.end, placed.row)
+    square = place_square(placed.start, placed.end, placed.way, points, setting.room)
+    tools = square.marks(abs(placed.end - placed.start)) if square else []
+    sketch.add(stroke, Level.CONSTRUCTION, during, [*tools, light], after)
+    sketch.add(stroke, Level.CONSTRUCTION, during, [heavy], placed.span[1])
+    sketch.add(stroke, Level.CONSTRUCTION, during, [tip], after)
+
+
+def add_construction(sketch: Sketch, index: int, points: list[complex]) -> None:
+    """Add one construction line, heavy until it is inked over, faint from then on."""
+    placed = line_of(sketch, index)
+    stroke = sketch.setting.panel.strokes[index]
+    faint = line([placed.start, placed.end], "construction done", placed.row)
+    sketch.add(stroke, Level.CONSTRUCTION, placed.span[1], [faint])
+    add_drawn_line(sketch, index, placed, points)
+    span = placed.span[0], FOREVER
+    sketch.obstacles.line([placed.start, placed.end], CONSTRUCTION / 2, span)
+
+
+def name_construction(sketch: Sketch, index: int, points: list[complex]) -> None:
+    """Write a line's name and right angle, which go when it is inked over."""
+    stroke, placed = sketch.setting.panel.strokes[index], line_of(sketch, index)
+    shape, after = stroke.shape, sketch.setting.after(index)
+    assert isinstance(shape, Line)
+    start, span = placed.start, placed.span
+    if shape.square_to:
+        middle = sum(points, 0j) / len(points)
+        stub, length = _stub(start, placed.way, middle, sketch.obstacles.during(span))
+        marks = right_angle(start, placed.way, stub, placed.row, length)
+        sketch.add(stroke, Level.CONSTRUCTION, after, marks, span[1])
+        if length > SQUARE:
+            tip = start + length * stub
+            sketch.obstacles.line([start, tip], PIXEL, span)
+            foot = start + 0.6 * (tip - start)
+            add_tag(sketch, stroke, shape.square_to, (foot, tip), SMALL_SIZE, span, after)
+    add_tag(sketch, stroke, stroke.label, (start, placed.end), SIZE, span, after)
+
+
+def _stub(
+    at: complex, way: complex, middle: complex, obstacles: Obstacles
+) -> tuple[complex, float]:
+    """Return the direction and length of the link's stub at a right angle.
+
+    It points away from the polygon, if that is clear; where neither side has room for a stub,
+    the square stands alone.
+    """
+    sides = sorted((1j * way, -1j * way), key=lambda s: ((middle - at) * s.conjugate()).real)
+    for length in (STUB, 0.75 * STUB, 0.55 * STUB):
+        for side in sides:
+            reach = [0.02 + (length - 0.02) * i / 6 for i in range(7)]
+            spots = [at + side * share for share in reach]
+            clear = bool(obstacles.free(spots, 0.0, 0.0, 0.005).all())
+            if clear and obstacles.clear_of_labels(spots[0], spots[-1], 2.0 * PIXEL):
+                return side, length
+    corner = SQUARE * way
+    for side in sides:
+        spots = [at + side * SQUARE * share + corner for share in (0.6, 1.0)]
+        if obstacles.free(spots, 0.0, 0.0, PIXEL).all():
+            return side, SQUARE
+    return sides[0], SQUARE

@@ -1,0 +1,169 @@
+"""The Coriolis inset: v turned 90° with ω, in true directions.
+
+In come the directions and the strokes already placed, out go the inset's marks in the emptiest
+corner of the acceleration panel.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass, replace
+
+from vad.plan.geometry import Rect
+from vad.plan.items import Level
+from vad.plan.labels.obstacles import Obstacles
+from vad.plan.labels.placing import Placed, beside
+from vad.plan.labels.vertices import text_at
+from vad.plan.lettering.glyphs import ink_size
+from vad.plan.lettering.runs import Runs, roman, symbols
+from vad.plan.marks import Mark, area, disc, line
+from vad.plan.pictures.rotation import sense_arrow
+from vad.plan.pictures.straight import vector
+from vad.plan.sketch import Setting, Sketch, Tag
+from vad.strokes.sheet import CoriolisInset
+
+NAME_SIZE = 0.030
+CAPTION_SIZE = 0.028
+CAPTION_ABOVE = 0.006
+CAPTION_BELOW = 0.010
+CAPTION_CLEAR = 0.008  # of strokes and the panel's edge
+DEEP, WIDE = 0.24, 0.19  # what it takes at most, below or beside a polygon
+STEP = 0.02
+LEVER = 0.075
+BLOCK = (0.046, 0.030)
+PAD = 0.010  # about the picture: room to breathe, and for the width of its lines
+
+
+@dataclass(frozen=True, slots=True)
+class Inset:
+    """The picture about the origin with the box that it fills, and the size of its caption."""
+
+    marks: list[Mark]
+    names: list[Tag]
+    box: Rect
+    caption: Runs
+    caption_box: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """Where an inset stands: the origin of its picture, and the middle of its caption."""
+
+    origin: complex
+    caption: complex
+
+
+def draw_inset(inset: CoriolisInset, caption: str, setting: Setting, size: float) -> Inset:
+    """Return the inset, not yet in its place; ``size`` is 1, or less where room is short."""
+    marks, names, reach = _picture(inset, setting, size)
+    xs, ys = [point.real for point in reach], [point.imag for point in reach]
+    box = Rect(min(xs) - PAD, min(ys) - PAD, max(xs) + PAD, max(ys) + PAD)
+    runs = roman(caption, lambda token: token == "v")
+    return Inset(marks, names, box, runs, ink_size(runs, CAPTION_SIZE))
+
+
+def find_spot(obstacles: Obstacles, drawing: Rect, inset: Inset) -> Spot | None:
+    """Return the emptiest corner for picture and caption, None where strokes fill them all."""
+    box, (wide, high) = inset.box, inset.caption_box
+    below = high + CAPTION_ABOVE + CAPTION_BELOW
+    half_x, half_y = box.width / 2, box.height / 2
+    low, top = drawing.bottom + below + half_y, drawing.top - half_y
+    left, right = drawing.left + half_x, drawing.right - half_x
+    aside = wide / 2 + CAPTION_CLEAR
+    if low > top or left > right or 2 * aside > drawing.width:
+        return None
+    centres: list[complex] = []
+    captions: list[complex] = []
+    for depth in range(int((top - low) / STEP) + 1):
+        for inward in range(min(6, int((right - left) / STEP) + 1)):
+            away = complex(inward, depth) * STEP
+            for x in (left + away.real, right - away.real):
+                for y in (low + away.imag, top - away.imag):
+                    middle = min(max(x, drawing.left + aside), drawing.right - aside)
+                    centres.append(complex(x, y))
+                    drop = half_y + CAPTION_ABOVE + high / 2
+                    captions.append(complex(middle, y - drop))
+    edge = 1e-9  # a box that just fits its corner is inside
+    free = obstacles.free(centres, box.width - edge, box.height - edge, 0.0)
+    clear = CAPTION_CLEAR
+    free &= obstacles.free(captions, wide - edge, high - clear, clear)
+    if not free.any():
+        return None
+    best = int(free.argmax())
+    return Spot(centres[best] - box.centre, captions[best])
+
+
+def add_inset(sketch: Sketch, inset: Inset, spot: Spot) -> None:
+    """Add the inset to a panel, and its boxes to the obstacles."""
+    setting, drawn = sketch.setting, sketch.setting.panel.inset
+    assert drawn is not None
+    index = setting.panel.number(drawn.stroke)
+    marks = [replace(mark.moved(spot.origin), growth=None) for mark in inset.marks]
+    marks.append(text_at(inset.caption, inset.caption, spot.caption, CAPTION_SIZE, "notes"))
+    stroke = setting.panel.strokes[index]
+    sketch.add(stroke, Level.STROKE, setting.after(index), marks)
+    caption = Placed(spot.caption, *inset.caption_box).box
+    picture = inset.box.moved(spot.origin)
+    sketch.tags += [Tag(name.text, name.box.moved(spot.origin)) for name in inset.names]
+    sketch.tags.append(Tag("Coriolis", caption))
+    sketch.obstacles.box(picture)
+    sketch.obstacles.box(caption)
+
+
+def _picture(
+    inset: CoriolisInset, setting: Setting, size: float
+) -> tuple[list[Mark], list[Tag], list[complex]]:
+    """Return the marks about the origin, their names, and how far they reach."""
+    slot, sliding, turned = inset.slot, inset.sliding, inset.coriolis
+    lever, block = setting.row(inset.link), setting.row(inset.slide)
+    ends = -LEVER * size * slot, LEVER * size * slot
+    along, across = BLOCK[0] / 2 * size * slot, BLOCK[1] / 2 * size * 1j * slot
+    corners = [along + across, across - along, -along - across, along - across]
+    tip = 0.085 * size * turned
+    foot = -0.033 * size * turned - 0.042 * size * sliding
+    head = foot + 0.084 * size * sliding
+    # ω turns from the lever's end that v leaves, towards 2ωv or away from it.
+    start = math.degrees(cmath.phase(-sliding)) + inset.sense * 14.0
+    sweep, radius = inset.sense * 48.0, 0.060 * size
+    middle = start + sweep / 2
+    out = cmath.exp(1j * math.radians(middle))
+    marks = [
+        replace(line(ends, "inset lever", lever), width=size),
+        replace(area(corners, "inset block", block), width=size),
+        *vector(0j, tip, block, "inset arrow", whole=True),
+        disc(0j, 0.0052 * size, "pencil", block),
+        *vector(foot, head, block, "inset arrow", whole=True),
+        *sense_arrow(0j, radius, middle, sweep, lever, "inset sense", 0.8 * size),
+    ]
+    arc = [cmath.rect(radius, math.radians(start + share * sweep)) for share in (0.0, 0.5, 1.0)]
+    reach = [*ends, *corners, tip, foot, head, *arc]
+    tags: list[Tag] = []
+    for text, at, way, row in (
+        ("2ωv", tip - 0.016 * size * turned, -sliding, block),
+        ("v", foot + 0.034 * size * sliding, -turned, block),
+        ("ω", radius * out, out, lever),
+    ):
+        runs = symbols(text)
+        wide, high = ink_size(runs, NAME_SIZE)
+        where = beside(at, way, 0.010, wide, high)
+        marks.append(text_at(runs, runs, where, NAME_SIZE, "tag", row))
+        placed = Placed(where, wide, high).box
+        tags.append(Tag(text, placed))
+        reach += [complex(placed.left, placed.bottom), complex(placed.right, placed.top)]
+    return marks, tags, reach
+
+
+def reserved(drawing: Rect) -> list[Rect]:
+    """Return smaller drawings that leave room for an inset below, above or beside them."""
+    rooms: list[Rect] = []
+    for share in (0.25, 0.5, 0.75, 1.0):
+        down, aside = share * DEEP, share * WIDE
+        left, bottom, right, top = drawing.left, drawing.bottom, drawing.right, drawing.top
+        rooms += [
+            Rect(left, bottom + down, right, top),
+            Rect(left, bottom, right, top - down),
+            Rect(left + aside, bottom, right, top),
+            Rect(left, bottom, right - aside, top),
+        ]
+    return [room for room in rooms if room.height > 0.125 and room.width > 0.2]

@@ -1,0 +1,188 @@
+"""The driven link's angle and sense of rotation, and the parts of arcs that show.
+
+In come an arc in panel coordinates and the strokes already placed, out go marks and labels.
+"""
+
+from __future__ import annotations
+
+import cmath
+import itertools
+import math
+
+from vad.plan.geometry import Rect
+from vad.plan.growth import Trimming
+from vad.plan.items import Level
+from vad.plan.labels.obstacles import Obstacles
+from vad.plan.labels.placing import CLEARANCE, Placed, beside, place
+from vad.plan.labels.vertices import text_at
+from vad.plan.lettering.glyphs import ink_size
+from vad.plan.lettering.runs import roman, symbols
+from vad.plan.marks import Bow, Mark, area
+from vad.plan.pictures.straight import HEAD_HALF_WIDTH, HEAD_NOTCH
+from vad.plan.roles import ROLES
+from vad.plan.scale import Scale
+from vad.plan.sketch import Sketch, Tag
+from vad.strokes.sheet import Arc
+
+RADIUS = 0.088
+SHARE_OF_CRANK = 0.9
+LEAST_RADIUS = 0.02
+SIZE = 0.033
+SENSE_SIZES = (  # radius and span, the best first
+    (0.062, 78.0),
+    (0.074, 78.0),
+    (0.062, 60.0),
+    (0.074, 60.0),
+    (0.088, 60.0),
+    (0.050, 70.0),
+    (0.062, 46.0),
+    (0.074, 46.0),
+    (0.104, 46.0),
+    (0.120, 40.0),
+)
+SHARES = (0.45, 0.55, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85, 0.05, 0.95)
+SENSE_LEAD = 63.0
+SENSE_HEAD = 0.018
+LINE = ROLES["angle"].width
+
+
+def angle_radius(scale: Scale, shape: Arc, room: Rect) -> float:
+    """Return the radius of the angle's arc on the page; all of the arc lies in the panel."""
+    radius = min(RADIUS, SHARE_OF_CRANK * shape.radius * scale.factor)
+    while radius > LEAST_RADIUS and not all(
+        room.holds(point, -LINE)
+        for point in arc_line(scale(shape.centre), radius, shape.start, shape.sweep)
+    ):
+        radius *= 0.94
+    return radius
+
+
+def arc_line(centre: complex, radius: float, start: float, sweep: float) -> list[complex]:
+    """Return points along an arc, close enough for keeping clear of it."""
+    count = max(2, math.ceil(abs(sweep) / 8.0) + 1)
+    return [
+        centre + cmath.rect(radius, math.radians(start + sweep * i / (count - 1)))
+        for i in range(count)
+    ]
+
+
+def angle_arc(sketch: Sketch, shape: Arc) -> Bow:
+    """Return the arc of the driven link's angle on the page."""
+    radius = angle_radius(sketch.scale, shape, sketch.setting.room)
+    return Bow(sketch.scale(shape.centre), radius, shape.start, shape.sweep)
+
+
+def block_arc(obstacles: Obstacles, arc: Bow) -> None:
+    """Add an angle's arc to what labels keep clear of."""
+    obstacles.line(arc_line(arc.centre, arc.radius, arc.start, arc.sweep), LINE / 2)
+
+
+def add_angle(sketch: Sketch, index: int, shape: Arc) -> None:
+    """Add the arc of the driven link's angle and its value."""
+    setting, arc = sketch.setting, angle_arc(sketch, shape)
+    stroke = setting.panel.strokes[index]
+    if abs(shape.sweep) > 1e-6:
+        mark = Mark(arc, "angle", growth=Trimming())
+        sketch.add(stroke, Level.CONSTRUCTION, setting.during(index), [mark])
+    runs = roman(stroke.label)
+    placed = _beside_arc(arc, *ink_size(runs, SIZE), sketch.obstacles)
+    sketch.tags.append(Tag(stroke.label, placed.box))
+    value = text_at(runs, runs, placed.centre, SIZE, "value")
+    sketch.add(stroke, Level.LABEL, setting.after(index), [value])
+
+
+def _beside_arc(arc: Bow, wide: float, high: float, obstacles: Obstacles) -> Placed:
+    for gap in (0.011, 0.016, 0.022, 0.032, 0.045):
+        centres = []
+        for share in SHARES:
+            way = cmath.exp(1j * math.radians(arc.start + share * arc.sweep))
+            centres.append(beside(arc.centre + arc.radius * way, way, gap, wide, high))
+        free = obstacles.free(centres, wide, high, CLEARANCE)
+        if free.any():
+            placed = Placed(centres[int(free.argmax())], wide, high)
+            obstacles.box(placed.box)
+            return placed
+    way = cmath.exp(1j * math.radians(arc.start + 0.5 * arc.sweep))
+    return place(obstacles, arc.centre + arc.radius * way, way, wide, high)
+
+
+def add_sense(sketch: Sketch, index: int, shape: Arc, sense: float) -> None:
+    """Add the ω arrow of the driven link, stroke ``index``, in a free sector about its pivot."""
+    if not sense:
+        return
+    setting, obstacles = sketch.setting, sketch.obstacles
+    stroke = setting.panel.strokes[index]
+    runs, row = symbols("ω"), setting.row(stroke.link)
+    wide, high = ink_size(runs, SIZE)
+    centre, crank = sketch.scale(shape.centre), shape.start + shape.sweep
+    sign = math.copysign(1.0, sense)
+    turns = sorted(range(0, 360, 15), key=lambda t: min(t, 360 - t))
+    for strict, (radius, span), turn in itertools.product((True, False), SENSE_SIZES, turns):
+        middle = crank + sign * (SENSE_LEAD + turn)
+        line = arc_line(centre, radius, middle - span / 2, span)
+        out = cmath.exp(1j * math.radians(middle))
+        spot = beside(centre + radius * out, out, 0.010, wide, high)
+        if not obstacles.free([spot], wide, high, CLEARANCE)[0]:
+            continue
+        if not all(obstacles.edge.holds(point, -0.006) for point in line):
+            continue
+        if strict and not obstacles.free(line, 0.0, 0.0, 0.008).all():
+            continue
+        if not all(obstacles.clear_of_labels(*ends, 0.004) for ends in itertools.pairwise(line)):
+            continue
+        marks = sense_arrow(centre, radius, middle, sign * span, row)
+        marks.append(text_at(runs, runs, spot, SIZE, "tag", row))
+        sketch.add(stroke, Level.LABEL, setting.after(index), marks)
+        placed = Placed(spot, wide, high)
+        sketch.tags.append(Tag("ω", placed.box))
+        obstacles.box(placed.box)
+        obstacles.line(line, 0.004)
+        return
+
+
+def sense_arrow(
+    centre: complex,
+    radius: float,
+    middle: float,
+    sweep: float,
+    row: int | None,
+    role: str = "sense",
+    size: float = 1.0,
+) -> list[Mark]:
+    """Return a curved arrow about ``centre``, ``sweep`` degrees with its middle at ``middle``."""
+    head = SENSE_HEAD * size
+    turn = math.copysign(math.degrees(0.8 * head / radius), sweep)
+    start, end = middle - sweep / 2, middle + sweep / 2
+    tip = centre + cmath.rect(radius, math.radians(end))
+    root = centre + cmath.rect(radius, math.radians(end - turn / 0.8))
+    way = (tip - root) / abs(tip - root)
+    half, notch = HEAD_HALF_WIDTH * 1j * head * way, root + HEAD_NOTCH * head * way
+    return [
+        Mark(Bow(centre, radius, start, sweep - turn), role, row),
+        area([tip, root + half, notch, root - half], "head", row),
+    ]
+
+
+def visible_part(arc: Bow, room: Rect) -> Bow:
+    """Return the stretch of a compass arc that lies in the panel.
+
+    The stretch holds the middle of the arc, which the construction is after, or is all of it.
+    """
+    steps = 48
+    inside = [
+        room.holds(
+            arc.centre + cmath.rect(arc.radius, math.radians(arc.start + arc.sweep * i / steps)),
+            -0.01,
+        )
+        for i in range(steps + 1)
+    ]
+    middle = steps // 2
+    if not inside[middle]:
+        return arc
+    first = last = middle
+    while first > 0 and inside[first - 1]:
+        first -= 1
+    while last < steps and inside[last + 1]:
+        last += 1
+    start = arc.start + arc.sweep * first / steps
+    return Bow(arc.centre, arc.radius, start, arc.sweep * (last - first) / steps)

@@ -1,0 +1,112 @@
+"""Vectors laid tip to tail: the picture of a velocity or acceleration panel.
+
+In come a panel's strokes and its place, out goes a `Sketch`.
+"""
+
+from __future__ import annotations
+
+from vad.plan.geometry import Rect
+from vad.plan.growth import Growth, Scaling
+from vad.plan.items import ALWAYS, FOREVER, Level
+from vad.plan.labels.obstacles import Obstacles
+from vad.plan.labels.tags import SMALL_SIZE, add_tag
+from vad.plan.labels.vertices import corners, find_vertices, label_vertices
+from vad.plan.marks import Mark, disc
+from vad.plan.pictures.arrows import add_vector
+from vad.plan.pictures.constructions import add_construction, name_construction
+from vad.plan.pictures.inset import Inset, add_inset, draw_inset, find_spot, reserved
+from vad.plan.roles import DOT_RIM
+from vad.plan.scale import fill
+from vad.plan.sketch import Setting, Sketch
+from vad.strokes.language import Language
+from vad.strokes.sheet import Arrow, Dot, Line
+
+DOT = 0.0068
+NEAR = (0.014, 0.020, 0.027)
+INSET_SIZES = (1.0, 0.8, 0.64)
+SMALLEST = 0.05  # of a dot, as it begins to swell
+
+
+def draw(setting: Setting) -> Sketch:
+    """Return the sketch of a panel of vectors."""
+    sketch = _sketch(setting, setting.room)
+    inset = setting.panel.inset
+    if inset:
+        rule = Language(setting.sheet.language).say("coriolis rule")
+        insets = [draw_inset(inset, rule, setting, size) for size in INSET_SIZES]
+        sketch = _with_inset(setting, insets, sketch)
+    points = [vertex.at for vertex in find_vertices(setting.panel, sketch.scale)]
+    for index, stroke in enumerate(setting.panel.strokes):
+        if isinstance(stroke.shape, Line):
+            name_construction(sketch, index, points)
+    return sketch
+
+
+def _sketch(setting: Setting, room: Rect) -> Sketch:
+    """Return a panel without what comes and goes, at the scale at which it fills ``room``."""
+    panel = setting.panel
+    scale = fill(corners(panel), room, position=False, centimetre=setting.centimetre)
+    sketch = Sketch(setting, scale, Obstacles(setting.room))
+    vertices = find_vertices(panel, scale)
+    points = [vertex.at for vertex in vertices]
+    for index, stroke in enumerate(panel.strokes):
+        if isinstance(stroke.shape, Arrow):
+            add_vector(sketch, index)
+        elif isinstance(stroke.shape, Line):
+            add_construction(sketch, index, points)
+        elif isinstance(stroke.shape, Dot):
+            spot = scale(stroke.shape.at)
+            sketch.add(
+                stroke,
+                Level.DOT,
+                setting.during(index),
+                [dot(spot, swelling(spot))],
+                setting.after(index),
+            )
+    for vertex in vertices:
+        index = min(vertex.since)
+        sketch.add(panel.strokes[index], Level.DOT, setting.after(index), [dot(vertex.at)])
+        sketch.obstacles.disc(vertex.at, DOT + DOT_RIM, (setting.after(index), FOREVER))
+    label_vertices(sketch, vertices, 0.0, NEAR)
+    _name_coriolis(sketch)
+    return sketch
+
+
+def _with_inset(setting: Setting, insets: list[Inset], full: Sketch) -> Sketch:
+    """Return the largest drawing that leaves a corner free for an inset, with the inset in it.
+
+    A smaller inset beside the full drawing comes before a smaller drawing.
+    """
+    points = corners(setting.panel)
+    rooms = reserved(setting.room)
+    rooms.sort(
+        key=lambda room: -fill(points, room, position=False, centimetre=setting.centimetre).factor
+    )
+    for room in (None, *rooms):
+        sketch = _sketch(setting, room) if room else full
+        for inset in insets:
+            spot = find_spot(sketch.obstacles, setting.room, inset)
+            if spot:
+                add_inset(sketch, inset, spot)
+                return sketch
+    return full
+
+
+def dot(at: complex, growth: Growth | None = None) -> Mark:
+    """Return the dot of a vertex."""
+    # The rim lies around the dot: its line covers the outermost ring of a larger disc.
+    return disc(at, DOT + DOT_RIM / 2, "dot", growth=growth)
+
+
+def swelling(at: complex) -> Scaling:
+    """Return how a dot comes about."""
+    return Scaling(at, ((SMALLEST, SMALLEST), (1.0, 1.0)))
+
+
+def _name_coriolis(sketch: Sketch) -> None:
+    """Write 2ωv beside the Coriolis vector: the one name on a side."""
+    setting = sketch.setting
+    for index, stroke in enumerate(setting.panel.strokes):
+        if stroke.component == "coriolis" and isinstance(stroke.shape, Arrow):
+            ends = sketch.scale(stroke.shape.start), sketch.scale(stroke.shape.end)
+            add_tag(sketch, stroke, "2ωv", ends, SMALL_SIZE, ALWAYS, setting.after(index))

@@ -1,0 +1,122 @@
+"""What every mark is for, and what it looks like unless a style says otherwise.
+
+A mark bears the name of a role; a style turns the role into colours, and may give the lines of
+links a weight and a dash of their own.  Widths are in page units, dashes in line widths.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+#: A colour by its purpose: ``row`` is the ink of a row of the results, ``tint`` that ink in pale,
+#: ``ground`` the background, ``pale`` the words of a panel that is not begun.
+Ink = Literal["text", "grey", "hairline", "ground", "pale", "row", "tint"]
+
+
+@dataclass(frozen=True, slots=True)
+class Role:
+    """The look of a mark: filled with ``fill``, drawn along its edge with ``line``, or both.
+
+    Attributes
+    ----------
+    fill, line
+        The inks of area and line.
+    width
+        Of the line.
+    dash
+        On and off in turn, in line widths; empty for a solid line.
+    cap, join
+        Of the line's ends and corners.
+    alpha
+        How much of the ink covers what lies beneath.
+    linked
+        Whether a style tells links apart by the weight and dash of this line.
+    halo
+        Width of a line of background beneath the mark.
+    """
+
+    fill: Ink | None = None
+    line: Ink | None = None
+    width: float = 0.0
+    dash: tuple[float, ...] = ()
+    cap: Literal["butt", "round"] = "butt"
+    join: Literal["miter", "round"] = "miter"
+    alpha: float = 1.0
+    linked: bool = False
+    halo: float = 0.0
+
+
+BAR = 0.0092
+VECTOR = 0.0060
+WHOLE = 0.0040  # a vector beside its own parts, or found by an image
+CONSTRUCTION = 0.0046
+BLOCK_RIM = 0.0042
+JOINT_RIM = 0.0036
+DOT_RIM = 0.0022
+AXIS = 0.0019
+LIGHT = 3.4  # beneath a growing stroke, in its widths
+HALO = 0.009
+
+
+def _light(width: float) -> Role:
+    return Role(line="row", width=LIGHT * width, alpha=0.20)
+
+
+ROLES: dict[str, Role] = {
+    # words
+    "words": Role(fill="text"),
+    "notes": Role(fill="grey"),
+    "pale words": Role(fill="pale"),
+    "term": Role(fill="row"),
+    "pending term": Role(fill="row", alpha=0.42),
+    "letter": Role(fill="text", halo=HALO),
+    "tag": Role(fill="row", halo=HALO),
+    "value": Role(fill="grey", halo=HALO),
+    "leader": Role(line="grey", width=0.0018),
+    # the page
+    "rule": Role(line="text", width=0.0020),
+    "pale rule": Role(line="hairline", width=0.0020),
+    "hairline": Role(line="hairline", width=0.0015),
+    "scale bar": Role(line="grey", width=0.0028),
+    "key": Role(line="row", width=0.85 * BAR, linked=True),
+    # the mechanism
+    "bar": Role(line="row", width=BAR, cap="round", linked=True),
+    "bar light": _light(BAR),
+    "block": Role(fill="tint", line="row", width=BLOCK_RIM),
+    "block light": Role(line="row", width=LIGHT * 1.3 * BLOCK_RIM, join="round", alpha=0.20),
+    "slot": Role(line="row", width=BLOCK_RIM, join="round"),
+    "joint": Role(fill="ground", line="text", width=JOINT_RIM),
+    "point": Role(fill="text"),
+    "pivot": Role(fill="ground", line="text", width=0.0026),
+    "rail": Role(line="grey", width=0.0026),
+    "hatching": Role(line="grey", width=0.0022),
+    "axis": Role(line="grey", width=AXIS, dash=(7.5, 2.2, 1.4, 2.2)),
+    "gap": Role(line="ground", width=3 * AXIS),
+    "angle": Role(line="grey", width=0.0024),
+    "sense": Role(line="row", width=0.0032),
+    # the polygons
+    "vector": Role(line="row", width=VECTOR, linked=True),
+    "vector light": _light(VECTOR),
+    "whole": Role(line="row", width=WHOLE, linked=True),
+    "whole light": _light(WHOLE),
+    "head": Role(fill="row"),
+    "dot": Role(fill="text", line="ground", width=DOT_RIM),
+    "construction": Role(line="row", width=CONSTRUCTION, dash=(5.0, 3.2)),
+    "construction light": _light(CONSTRUCTION),
+    "construction done": Role(line="row", width=0.0022, dash=(7.0, 5.0), alpha=0.45),
+    "compass arc": Role(line="row", width=0.75 * CONSTRUCTION, dash=(6.7, 4.3)),
+    "right angle": Role(line="row", width=0.0022),
+    "stub": Role(line="row", width=0.0022, alpha=0.7),
+    # the Coriolis inset
+    "inset lever": Role(line="row", width=0.0066, cap="round"),
+    "inset block": Role(fill="tint", line="row", width=0.0030),
+    "inset arrow": Role(line="row", width=WHOLE),
+    "inset sense": Role(line="row", width=0.0030),
+    # the tools
+    "pencil": Role(fill="row"),
+    "set square": Role(fill="grey", alpha=0.16),
+    "set square edge": Role(line="grey", width=0.0020, join="round", alpha=0.55),
+    "compass leg": Role(line="grey", width=0.0075, cap="round", join="round", alpha=0.30),
+    "compass hinge": Role(fill="grey", alpha=0.75),
+}
