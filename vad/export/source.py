@@ -8,6 +8,7 @@ from fractions import Fraction
 from vad.lecture.lesson import Lesson
 from vad.lecture.turn import Turn
 from vad.painting.picture import Frame
+from vad.painting.posed import filmed
 
 Film = Lesson | Turn
 #: Called with how many frames are done and how many there will be.
@@ -17,21 +18,11 @@ Progress = Callable[[int, int], None]
 def painted(lesson: Film, progress: Progress | None = None) -> Iterator[Frame]:
     """Yield the frames of a film; tell ``progress`` whenever one has been consumed."""
     done = 0
-    for frame in _frames(lesson):
+    for frame in filmed(lesson):
         yield frame
         done += frame.repeats
         if progress is not None:
             progress(done, lesson.frames)
-
-
-def _frames(lesson: Film) -> Iterator[Frame]:
-    if isinstance(lesson, Turn):
-        from vad.painting.turning import frames as turning
-
-        return turning(lesson)
-    from vad.painting.film import frames as drawn
-
-    return drawn(lesson)
 
 
 def rate(fps: float) -> Fraction:

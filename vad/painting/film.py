@@ -77,7 +77,7 @@ class _Incremental:
         box = _union(box, self._reach(top, moment.share))
         before = self._cut(box).copy()
         if moment.beat != self._beat:
-            self._commit(regions, moment.beat)
+            self._commit(regions, top, moment.beat)
             self._beat, self._top = moment.beat, top
         self._lay(moment.share)
         if first:
@@ -107,8 +107,10 @@ class _Incremental:
                 top += [(mark, None if grows else self._box(mark)) for mark in item.marks]
         return top
 
-    def _commit(self, regions: dict[str, list[Item]], beat: int) -> None:
-        """Repaint the regions that look different, up to what grows in them; keep that as base."""
+    def _commit(
+        self, regions: dict[str, list[Item]], top: list[tuple[Mark, Box | None]], beat: int
+    ) -> None:
+        """Repaint the regions that look different; keep what lies beneath the top as base."""
         self._cut(self._dirty)[:] = self._base[_window(self._dirty)]
         for region, items in regions.items():
             area = self._pixels_of(self._board.regions[region])
@@ -118,6 +120,9 @@ class _Incremental:
                     self._painter.paint(mark.shape, self._looks(mark))
         self._base[:] = self._words
         self._dirty = EMPTY
+        for mark, spot in top:
+            if spot is not None:
+                self._painter.paint(mark.shape, self._looks(mark))
 
     def _lay(self, share: float) -> None:
         """Paint what grows on the base, and whatever of the rest it touches."""
@@ -144,9 +149,6 @@ class _Incremental:
             grown = mark.at(share) if spot is None else None
             if grown:
                 box = _union(box, self._box(grown))
-        if top is not self._top:  # nothing of it is on the board yet
-            for _, spot in top:
-                box = _union(box, spot or EMPTY)
         while True:
             wider = box
             for _, spot in top:

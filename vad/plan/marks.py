@@ -10,6 +10,7 @@ import cmath
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from vad.plan.growth import Growth, Trimming
 from vad.plan.lettering.runs import Runs
@@ -27,11 +28,11 @@ class Polyline:
 
     def trimmed(self, share: float) -> Polyline:
         """Return the first ``share`` of the length, piece after piece."""
-        left = share * sum(abs(b - a) for piece in self.pieces for a, b in _pairs(piece))
+        left = share * sum(abs(b - a) for piece in self.pieces for a, b in pairwise(piece))
         kept: list[tuple[complex, ...]] = []
         for piece in self.pieces:
             line = [piece[0]]
-            for a, b in _pairs(piece):
+            for a, b in pairwise(piece):
                 length = abs(b - a)
                 if length > left:
                     if left > 0.0:
@@ -201,7 +202,3 @@ def disc(
 ) -> Mark:
     """Return a circle."""
     return Mark(Disc(centre, radius), role, row, growth)
-
-
-def _pairs(points: Sequence[complex]) -> Iterable[tuple[complex, complex]]:
-    return zip(points[:-1], points[1:], strict=True)

@@ -1,6 +1,6 @@
 """The loop equation under a panel, each term in the ink of its link.
 
-In come a panel's equations and the width that they may take, out go lines of pieces in their places.
+In come a panel's equations and the width that they may take, out go their terms in their places.
 """
 
 from __future__ import annotations

@@ -16,7 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.plan.labels import CLEARANCE, Obstacles, Placed, beside, outward
+from vad.plan.labels.obstacles import PIXEL, Obstacles
+from vad.plan.labels.placing import CLEARANCE, Placed, beside, outward
 from vad.plan.turning.seats import Seat
 
 Reals = NDArray[np.float64]
@@ -42,7 +43,7 @@ _SMOOTHING = np.array([1.0, 2.0, 3.0, 2.0, 1.0]) / 9.0
 
 @dataclass(frozen=True, slots=True)
 class Orbit:
-    """Directions (unit vectors) and distances (fractions of the unit) at evenly spaced phases."""
+    """Directions (unit vectors) and distances at evenly spaced phases."""
 
     ways: tuple[complex, ...]
     gaps: tuple[float, ...]
@@ -57,22 +58,20 @@ class Orbit:
         return way / abs(way), (1 - share) * self.gaps[first] + share * self.gaps[last]
 
 
-def stand(
-    orbit: Orbit, phase: float, seat: Seat, taken: Obstacles, unit: float, radius: float
-) -> Placed | None:
+def stand(orbit: Orbit, phase: float, seat: Seat, taken: Obstacles, radius: float) -> Placed | None:
     """Return where a label stands at a phase; ``taken`` holds the labels that stand already.
 
     Where it would be read as the name of another dot, or meet a label, it stands aside as little
     as it can; None where there is no such place.
     """
     (way, gap), at = orbit.at(phase), seat.spot.at
-    centre = beside(at, way, gap * unit + radius, *seat.size)
-    if seat.owns([centre], unit)[0] and taken.free([centre], *seat.size, 0.0)[0]:
+    centre = beside(at, way, gap + radius, *seat.size)
+    if seat.owns([centre])[0] and taken.free([centre], *seat.size, 0.0)[0]:
         return Placed(centre, *seat.size)
-    gaps = (max(TIGHT, GAPS[0] - radius / unit), *GAPS[1:])
-    centres: Any = at + _around(seat.size, unit, radius, gaps)
+    gaps = (max(TIGHT, GAPS[0] - radius), *GAPS[1:])
+    centres: Any = at + _around(seat.size, radius, gaps)
     aside = np.repeat(np.abs(_WAYS - way), len(gaps)) + np.tile(gaps, DIRECTIONS)
-    aside[~(seat.owns(centres, unit) & taken.free(centres, *seat.size, 0.0))] = np.inf
+    aside[~(seat.owns(centres) & taken.free(centres, *seat.size, 0.0))] = np.inf
     least = int(aside.argmin())
     return Placed(complex(centres[least]), *seat.size) if aside[least] < np.inf else None
 
@@ -81,7 +80,6 @@ def find_orbit(
     seats: Sequence[Seat | None],
     obstacles: Sequence[Obstacles],
     labels: Sequence[Obstacles],
-    unit: float,
     radius: float,
 ) -> Orbit:
     """Return the orbit of one label, and add its boxes to ``labels``.
@@ -91,9 +89,7 @@ def find_orbit(
     """
     costs = np.stack(
         [
-            _costs(seat, strokes, others, unit, radius)
-            if seat
-            else np.zeros((DIRECTIONS, len(GAPS)))
+            _costs(seat, strokes, others, radius) if seat else np.zeros((DIRECTIONS, len(GAPS)))
             for seat, strokes, others in zip(seats, obstacles, labels, strict=True)
         ]
     )
@@ -102,33 +98,31 @@ def find_orbit(
     gaps = _smooth(np.array([GAPS[gap] for _, gap in path]))
     orbit = Orbit(tuple((ways / np.abs(ways)).tolist()), tuple(gaps.tolist()))
     for number, (seat, others) in enumerate(zip(seats, labels, strict=True)):
-        placed = seat and stand(orbit, number / len(seats), seat, others, unit, radius)
+        placed = seat and stand(orbit, number / len(seats), seat, others, radius)
         if placed:
             others.box(placed.box)
     return orbit
 
 
-def _around(
-    size: tuple[float, float], unit: float, radius: float, gaps: Sequence[float] = GAPS
-) -> Complexes:
+def _around(size: tuple[float, float], radius: float, gaps: Sequence[float] = GAPS) -> Complexes:
     """Return the centres of a label from its dot, direction by direction."""
     ways = _WAYS.tolist()
-    return np.array([beside(0j, way, gap * unit + radius, *size) for way in ways for gap in gaps])
+    return np.array([beside(0j, way, gap + radius, *size) for way in ways for gap in gaps])
 
 
-def _costs(seat: Seat, strokes: Obstacles, labels: Obstacles, unit: float, radius: float) -> Reals:
+def _costs(seat: Seat, strokes: Obstacles, labels: Obstacles, radius: float) -> Reals:
     """Return what each direction (rows) and distance (columns) costs in one pose."""
     size = seat.size
-    centres: Any = seat.spot.at + _around(size, unit, radius)
+    centres: Any = seat.spot.at + _around(size, radius)
     edge, half = strokes.edge, (size[0] / 2, size[1] / 2)
     inside = (centres.real - half[0] >= edge.left) & (centres.real + half[0] <= edge.right)
     inside &= (centres.imag - half[1] >= edge.bottom) & (centres.imag + half[1] <= edge.top)
     cost = np.where(inside, 0.0, _OUTSIDE)
-    cost += np.where(seat.owns(centres, unit, _SPARE), 0.0, _MISREAD)
-    cost += np.where(strokes.free(centres, *size, CLEARANCE * unit), 0.0, _CLOSE)
-    cost += np.where(strokes.free(centres, *size, 0.5), 0.0, _CROSSED)
+    cost += np.where(seat.owns(centres, _SPARE), 0.0, _MISREAD)
+    cost += np.where(strokes.free(centres, *size, CLEARANCE), 0.0, _CLOSE)
+    cost += np.where(strokes.free(centres, *size, 0.5 * PIXEL), 0.0, _CROSSED)
     if labels.boxes:
-        cost += np.where(labels.free(centres, *size, CLEARANCE * unit), 0.0, _COVERED)
+        cost += np.where(labels.free(centres, *size, CLEARANCE), 0.0, _COVERED)
     best = outward(seat.spot.ways)
     astray = 1.0 - (_WAYS * best.conjugate()).real
     table: Reals = cost.reshape(DIRECTIONS, len(GAPS)) + _ASTRAY * astray[:, None] + _FAR

@@ -12,11 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.plan.page import Rect
-from vad.plan.tags import SMALL_SIZE
-from vad.plan.text import symbols
+from vad.plan.geometry import Rect
+from vad.plan.labels.tags import SMALL_SIZE
+from vad.plan.labels.vertices import COINCIDENT, LETTER
+from vad.plan.lettering.glyphs import ink_size
+from vad.plan.lettering.runs import symbols
 from vad.plan.turning.spots import CORIOLIS, Spot, Spots, grouped
-from vad.plan.vertices import COINCIDENT, LABEL, text_box
 
 Bools = NDArray[np.bool_]
 Complexes = NDArray[np.complex128]
@@ -28,7 +29,7 @@ FACTOR, MORE = 1.3, 0.004
 
 @dataclass(frozen=True, slots=True)
 class Seat:
-    """A label in one pose: its text and size, its dot, and all the other dots (pixels).
+    """A label in one pose: its text and size, its dot, and all the other dots, on the page.
 
     ``radius`` is that of every dot in the panel.
     """
@@ -39,13 +40,13 @@ class Seat:
     rivals: Complexes
     radius: float
 
-    def owns(self, centres: Sequence[complex] | Complexes, unit: float, spare: float = 0) -> Bools:
+    def owns(self, centres: Sequence[complex] | Complexes, spare: float = 0) -> Bools:
         """Tell for each centre whether the label would there be clearly nearest to its own dot.
 
-        ``spare`` is a distance (fraction of ``unit``) to be kept beyond what is needed.
+        ``spare`` is a distance to be kept beyond what is needed.
         """
         at = np.asarray(centres, dtype=np.complex128)
-        need = np.full(len(at), (MORE + spare) * unit + self.radius)
+        need = np.full(len(at), MORE + spare + self.radius)
         if self.text != CORIOLIS:  # which names a vector, not a dot
             own = distances(at, self.size, np.array([self.spot.at]))[:, 0]
             need += FACTOR * np.maximum(own - self.radius, 0.0)
@@ -61,13 +62,13 @@ def distances(centres: Complexes, size: tuple[float, float], points: Complexes) 
     return np.hypot(aside, above)
 
 
-def letter_size(text: str, unit: float) -> float:
+def letter_size(text: str) -> float:
     """Return the size of type of a label."""
-    return (SMALL_SIZE if text == CORIOLIS else LABEL) * unit
+    return SMALL_SIZE if text == CORIOLIS else LETTER
 
 
 def seats(
-    pose: Spots, groups: Sequence[tuple[str, ...]], edge: Rect, unit: float, radius: float
+    pose: Spots, groups: Sequence[tuple[str, ...]], edge: Rect, radius: float
 ) -> list[Seat | None]:
     """Return the seat of each group of letters.
 
@@ -80,21 +81,17 @@ def seats(
         if spot is None or not edge.holds(spot.at):
             continue
         names_dot = CORIOLIS not in group
-        near = [
-            leader for leader, at in leaders if names_dot and abs(at - spot.at) < COINCIDENT * unit
-        ]
+        near = [leader for leader, at in leaders if names_dot and abs(at - spot.at) < COINCIDENT]
         if near:
             found[near[0]] += group
             continue
         found[index] += group
         if names_dot:
             leaders.append((index, spot.at))
-    return [_seat(pose, letters, edge, unit, radius) for letters in found]
+    return [_seat(pose, letters, edge, radius) for letters in found]
 
 
-def _seat(
-    pose: Spots, letters: Sequence[str], edge: Rect, unit: float, radius: float
-) -> Seat | None:
+def _seat(pose: Spots, letters: Sequence[str], edge: Rect, radius: float) -> Seat | None:
     spot, text = grouped(pose, letters), ", ".join(letters)
     if spot is None:
         return None
@@ -103,5 +100,5 @@ def _seat(
         for letter, other in pose.items()
         if letter not in letters and letter != CORIOLIS and edge.holds(other.at)
     ]
-    size = text_box(symbols(text), letter_size(text, unit))
+    size = ink_size(symbols(text), letter_size(text))
     return Seat(text, size, spot, np.array(rivals, dtype=np.complex128), radius)

@@ -12,12 +12,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
 
-from vad.plan.art import Level, Look, PanelArt
-from vad.plan.labels import CLEARANCE, Obstacles, Placed, beside
-from vad.plan.rotation import SIZE, arc_line, sense_arrow
+from vad.plan.items import Level
+from vad.plan.labels.obstacles import Obstacles
+from vad.plan.labels.placing import CLEARANCE, Placed, beside
+from vad.plan.labels.vertices import text_at
+from vad.plan.lettering.glyphs import ink_size
+from vad.plan.lettering.runs import symbols
+from vad.plan.pictures.rotation import SIZE, arc_line, sense_arrow
 from vad.plan.scale import Scale
-from vad.plan.text import symbols
-from vad.plan.vertices import halo, text_at, text_box
+from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arc, Panel, Stroke
 
 SPAN = 60.0
@@ -29,7 +32,7 @@ SLOWEST = 0.08  # of the greatest rate: below, there is no sense of rotation to 
 
 @dataclass(frozen=True, slots=True)
 class _Arrow:
-    """The arrow of one pose in pixels, its middle in degrees, and the place of its ω."""
+    """The arrow of one pose, its middle in degrees, and the place of its ω."""
 
     centre: complex
     middle: float
@@ -44,51 +47,42 @@ class Sense:
     radius: float
     lead: float
 
-    def add(self, art: PanelArt, stroke: Stroke, shape: Arc, rate: float, look: Look) -> None:
+    def add(self, sketch: Sketch, stroke: Stroke, shape: Arc, rate: float) -> None:
         """Add the arrow to one pose, unless the driven link all but rests."""
         if abs(rate) < SLOWEST:
             return
-        unit, ink, arrow = (
-            look.unit,
-            look.ink(stroke.link),
-            self._arrow(art.scale, shape, rate, look),
-        )
+        arrow, row = self._arrow(sketch.scale, shape, rate), sketch.setting.row(stroke.link)
         sweep = math.copysign(SPAN, rate)
-        radius = self.radius * unit
-        marks = sense_arrow(arrow.centre, radius, arrow.middle, sweep, ink, 0.0032 * unit, unit)
+        marks = sense_arrow(arrow.centre, self.radius, arrow.middle, sweep, row)
         runs, name = symbols("ω"), arrow.name
-        marks += text_at(runs, runs, name.centre, SIZE * unit, ink, halo(look))
-        art.add(Level.CONSTRUCTION, 0, marks)  # links pass over it
-        art.obstacles.line(arrow.line, 0.004 * unit)
-        grown = CLEARANCE * unit
-        art.obstacles.box(Placed(name.centre, name.wide + grown, name.high + grown).box)
+        marks.append(text_at(runs, runs, name.centre, SIZE, "tag", row))
+        sketch.add(stroke, Level.CONSTRUCTION, 0, marks)  # links pass over it
+        sketch.obstacles.line(arrow.line, 0.004)
+        box = Placed(name.centre, name.wide + CLEARANCE, name.high + CLEARANCE).box
+        sketch.obstacles.box(box)
 
-    def meets(self, strokes: Obstacles, scale: Scale, shape: Arc, rate: float, look: Look) -> int:
+    def meets(self, strokes: Obstacles, scale: Scale, shape: Arc, rate: float) -> int:
         """Count how much of the arrow and its name would meet strokes in one pose."""
-        arrow, unit = self._arrow(scale, shape, rate, look), look.unit
+        arrow = self._arrow(scale, shape, rate)
         name = arrow.name
-        named = bool(strokes.free([name.centre], name.wide, name.high, CLEARANCE * unit)[0])
-        return 4 * (not named) + int((~strokes.free(arrow.line, 0.0, 0.0, 0.008 * unit)).sum())
+        named = bool(strokes.free([name.centre], name.wide, name.high, CLEARANCE)[0])
+        return 4 * (not named) + int((~strokes.free(arrow.line, 0.0, 0.0, 0.008)).sum())
 
-    def _arrow(self, scale: Scale, shape: Arc, rate: float, look: Look) -> _Arrow:
-        centre, radius = scale(shape.centre), self.radius * look.unit
+    def _arrow(self, scale: Scale, shape: Arc, rate: float) -> _Arrow:
+        centre = scale(shape.centre)
         middle = shape.start + shape.sweep + math.copysign(self.lead, rate)
-        line = arc_line(centre, radius, middle - SPAN / 2, SPAN)
-        box, way = text_box(symbols("ω"), SIZE * look.unit), cmath.exp(1j * math.radians(middle))
-        spot = beside(centre + radius * way, way, 0.010 * look.unit, *box)
+        line = arc_line(centre, self.radius, middle - SPAN / 2, SPAN)
+        box, way = ink_size(symbols("ω"), SIZE), cmath.exp(1j * math.radians(middle))
+        spot = beside(centre + self.radius * way, way, 0.010, *box)
         return _Arrow(centre, middle, line, Placed(spot, *box))
 
 
 def choose_sense(
-    poses: Sequence[Panel],
-    rates: Sequence[float],
-    strokes: Sequence[Obstacles],
-    scale: Scale,
-    look: Look,
+    poses: Sequence[Panel], rates: Sequence[float], strokes: Sequence[Obstacles], scale: Scale
 ) -> Sense:
     """Return the place of the arrow that meets the fewest strokes over all poses."""
     driven = [
-        (obstacles, scale, stroke.shape, rate, look)
+        (obstacles, scale, stroke.shape, rate)
         for panel, rate, obstacles in zip(poses, rates, strokes, strict=True)
         for stroke in panel.strokes
         if stroke.kind == "angle" and isinstance(stroke.shape, Arc)

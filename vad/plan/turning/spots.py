@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 
+from vad.plan.geometry import direction_of
+from vad.plan.labels.vertices import COINCIDENT
 from vad.plan.scale import Scale
-from vad.plan.vectors import direction_of
-from vad.plan.vertices import COINCIDENT
 from vad.strokes.sheet import Arrow, Dot, Panel
 
 CORIOLIS = "2ωv"
@@ -29,7 +29,7 @@ Spots = dict[str, Spot]
 
 
 def spots(panel: Panel, scale: Scale, lasting: Collection[str] = ()) -> Spots:
-    """Return the place of every letter in pixels; `CORIOLIS` is amid the vector it names.
+    """Return the place of every letter on the page; `CORIOLIS` is amid the vector it names.
 
     Letters in ``lasting`` keep their place where their vectors are zero.
     """
@@ -58,13 +58,13 @@ def spots(panel: Panel, scale: Scale, lasting: Collection[str] = ()) -> Spots:
     return found
 
 
-def groups(poses: Sequence[Spots], unit: float) -> list[tuple[str, ...]]:
+def groups(poses: Sequence[Spots]) -> list[tuple[str, ...]]:
     """Return the letters in groups that are in one place, as seen, in all poses."""
     letters = list(dict.fromkeys(letter for pose in poses for letter in pose))
     found: list[list[str]] = []
     for letter in letters:
         for group in found:
-            if letter != CORIOLIS and _together(poses, group[0], letter, COINCIDENT * unit):
+            if letter != CORIOLIS and _together(poses, group[0], letter):
                 group.append(letter)
                 break
         else:
@@ -72,9 +72,11 @@ def groups(poses: Sequence[Spots], unit: float) -> list[tuple[str, ...]]:
     return [tuple(group) for group in found]
 
 
-def _together(poses: Sequence[Spots], one: str, other: str, near: float) -> bool:
+def _together(poses: Sequence[Spots], one: str, other: str) -> bool:
     return one != CORIOLIS and all(
-        abs(pose[one].at - pose[other].at) < near for pose in poses if one in pose and other in pose
+        abs(pose[one].at - pose[other].at) < COINCIDENT
+        for pose in poses
+        if one in pose and other in pose
     )
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from vad.plan.text import Run, Runs, roman
+from vad.plan.lettering.runs import Run, Runs, roman
 from vad.strokes.sheet import Cell
 from vad.written import MEASURED, MINUS, WRITTEN_OUT, in_turn, power_of_ten, typeset
 
