@@ -38,16 +38,16 @@ FORMATS: dict[type, dict[str, str]] = {
         ".json": "vad.export.sheet_json",
     },
     Lesson: {
-        ".mp4": "vad.export.mp4",
-        ".gif": "vad.export.gif",
+        ".mp4": "vad.export.mp4.mp4",
+        ".gif": "vad.export.gif.gif",
         ".pdf": "vad.export.lesson_pdf",
-        ".srt": "vad.export.srt",
-        ".vtt": "vad.export.vtt",
+        ".srt": "vad.export.subtitles.srt",
+        ".vtt": "vad.export.subtitles.vtt",
         FOLDER: "vad.export.frames",
     },
     Turn: {
-        ".mp4": "vad.export.mp4",
-        ".gif": "vad.export.gif",
+        ".mp4": "vad.export.mp4.mp4",
+        ".gif": "vad.export.gif.gif",
         FOLDER: "vad.export.frames",
     },
     Still: {

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.errors import AssemblyError, DeadCentreError, InputError
-from vad.kinematics import sweep
+from vad.kinematics import chunks
 from vad.kinematics.closures import OpenLoopError
 from vad.kinematics.frame import Frame
 from vad.kinematics.linkage import Linkage, Scalar
@@ -84,7 +84,7 @@ class Solution:
             except OpenLoopError as gap:
                 raise _not_assembled(self.mechanism, self._driver, gap.miss) from None
         flat = self._driver.ravel()
-        found = sweep.gather(flat.size, lambda part: self.solver.positions(flat[part]).flat())
+        found = chunks.gather(flat.size, lambda part: self.solver.positions(flat[part]).flat())
         return Pose.of(found)
 
     @property
@@ -94,7 +94,7 @@ class Solution:
             return self.pose
         if self._whole_pose is None:
             self._whole_pose = Pose.of(
-                sweep.expand(self.pose.flat(), self._driver.shape, self.shape)
+                chunks.expand(self.pose.flat(), self._driver.shape, self.shape)
             )
         return self._whole_pose
 
@@ -105,7 +105,7 @@ class Solution:
             self.pose  # noqa: B018  # raises where the links do not close
             return direction(fold(self._driver))
         flat = np.broadcast_to(self._driver, self.shape).ravel()
-        return sweep.gather(flat.size, lambda part: {"": direction(fold(flat[part]))})[""]
+        return chunks.gather(flat.size, lambda part: {"": direction(fold(flat[part]))})[""]
 
     @property
     def velocity(self) -> Rates:
@@ -134,7 +134,7 @@ class Solution:
             own = value[part] if is_array(value) else value
             return self.solver.rates(pose.cut(part), below, own).flat()
 
-        return Rates.of(sweep.gather(math.prod(self.shape), solve_part))
+        return Rates.of(chunks.gather(math.prod(self.shape), solve_part))
 
     @property
     def assembled(self) -> Any:
@@ -190,7 +190,7 @@ class Solution:
         def part_of(part: slice) -> dict[str, Number]:
             return {"": formula(pose.cut(part), tuple(rate.cut(part) for rate in rates))}
 
-        return sweep.gather(math.prod(self.shape), part_of)[""]
+        return chunks.gather(math.prod(self.shape), part_of)[""]
 
 
 def _broadcast(inputs: dict[str, Number]) -> tuple[int, ...]:

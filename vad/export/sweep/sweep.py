@@ -12,7 +12,7 @@ import numpy as np
 
 from vad.errors import AssemblyError, UsageError
 from vad.export.files import new_file
-from vad.export.sweep_results import Results, results_of
+from vad.export.sweep.results import Results, results_of
 from vad.kinematics.motion import Motion
 
 _CHUNK = 10_000
@@ -42,7 +42,7 @@ def save_sweep(motion: Motion, path: str | Path) -> None:
         if kind == ".csv":
             stream.writelines(line.encode() for line in lines(results))
         else:
-            from vad.export.sweep_plot import plot
+            from vad.export.sweep.plot import plot
 
             plot(motion, results, stream)
 

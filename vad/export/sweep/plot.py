@@ -18,7 +18,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 from numpy.typing import NDArray
 
-from vad.export.sweep_results import Column, Results, Row
+from vad.export.sweep.results import Column, Results, Row
 from vad.kinematics.motion import Motion
 from vad.style import Style, load_style
 from vad.units import scene_unit
