@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,7 @@ from vad.kinematics import chunks
 from vad.kinematics.closures import OpenLoopError
 from vad.kinematics.frame import Frame
 from vad.kinematics.linkage import Linkage, Scalar
-from vad.kinematics.numbers import NAN_VECTOR, Number, direction, fold, is_array
+from vad.kinematics.numbers import NAN_VECTOR, Number, Truth, direction, fold, is_array
 from vad.kinematics.reach import closing_range
 from vad.kinematics.solver import Solver, solver_of
 from vad.kinematics.state import Pose, Rates
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 Formula = Callable[[Pose, tuple[Rates, ...]], Number]
 
 
-class Solution:
+class Solution(Generic[Truth]):
     """Pose, velocities and accelerations in the solver's unit and frame, found when asked for.
 
     Attributes
@@ -137,14 +137,17 @@ class Solution:
         return Rates.of(chunks.gather(math.prod(self.shape), solve_part))
 
     @property
-    def assembled(self) -> Any:
+    def assembled(self) -> Truth:
         """Whether the links close: a bool, or an array of them; a dead centre counts as closed."""
-        if not self.many:
+        closed: Any
+        if self.many:
+            closed = self._closes.reshape(self.shape).copy()
+        else:
             try:
-                return bool(self.pose.sine)
+                closed = bool(self.pose.sine)
             except AssemblyError:
-                return False
-        return self._closes.reshape(self.shape).copy()
+                closed = False
+        return closed
 
     @property
     def _closes(self) -> NDArray[np.bool_]:

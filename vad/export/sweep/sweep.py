@@ -13,14 +13,14 @@ import numpy as np
 from vad.errors import AssemblyError, UsageError
 from vad.export.files import new_file
 from vad.export.sweep.results import Results, results_of
-from vad.kinematics.motion import Motion
+from vad.kinematics.motion import Motions
 
 _CHUNK = 10_000
 
 FORMATS = (".csv", ".png")
 
 
-def save_sweep(motion: Motion, path: str | Path) -> None:
+def save_sweep(motion: Motions, path: str | Path) -> None:
     """Write a motion over an array of inputs to a ``.csv`` or ``.png`` file.
 
     Raises
