@@ -22,7 +22,7 @@ FILM = "animate", "slider-crank"
 def store(folder: Path) -> None:
     """Make the film, and keep what went into its encoder."""
     from vad.cli.run import run
-    from vad.export import mp4
+    from vad.export.mp4 import mp4
 
     pictures: list[Any] = []
     options: dict[str, Any] = {}
@@ -51,7 +51,7 @@ def encode(folder: Path, path: Path) -> None:
     for name in modules:
         with contextlib.suppress(ImportError):  # a module that goes by another name
             importlib.import_module(name)
-    from vad.export import mp4
+    from vad.export.mp4 import mp4
 
     mp4.converted = lambda frames, size: frames
     with open(path, "w+b") as stream:

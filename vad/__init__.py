@@ -1,7 +1,7 @@
 """Velocity and acceleration polygons, drawn stroke by stroke as at the board.
 
 Four verbs: `solve` a mechanism, `draw` its sheet, `animate` it as a lesson, `save` either one;
-`still` is one step of a lesson.
+`turn` is a film of a whole turn, `still` one step of a lesson.
 Each part is loaded when it is first used.
 
 >>> import vad
@@ -10,20 +10,84 @@ Each part is loaded when it is first used.
 -2.3077
 """
 
-from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from vad.errors import (
+        AssemblyError,
+        DeadCentreError,
+        ExportError,
+        InputError,
+        UsageError,
+        VadError,
+    )
+    from vad.export import save
+    from vad.kinematics.motion import Motion, Motions, solve
+    from vad.lecture.lesson import Lesson
+    from vad.lecture.still import Still, still
+    from vad.lecture.timeline import animate
+    from vad.lecture.turn import Turn, turn
+    from vad.mechanisms import MECHANISMS, Mechanism
+    from vad.mechanisms.crank_slotted_lever import CrankSlottedLever
+    from vad.mechanisms.double_slider import DoubleSlider
+    from vad.mechanisms.elliptical_trammel import EllipticalTrammel
+    from vad.mechanisms.four_bar import FourBar
+    from vad.mechanisms.gate_actuator import GateActuator
+    from vad.mechanisms.scotch_yoke import ScotchYoke
+    from vad.mechanisms.slider_crank import SliderCrank
+    from vad.mechanisms.whitworth import Whitworth
+    from vad.strokes.draw import draw
+    from vad.strokes.sheet import Sheet
 
 __version__ = "0.1.0"
 
+__all__ = [
+    "MECHANISMS",
+    "AssemblyError",
+    "CrankSlottedLever",
+    "DeadCentreError",
+    "DoubleSlider",
+    "EllipticalTrammel",
+    "ExportError",
+    "FourBar",
+    "GateActuator",
+    "InputError",
+    "Lesson",
+    "Mechanism",
+    "Motion",
+    "Motions",
+    "ScotchYoke",
+    "Sheet",
+    "SliderCrank",
+    "Still",
+    "Turn",
+    "UsageError",
+    "VadError",
+    "Whitworth",
+    "animate",
+    "draw",
+    "save",
+    "solve",
+    "still",
+    "turn",
+]
+
+# Where a name is when it is first used; mechanism classes are found by themselves.
 _HOMES = {
     "solve": "vad.kinematics.motion",
     "Motion": "vad.kinematics.motion",
+    "Motions": "vad.kinematics.motion",
     "draw": "vad.strokes.draw",
+    "Sheet": "vad.strokes.sheet",
     "animate": "vad.lecture.timeline",
+    "Lesson": "vad.lecture.lesson",
     "turn": "vad.lecture.turn",
+    "Turn": "vad.lecture.turn",
     "still": "vad.lecture.still",
+    "Still": "vad.lecture.still",
     "save": "vad.export",
     "MECHANISMS": "vad.mechanisms",
+    "Mechanism": "vad.mechanisms",
     "VadError": "vad.errors",
     "InputError": "vad.errors",
     "UsageError": "vad.errors",
@@ -32,19 +96,32 @@ _HOMES = {
     "ExportError": "vad.errors",
 }
 
+if not TYPE_CHECKING:  # for a type checker, a name that is not imported above is a mistake
 
-def __getattr__(name: str) -> Any:
-    """Load a verb, an error or a mechanism class when it is first asked for."""
-    if name in _HOMES:
-        return getattr(import_module(_HOMES[name]), name)
-    if name.startswith("_"):
-        raise AttributeError(f"module 'vad' has no attribute {name!r}")
-    for mechanism in import_module("vad.mechanisms").MECHANISMS.values():
-        if mechanism.__name__ == name:
-            return mechanism
-    raise AttributeError(f"module 'vad' has no attribute {name!r}")
+    def __getattr__(name: str) -> object:
+        """Load a verb, a class or an error when it is first asked for."""
+        from importlib import import_module
+
+        if name in _HOMES:
+            return getattr(import_module(_HOMES[name]), name)
+        message = f"module 'vad' has no attribute {name!r}"
+        if name.startswith("_"):
+            raise AttributeError(message, name=name)
+        mechanisms = _mechanisms()
+        if name in mechanisms:
+            return mechanisms[name]
+        from vad.errors import unknown
+
+        hint = unknown("name", name, __dir__()).hint
+        raise AttributeError(f"{message}; {hint}", name=name)
 
 
 def __dir__() -> list[str]:
-    mechanisms = import_module("vad.mechanisms").MECHANISMS.values()
-    return sorted([*_HOMES, *(mechanism.__name__ for mechanism in mechanisms), "__version__"])
+    return sorted({*__all__, *_mechanisms(), "__version__"})
+
+
+def _mechanisms() -> dict[str, type]:
+    """Return every mechanism class by its name."""
+    from vad.mechanisms import MECHANISMS
+
+    return {kind.__name__: kind for kind in MECHANISMS.values()}

@@ -7,14 +7,10 @@ import math
 
 import numpy as np
 import pytest
-from matplotlib.figure import Figure
 from PIL import Image
 
 import vad as library
-from vad.export import sweep_plot
-from vad.export.sweep_results import results_of
 from vad.mechanisms import MECHANISMS
-from vad.style import load_style
 
 
 def swept(vad, folder, *words):
@@ -114,24 +110,3 @@ def test_an_older_file_is_replaced_only_by_a_whole_one(vad, tmp_path):
 def test_an_equals_sign_after_the_short_option_is_no_part_of_the_name(vad, tmp_path):
     assert vad("sweep", "four-bar", f"-o={tmp_path}/a.csv").code == 0
     assert [each.name for each in tmp_path.iterdir()] == ["a.csv"]
-
-
-def test_a_plot_leaves_gaps_where_an_angle_passes_360():
-    angles = sweep_plot._broken(np.array([350.0, 358.0, 6.0, 14.0]))
-    assert np.isnan(angles).tolist() == [False, False, True, False]
-
-
-def test_a_few_poses_near_a_dead_centre_do_not_dwarf_the_rest():
-    calm = np.linspace(-1.0, 1.0, 100)
-    assert sweep_plot._limits(calm) == (-1.0, 1.0)
-    low, high = sweep_plot._limits(np.append(calm, [1e9, np.nan]))
-    assert low == -1.0 and 1.0 < high < 10.0
-
-
-def test_rounding_is_drawn_as_the_straight_line_that_it_stands_for():
-    """Crank and rod of one length: the rod turns steadily, and its α is noise of 1e-13."""
-    motion = library.solve(library.SliderCrank(crank=140, rod=140), angle=np.arange(0.0, 80.0))
-    figure = Figure()
-    sweep_plot._curves(figure, results_of(motion), load_style("paper"))
-    alpha = next(plot for plot in figure.axes if "alpha" in plot.get_title(loc="left"))
-    assert alpha.get_ylim() == pytest.approx((-1.0, 1.0))

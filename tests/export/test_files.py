@@ -1,13 +1,18 @@
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import stat
 import threading
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+import vad
+from tests.export.synthetic import lesson
 from vad.errors import ExportError
 from vad.export import files
 
@@ -213,51 +218,62 @@ class TestNewFolder:
             files.new_folder(path, ours).__enter__()
 
 
-class TestTermination:
-    @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
-    def test_becomes_an_exception_while_a_file_is_written(
-        self, folder: Path, number: signal.Signals
+class TestInterrupts:
+    """The library hears no signal itself; what a signal raises leaves nothing half-written."""
+
+    @pytest.mark.parametrize("make", [files.new_file, lambda path: files.new_folder(path, ours)])
+    def test_a_second_one_in_the_midst_of_clearing_up(
+        self, folder: Path, make: Callable[[str], Any], monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        with pytest.raises(SystemExit) as caught, files.new_file("a.bin") as stream:
-            stream.write(b"half")
-            signal.raise_signal(number)
-        assert caught.value.code == 128 + number
-        assert os.listdir() == []
-        assert signal.getsignal(number) is signal.SIG_DFL
+        calls: list[object] = []
 
-    def test_interrupt_stays_an_interrupt(self, folder: Path) -> None:
-        with pytest.raises(KeyboardInterrupt), files.new_file("a.bin"):
-            signal.raise_signal(signal.SIGINT)
-        assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+        def interrupted(call: Callable[..., None]) -> Callable[..., None]:
+            def once(*arguments: Any, **options: Any) -> None:
+                calls.append(call)
+                if len(calls) == 1:
+                    raise KeyboardInterrupt
+                call(*arguments, **options)
 
-    def test_the_impatient_do_not_disturb_the_clearing_up(self, folder: Path) -> None:
-        with pytest.raises(KeyboardInterrupt), files.new_file("a.bin"):
-            try:
-                signal.raise_signal(signal.SIGINT)
-            finally:
-                signal.raise_signal(signal.SIGINT)
-                signal.raise_signal(signal.SIGTERM)
+            return once
+
+        monkeypatch.setattr(Path, "unlink", interrupted(Path.unlink))
+        monkeypatch.setattr(shutil, "rmtree", interrupted(shutil.rmtree))
+        with pytest.raises(KeyboardInterrupt), make("made"):
+            raise KeyboardInterrupt
+        assert len(calls) > 1
         assert os.listdir() == []
 
-    def test_handler_is_restored(self, folder: Path) -> None:
-        with files.new_file("a.bin"):
-            assert signal.getsignal(signal.SIGTERM) is not signal.SIG_DFL
-        assert signal.getsignal(signal.SIGTERM) is signal.SIG_DFL
+    def test_an_old_folder_is_kept_if_it_cannot_be_put_back(
+        self, folder: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        Path("film").mkdir()
+        fill(Path("film"), "old")
+        rename = os.rename
 
-    def test_handler_of_the_application_is_left_alone(self, folder: Path) -> None:
-        heard: list[int] = []
+        def failing(source: Path, target: Path) -> None:
+            if target.name == "film":
+                raise OSError(5, "Input/output error")
+            rename(source, target)
 
-        def handler(number: int, _frame: object) -> None:
-            heard.append(number)
+        monkeypatch.setattr(os, "rename", failing)
+        with pytest.raises(ExportError), files.new_folder("film", ours) as part:
+            fill(part)
+        (kept,) = folder.glob(".vad-*.old")
+        assert (kept / "ours").read_text() == "old"
 
-        signal.signal(signal.SIGTERM, handler)
-        try:
-            with files.new_file("a.bin"):
-                signal.raise_signal(signal.SIGTERM)
-            assert signal.getsignal(signal.SIGTERM) is handler
-        finally:
-            signal.signal(signal.SIGTERM, signal.SIG_DFL)
-        assert heard == [signal.SIGTERM]
+    @pytest.mark.parametrize("path", ["film.gif", "film/"])
+    def test_handlers_stay_as_they_are(self, folder: Path, painter: None, path: str) -> None:
+        numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+        before = [signal.getsignal(number) for number in numbers]
+        heard: list[list[object]] = []
+
+        def progress(_done: int, _total: int) -> None:
+            heard.append([signal.getsignal(number) for number in numbers])
+
+        vad.save(lesson(), path, progress=progress)
+        assert heard
+        assert all(each == before for each in heard)
+        assert [signal.getsignal(number) for number in numbers] == before
 
     def test_other_threads_write_too(self, folder: Path) -> None:
         def work() -> None:

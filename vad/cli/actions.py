@@ -84,7 +84,7 @@ def _turn(mechanism: Mechanism, inputs: Inputs, output: str, **options: Any) -> 
 def sweep(mechanism: Mechanism, inputs: Inputs, output: str, **ends: Any) -> None:
     """Write the results over a range of the input, as a table or a plot."""
     from vad.cli.span import places
-    from vad.export.sweep import save_sweep
+    from vad.export.sweep.sweep import save_sweep
 
     driven = next(iter(mechanism.inputs))
     save_sweep(vad.solve(mechanism, **{driven: places(mechanism, **ends)}, **inputs), output)

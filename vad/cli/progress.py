@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
 import click
 
-#: Called with how many frames are done and how many there will be.
-Progress = Callable[[int, int], None]
+if TYPE_CHECKING:
+    from vad.export.source import Progress
 
 
 @contextmanager

@@ -18,7 +18,7 @@ from importlib import import_module
 from inspect import signature
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 from vad.errors import UsageError
 from vad.export import files
@@ -26,6 +26,9 @@ from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
 from vad.lecture.turn import Turn
 from vad.strokes.sheet import Sheet
+
+if TYPE_CHECKING:
+    from vad.export.source import Progress
 
 FOLDER = "/"
 
@@ -38,16 +41,16 @@ FORMATS: dict[type, dict[str, str]] = {
         ".json": "vad.export.sheet_json",
     },
     Lesson: {
-        ".mp4": "vad.export.mp4",
-        ".gif": "vad.export.gif",
+        ".mp4": "vad.export.mp4.mp4",
+        ".gif": "vad.export.gif.gif",
         ".pdf": "vad.export.lesson_pdf",
-        ".srt": "vad.export.srt",
-        ".vtt": "vad.export.vtt",
+        ".srt": "vad.export.subtitles.srt",
+        ".vtt": "vad.export.subtitles.vtt",
         FOLDER: "vad.export.frames",
     },
     Turn: {
-        ".mp4": "vad.export.mp4",
-        ".gif": "vad.export.gif",
+        ".mp4": "vad.export.mp4.mp4",
+        ".gif": "vad.export.gif.gif",
         FOLDER: "vad.export.frames",
     },
     Still: {
@@ -65,12 +68,22 @@ _NAMES: dict[type, str] = {
 }
 
 
+class Options(TypedDict, total=False):
+    """What any of the formats takes besides the thing and the file: see `write` of each."""
+
+    progress: Progress | None
+    subtitles: bool
+    size: tuple[int, int] | None
+    style: str | None
+    paper: str | None
+
+
 def save(
     thing: Sheet | Lesson | Turn | Still,
     path: str | os.PathLike[str],
     *,
     beside: Iterable[str] = (),
-    **options: Any,
+    **options: Unpack[Options],
 ) -> None:
     """Save a picture, a film or a step of it; the path's extension chooses the format.
 
@@ -87,8 +100,8 @@ def save(
         Extensions of further files of the same name, such as ``(".srt", ".vtt")``: none of them
         appears unless all are complete.
     **options
-        Handed to the format.  Every format of a lesson takes ``progress``, which is called with
-        the number of frames that are done and their total.
+        Those of `Options` that the format has.  Every format of a lesson takes ``progress``, which
+        is called with the number of frames that are done and their total.
 
     Raises
     ------
@@ -111,7 +124,7 @@ def save(
         module.write(thing, target, **options)
 
 
-def _check_options(module: ModuleType, extension: str, options: dict[str, Any]) -> None:
+def _check_options(module: ModuleType, extension: str, options: Iterable[str]) -> None:
     """Raise `vad.errors.UsageError` for an option that a format does not have."""
     known = set(signature(module.write).parameters)
     for name in options:

@@ -1,8 +1,9 @@
 """Files and folders that appear whole or not at all.
 
 In comes a path, out goes a stream or an empty folder beside it; when the caller has filled it, it
-takes the path's place in one step.  Until then whatever stood there stays as it was, and after an
-error, an interrupt or a request to terminate nothing half-written remains.
+takes the path's place in one step.  Until then whatever stood there stays as it was, and after any
+exception, an interrupt too, nothing half-written remains.  Signals are the program's own affair:
+one that it turns into an exception, as the command line does, leaves nothing behind either.
 """
 
 from __future__ import annotations
@@ -12,19 +13,12 @@ import os
 import secrets
 import shlex
 import shutil
-import signal
-import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from types import FrameType
-from typing import Any, BinaryIO
+from typing import BinaryIO
 
 from vad.errors import ExportError
-
-_SIGNALS: list[int] = [
-    getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
-]
 
 
 @contextmanager
@@ -58,15 +52,16 @@ def new_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     if final.exists() and not os.access(final, os.W_OK):
         raise ExportError(f"no permission to replace '{path}'")
     part = final.with_name(f".vad-{secrets.token_hex(4)}.part")
-    with _explained(path), stopped_by_exception():
-        try:
-            with open(part, "x+b") as stream:
-                yield stream
-            if final.exists():
-                shutil.copymode(final, part)
-            os.replace(part, final)
-        finally:
-            part.unlink(missing_ok=True)
+
+    def clear() -> None:
+        part.unlink(missing_ok=True)
+
+    with _explained(path), _cleared_up(clear):
+        with open(part, "x+b") as stream:
+            yield stream
+        if final.exists():
+            shutil.copymode(final, part)
+        os.replace(part, final)
 
 
 @contextmanager
@@ -89,47 +84,33 @@ def new_folder(path: str | os.PathLike[str], replaceable: Callable[[Path], bool]
     final = _place(path)
     name = final.with_name(f".vad-{secrets.token_hex(4)}")
     part, old = name.with_suffix(".part"), name.with_suffix(".old")
-    with _explained(path), stopped_by_exception():
+
+    def clear() -> None:
+        if old.exists() and not final.exists():
+            os.rename(old, final)
+        shutil.rmtree(part, ignore_errors=True)
+        shutil.rmtree(old, ignore_errors=True)
+
+    with _explained(path), _cleared_up(clear):
         _check_folder(path, final, replaceable)
-        try:
-            part.mkdir()
-            yield part
-            _check_folder(path, final, replaceable)
-            if final.exists():
-                os.rename(final, old)
-            os.rename(part, final)
-        finally:
-            if old.exists() and not final.exists():
-                os.rename(old, final)
-            shutil.rmtree(part, ignore_errors=True)
-            shutil.rmtree(old, ignore_errors=True)
+        part.mkdir()
+        yield part
+        _check_folder(path, final, replaceable)
+        if final.exists():
+            os.rename(final, old)
+        os.rename(part, final)
 
 
 @contextmanager
-def stopped_by_exception() -> Iterator[None]:
-    """Let a request to stop raise an exception, once, so that blocks are left in good order.
-
-    This holds for SIGINT, SIGTERM and SIGHUP, in the main thread, where the program that uses
-    this library does not handle them itself.
-    """
-    caught: dict[int, Any] = {}
-
-    def stop(number: int, _frame: FrameType | None) -> None:
-        for each in caught:
-            signal.signal(each, signal.SIG_IGN)  # a second one must not disturb the clearing up
-        raise KeyboardInterrupt if number == signal.SIGINT else SystemExit(128 + number)
-
+def _cleared_up(clear: Callable[[], None]) -> Iterator[None]:
+    """Call ``clear`` when the block ends: twice, for an interrupt may cut the first call short."""
     try:
-        if threading.current_thread() is threading.main_thread():
-            for number in _SIGNALS:
-                handler = signal.getsignal(number)
-                if handler in (signal.SIG_DFL, signal.default_int_handler):
-                    caught[number] = handler
-                    signal.signal(number, stop)
-        yield
+        try:
+            yield
+        finally:
+            clear()
     finally:
-        for number, handler in caught.items():
-            signal.signal(number, handler)
+        clear()
 
 
 def _place(path: str | os.PathLike[str]) -> Path:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic, Unpack, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from vad.errors import InputError, unknown
-from vad.kinematics.numbers import Number
+from vad.kinematics.inputs import ManyPoses, OnePose, checked
+from vad.kinematics.numbers import Real, Truth, Vector
 from vad.kinematics.report import plain, table, units
 from vad.kinematics.solution import Solution
 from vad.kinematics.solver import solver_of
@@ -18,7 +20,11 @@ if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
 
 
-def solve(mechanism: Mechanism, **inputs: Any) -> Motion:
+@overload
+def solve(mechanism: Mechanism, **inputs: Unpack[OnePose]) -> Motion: ...
+@overload
+def solve(mechanism: Mechanism, **inputs: Unpack[ManyPoses]) -> Motions: ...
+def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
     """Solve one pose, or one for each element of the inputs' broadcast shape.
 
     Nothing is computed yet: positions, velocities and accelerations are found when they are
@@ -57,42 +63,21 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion:
     turns = solver.linkage.driver.kind == "angle"
     # Beyond this, squares of rates times lengths would leave the range of double precision.
     largest = 1e60 * (1.0 if turns else solver.frame.scale)
-    checked = {
-        name: _checked(name, inputs.get(name, default), math.inf if name == "angle" else largest)
+    given = {
+        name: checked(name, inputs.get(name, default), math.inf if name == "angle" else largest)
         for name, default in mechanism.inputs.items()
     }
-    return Motion(mechanism, solver, checked)
+    return Motion(mechanism, solver, given)
 
 
-def _checked(name: str, value: Any, largest: float) -> Number:
-    """Return an input as a float, or as a new array in which what is not finite is NaN."""
-    if type(value) is float and -largest <= value <= largest and math.isfinite(value):
-        return value  # the usual case, first
-    if isinstance(value, np.generic):
-        value = value.item()
-    if isinstance(value, float | int) and not isinstance(value, bool):
-        number = float(value)
-        if not math.isfinite(number):
-            raise InputError(f"{name}: must be a finite number, got {number}")
-        if abs(number) > largest:
-            raise InputError(f"{name}: must be within ±{largest:g}, got {number:g}")
-        return number
-    try:
-        if value is None or isinstance(value, str | bytes | bool):
-            raise TypeError
-        array = np.array(value, dtype=float)
-    except (TypeError, ValueError, OverflowError):
-        wanted = "must be a number or an array of numbers"
-        raise InputError(f"{name}: {wanted}, got {value!r}") from None
-    if not math.isinf(largest):
-        array[~(np.abs(array) <= largest)] = np.nan
-    return array
+class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
+    """A mechanism in motion, in the user's units; made by `solve`.
 
+    To type checkers, `Motion` alone is one pose, and its results are numbers; those of `Motions`,
+    which is many poses, are arrays.
+    """
 
-class Motion(Solution):
-    """A mechanism in motion, in the user's units; made by `solve`."""
-
-    def link(self, name: str) -> Link:
+    def link(self, name: str) -> Link[Real]:
         """Return the motion of a link.
 
         Raises
@@ -104,13 +89,13 @@ class Motion(Solution):
             raise unknown("link", name, self.links)
         return Link(self, name)
 
-    def point(self, letter: str) -> Point:
+    def point(self, letter: str) -> Point[Vector]:
         """Return the motion of a point."""
         if letter not in self.points:
             raise unknown("point", letter, self.points)
         return Point(self, letter)
 
-    def slide(self, name: str) -> Slider:
+    def slide(self, name: str) -> Slider[Real]:
         """Return the motion of a slide."""
         if name not in self.solver.slides:
             raise unknown("slide", name, self.slides)
@@ -163,6 +148,10 @@ class Motion(Solution):
         }
 
 
-def _listed(part: Link | Point | Slider, names: tuple[str, ...]) -> dict[str, Any]:
+def _listed(part: Link[Any] | Point[Any] | Slider[Any], names: tuple[str, ...]) -> dict[str, Any]:
     values = ((name, getattr(part, name)) for name in names)
     return {name: plain(value) for name, value in values if value is not None}
+
+
+#: Many poses at once, for annotations.
+Motions = Motion[NDArray[np.float64], NDArray[np.complex128], NDArray[np.bool_]]

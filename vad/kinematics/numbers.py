@@ -8,12 +8,24 @@ from __future__ import annotations
 
 import cmath
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 # A real or complex number, or an array of them.
 Number = Any
+
+# What the results of a motion are: numbers of one pose unless said otherwise, or arrays of many.
+if TYPE_CHECKING:
+    from typing_extensions import TypeVar
+
+    Real = TypeVar("Real", default=float)
+    Vector = TypeVar("Vector", default=complex)
+    Truth = TypeVar("Truth", default=bool)
+else:  # Python's own has defaults from 3.13 on
+    from typing import TypeVar
+
+    Real, Vector, Truth = TypeVar("Real"), TypeVar("Vector"), TypeVar("Truth")
 
 EPSILON = 2.0**-52
 NAN_VECTOR = complex(math.nan, math.nan)

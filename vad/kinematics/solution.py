@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic
 
 import numpy as np
 from numpy.typing import NDArray
 
 from vad.errors import AssemblyError, DeadCentreError, InputError
-from vad.kinematics import sweep
+from vad.kinematics import chunks
 from vad.kinematics.closures import OpenLoopError
 from vad.kinematics.frame import Frame
 from vad.kinematics.linkage import Linkage, Scalar
-from vad.kinematics.numbers import NAN_VECTOR, Number, direction, fold, is_array
+from vad.kinematics.numbers import NAN_VECTOR, Number, Truth, direction, fold, is_array
 from vad.kinematics.reach import closing_range
 from vad.kinematics.solver import Solver, solver_of
 from vad.kinematics.state import Pose, Rates
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 Formula = Callable[[Pose, tuple[Rates, ...]], Number]
 
 
-class Solution:
+class Solution(Generic[Truth]):
     """Pose, velocities and accelerations in the solver's unit and frame, found when asked for.
 
     Attributes
@@ -84,7 +84,7 @@ class Solution:
             except OpenLoopError as gap:
                 raise _not_assembled(self.mechanism, self._driver, gap.miss) from None
         flat = self._driver.ravel()
-        found = sweep.gather(flat.size, lambda part: self.solver.positions(flat[part]).flat())
+        found = chunks.gather(flat.size, lambda part: self.solver.positions(flat[part]).flat())
         return Pose.of(found)
 
     @property
@@ -94,7 +94,7 @@ class Solution:
             return self.pose
         if self._whole_pose is None:
             self._whole_pose = Pose.of(
-                sweep.expand(self.pose.flat(), self._driver.shape, self.shape)
+                chunks.expand(self.pose.flat(), self._driver.shape, self.shape)
             )
         return self._whole_pose
 
@@ -105,7 +105,7 @@ class Solution:
             self.pose  # noqa: B018  # raises where the links do not close
             return direction(fold(self._driver))
         flat = np.broadcast_to(self._driver, self.shape).ravel()
-        return sweep.gather(flat.size, lambda part: {"": direction(fold(flat[part]))})[""]
+        return chunks.gather(flat.size, lambda part: {"": direction(fold(flat[part]))})[""]
 
     @property
     def velocity(self) -> Rates:
@@ -134,17 +134,20 @@ class Solution:
             own = value[part] if is_array(value) else value
             return self.solver.rates(pose.cut(part), below, own).flat()
 
-        return Rates.of(sweep.gather(math.prod(self.shape), solve_part))
+        return Rates.of(chunks.gather(math.prod(self.shape), solve_part))
 
     @property
-    def assembled(self) -> Any:
+    def assembled(self) -> Truth:
         """Whether the links close: a bool, or an array of them; a dead centre counts as closed."""
-        if not self.many:
+        closed: Any
+        if self.many:
+            closed = self._closes.reshape(self.shape).copy()
+        else:
             try:
-                return bool(self.pose.sine)
+                closed = bool(self.pose.sine)
             except AssemblyError:
-                return False
-        return self._closes.reshape(self.shape).copy()
+                closed = False
+        return closed
 
     @property
     def _closes(self) -> NDArray[np.bool_]:
@@ -190,7 +193,7 @@ class Solution:
         def part_of(part: slice) -> dict[str, Number]:
             return {"": formula(pose.cut(part), tuple(rate.cut(part) for rate in rates))}
 
-        return sweep.gather(math.prod(self.shape), part_of)[""]
+        return chunks.gather(math.prod(self.shape), part_of)[""]
 
 
 def _broadcast(inputs: dict[str, Number]) -> tuple[int, ...]:

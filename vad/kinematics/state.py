@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
-from vad.kinematics import sweep
+from vad.kinematics import chunks
 from vad.kinematics.linkage import Scalar, angle_of, length_of
 from vad.kinematics.numbers import Number
 
@@ -58,8 +58,10 @@ class Pose:
 
     def cut(self, part: slice) -> Pose:
         """Return the poses in ``part``."""
-        sines = sweep.cut(dict(enumerate(self.sine)), part)
-        return Pose(sweep.cut(self.unit, part), sweep.cut(self.length, part), list(sines.values()))
+        sines = chunks.cut(dict(enumerate(self.sine)), part)
+        return Pose(
+            chunks.cut(self.unit, part), chunks.cut(self.length, part), list(sines.values())
+        )
 
 
 @dataclass(slots=True)
@@ -90,4 +92,4 @@ class Rates:
 
     def cut(self, part: slice) -> Rates:
         """Return the rates of the poses in ``part``."""
-        return Rates(sweep.cut(self.turning, part), sweep.cut(self.sliding, part))
+        return Rates(chunks.cut(self.turning, part), chunks.cut(self.sliding, part))

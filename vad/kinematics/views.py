@@ -5,27 +5,36 @@ What they return are numbers or new arrays, never views of the solution.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, Generic
 
 import numpy as np
 
 from vad.errors import DeadCentreError
 from vad.kinematics.linkage import Slide, angle_of
-from vad.kinematics.numbers import Number, degrees_of, direction, fold, is_array, positive
+from vad.kinematics.numbers import (
+    Number,
+    Real,
+    Vector,
+    degrees_of,
+    direction,
+    fold,
+    is_array,
+    positive,
+)
 
 if TYPE_CHECKING:
     from vad.kinematics.solution import Solution
 
 
-class Link:
+class Link(Generic[Real]):
     """The motion of one link: ``angle`` in degrees within [0, 360), ``omega``, ``alpha``."""
 
-    def __init__(self, motion: Solution, name: str) -> None:
+    def __init__(self, motion: Solution[Any], name: str) -> None:
         self._motion = motion
         self._name = name
 
     @property
-    def angle(self) -> Number:
+    def angle(self) -> Real:
         """Its direction in degrees, counter-clockwise from +x."""
         motion, name = self._motion, self._name
         if angle_of(name) == motion.linkage.driver:
@@ -56,20 +65,20 @@ class Link:
         return motion.shaped(np.broadcast_to(folded, motion.shape).ravel())
 
     @property
-    def omega(self) -> Number:
+    def omega(self) -> Real:
         """Its angular velocity in rad/s."""
         return self._motion.shaped(self._motion.velocity.turning[self._name])
 
     @property
-    def alpha(self) -> Number:
+    def alpha(self) -> Real:
         """Its angular acceleration in rad/s²."""
         return self._motion.shaped(self._motion.acceleration.turning[self._name])
 
 
-class Point:
+class Point(Generic[Vector]):
     """The motion of one point, as complex numbers x + iy in the user's length unit."""
 
-    def __init__(self, motion: Solution, letter: str) -> None:
+    def __init__(self, motion: Solution[Any], letter: str) -> None:
         self._motion = motion
         self._letter = letter
 
@@ -78,25 +87,26 @@ class Point:
         return self._motion.shaped(value, frame.turn, frame.scale)
 
     @property
-    def position(self) -> Number:
+    def position(self) -> Vector:
         """Where it is."""
         motion, letter = self._motion, self._letter
         routes = motion.solver.routes
         guide = routes.guide(letter)
         if guide:
-            return guide.origin + Slider(motion, guide.name).position * heading(guide)
+            slide: Slider[Any] = Slider(motion, guide.name)
+            return guide.origin + slide.position * heading(guide)
         pin = routes.pin(letter)
         if pin and motion.frame.angle:
             return motion.shaped(motion.crank_direction, float(pin.length))
         return self._outward(motion.reckon(lambda pose, _: routes.position(letter, pose), 0))
 
     @property
-    def velocity(self) -> Number:
+    def velocity(self) -> Vector:
         """Its velocity."""
         return self._rate(1)
 
     @property
-    def acceleration(self) -> Number:
+    def acceleration(self) -> Vector:
         """Its acceleration."""
         return self._rate(2)
 
@@ -105,7 +115,7 @@ class Point:
         routes = motion.solver.routes
         guide = routes.guide(letter)
         if guide:
-            slide = Slider(motion, guide.name)
+            slide: Slider[Any] = Slider(motion, guide.name)
             return (slide.velocity if orders == 1 else slide.acceleration) * heading(guide)
         return self._outward(
             motion.reckon(lambda pose, rates: routes.rate(letter, pose, rates), orders)
@@ -117,33 +127,33 @@ def heading(guide: Slide) -> complex:
     return complex(direction(fold(float(guide.along))))
 
 
-class Slider:
+class Slider(Generic[Real]):
     """The motion of one slide along its line, in the user's length unit."""
 
-    def __init__(self, motion: Solution, name: str) -> None:
+    def __init__(self, motion: Solution[Any], name: str) -> None:
         self._motion = motion
         self._name = name
 
     @property
-    def position(self) -> Number:
+    def position(self) -> Real:
         """Its signed distance from the zero of its line."""
         motion = self._motion
         return motion.shaped(motion.whole_pose.length[self._name], motion.frame.scale)
 
     @property
-    def velocity(self) -> Number:
+    def velocity(self) -> Real:
         """Its velocity along the line."""
         motion = self._motion
         return motion.shaped(motion.velocity.sliding[self._name], motion.frame.scale)
 
     @property
-    def acceleration(self) -> Number:
+    def acceleration(self) -> Real:
         """Its acceleration along the line."""
         motion = self._motion
         return motion.shaped(motion.acceleration.sliding[self._name], motion.frame.scale)
 
     @property
-    def coriolis(self) -> Number:
+    def coriolis(self) -> Real | None:
         """The magnitude of its Coriolis component 2·ω·v, or None on a line that does not turn."""
         motion, name = self._motion, self._name
         for step in motion.frame.steps:

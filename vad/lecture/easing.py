@@ -1,4 +1,4 @@
-"""Easing: plain functions from [0, 1] to [0, 1], share of time to share of the stroke."""
+"""Easing: from [0, 1] to [0, 1], share of time to share of the stroke."""
 
 from __future__ import annotations
 
@@ -12,8 +12,3 @@ def smooth(share: float) -> float:
     (0.0, 0.5, 1.0)
     """
     return share * share * (3.0 - 2.0 * share)
-
-
-def steady(share: float) -> float:
-    """Go at one pace."""
-    return share

@@ -1,6 +1,6 @@
 """The crank and slotted lever, the quick return of the shaper, with its optional ram."""
 
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 
 from vad.kinematics.linkage import Linkage
 from vad.mechanisms.mechanism import Mechanism, angle, length
@@ -26,6 +26,7 @@ class CrankSlottedLever(Mechanism):
     lever: float = length(250.0, "length of DC")
     rod: float | None = length(None, "length of CE, with a ram")
     ram_height: float | None = length(None, "height of the ram's line above A", signed=True)
+    _: KW_ONLY
     ground_angle: float = angle(-90.0, "direction of AD")
 
     def linkage(self) -> Linkage:

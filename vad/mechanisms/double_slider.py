@@ -21,8 +21,8 @@ class DoubleSlider(Mechanism):
     inputs = {"position": 500.0, "velocity": 2000.0, "acceleration": 1000.0}
 
     link: float = length(1000.0, "length of AB")
-    guide_a: float = angle(0.0, "direction of A's guide", keyword=False)
-    guide_b: float = angle(90.0, "direction of B's guide", keyword=False)
+    guide_a: float = angle(0.0, "direction of A's guide")
+    guide_b: float = angle(90.0, "direction of B's guide")
 
     def linkage(self) -> Linkage:
         """OA + AB = OB."""

@@ -1,6 +1,6 @@
 """The four-bar linkage: two pivots, three moving bars."""
 
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 
 from vad.kinematics.linkage import Bar, Linkage, Loop, angle_of
 from vad.mechanisms.mechanism import Mechanism, angle, length
@@ -22,6 +22,7 @@ class FourBar(Mechanism):
     crank: float = length(40.0, "length of AB")
     coupler: float = length(120.0, "length of BC")
     rocker: float = length(80.0, "length of DC")
+    _: KW_ONLY
     ground_angle: float = angle(0.0, "direction of AD")
 
     def linkage(self) -> Linkage:

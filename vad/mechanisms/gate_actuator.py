@@ -1,7 +1,7 @@
 """The gate actuator: an arm that is turned by a strut of changing length."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, length_of
 from vad.mechanisms.mechanism import Mechanism, angle, length, unit
@@ -24,6 +24,7 @@ class GateActuator(Mechanism):
 
     ground: float = length(math.hypot(0.416, 0.546), "distance AD of the pivots")
     arm: float = length(math.hypot(3.875, 0.3), "length of AB")
+    _: KW_ONLY
     ground_angle: float = angle(math.degrees(math.atan2(0.546, -0.416)), "direction of AD")
     length_unit: str = unit("ft")
 

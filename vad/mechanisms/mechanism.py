@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, fields
-from typing import Any, ClassVar
+from dataclasses import KW_ONLY, dataclass, field, fields
+from typing import Any, ClassVar, TypeVar
 
 from vad.errors import InputError, unknown
 from vad.kinematics.linkage import Linkage
@@ -18,7 +18,10 @@ SHORTEST, LONGEST = 1e-200, 1e200
 MECHANISMS: dict[str, type[Mechanism]] = {}
 
 
-def length(default: float | None, help: str, *, signed: bool = False) -> Any:
+Length = TypeVar("Length", float, None)
+
+
+def length(default: Length, help: str, *, signed: bool = False) -> Length:
     """Declare a parameter that is a length; positive unless ``signed``, optional if None."""
     metadata = {
         "quantity": "length",
@@ -29,26 +32,27 @@ def length(default: float | None, help: str, *, signed: bool = False) -> Any:
     return field(default=default, metadata=metadata)
 
 
-def angle(default: float, help: str, *, keyword: bool = True) -> Any:
+def angle(default: float, help: str) -> float:
     """Declare a parameter that is an angle in degrees."""
     metadata = {"quantity": "angle", "help": help, "signed": True, "optional": False}
-    return field(default=default, metadata=metadata, kw_only=keyword)
+    return field(default=default, metadata=metadata)
 
 
-def unit(default: str) -> Any:
+def unit(default: str) -> str:
     """Declare the unit that labels lengths."""
     metadata = {"quantity": "unit", "help": "the unit that labels lengths"}
-    return field(default=default, metadata=metadata, kw_only=True)
+    return field(default=default, metadata=metadata)
 
 
 @dataclass(frozen=True)
 class Mechanism:
     """A linkage with its parameters; each kind is a subclass in a file of its own.
 
-    A subclass states its parameters as dataclass fields and, as class variables, its `name` on
-    the command line, its `title`, the `points`, `links` and `slides` that it reports (links with
-    the letters of their ends, slides with the letter that slides), and its `inputs` with their
-    defaults.  `linkage` returns its loops.
+    A subclass states its parameters as dataclass fields, those that are given by name alone after
+    ``_: KW_ONLY``, and as class variables its `name` on the command line, its `title`, the
+    `points`, `links` and `slides` that it reports (links with the letters of their ends, slides
+    with the letter that slides), and its `inputs` with their defaults.  `linkage` returns its
+    loops.
 
     Raises
     ------
@@ -63,9 +67,9 @@ class Mechanism:
     slides: ClassVar[dict[str, str]] = {}
     inputs: ClassVar[dict[str, float]] = CRANK
 
+    _: KW_ONLY
     assembly: str = field(
         default="open",
-        kw_only=True,
         metadata={"quantity": "choice", "choices": ASSEMBLIES, "help": "which way it is assembled"},
     )
     length_unit: str = unit("mm")

@@ -1,7 +1,7 @@
 """The Whitworth quick return, with its optional ram."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 
 from vad.kinematics.linkage import Linkage
 from vad.mechanisms.mechanism import Mechanism, angle, length
@@ -27,6 +27,7 @@ class Whitworth(Mechanism):
     arm: float = length(60.0, "length of DC")
     rod: float | None = length(None, "length of CE, with a ram")
     ram_height: float | None = length(None, "height of the ram's line above A", signed=True)
+    _: KW_ONLY
     ground_angle: float = angle(-90.0, "direction of AD")
 
     def linkage(self) -> Linkage:

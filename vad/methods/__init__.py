@@ -16,7 +16,7 @@ from vad.methods import (
     newton,
     unit_vectors,
 )
-from vad.methods.equations import Found, Jet, Problem, problem_of
+from vad.methods.problem import Found, Jet, Problem, problem_of
 
 Method = Callable[[Problem], Found]
 

@@ -6,7 +6,7 @@ import math
 
 import vad
 from vad.kinematics.linkage import Scalar
-from vad.methods.equations import Found, Jet, Problem
+from vad.methods.problem import Found, Jet, Problem
 
 
 def solve(problem: Problem) -> Found:

@@ -10,7 +10,7 @@ import cmath
 import math
 
 from vad.kinematics.linkage import Scalar
-from vad.methods.equations import (
+from vad.methods.problem import (
     Equation,
     Found,
     Problem,

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from vad.kinematics.linkage import Scalar
 from vad.methods import closed_form
-from vad.methods.equations import Found, Jet, Problem
+from vad.methods.problem import Found, Jet, Problem
 
 #: The best step for second differences is about the fourth root of ε.
 STEP = 1e-4

@@ -13,7 +13,7 @@ from typing import Any
 from mpmath import mp, mpc, mpf  # type: ignore[import-untyped]
 
 from vad.kinematics.linkage import Scalar
-from vad.methods.equations import Equation, Found, Problem, Values, Vector, found
+from vad.methods.problem import Equation, Found, Problem, Values, Vector, found
 
 DIGITS = 50
 # Next to a dead centre half the digits are lost, and half of those left again.

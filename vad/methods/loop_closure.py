@@ -9,7 +9,7 @@ from __future__ import annotations
 import cmath
 
 from vad.kinematics.linkage import Scalar
-from vad.methods.equations import Equation, Found, Problem, Values, loop_by_loop, polar
+from vad.methods.problem import Equation, Found, Problem, Values, loop_by_loop, polar
 
 
 def solve(problem: Problem) -> Found:

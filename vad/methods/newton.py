@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from vad.kinematics.linkage import Scalar
 from vad.methods import construction
-from vad.methods.equations import Found, Problem, Values, Vector, driven, found, polar
+from vad.methods.problem import Found, Problem, Values, Vector, driven, found, polar
 
 TOLERANCE = 1e-10
 _MOST_STEPS = 50

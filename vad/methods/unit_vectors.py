@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.kinematics.linkage import Scalar
-from vad.methods.equations import Equation, Found, Problem, Values, loop_by_loop, polar
+from vad.methods.problem import Equation, Found, Problem, Values, loop_by_loop, polar
 
 Components = NDArray[np.float64]
 

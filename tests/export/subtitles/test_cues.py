@@ -6,7 +6,9 @@ import pytest
 
 from tests.export.synthetic import SHEET, lesson
 from vad.export import save
-from vad.export.subtitles import Cue, cues, srt, vtt
+from vad.export.subtitles.cues import Cue, cues
+from vad.export.subtitles.srt import srt
+from vad.export.subtitles.vtt import vtt
 from vad.lecture.lesson import Lesson, Step
 
 

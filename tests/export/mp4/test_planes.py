@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from vad.export.planes import convert, even
+from vad.export.mp4.planes import convert, even
 
 
 def planes(width: int, height: int) -> list[np.ndarray]:

@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 
 from vad.errors import ExportError, UsageError
-from vad.export.mp4_boxes import leave_off_last_track
-from vad.export.planes import Bytes, Samples, converted
+from vad.export.mp4.atoms import leave_off_last_track
+from vad.export.mp4.planes import Bytes, Samples, converted
 from vad.export.source import Film, Progress, painted, rate
-from vad.export.subtitles import Cue, cues
+from vad.export.subtitles.cues import Cue, cues
 from vad.lecture.lesson import Lesson
 from vad.painting.picture import Frame
 
@@ -66,7 +66,7 @@ def write(
     vad.errors.UsageError
         If the width or height is odd.
     """
-    check_size(lesson.size)
+    _check_even(lesson.size)
     encode(
         painted(lesson, progress),
         stream,
@@ -77,7 +77,7 @@ def write(
     )
 
 
-def check_size(size: tuple[int, int]) -> None:
+def _check_even(size: tuple[int, int]) -> None:
     """Raise `vad.errors.UsageError` for a size that H.264 with half-size chroma cannot have."""
     width, height = size
     if width % 2 or height % 2:

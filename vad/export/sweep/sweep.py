@@ -12,15 +12,15 @@ import numpy as np
 
 from vad.errors import AssemblyError, UsageError
 from vad.export.files import new_file
-from vad.export.sweep_results import Results, results_of
-from vad.kinematics.motion import Motion
+from vad.export.sweep.results import Results, results_of
+from vad.kinematics.motion import Motions
 
 _CHUNK = 10_000
 
 FORMATS = (".csv", ".png")
 
 
-def save_sweep(motion: Motion, path: str | Path) -> None:
+def save_sweep(motion: Motions, path: str | Path) -> None:
     """Write a motion over an array of inputs to a ``.csv`` or ``.png`` file.
 
     Raises
@@ -42,7 +42,7 @@ def save_sweep(motion: Motion, path: str | Path) -> None:
         if kind == ".csv":
             stream.writelines(line.encode() for line in lines(results))
         else:
-            from vad.export.sweep_plot import plot
+            from vad.export.sweep.plot import plot
 
             plot(motion, results, stream)
 

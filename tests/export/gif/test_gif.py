@@ -12,7 +12,8 @@ from PIL import Image, ImageSequence
 
 import vad
 from tests.export.synthetic import frames, lesson, pictures
-from vad.export import gif, save
+from vad.export import save
+from vad.export.gif import gif
 from vad.export.palette import coarse
 from vad.lecture.lesson import Lesson
 from vad.painting.picture import EMPTY, Frame

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.export.boxes import bands, parted, union
-from vad.export.gif_image import image_bytes
+from vad.export.gif.image import image_bytes
 from vad.export.palette import Palette, coarse
 from vad.export.source import Film, Progress, painted, rate
 from vad.painting.picture import EMPTY, Box, Frame

@@ -18,8 +18,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 from numpy.typing import NDArray
 
-from vad.export.sweep_results import Column, Results, Row
-from vad.kinematics.motion import Motion
+from vad.export.sweep.results import Column, Results, Row
+from vad.kinematics.motion import Motions
 from vad.style import Style, load_style
 from vad.units import scene_unit
 from vad.written import WRITTEN_OUT, quantity, sign
@@ -41,7 +41,7 @@ _ORDERS = 3
 _HARD_SPACE = "\N{NO-BREAK SPACE}"
 
 
-def plot(motion: Motion, results: Results, file: IO[bytes]) -> None:
+def plot(motion: Motions, results: Results, file: IO[bytes]) -> None:
     """Write the plot of a sweep."""
     style = load_style("paper")
     settings: dict[Any, Any] = {
@@ -63,7 +63,7 @@ def plot(motion: Motion, results: Results, file: IO[bytes]) -> None:
         figure.savefig(file, format="png", metadata={"Title": title})
 
 
-def _head(figure: Figure, motion: Motion, style: Style) -> None:
+def _head(figure: Figure, motion: Motions, style: Style) -> None:
     """Write the mechanism's name, its dimensions and the rates of its input."""
     mechanism, (_, *rates) = motion.mechanism, motion.inputs.items()
     quantities = {field.name: field.metadata["quantity"] for field in fields(mechanism)}

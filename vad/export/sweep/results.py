@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.kinematics.motion import Motion
+from vad.kinematics.motion import Motions
 from vad.units import scene_unit
 
 _LINK = ("angle", "omega", "alpha")
@@ -47,7 +47,7 @@ class Results:
         return next(row for row in (*self.links, *self.slides) if row.driven)
 
 
-def results_of(motion: Motion) -> Results:
+def results_of(motion: Motions) -> Results:
     """Return what is written of a motion: its input, its links and its slides."""
     unit, driver = motion.mechanism.length_unit, motion.linkage.driver
     links, slides = motion.mechanism.links, motion.mechanism.slides

@@ -10,8 +10,9 @@ import pytest
 
 from tests.export.synthetic import SHEET, frames, lesson, pictures
 from vad.errors import UsageError
-from vad.export import mp4, save
-from vad.export.subtitles import Cue, cues
+from vad.export import save
+from vad.export.mp4 import mp4
+from vad.export.subtitles.cues import Cue, cues
 from vad.lecture.lesson import Lesson
 
 

@@ -1,0 +1,1 @@
+"""A film as GIF: `gif` writes the file, `image` one picture of it."""
