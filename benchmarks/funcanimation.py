@@ -67,22 +67,25 @@ class Scene:
 
     def show(self, state: Moment) -> None:
         """Set every artist as it is at a moment."""
-        for (panel, stroke), drawn in self._strokes.items():
-            done = stroke < state.done[panel]
-            growing = state.grown is not None and (panel, stroke) == (state.panel, state.stroke)
+        finished, growing_now = divmod(state.beat, 2)
+        for number, drawn in enumerate(self._strokes.values()):
+            done = number < finished
+            growing = bool(growing_now) and number == finished
             for artist in drawn.lasting:
                 artist.set_visible(done or growing)
             for artist in drawn.passing:
                 artist.set_visible(growing)
             if done or growing:
-                drawn.grow(1.0 if done or state.grown is None else state.grown)
-        for (panel, stroke), texts in self._revealed.items():
+                drawn.grow(1.0 if done else state.share)
+        places = list(self._strokes)
+        for place, texts in self._revealed.items():
             for text in texts:
-                text.set_visible(stroke < state.done[panel])
-        if state.panel is not None:
-            strokes = self._panels[state.panel].strokes
-            self._caption.set_text(_mathematics(strokes[state.stroke].caption, words=True))
-            self._count.set_text(f"{state.stroke + 1} / {len(strokes)}")
+                text.set_visible(places.index(place) < finished)
+        if state.beat:
+            panel, stroke = places[finished - 1 + growing_now]
+            strokes = self._panels[panel].strokes
+            self._caption.set_text(_mathematics(strokes[stroke].caption, words=True))
+            self._count.set_text(f"{stroke + 1} / {len(strokes)}")
 
     def _draw(self, number: int, panel: Panel, axes: Axes) -> None:
         points = np.array([point for stroke in panel.strokes for point in _ends(stroke.shape)])

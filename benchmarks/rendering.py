@@ -70,17 +70,17 @@ def check_frames() -> None:
 
     import vad
     from vad.lecture.moment import moments
-    from vad.painting.canvas import AggCanvas
-    from vad.painting.film import frames, paint
-    from vad.plan.board import Board
+    from vad.painting.film import redraw
+    from vad.painting.filming import filmed
+    from vad.painting.posed import board_of
+    from vad.style import load_style
 
     lesson = vad.animate(vad.draw(vad.solve(vad.SliderCrank())))
-    board = Board(lesson.sheet, lesson.size, lesson.style, lesson=True)
+    board, style = board_of(lesson), load_style(lesson.style)
     different = 0
-    for frame, (state, repeats) in zip(frames(lesson), moments(lesson), strict=True):
-        canvas = AggCanvas(lesson.size, board.style.background)
-        paint(board, state, canvas)
-        if not np.array_equal(frame.pixels, canvas.pixels) or frame.repeats != repeats:
+    for frame, (state, repeats) in zip(filmed(lesson), moments(lesson), strict=True):
+        same = np.array_equal(frame.pixels, redraw(board, state, style))
+        if not same or frame.repeats != repeats:
             raise SystemExit(f"picture {different} is not what a full redraw gives")
         different += 1
     print(f"{lesson.frames} frames, {different} of them different: all equal full redraws\n")

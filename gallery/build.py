@@ -21,7 +21,7 @@ from PIL.PngImagePlugin import PngInfo
 import vad
 from vad.export.palette import Palette, fine
 from vad.lecture.lesson import Lesson
-from vad.painting.posed import still
+from vad.painting.posed import picture
 from vad.strokes.sheet import Sheet
 from vad.style import style_names
 
@@ -105,7 +105,7 @@ def contact_sheet(path: Path) -> None:
     whole = Image.new("RGB", size, "white")
     for number, name in enumerate(names):
         row, column = divmod(number, COLUMNS)
-        cell = Image.fromarray(still(sheet(name), CELL, SHEET_STYLE)[..., :3])
+        cell = Image.fromarray(picture(sheet(name), CELL, SHEET_STYLE)[..., :3])
         whole.paste(cell, (column * (width + GAP), row * (height + GAP)))
     _with_palette(whole, fine(SHEET_STYLE)).save(path, optimize=True)
 

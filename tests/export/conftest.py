@@ -5,13 +5,13 @@ from pathlib import Path
 
 import pytest
 
-from tests.export.synthetic import as_film_module
+from tests.export.synthetic import as_filming_module
 
 
 @pytest.fixture
 def painter(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let lessons be painted by the small synthetic painter."""
-    monkeypatch.setitem(sys.modules, "vad.painting.film", as_film_module())
+    monkeypatch.setitem(sys.modules, "vad.painting.filming", as_filming_module())
 
 
 @pytest.fixture

@@ -108,10 +108,10 @@ def pictures(lesson: Lesson) -> list[Bytes]:
     ]
 
 
-def as_film_module(source: Any = frames) -> ModuleType:
-    """Return a module that stands for ``vad.painting.film``."""
-    module = ModuleType("vad.painting.film")
-    module.__dict__["frames"] = source
+def as_filming_module(source: Any = frames) -> ModuleType:
+    """Return a module that stands for ``vad.painting.filming``."""
+    module = ModuleType("vad.painting.filming")
+    module.__dict__["filmed"] = source
     return module
 
 

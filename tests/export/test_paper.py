@@ -6,13 +6,13 @@ import re
 from pathlib import Path
 
 import pytest
+from vad.plan.paper import CENTIMETRE, load_paper, paper_names
+from vad.plan.vertices import corners
 
 import vad
 from tests.export import pdf_reader
 from vad.errors import UsageError
 from vad.plan.board import Board
-from vad.plan.paper import CENTIMETRE, load_paper, paper_names
-from vad.plan.vertices import corners
 from vad.strokes.sheet import Arrow, Sheet
 
 MILLIMETRE = 72 / 25.4

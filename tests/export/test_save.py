@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.export import synthetic
-from tests.export.synthetic import SHEET, as_film_module, lesson
+from tests.export.synthetic import SHEET, as_filming_module, lesson
 from vad.errors import ExportError, UsageError
 from vad.export import FORMATS, format_of, save
 from vad.lecture.lesson import Lesson
@@ -121,7 +121,7 @@ class TestInterruption:
                     raise kind(28, "No space left on device")
                 yield frame
 
-        monkeypatch.setitem(sys.modules, "vad.painting.film", as_film_module(stopping))
+        monkeypatch.setitem(sys.modules, "vad.painting.filming", as_filming_module(stopping))
         film = lesson(steps=2)
         pictures = len(list(synthetic.frames(film)))
         stop_at = pictures
@@ -149,7 +149,7 @@ def slow(film):
             time.sleep(60)
         yield frame
 
-sys.modules["vad.painting.film"] = synthetic.as_film_module(slow)
+sys.modules["vad.painting.filming"] = synthetic.as_filming_module(slow)
 save(synthetic.lesson(), sys.argv[1])
 """
         environment = {**os.environ, "PYTHONPATH": str(ROOT)}
@@ -180,7 +180,7 @@ from tests.export import synthetic
 from vad.errors import ExportError
 from vad.export import save
 
-sys.modules["vad.painting.film"] = synthetic.as_film_module()
+sys.modules["vad.painting.filming"] = synthetic.as_filming_module()
 film = synthetic.lesson()
 save(film, sys.argv[1])
 made = Path(sys.argv[1])
@@ -210,7 +210,7 @@ def peak(steps):
     save(synthetic.lesson(steps=steps, size=(320, 180)), sys.argv[1])
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
-sys.modules["vad.painting.film"] = synthetic.as_film_module()
+sys.modules["vad.painting.filming"] = synthetic.as_filming_module()
 once, tenfold = peak(20), peak(200)
 assert tenfold < 1.1 * once, (once, tenfold)
 """

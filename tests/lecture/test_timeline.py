@@ -9,7 +9,7 @@ import pytest
 from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
 from vad.lecture.easing import smooth
-from vad.lecture.moment import moment, moments
+from vad.lecture.moment import Moment, done, moment, moments
 from vad.lecture.timeline import animate, rest
 
 
@@ -41,12 +41,13 @@ def test_every_frame_has_one_state_and_strokes_only_grow():
     lesson = animate(slider_crank(), fps=10)
     states = [moment(lesson, number) for number in range(lesson.frames)]
     assert sum(repeats for _, repeats in moments(lesson)) == lesson.frames
-    assert states[0].done == (0, 0, 0) and states[0].panel is None
-    assert states[-1].done == tuple(len(p.strokes) for p in lesson.sheet.panels)
+    assert states[0] == Moment(done(0))
+    assert states[-1] == Moment(done(sum(len(p.strokes) for p in lesson.sheet.panels)))
     for before, after in pairwise(states):
-        assert sum(after.done) - sum(before.done) in (0, 1)
-        if before.grown is not None and after.grown is not None and before.done == after.done:
-            assert after.grown > before.grown
+        assert after.beat - before.beat in (0, 1, 2)
+        assert (after.share < 1.0) == (after.beat % 2 == 1)
+        if before.beat == after.beat and after.share < 1.0:
+            assert after.share > before.share
     with pytest.raises(IndexError):
         moment(lesson, lesson.frames)
     with pytest.raises(IndexError):

@@ -7,11 +7,12 @@ import math
 import pytest
 
 import vad
-from vad.painting.turning import TurnBoard
-from vad.plan.page import Rect
-from vad.plan.polygon import DOT
+from vad.plan.geometry import Rect
+from vad.plan.pictures.vectors import DOT
 from vad.plan.turning.spots import CORIOLIS, Spots, spots
+from vad.plan.turning.turn_board import TurnBoard
 
+KEY = 0.058
 SHARE = 0.8  # of the distance to any other dot, at which its own has to be
 PHASES = [step / 41 for step in range(41)]  # beside those that are planned
 
@@ -30,13 +31,13 @@ def _distance(box: Rect, point: complex) -> float:
     return math.hypot(aside, above)
 
 
-def _misread(text: str, box: Rect, here: Spots, drawing: Rect, unit: float) -> bool:
+def _misread(text: str, box: Rect, here: Spots, drawing: Rect) -> bool:
     """Tell whether a dot that is not the label's own is covered, or about as near to it."""
     letters = text.split(", ")
     own = min(_distance(box, here[letter].at) for letter in letters if letter in here)
     least = 0.0 if text == CORIOLIS else own / SHARE
     return any(
-        _distance(box, spot.at) < max(least, DOT * unit)
+        _distance(box, spot.at) < max(least, DOT)
         for letter, spot in here.items()
         if letter not in (*letters, CORIOLIS) and drawing.holds(spot.at)
     )
@@ -54,7 +55,7 @@ def _meet(one: Rect, other: Rect) -> bool:
 @pytest.mark.parametrize("size", [(1280, 720), (1024, 768)], ids=["wide", "narrow"])
 def test_no_label_names_the_wrong_dot_or_covers_one(mechanism, size: tuple[int, int]):
     turn = vad.turn(mechanism, size=size)
-    board = TurnBoard(turn)
+    board = TurnBoard(turn, KEY)
     wrong, left_out, letters = [], 0, 0
     for phase in PHASES:
         sheet = turn.at(phase)
@@ -66,7 +67,7 @@ def test_no_label_names_the_wrong_dot_or_covers_one(mechanism, size: tuple[int, 
             letters += len(visible)
             left_out += len(visible - named)
             for number, (name, box) in enumerate(labels):
-                if _misread(name.text, box, here, drawing, board.look.unit):
+                if _misread(name.text, box, here, drawing):
                     wrong.append((phase, panel.name, name.text))
                 wrong += [
                     (phase, panel.name, f"{name.text} upon {other.text}")
@@ -79,7 +80,7 @@ def test_no_label_names_the_wrong_dot_or_covers_one(mechanism, size: tuple[int, 
 
 def test_points_that_coincide_share_a_label():
     turn = vad.turn(vad.DoubleSlider(), size=(1024, 768))
-    board, shared = TurnBoard(turn), set()
+    board, shared = TurnBoard(turn, KEY), set()
     for phase in PHASES:
         panel = turn.at(phase).panels[-1]
         shared |= {name.text for name, _ in board.panels[panel.name].labels(panel, phase)}

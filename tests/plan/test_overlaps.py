@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 import vad
+from tests.plan.overlaps import overlaps, planned
 from tests.plan.sheets import slider_crank
 from vad.errors import VadError
-from vad.painting.canvas import AggCanvas
-from vad.plan.art import Level
-from vad.plan.board import Board
-from vad.plan.overlaps import overlaps
+from vad.painting.agg_painter import AggPainter
+from vad.painting.painter import Looks
+from vad.plan.items import Level
 from vad.strokes.sheet import Sheet
-from vad.style import style_names
+from vad.style import load_style, style_names
 
 
 @pytest.mark.parametrize("degrees", range(0, 360, 30))
@@ -53,22 +53,22 @@ def test_a_full_turn_of_every_mechanism(name: str):
 @pytest.mark.parametrize("style", style_names())
 def test_finished_labels_cover_only_background(style: str):
     """Paint the panels without their letters: where these would stand, all is background."""
+    look = load_style(style)
+    looks = Looks(look)
     for degrees in (20.0, 75.0, 160.0, 250.0):
-        board = Board(slider_crank(degrees), (1280, 720), style)
-        done = board.finished().done
-        canvas = AggCanvas((1280, 720), board.style.background)
-        for count, art in zip(done, board.arts.values(), strict=True):
-            canvas.paint(
-                mark
-                for item in sorted(art.items, key=lambda item: item.level)
-                if item.since <= count < item.until and item.level < Level.LABEL
-                for mark in item.marks
-            )
-        for count, art in zip(done, board.arts.values(), strict=True):
-            for tag in art.tags:
-                if tag.span[1] <= count:
+        board = planned(slider_crank(degrees))
+        painter = AggPainter(board.form)
+        painter.begin(board.form, look.background)
+        for item in board.shown(board.finished):
+            if item.region in board.sketches and item.level < Level.LABEL:
+                for mark in item.marks:
+                    painter.paint(mark.shape, looks(mark))
+        for sketch in board.sketches.values():
+            for tag in sketch.tags:
+                if tag.span[1] <= board.finished:
                     continue
-                rows = slice(720 - math.ceil(tag.box.top), 720 - math.floor(tag.box.bottom))
-                columns = slice(math.floor(tag.box.left), math.ceil(tag.box.right))
-                area = canvas.words[rows, columns]
-                assert np.all(area == canvas.background), (degrees, tag.text)
+                box = [720 * side for side in (tag.box.bottom, tag.box.top, tag.box.left)]
+                rows = slice(720 - math.ceil(box[1]), 720 - math.floor(box[0]))
+                columns = slice(math.floor(box[2]), math.ceil(720 * tag.box.right))
+                area = painter.words[rows, columns]
+                assert np.all(area == painter.word(look.background)), (degrees, tag.text)

@@ -7,8 +7,12 @@ from itertools import combinations
 import pytest
 
 import vad
-from vad.plan.board import Board
+from vad.plan.board import plan
+from vad.plan.format import screen
+from vad.plan.lettering.glyphs import typeset
+from vad.plan.marks import Lettering
 from vad.strokes.sheet import Sheet
+from vad.style import load_style
 
 SIZE = (1024, 768)
 
@@ -25,13 +29,29 @@ def fourbar(scale: float, language: str) -> Sheet:
 @pytest.mark.parametrize("style", ["paper", "print"])
 @pytest.mark.parametrize("scale", [1e-3, 1e-9, 1e3, 1e9, 1.0])
 def test_columns_never_touch(scale: float, style: str, language: str):
-    board = Board(fourbar(scale, language), SIZE, style)
-    for state in ("new", "measured"):
-        marks = [m for m in board.table.marks(lambda *_, s=state: s) if m.text]
-        boxes = [(*m.vertices.min(axis=0), *m.vertices.max(axis=0)) for m in marks]
+    board = plan(fourbar(scale, language), screen(SIZE), load_style(style).key, lesson=True)
+    for beat in range(board.finished + 1):
+        texts = [
+            mark.shape
+            for item in board.shown(beat)
+            if item.region == "results"
+            for mark in item.marks
+            if isinstance(mark.shape, Lettering)
+        ]
+        boxes = [ink_box(text) for text in texts]
         for a, b in combinations(boxes, 2):
-            gap = 0.01 * SIZE[1] if abs(a[1] - b[1]) < 12 else 0.0
+            gap = 0.01 if abs(a[1] - b[1]) < 0.016 else 0.0
             apart = a[2] + gap < b[0] or b[2] + gap < a[0] or a[3] < b[1] or b[3] < a[1]
             assert apart, (a, b)
-        assert min(m.text.size for m in marks) > 0.018 * SIZE[1]
-        assert min(box[0] for box in boxes) >= board.page.left
+        assert min(text.size for text in texts) > 0.018
+        assert min(box[0] for box in boxes) >= board.page.left - 1e-9
+
+
+def ink_box(text: Lettering) -> tuple[float, float, float, float]:
+    shape, size, x, y = typeset(text.runs), text.size, text.at.real, text.at.imag
+    return (
+        x + size * shape.left,
+        y + size * shape.bottom,
+        x + size * shape.right,
+        y + size * shape.top,
+    )

@@ -15,7 +15,7 @@ from vad.errors import unknown
 from vad.export import FOLDER, FORMATS
 from vad.lecture.lesson import Lesson
 from vad.mechanisms import MECHANISMS
-from vad.plan.paper import paper_names
+from vad.plan.format import paper_names
 from vad.strokes.language import languages
 from vad.strokes.sheet import PANELS, Sheet
 from vad.style import style_names

@@ -8,7 +8,6 @@ from fractions import Fraction
 from vad.lecture.lesson import Lesson
 from vad.lecture.turn import Turn
 from vad.painting.picture import Frame
-from vad.painting.posed import filmed
 
 Film = Lesson | Turn
 #: Called with how many frames are done and how many there will be.
@@ -17,6 +16,8 @@ Progress = Callable[[int, int], None]
 
 def painted(lesson: Film, progress: Progress | None = None) -> Iterator[Frame]:
     """Yield the frames of a film; tell ``progress`` whenever one has been consumed."""
+    from vad.painting.filming import filmed
+
     done = 0
     for frame in filmed(lesson):
         yield frame

@@ -53,10 +53,11 @@ class AggPainter:
 
     def paint(self, shape: Outline, look: Look) -> None:
         """Paint one shape."""
-        path = self._path(*outline(shape))
-        path.should_simplify = False
-        if not len(path.vertices):
+        vertices, codes = outline(shape)
+        if not len(vertices):
             return
+        path = self._path(vertices, codes)
+        path.should_simplify = False
         if look.under:
             self._renderer.draw_path(self._context(look.under, 1.0), path, self._scale, None)
         face = self._colour(look.fill) if look.fill else None

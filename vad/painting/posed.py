@@ -1,22 +1,18 @@
-"""What is to be seen, on its page: in comes a sheet, a step or a film, out goes what to play."""
+"""What is to be seen, on its page: in comes a sheet, a step or a lesson, out goes what to play."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from vad.lecture.lesson import Lesson
-from vad.lecture.moment import Moment, moments
+from vad.lecture.moment import Moment
 from vad.lecture.still import Still
 from vad.lecture.timeline import check_size
-from vad.lecture.turn import Turn
 from vad.painting.agg_painter import AggPainter
-from vad.painting.film import frames
 from vad.painting.painter import Painter, play
-from vad.painting.picture import Frame
 from vad.plan.board import Plan, plan
 from vad.plan.format import paper as paper_format
 from vad.plan.format import screen
@@ -80,17 +76,6 @@ def board_of(lesson: Lesson) -> Plan:
     """Return the board on which a lesson is drawn."""
     key = load_style(lesson.style).key
     return plan(lesson.sheet, screen(lesson.size), key, lesson=True)
-
-
-def filmed(film: Lesson | Turn) -> Iterator[Frame]:
-    """Yield the pictures of a film; see `Frame` for what each says about itself."""
-    style = load_style(film.style)
-    if isinstance(film, Lesson):
-        return frames(board_of(film), moments(film), style)
-    from vad.plan.turning.turn_board import TurnBoard
-
-    states = ((Moment(number), 1) for number in range(film.frames))
-    return frames(TurnBoard(film, style.key), states, style)
 
 
 def picture(

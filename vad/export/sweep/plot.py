@@ -90,7 +90,7 @@ def _head(figure: Figure, motion: Motions, style: Style) -> None:
 def _curves(figure: Figure, results: Results, style: Style) -> None:
     """Draw the links' and the slides' motion, each row of the results in its own ink."""
     rows = (*results.links, *results.slides)
-    inks = {id(row): style.ink(place) for place, row in enumerate(rows)}
+    inks = {id(row): style.colour("row", place) for place, row in enumerate(rows)}
     groups = [[row for row in group if not row.driven] for group in (results.links, results.slides)]
     drawn = [group for group in groups if group]
     plots = figure.subplots(_ORDERS, len(drawn), sharex=True, squeeze=False)

@@ -7,45 +7,46 @@ import pytest
 
 import vad
 from tests.plan.sheets import slider_crank
-from vad.lecture.moment import moments
+from vad.lecture.lesson import Lesson
+from vad.lecture.moment import moment, moments
 from vad.lecture.timeline import animate
-from vad.painting.canvas import AggCanvas
-from vad.painting.film import frames, paint, redraw
+from vad.painting.film import redraw
+from vad.painting.filming import filmed
 from vad.painting.picture import EMPTY
-from vad.plan.board import Board
-from vad.style import style_names
+from vad.painting.posed import board_of
+from vad.style import load_style, style_names
 
 SIZE = (640, 360)
 
 
-@pytest.mark.parametrize("style", style_names())
-@pytest.mark.parametrize("size", [SIZE, (480, 360)])
-def test_incremental_frames_equal_full_redraws_byte_for_byte(style: str, size: tuple[int, int]):
-    lesson = animate(slider_crank(), fps=12, size=size, style=style)
-    board = Board(lesson.sheet, size, style, lesson=True)
-    count = 0
-    for frame, (state, repeats) in zip(frames(lesson), moments(lesson), strict=True):
-        canvas = AggCanvas(size, board.style.background)
-        paint(board, state, canvas)
-        assert np.array_equal(frame.pixels, canvas.pixels), f"frame {count}"
+def assert_equal_to_redraws(lesson: Lesson) -> None:
+    board, style, count = board_of(lesson), load_style(lesson.style), 0
+    for frame, (state, repeats) in zip(filmed(lesson), moments(lesson), strict=True):
+        assert np.array_equal(frame.pixels, redraw(board, state, style)), f"{state}, frame {count}"
         assert frame.repeats == repeats
         count += repeats
     assert count == lesson.frames
 
 
-def test_redraw_is_the_same_reference():
+@pytest.mark.parametrize("style", style_names())
+@pytest.mark.parametrize("size", [SIZE, (480, 360)])
+def test_incremental_frames_equal_full_redraws_byte_for_byte(style: str, size: tuple[int, int]):
+    assert_equal_to_redraws(animate(slider_crank(), fps=12, size=size, style=style))
+
+
+def test_frames_are_those_of_their_moments():
     lesson = animate(slider_crank(), fps=5, size=SIZE)
-    at = 0
-    for number, frame in enumerate(frames(lesson)):
+    board, style, at = board_of(lesson), load_style(lesson.style), 0
+    for number, frame in enumerate(filmed(lesson)):
         if number % 11 == 0:
-            assert np.array_equal(redraw(lesson, at), frame.pixels)
+            assert np.array_equal(redraw(board, moment(lesson, at), style), frame.pixels)
         at += frame.repeats
 
 
 def test_changed_box_holds_all_that_differs_and_no_margin():
     lesson = animate(slider_crank(), fps=12, size=SIZE)
     before = None
-    for frame in frames(lesson):
+    for frame in filmed(lesson):
         left, top, right, bottom = frame.changed
         if before is None:
             assert frame.changed == (0, 0, *SIZE)
@@ -59,16 +60,16 @@ def test_changed_box_holds_all_that_differs_and_no_margin():
 
 def test_pixels_are_one_buffer_and_opaque():
     lesson = animate(slider_crank(), fps=5, size=SIZE)
-    buffers = {id(frame.pixels) for frame in frames(lesson)}
+    buffers = {id(frame.pixels) for frame in filmed(lesson)}
     assert len(buffers) == 1
-    *_, last = frames(lesson)
+    *_, last = filmed(lesson)
     assert last.pixels.shape == (360, 640, 4)
     assert (last.pixels[..., 3] == 255).all()
 
 
 def test_the_same_lesson_gives_the_same_bytes():
     lesson = animate(slider_crank(), fps=5, size=SIZE)
-    for one, other in zip(frames(lesson), frames(lesson), strict=True):
+    for one, other in zip(filmed(lesson), filmed(lesson), strict=True):
         assert np.array_equal(one.pixels, other.pixels)
 
 
@@ -77,9 +78,4 @@ def test_the_same_lesson_gives_the_same_bytes():
 def test_films_of_every_mechanism_equal_full_redraws(name: str, style: str):
     mechanism = vad.MECHANISMS[name]
     sheet = vad.draw(vad.solve(mechanism(), **mechanism.inputs))
-    lesson = animate(sheet, fps=4, size=SIZE, style=style)
-    board = Board(sheet, SIZE, style, lesson=True)
-    for frame, (state, _) in zip(frames(lesson), moments(lesson), strict=True):
-        canvas = AggCanvas(SIZE, board.style.background)
-        paint(board, state, canvas)
-        assert np.array_equal(frame.pixels, canvas.pixels), state
+    assert_equal_to_redraws(animate(sheet, fps=4, size=SIZE, style=style))

@@ -15,7 +15,7 @@ from PIL import Image
 from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
 from vad.export import pdf, png, svg
-from vad.painting.posed import still
+from vad.painting.posed import picture
 from vad.style import load_style, style_names
 
 
@@ -31,11 +31,11 @@ def test_the_same_sheet_gives_the_same_bytes(module):
 
 
 def test_png_holds_the_pixels_and_a_description():
-    picture = Image.open(io.BytesIO(written(png, size=(800, 450), style="chalk")))
-    assert picture.size == (800, 450)
-    assert np.array_equal(np.asarray(picture), still(slider_crank(), (800, 450), "chalk")[..., :3])
-    assert "crank 60 mm" in picture.info["Title"]
-    assert "ω = −2.308 rad/s" in picture.info["Description"]
+    image = Image.open(io.BytesIO(written(png, size=(800, 450), style="chalk")))
+    assert image.size == (800, 450)
+    assert np.array_equal(np.asarray(image), picture(slider_crank(), (800, 450), "chalk")[..., :3])
+    assert "crank 60 mm" in image.info["Title"]
+    assert "ω = −2.308 rad/s" in image.info["Description"]
 
 
 def test_svg_has_title_and_description():
@@ -56,12 +56,12 @@ def test_pdf_is_a_pdf():
 def test_a_sheet_may_hold_some_panels_only(panels: tuple[str, ...], size: tuple[int, int]):
     sheet = slider_crank()
     part = replace(sheet, panels=tuple(p for p in sheet.panels if p.name in panels))
-    assert still(part, size).shape == (size[1], size[0], 4)
+    assert picture(part, size).shape == (size[1], size[0], 4)
 
 
 def test_margins_stay_empty():
     for size in ((1280, 720), (1024, 768)):
-        pixels = still(slider_crank(), size)
+        pixels = picture(slider_crank(), size)
         edge = int(0.02 * size[1])
         assert (pixels[:edge] == 255).all()
         assert (pixels[-edge:] == 255).all()
@@ -94,7 +94,7 @@ def test_laying_out_needs_no_pyplot():
         "import sys; import vad.painting.film, vad.lecture.timeline;"
         "assert 'matplotlib' not in sys.modules;"
         "from tests.plan.sheets import slider_crank;"
-        "from vad.painting.posed import still; still(slider_crank());"
+        "from vad.painting.posed import picture; picture(slider_crank());"
         "assert 'matplotlib.pyplot' not in sys.modules;"
         "assert 'matplotlib.axes' not in sys.modules"
     )

@@ -7,36 +7,40 @@ from __future__ import annotations
 
 from itertools import combinations
 
-from vad.plan.art import PanelArt, Tag
-from vad.plan.board import Board
-from vad.plan.labels import Obstacles, together
-from vad.plan.page import Rect
+from vad.plan.board import Plan, plan
+from vad.plan.format import screen
+from vad.plan.geometry import Rect
+from vad.plan.items import together
+from vad.plan.labels.obstacles import Obstacles
+from vad.plan.sketch import Sketch, Tag
 from vad.strokes.sheet import Sheet
 
+KEY = 0.058
 
-def overlaps(
-    sheet: Sheet,
-    size: tuple[int, int] = (1280, 720),
-    style: str = "paper",
-    lesson: bool = False,
-) -> list[str]:
+
+def planned(sheet: Sheet, size: tuple[int, int] = (1280, 720), lesson: bool = False) -> Plan:
+    """Return the plan of a sheet on a screen, with the keys of most styles."""
+    return plan(sheet, screen(size), KEY, lesson)
+
+
+def overlaps(sheet: Sheet, size: tuple[int, int] = (1280, 720), lesson: bool = False) -> list[str]:
     """Return one line for each overlap of a label with a stroke, a label or an edge."""
-    board = Board(sheet, size, style, lesson)
     found: list[str] = []
-    for name, art in board.arts.items():
-        found += [f"{name}: {text}" for text in _in_panel(art)]
+    for name, sketch in planned(sheet, size, lesson).sketches.items():
+        found += [f"{name}: {text}" for text in _in_panel(sketch)]
     return found
 
 
-def _in_panel(art: PanelArt) -> list[str]:
+def _in_panel(sketch: Sketch) -> list[str]:
     found: list[str] = []
-    for tag in art.tags:
-        strokes = Obstacles(art.obstacles.edge, art.obstacles.during(tag.span).lines)
-        if not _inside(tag.box, art.obstacles.edge):
+    edge = sketch.obstacles.edge
+    for tag in sketch.tags:
+        strokes = Obstacles(edge, sketch.obstacles.during(tag.span).lines)
+        if not _inside(tag.box, edge):
             found.append(f"{tag.text} beyond the edge")
         elif not strokes.free([tag.box.centre], tag.box.width, tag.box.height, 0.0)[0]:
             found.append(f"{tag.text} on a stroke")
-    for one, other in combinations(art.tags, 2):
+    for one, other in combinations(sketch.tags, 2):
         if _meet(one, other):
             found.append(f"{one.text} on {other.text}")
     return found

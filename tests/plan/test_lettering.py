@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from vad.plan.text import Run, fitted, outline, roman, sentence, symbols, width, wrap, write
+from vad.painting.outlines import outline
+from vad.plan.lettering.glyphs import fitted, typeset, width
+from vad.plan.lettering.runs import Run, roman, sentence, symbols
+from vad.plan.lettering.wrapping import wrap
+from vad.plan.marks import Lettering
 
 
 def italics(runs: tuple[Run, ...]) -> str:
@@ -32,14 +36,14 @@ def test_a_caption_tells_the_point_a_from_the_article_and_seconds_from_the_point
 
 def test_ink_box_bounds_the_marks():
     runs = symbols("C")
-    shape = outline(runs)
-    (mark,) = write(runs, 100 + 50j, 40.0, "#000000")
-    assert mark.vertices[:, 0].min() == 100 + 40 * shape.left
-    assert mark.vertices[:, 1].max() == 50 + 40 * shape.top
+    shape = typeset(runs)
+    vertices, _ = outline(Lettering(runs, 100 + 50j, 40.0))
+    assert vertices[:, 0].min() == 100 + 40 * shape.left
+    assert vertices[:, 1].max() == 50 + 40 * shape.top
 
 
 def test_missing_letters_do_not_stop_the_painter():
-    assert outline(symbols("ä ″ 漢")).advance > 0
+    assert typeset(symbols("ä ″ 漢")).advance > 0
 
 
 def test_lines_break_between_words_within_their_room():

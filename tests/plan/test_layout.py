@@ -1,0 +1,121 @@
+"""Layout, scale and placement as plain geometry, in page units."""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+import pytest
+
+from tests.plan.overlaps import planned
+from tests.plan.sheets import slider_crank
+from vad.plan.format import screen
+from vad.plan.geometry import Rect
+from vad.plan.labels.obstacles import Obstacles
+from vad.plan.labels.placing import beside, fan, outward, place
+from vad.plan.labels.vertices import corners, find_vertices
+from vad.plan.layout import Page, grid_columns, lay_out
+from vad.plan.scale import fill, scale_bar
+
+PANELS = {"position": 1, "velocity": 1, "acceleration": 1}
+
+
+def laid_out(size: tuple[int, int], panels: dict[str, int] = PANELS, captions: int = 0) -> Page:
+    return lay_out(screen(size), panels, 3, captions)
+
+
+def test_three_columns_from_three_to_two_and_two_by_two_below():
+    assert laid_out((1280, 720)).columns
+    assert laid_out((1080, 720)).columns
+    assert not laid_out((1024, 768)).columns
+
+
+def test_columns_are_equal_and_fill_the_page():
+    drawings = [place.drawing for place in laid_out((1280, 720)).panels.values()]
+    assert drawings[0].left * 720 == pytest.approx(36)
+    assert drawings[-1].right * 720 == pytest.approx(1244)
+    assert len({round(drawing.width, 9) for drawing in drawings}) == 1
+
+
+def test_one_panel_takes_the_whole_width():
+    page = laid_out((1280, 720), {"velocity": 1}, 1)
+    assert page.columns
+    assert page.panels["velocity"].drawing.width * 720 == pytest.approx(1208)
+
+
+@pytest.mark.parametrize("count", range(1, 10))
+@pytest.mark.parametrize("size", [(1280, 720), (1024, 768), (400, 600), (2000, 500)])
+@pytest.mark.parametrize("captions", [0, 2])
+def test_any_number_of_panels_has_room_and_none_overlaps(count: int, size, captions: int):
+    page = laid_out(size, {f"panel {number}": 1 for number in range(count)}, captions)
+    areas = [place.region for place in page.panels.values()]
+    if page.results:
+        areas.append(page.results)
+    for number, one in enumerate(areas):
+        assert one.width > 0.1
+        assert one.height > 0.1
+        for other in areas[:number]:
+            apart = one.left >= other.right - 1e-9 or other.left >= one.right - 1e-9
+            assert apart or one.bottom >= other.top - 1e-9 or other.bottom >= one.top - 1e-9
+    assert all(place.drawing.height > 0.05 for place in page.panels.values())
+
+
+def test_four_panels_and_the_results_stand_in_three_columns():
+    assert grid_columns(screen((1280, 720)), 5) == 3
+    page = laid_out((1280, 720), dict.fromkeys("abcd", 1))
+    assert len({place.drawing.left for place in page.panels.values()}) == 3
+    assert page.results.left == page.panels["a"].drawing.left
+    assert page.results.top < page.panels["a"].drawing.bottom
+
+
+def test_a_page_is_the_same_at_every_size():
+    for wide, high in ((16, 9), (4, 3)):
+        small, large = (laid_out((wide * k, high * k), captions=2) for k in (40, 240))
+        assert small == large
+
+
+def test_fill_scale_holds_all_points_inside_the_padding_and_centred():
+    room = Rect(0, 0, 400 / 300, 1.0)
+    points = [0j, 10 + 3j, -4 + 8j]
+    scale = fill(points, room, position=False)
+    xs = [scale(p).real for p in points]
+    assert min(xs) == pytest.approx(room.right - max(xs))
+    assert min(xs) >= 0.075 - 1e-9
+
+
+@pytest.mark.parametrize("factor", [1e-7, 0.013, 0.5, 1.0, 86.4, 3e9])
+def test_scale_bar_is_a_round_number_not_longer_than_its_room(factor: float):
+    value = scale_bar(factor, 0.12)
+    assert value * factor <= 0.12 * (1 + 1e-6)
+    assert value * factor > 0.12 / 2.51
+    mantissa = value / 10 ** math.floor(math.log10(value * (1 + 1e-9)))
+    assert min(abs(mantissa - step) for step in (1, 2, 5)) < 1e-6
+
+
+def test_a_label_stands_at_its_distance_along_the_bisector():
+    centre = beside(0j, 1 + 0j, 10.0, 20.0, 8.0)
+    assert centre == pytest.approx(20.0)
+    assert outward([1 + 0j, 1j]) == pytest.approx(cmath.rect(1, math.radians(225)))
+    assert fan(1 + 0j, 16)[1] == pytest.approx(cmath.rect(1, math.radians(22.5)))
+
+
+def test_placed_labels_never_overlap_however_many_there_are():
+    edge = Rect(0, 0, 1, 1)
+    obstacles = Obstacles(edge)
+    obstacles.line([0.07 + 0.5j, 0.93 + 0.5j], 0.01)
+    boxes = [place(obstacles, 0.5 + 0.5j, 1j, 0.10, 0.053).box for _ in range(20)]
+    for number, box in enumerate(boxes):
+        assert edge.holds(complex(box.left, box.bottom))
+        assert edge.holds(complex(box.right, box.top))
+        assert box.bottom > 0.51 or box.top < 0.49
+        for other in boxes[:number]:
+            apart_x = box.left >= other.right or other.left >= box.right
+            assert apart_x or box.bottom >= other.top or other.bottom >= box.top
+
+
+def test_coincident_points_share_a_dot_and_a_label():
+    sheet = slider_crank()
+    panel, sketch = sheet.panel("velocity"), planned(sheet).sketches["velocity"]
+    assert [v.label for v in find_vertices(panel, sketch.scale)] == ["a, d", "b", "c"]
+    tiny = fill(corners(panel), Rect(0, 0, 0.162, 0.128), position=False)
+    assert any("," in v.label[4:] or v.label.count(",") > 1 for v in find_vertices(panel, tiny))
