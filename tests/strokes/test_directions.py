@@ -282,9 +282,11 @@ def test_a_link_has_one_number(name: str) -> None:
         numbers: dict[str, set[str]] = {}
         for panel in drawn(motion, "en").panels:
             for stroke in panel.strokes:
-                if stroke.component in ("normal", "tangential"):
+                if stroke.component in ("normal", "tangential", "coriolis"):
+                    slide = slide_of(motion, stroke)
+                    link = str(slide.along if slide else stroke.link)
                     found = re.findall("[ωα]([₂-₉])", stroke.caption)
-                    numbers.setdefault(str(stroke.link), set()).update(found)
+                    numbers.setdefault(link, set()).update(found)
         given = motion.linkage.driver.name
         assert all(len(found) == 1 for found in numbers.values())
         assert len(set.union(*numbers.values())) == len(numbers)
