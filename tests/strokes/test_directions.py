@@ -237,7 +237,7 @@ def test_the_four_senses_of_the_coriolis_inset(name: str) -> None:
         assert (inset is None) == all(s.component != "coriolis" for s in panel.strokes)
         if inset is None:
             continue
-        stroke = panel.strokes[inset.stroke]
+        stroke = panel.strokes[panel.number(inset.stroke)]
         slide, link = slide_of(motion, stroke), motion.link(inset.link)
         assert slide is not None and (slide.name, slide.along) == (inset.slide, inset.link)
         assert same_way(inset.slot, cmath.rect(1, math.radians(link.angle)))

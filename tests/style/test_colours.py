@@ -57,21 +57,20 @@ def test_inks_stand_out_as_lines(name: str):
 
 @every_style
 def test_rows_of_one_colour_differ_in_dash_or_weight(name: str):
-    style = load_style(name)
-    rows = range(max(len(style.inks), len(style.lines)))
-    looks = [(style.ink(row), style.line(row)) for row in rows]
-    assert len(set(looks)) == len(looks) >= 5
-    for (ink, line), (other_ink, other) in pairwise(looks):
-        if ink == other_ink:
-            assert line.dash != other.dash or abs(line.weight - other.weight) >= 0.2
+    pens = [load_style(name).look("vector", row).pen for row in range(5)]
+    assert None not in pens and len(set(pens)) == len(pens)
+    for pen, other in pairwise(filter(None, pens)):
+        if pen.colour == other.colour:
+            dashes = [tuple(part / each.width for part in each.dash) for each in (pen, other)]
+            wider = max(pen.width, other.width) / min(pen.width, other.width)
+            assert dashes[0] != pytest.approx(dashes[1]) or wider >= 1.2
 
 
 @every_style
 def test_rows_take_their_inks_in_order_and_the_frame_is_grey(name: str):
     style = load_style(name)
-    assert tuple(style.ink(row) for row in range(len(style.inks))) == style.inks
-    assert tuple(style.line(row) for row in range(len(style.lines))) == style.lines
-    assert style.ink(None) == style.grey and not style.line(None).dash
+    assert tuple(style.colour("row", row) for row in range(len(style.inks))) == style.inks
+    assert style.colour("row", None) == style.grey
 
 
 @pytest.mark.parametrize(
