@@ -74,15 +74,17 @@ class Captions:
         place = self._say("the pole") if point in fixed else point
         if isinstance(step, Slide):
             return self._say(
-                f"along {self._panel}" if isinstance(step.along, str) else "along velocity",
+                self._along(step),
                 point=place,
                 line=scene.line_name(step),
+                link=str(step.along),
                 slide=step.name.split("_")[0],
                 meeting=meeting,
             )
         bar = scene.letters(step)
+        strut = " strut" if self._order == 1 and scene.is_strut(step) else ""
         return self._say(
-            f"across {self._panel}",
+            f"across {self._panel}{strut}",
             point=place,
             bar=bar,
             tail=bar[0],
@@ -110,8 +112,9 @@ class Captions:
             )
         rate = scene.rate(step.link, self._order)
         bar = scene.letters(step)
+        strut = " strut" if scene.is_strut(step) else ""
         return self._say(
-            "measured omega" if self._order == 1 else "measured alpha",
+            f"measured omega{strut}" if self._order == 1 else "measured alpha",
             omega=scene.symbol("ω", step.link),
             alpha=scene.symbol("α", step.link),
             bar=bar,
@@ -160,6 +163,12 @@ class Captions:
             value=measured(value),
             unit=self._unit,
         )
+
+    def _along(self, slide: Slide) -> str:
+        """Return the phrase for the line along which a block slides."""
+        if isinstance(slide.along, str):
+            return "along velocity link" if self._order == 1 else "along acceleration"
+        return "along velocity" if self._scene.is_guide(slide) else "along velocity slot"
 
     def _way(self, vector: complex) -> str:
         if abs(vector.real) >= abs(vector.imag):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TypeGuard
 
 from vad.kinematics.linkage import Bar, Scalar, Slide, Step, length_of, scalar_of
 from vad.kinematics.motion import Motion
@@ -40,10 +41,11 @@ class Scene:
 
     def letters(self, step: Step) -> str:
         """Return the letters of a step as a reader knows them: a strut's own ends for its parts."""
-        points = self.motion.points
-        if isinstance(step, Bar) and step.ends[0] not in points:
-            return self.motion.mechanism.links[step.link]
-        return step.ends
+        return self.motion.mechanism.links[step.link] if self.is_strut(step) else step.ends
+
+    def is_strut(self, step: Step) -> TypeGuard[Bar]:
+        """Tell whether a step is a link whose length changes: it begins at its sliding part."""
+        return isinstance(step, Bar) and step.ends[0] not in self.motion.points
 
     @cached_property
     def _numbers(self) -> dict[str, int]:

@@ -57,6 +57,10 @@ PHRASES = {
         "Durch {point} senkrecht zu {bar}: gegenüber {tail} kann sich {head} nur so bewegen, "
         "also liegt {meeting} auf dieser Geraden."
     ),
+    "across velocity strut": (
+        "Durch {point} senkrecht zu {bar}: außer längs {bar} zu gleiten kann sich {head} nur quer "
+        "dazu bewegen, also liegt {meeting} auf dieser Geraden."
+    ),
     "across acceleration": (
         "Durch {point} senkrecht zu {bar}: der Tangentialanteil {alpha}·{bar} ist noch unbekannt, "
         "also liegt {meeting} auf dieser Geraden."
@@ -64,6 +68,14 @@ PHRASES = {
     "along velocity": (
         "Durch {point} parallel {line}: anders kann sich der {slide} nicht bewegen, also liegt "
         "{meeting} auf dieser Geraden."
+    ),
+    "along velocity slot": (
+        "Durch {point} parallel {line}: im Schlitz kann sich der {slide} nur so bewegen, also "
+        "liegt {meeting} auf dieser Geraden."
+    ),
+    "along velocity link": (
+        "Durch {point} parallel {line}: auf der {link} kann sich der {slide} nur so bewegen, also "
+        "liegt {meeting} auf dieser Geraden."
     ),
     "along acceleration": (
         "Durch {point} parallel {line}: der Gleitanteil ist noch unbekannt, also liegt "
@@ -76,6 +88,10 @@ PHRASES = {
     "measured omega": (
         "{label} = {value} {unit}, also {omega} = {label}/{bar} = {value}/{size} = {rate} rad/s, "
         "{sense}: von {tail} aus gesehen läuft {head} {way}."
+    ),
+    "measured omega strut": (
+        "{label} = {value} {unit}, also {omega} = {label}/{bar} = {value}/{size} = {rate} rad/s, "
+        "{sense}: quer zu {bar} läuft {head} {way}."
     ),
     "measured alpha": (
         "{label} = {value} {unit}, also {alpha} = {label}/{bar} = {value}/{size} = {rate} rad/s², "

@@ -48,6 +48,10 @@ PHRASES = {
         "Through {point}, perpendicular to {bar}: relative to {tail}, {head} can move no other "
         "way, so {meeting} lies on this line."
     ),
+    "across velocity strut": (
+        "Through {point}, perpendicular to {bar}: besides sliding along {bar}, {head} can only "
+        "move across it, so {meeting} lies on this line."
+    ),
     "across acceleration": (
         "Through {point}, perpendicular to {bar}: the tangential part {alpha}·{bar} is not known "
         "yet, so {meeting} lies on this line."
@@ -55,6 +59,14 @@ PHRASES = {
     "along velocity": (
         "Through {point}, parallel to {line}: the {slide} can move no other way, so {meeting} "
         "lies on this line."
+    ),
+    "along velocity slot": (
+        "Through {point}, parallel to {line}: in the slot the {slide} can move no other way, so "
+        "{meeting} lies on this line."
+    ),
+    "along velocity link": (
+        "Through {point}, parallel to {line}: on the {link} the {slide} can move no other way, so "
+        "{meeting} lies on this line."
     ),
     "along acceleration": (
         "Through {point}, parallel to {line}: the sliding part is not known yet, so {meeting} "
@@ -65,6 +77,10 @@ PHRASES = {
     "measured omega": (
         "{label} = {value} {unit}, so {omega} = {label}/{bar} = {value}/{size} = {rate} rad/s, "
         "{sense}: {head} moves {way} as seen from {tail}."
+    ),
+    "measured omega strut": (
+        "{label} = {value} {unit}, so {omega} = {label}/{bar} = {value}/{size} = {rate} rad/s, "
+        "{sense}: across {bar}, {head} moves {way}."
     ),
     "measured alpha": (
         "{label} = {value} {unit}, so {alpha} = {label}/{bar} = {value}/{size} = {rate} rad/s², "

@@ -1,0 +1,184 @@
+"""Every figure in a caption, against the data; and its arithmetic, as a pocket calculator does it.
+
+A caption calculates in chains: ``bc = 340.5 mm/s``, ``ω₃ = bc/BC = 340.5/140 = 2.432 rad/s``.
+A figure is wrong by half a unit of its last place at most: that is the bound for each figure
+against the data, and, carried through products and quotients, for each chain against itself.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+
+from tests.strokes.calculations import FIGURE, FLOATS, Figure, Side, chains
+from tests.strokes.motions import (
+    ORDERS,
+    between,
+    drawn,
+    everything,
+    in_every_language,
+    poses,
+    strokes,
+    vector,
+)
+from vad.kinematics.linkage import Slide
+from vad.kinematics.motion import Motion
+from vad.strokes.language import Language
+from vad.strokes.sheet import Arrow, Panel, Sheet, Stroke
+from vad.strokes.words import describe
+
+UNITS = {"ω": "rad/s", "α": "rad/s²", "θ": "°"}
+
+
+class Data:
+    """What a symbol in a caption stands for."""
+
+    def __init__(self, motion: Motion, panel: Panel, stroke: Stroke) -> None:
+        self.motion, self.panel, self.stroke = motion, panel, stroke
+
+    @property
+    def slide(self) -> Slide:
+        steps = (step for step in self.motion.frame.steps if isinstance(step, Slide))
+        return next(step for step in steps if step.name == self.stroke.link)
+
+    @property
+    def link(self) -> str:
+        along = self.slide.along if self.stroke.component == "coriolis" else self.stroke.link
+        assert isinstance(along, str)
+        return along
+
+    def __getitem__(self, symbol: str) -> float:
+        """Return the value of a symbol; the rates of a product or quotient have no sign."""
+        motion, order = self.motion, ORDERS[self.panel.name]
+        if symbol[0] in "ωα":
+            link = motion.link(self.link)
+            return abs(link.omega if symbol[0] == "ω" else link.alpha)
+        if symbol == "θ":
+            return float(motion.link(str(self.stroke.link)).angle)
+        if symbol in ("x", "y", "s", "v", "a"):
+            slide = motion.slide(self.slide.name)
+            value = {"v": slide.velocity, "a": slide.acceleration}.get(symbol, slide.position)
+            return abs(value) if self.stroke.component == "coriolis" else float(value)
+        if symbol == self.stroke.label and order:
+            return abs(vector(self.stroke))
+        if re.fullmatch("[A-Z]{2}", symbol):
+            return abs(between(motion, symbol))
+        return abs(between(motion, symbol.replace("′", "").upper(), order))
+
+
+@in_every_language
+@everything
+def test_every_figure_agrees_with_the_data(name: str, code: str) -> None:
+    for motion, panel, stroke in strokes(name, code):
+        data = Data(motion, panel, stroke)
+        read = 0
+        for chain in chains(stroke.caption):
+            if chain.result:
+                read += 1
+                assert chain.result.agrees(data[chain.symbol]), (stroke.caption, chain)
+                unit = UNITS.get(chain.symbol[0], panel.unit)
+                assert chain.result.unit == unit, stroke.caption
+            for symbol, power, figure, again in chain.factors():
+                read += 1
+                truth = 2.0 if symbol == "2" else data[symbol]
+                assert power == again and Figure(figure).agrees(truth), stroke.caption
+            for figure, truth in _said_in_words(chain.rest, panel, stroke, data):
+                read += 1
+                assert figure.agrees(truth), stroke.caption
+        # Of 2·ω·v, the 2 is part of the formula.
+        written = FIGURE.findall(stroke.caption.replace("2·", ""))
+        assert len(written) == read, stroke.caption
+
+
+def _said_in_words(
+    words: str, panel: Panel, stroke: Stroke, data: Data
+) -> Iterator[tuple[Figure, float]]:
+    """Yield figures outside of equations, with the truth: at 60°, 50 mm from D, at 5 mm."""
+    for text, degrees in re.findall(rf"({FIGURE.pattern})(°?)", words):
+        if not degrees:
+            is_bar = isinstance(stroke.shape, Arrow)
+            yield Figure(text), abs(vector(stroke)) if is_bar else data["s"]
+        elif panel.name == "position":
+            yield Figure(text), data["θ"]
+        else:
+            yield Figure(text), 90.0  # turned by a right angle
+
+
+@in_every_language
+@everything
+def test_every_formula_holds(name: str, code: str) -> None:
+    """The vector is ω·AB, ω is bc/BC, and vectors of one link are as its bars."""
+    for motion, panel, stroke in strokes(name, code):
+        data = Data(motion, panel, stroke)
+        for chain in chains(stroke.caption):
+            named = [
+                side for side in (Side.read(chain.symbol), *chain.sides) if not side.in_figures
+            ]
+            if len(named) > 1:
+                truth, *others = [
+                    math.prod((float(x) if x == "2" else data[x]) ** p for x, p in side.factors)
+                    for side in named
+                ]
+                assert all(abs(x - truth) <= FLOATS * abs(truth) for x in others), stroke.caption
+
+
+@in_every_language
+@everything
+def test_the_arithmetic_of_a_caption_agrees_with_itself(name: str, code: str) -> None:
+    for _, _, stroke in strokes(name, code):
+        for chain in chains(stroke.caption):
+            for side in chain.sides:
+                if chain.result is None or not side.in_figures:
+                    continue
+                product, most = 1.0, 1.0
+                for text, power in side.factors:
+                    factor = Figure(text)
+                    doubt = 0.0 if text == "2" else factor.half_a_unit / abs(factor.value)
+                    product *= factor.value**power
+                    most *= (1 + doubt) ** power if power > 0 else 1 / (1 - doubt)
+                bound = abs(product) * (most - 1) + chain.result.half_a_unit
+                off = abs(product - chain.result.value)
+                assert off <= bound * (1 + FLOATS), stroke.caption
+
+
+@in_every_language
+@everything
+def test_caption_and_table_write_one_quantity_one_way(name: str, code: str) -> None:
+    for motion in poses(name):
+        sheet = drawn(motion, code)
+        table = _table(sheet)
+        for panel in sheet.panels:
+            for stroke in panel.strokes:
+                for (key, symbol), text in _quantities(motion, panel, stroke):
+                    # Of ω and α a caption says the size, and in words the sense.
+                    sized = symbol in "ωα" or stroke.component == "coriolis"
+                    cell = table[key, symbol].partition(" ")[0].rstrip("°")
+                    assert text == (cell.lstrip("−") if sized else cell), stroke.caption
+
+
+def _quantities(
+    motion: Motion, panel: Panel, stroke: Stroke
+) -> Iterator[tuple[tuple[str, str], str]]:
+    """Yield the quantities of a caption that have a cell, by row and symbol, as text."""
+    data = Data(motion, panel, stroke)
+    for chain in chains(stroke.caption):
+        written = [(symbol, figure) for symbol, _, figure, _ in chain.factors()]
+        written += [(chain.symbol, chain.result.text)] if chain.result else []
+        for symbol, text in written:
+            if symbol[0] in "ωα":
+                yield (data.link, symbol[0]), text
+            elif symbol in ("θ", "x", "y", "s", "v", "a"):
+                yield (str(stroke.link), symbol), text
+
+
+def _table(sheet: Sheet) -> dict[tuple[str, str], str]:
+    """Return the cells of the results by row and symbol, with their units, as they are read."""
+    note = f" ({Language(sheet.language).say('given')})"
+    results = describe(sheet).rpartition("\n")[2].partition(": ")[2].rstrip(".").split("; ")
+    found = {}
+    for row, line in zip(sheet.rows, results, strict=True):
+        for cell in line.split(f" {row.letters} ", 1)[1].replace(note, "").split(", "):
+            symbol, _, text = cell.partition(" = ")
+            found[row.key, symbol] = text
+    return found

@@ -1,0 +1,96 @@
+"""How each language says a direction, written down apart from the captions.
+
+A new language takes an entry here; without one, its captions are not understood.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from re import Pattern
+
+
+@dataclass(frozen=True)
+class Wording:
+    """The words of one language, and the clauses in which they stand.
+
+    ``ways`` and ``senses`` are words with what they mean.  Of the clauses, ``towards`` names the
+    points between which a normal part runs, ``seen`` and ``sideways`` a point that moves some
+    way, as seen from another one or across a bar, ``square`` a bar, ``turned`` says Coriolis'
+    rule, ``upright`` names two points one above the other, ``whose`` the points of a whole
+    vector, ``bound`` who can move no other way relative to whom, and ``carried`` the lever or slot
+    on which a block can move no other way.
+    """
+
+    ways: Mapping[str, complex]
+    senses: Mapping[str, int]
+    towards: Pattern[str]
+    seen: Pattern[str]
+    sideways: Pattern[str]
+    square: Pattern[str]
+    turned: Pattern[str]
+    upright: Pattern[str]
+    whose: Pattern[str]
+    bound: Pattern[str]
+    carried: Pattern[str]
+    guide: Pattern[str]
+    slot: str
+    other_side: str
+
+    def way(self, text: str) -> complex:
+        """Return the one direction that a text names."""
+        (found,) = _found(self.ways, text)
+        return self.ways[found]
+
+    def sense(self, text: str) -> int:
+        """Return the one sense that a text names."""
+        (found,) = _found(self.senses, text)
+        return self.senses[found]
+
+    def count(self, text: str) -> tuple[int, int]:
+        """Return how many directions and how many senses a text names."""
+        return len(_found(self.ways, text)), len(_found(self.senses, text))
+
+
+def _found(words: Mapping[str, object], text: str) -> list[str]:
+    # "clockwise" is the end of "counter-clockwise": the longest word is tried first.
+    return re.findall("|".join(sorted(words, key=len, reverse=True)), text)
+
+
+WORDING = {
+    "en": Wording(
+        ways={"to the right": 1, "to the left": -1, "upwards": 1j, "downwards": -1j},
+        senses={"counter-clockwise": 1, "clockwise": -1},
+        towards=re.compile("from (?P<tail>[A-Z]) towards (?P<head>[A-Z])"),
+        seen=re.compile("(?P<head>[A-Z]) moves (?P<way>.+) as seen from (?P<tail>[A-Z])"),
+        sideways=re.compile("across (?P<bar>[A-Z]{2}), (?P<head>[A-Z]) moves (?P<way>.+)[.]"),
+        square=re.compile("(?:perpendicular to|⟂) (?P<bar>[A-Z]{2})"),
+        turned=re.compile("v turned 90° with (?P<omega>ω.)"),
+        upright=re.compile("(?P<head>[A-Z]) lies below or above (?P<tail>[A-Z])"),
+        whose=re.compile("the acceleration of (?P<head>[A-Z])(?: relative to (?P<tail>[A-Z]))?[.]"),
+        bound=re.compile("relative to (?P<tail>[A-Z]), (?P<head>[A-Z]) can move no other way"),
+        carried=re.compile(r"(?:on|in) the (?P<carrier>\w+) the \w+ can move no other way"),
+        guide=re.compile("guide(?: of (?P<head>[A-Z]))?$"),
+        slot="slot",
+        other_side="on the other side",
+    ),
+    "de": Wording(
+        ways={"nach rechts": 1, "nach links": -1, "nach oben": 1j, "nach unten": -1j},
+        senses={"gegen den Uhrzeigersinn": 1, "im Uhrzeigersinn": -1},
+        towards=re.compile("von (?P<tail>[A-Z]) nach (?P<head>[A-Z])"),
+        seen=re.compile("von (?P<tail>[A-Z]) aus gesehen läuft (?P<head>[A-Z]) (?P<way>.+)[.]"),
+        sideways=re.compile("quer zu (?P<bar>[A-Z]{2}) läuft (?P<head>[A-Z]) (?P<way>.+)[.]"),
+        square=re.compile("(?:senkrecht zu|⟂) (?P<bar>[A-Z]{2})"),
+        turned=re.compile("v um 90° mit (?P<omega>ω.) gedreht"),
+        upright=re.compile("(?P<head>[A-Z]) liegt .* unter oder über (?P<tail>[A-Z])"),
+        whose=re.compile(
+            "die Beschleunigung von (?P<head>[A-Z])(?: gegenüber (?P<tail>[A-Z]))?[.]"
+        ),
+        bound=re.compile("gegenüber (?P<tail>[A-Z]) kann sich (?P<head>[A-Z]) nur so bewegen"),
+        carried=re.compile(r"(?:auf der|im) (?P<carrier>\w+) kann sich der \w+ nur so bewegen"),
+        guide=re.compile("Führung(?: von (?P<head>[A-Z]))?$"),
+        slot="Schlitz",
+        other_side="auf der anderen Seite",
+    ),
+}
