@@ -32,6 +32,8 @@ POSITION = Panel(
         Stroke("result", "AB", Arrow(0, 30 + 52j, "A", "B"), "The crank.", "crank", "link"),
         Stroke("result", "C", Block(160 + 0j, 1 + 0j), "The block.", "slider"),
     ),
+    title="Position",
+    picture="mechanism",
 )
 VELOCITY = Panel(
     "velocity",
@@ -55,6 +57,7 @@ VELOCITY = Panel(
         ),
         Stroke("intersection", "c", Dot(-600 + 0j), "They meet in c."),
     ),
+    title="Velocity",
 )
 SHEET = Sheet("slider-crank", "Slider-crank", (("crank", 60.0, "mm"),), (), (POSITION, VELOCITY))
 

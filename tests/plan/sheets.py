@@ -115,6 +115,8 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 (Term("AC", "slider", "DC.block"),),
             ),
         ),
+        title="Position",
+        picture="mechanism",
     )
     velocity = Panel(
         "velocity",
@@ -177,6 +179,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 (Term("dc", "slider", "DC.sliding"),),
             ),
         ),
+        title="Velocity",
     )
     acceleration = Panel(
         "acceleration",
@@ -283,6 +286,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 (Term("d′c′", "slider", "DC.sliding"),),
             ),
         ),
+        title="Acceleration",
     )
     rows = (
         Row(

@@ -10,7 +10,8 @@ import pytest
 
 import vad
 from vad.kinematics.solver import Solver
-from vad.strokes.sheet import PANELS
+
+PANELS = ("position", "velocity", "acceleration")
 
 
 @pytest.fixture

@@ -16,8 +16,9 @@ from vad.export import FOLDER, FORMATS
 from vad.lecture.lesson import Lesson
 from vad.mechanisms import MECHANISMS
 from vad.plan.format import paper_names
+from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.language import languages
-from vad.strokes.sheet import PANELS, Sheet
+from vad.strokes.sheet import Sheet
 from vad.style import style_names
 
 CARD = """\
@@ -84,10 +85,10 @@ def list_mechanisms(as_json: bool) -> None:
 _SHEET = [
     click.Option(
         ["--panels"],
-        callback=values.several("panel", PANELS),
+        callback=values.several("panel", DIAGRAMS),
         multiple=True,
         metavar="NAME,NAME",
-        help=f"some of {', '.join(PANELS)}  [all]",
+        help=f"some of {', '.join(DIAGRAMS)}  [all]",
     ),
     named_option("style", "style", style_names(), "how it looks  [paper]"),
     named_option("language", "language", languages(), "of titles and captions  [en]"),

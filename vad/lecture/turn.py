@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from vad.errors import DeadCentreError, InputError
 from vad.lecture.timeline import check
-from vad.strokes.sheet import PANELS, Sheet
+from vad.strokes.sheet import Sheet
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
@@ -97,7 +97,7 @@ def turn(
     size: tuple[int, int] = (1280, 720),
     speed: float = 1.0,
     style: str = "paper",
-    panels: Sequence[str] | str = PANELS,
+    panels: Sequence[str] | str | None = None,
     language: str = "en",
 ) -> Turn:
     """Return the film in which a mechanism runs through a full turn of its crank.
@@ -119,7 +119,7 @@ def turn(
     style
         The name of a style.
     panels
-        Which of "position", "velocity" and "acceleration".
+        Which of "position", "velocity" and "acceleration"; all of them if None.
     language
         The language of the words on the page, as a two-letter code.
 

@@ -23,7 +23,6 @@ from vad.plan.page.heads import head, pale_head
 from vad.plan.page.table import table
 from vad.plan.page.title import title_marks
 from vad.plan.sketch import Setting, Sketch
-from vad.strokes.language import Language
 from vad.strokes.sheet import Panel, Sheet
 
 
@@ -139,9 +138,7 @@ def rows_of(sheet: Sheet) -> dict[str, int]:
 
 def draw(setting: Setting) -> Sketch:
     """Return the sketch of a panel; each picture is a module with a function ``draw``."""
-    picture = import_module(
-        "vad.plan.pictures." + ("mechanism" if setting.panel.name == "position" else "vectors")
-    )
+    picture = import_module(f"vad.plan.pictures.{setting.panel.picture}")
     sketch = picture.draw(setting)
     assert isinstance(sketch, Sketch)
     return sketch
@@ -171,12 +168,11 @@ def regions_of(page: Page) -> dict[str, Rect]:
 
 
 def _heads(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[Item]:
-    language = Language(sheet.language)
     for panel in sheet.panels:
         sketch, place = sketches[panel.name], page.panels[panel.name]
         begun, region = drawing(sketch.setting.first), f"{panel.name} head"
-        pale = pale_head(panel, place, language)
-        full = head(panel, place, language, sketch.scale, sketch.setting.centimetre)
+        pale = pale_head(panel, place)
+        full = head(panel, place, sketch.scale, sketch.setting.centimetre)
         yield Item("", region, Level.GROUND, tuple(pale), 0, begun)
         yield Item("", region, Level.GROUND, tuple(full), begun)
 

@@ -6,17 +6,15 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from vad.errors import InputError, UsageError, unknown
-from vad.kinematics.linkage import Slide, angle_of, length_of
 from vad.kinematics.motion import Motion
 from vad.strokes.chains import NOTHING
+from vad.strokes.diagrams import DIAGRAMS, Diagram
 from vad.strokes.language import Language
-from vad.strokes.polygon import polygon
-from vad.strokes.position import position, slide_symbol
 from vad.strokes.scene import Scene
-from vad.strokes.sheet import PANELS, Arrow, Cell, Panel, PanelName, Row, Sheet
+from vad.strokes.sheet import Arrow, Cell, Panel, Row, Sheet
 
 
-def draw(motion: Motion, panels: Sequence[str] | str = PANELS, language: str = "en") -> Sheet:
+def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: str = "en") -> Sheet:
     """Draw one pose: the strokes of its panels in the order in which a teacher draws them.
 
     Parameters
@@ -24,7 +22,7 @@ def draw(motion: Motion, panels: Sequence[str] | str = PANELS, language: str = "
     motion
         One pose; its rates are solved only as far as the panels need them.
     panels
-        Which of "position", "velocity" and "acceleration", in any order.
+        Which of "position", "velocity" and "acceleration", in any order; all of them if None.
     language
         The language of the captions, as a two-letter code.
 
@@ -48,41 +46,36 @@ def draw(motion: Motion, panels: Sequence[str] | str = PANELS, language: str = "
         raise InputError(f"motion: must be what vad.solve returns, got {motion!r}")
     if motion.many:
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
-    wanted = chosen(panels)
+    diagrams = [DIAGRAMS[name] for name in chosen(panels)]
     scene = Scene(motion, Language(language))
-    drawn = tuple(_panel(scene, name) for name in wanted)
+    drawn = tuple(diagram.panel(scene) for diagram in diagrams)
     mechanism = motion.mechanism
     return Sheet(
         mechanism=mechanism.name,
         title=scene.language.name(mechanism.title),
         parameters=_parameters(scene),
-        rows=_without_noise(_rows(scene, wanted), drawn),
+        rows=_without_noise(_rows(scene, diagrams), drawn),
         panels=drawn,
         language=language,
     )
 
 
-def chosen(panels: Sequence[str] | str) -> tuple[PanelName, ...]:
-    """Return the names of panels in their own order, each once.
+def chosen(panels: Sequence[str] | str | None) -> tuple[str, ...]:
+    """Return the names of panels in the order of the page, each once; None are all of them.
 
     Raises
     ------
     vad.errors.UsageError
         For an unknown name, or none.
     """
-    names = (panels,) if isinstance(panels, str) else tuple(panels)
+    names = tuple(DIAGRAMS) if panels is None else panels
+    names = (names,) if isinstance(names, str) else tuple(names)
     for name in names:
-        if name not in PANELS:
-            raise unknown("panel", str(name), PANELS)
+        if name not in DIAGRAMS:
+            raise unknown("panel", str(name), DIAGRAMS)
     if not names:
-        raise UsageError("panels: none given", hint="known: " + ", ".join(PANELS))
-    return tuple(name for name in PANELS if name in names)
-
-
-def _panel(scene: Scene, name: PanelName) -> Panel:
-    if name == "position":
-        return position(scene)
-    return polygon(scene, PANELS.index(name))
+        raise UsageError("panels: none given", hint="known: " + ", ".join(DIAGRAMS))
+    return tuple(name for name in DIAGRAMS if name in names)
 
 
 def _parameters(scene: Scene) -> tuple[tuple[str, float, str], ...]:
@@ -98,22 +91,16 @@ def _parameters(scene: Scene) -> tuple[tuple[str, float, str], ...]:
     return tuple(shown)
 
 
-def _rows(scene: Scene, panels: tuple[PanelName, ...]) -> list[Row]:
-    motion = scene.motion
-    rows: list[Row] = []
+def _rows(scene: Scene, diagrams: list[Diagram]) -> list[Row]:
+    motion, say = scene.motion, scene.language.name
+    rows = []
     for name in motion.links:
-        link, given = motion.link(name), angle_of(name) == scene.driver
-        cells: dict[PanelName, tuple[Cell, ...]] = {}
-        for panel in panels:
-            symbol, unit, quantity = (
-                ("θ", "°", "angle"),
-                ("ω", "rad/s", "omega"),
-                ("α", "rad/s²", "alpha"),
-            )[PANELS.index(panel)]
-            cells[panel] = (Cell(symbol, getattr(link, quantity), unit, given),)
-        rows.append(Row(name, scene.language.name(name), motion.mechanism.links[name], cells))
+        cells = {diagram.name: diagram.link(scene, name) for diagram in diagrams}
+        rows.append(Row(name, say(name), motion.mechanism.links[name], cells))
     for name in motion.slides:
-        rows.append(_slide_row(scene, name, panels))
+        cells = {diagram.name: diagram.slide(scene, name) for diagram in diagrams}
+        title = say(name.split("_", maxsplit=1)[0])
+        rows.append(Row(name, title, motion.mechanism.slides[name], cells))
     return rows
 
 
@@ -137,19 +124,3 @@ def _without_noise(rows: list[Row], panels: tuple[Panel, ...]) -> tuple[Row, ...
         replace(row, cells={name: tuple(map(cleaned, cells)) for name, cells in row.cells.items()})
         for row in rows
     )
-
-
-def _slide_row(scene: Scene, name: str, panels: tuple[PanelName, ...]) -> Row:
-    motion = scene.motion
-    slide, given = motion.slide(name), length_of(name) == scene.driver
-    step = next(s for s in motion.frame.steps if isinstance(s, Slide) and s.name == name)
-    symbols = (slide_symbol(scene, step), "v", "a")
-    cells: dict[PanelName, tuple[Cell, ...]] = {}
-    for panel in panels:
-        order = PANELS.index(panel)
-        unit = scene.rate_unit(order)
-        cells[panel] = (Cell(symbols[order], getattr(slide, panel), unit, given),)
-        if panel == "acceleration" and slide.coriolis is not None:
-            cells[panel] += (Cell("2ωv", slide.coriolis, unit),)
-    title = scene.language.name(name.split("_", maxsplit=1)[0])
-    return Row(name, title, motion.mechanism.slides[name], cells)

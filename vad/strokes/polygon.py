@@ -12,27 +12,21 @@ from dataclasses import dataclass, field
 
 from vad.kinematics.linkage import Bar, Scalar, Slide, Step, angle_of
 from vad.strokes.chains import NOTHING, Chain, Part
+from vad.strokes.diagram import Drawing
 from vad.strokes.equations import Side, equation
 from vad.strokes.pencil import Pencil, Tip, owner
 from vad.strokes.scene import Scene
-from vad.strokes.sheet import PANELS, Equation, Panel, Term
+from vad.strokes.sheet import Equation, Term
 
 SUBSCRIPT_N = "ₙ"
 
 
-def polygon(scene: Scene, order: int) -> Panel:
-    """Return the velocity (order 1) or acceleration (order 2) panel of a pose."""
+def polygon(scene: Scene, order: int) -> Drawing:
+    """Return the velocity (order 1) or acceleration (order 2) polygon of a pose."""
     drawing = _Polygon(scene, order)
     equations = drawing.draw()
     pencil = drawing.pencil
-    return Panel(
-        PANELS[order],
-        scene.rate_unit(order),
-        tuple(pencil.strokes),
-        equations,
-        pencil.inset,
-        tuple(pencil.zeros),
-    )
+    return Drawing(tuple(pencil.strokes), tuple(pencil.zeros), equations, pencil.inset)
 
 
 @dataclass

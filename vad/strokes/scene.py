@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeGuard
+from typing import TYPE_CHECKING, TypeGuard
 
 from vad.kinematics.linkage import Bar, Scalar, Slide, Step, length_of, scalar_of
-from vad.kinematics.motion import Motion
-from vad.kinematics.state import Rates
 from vad.strokes.language import Language
 from vad.written import PRIME, number, per_second, subscript
+
+if TYPE_CHECKING:
+    from vad.kinematics.motion import Motion
+    from vad.kinematics.state import Rates
 
 
 @dataclass(frozen=True)

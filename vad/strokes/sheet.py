@@ -24,9 +24,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 Kind = Literal[
-    "fixed",  # position panel only: a pivot of the frame
-    "guide",  # position panel only: the line along which a block slides
-    "angle",  # position panel only: the arc of the driven link's angle
+    "fixed",  # mechanisms only: a pivot of the frame
+    "guide",  # mechanisms only: the line along which a block slides
+    "angle",  # mechanisms only: the arc of the driven link's angle
     "pole",
     "known",
     "construction",
@@ -34,8 +34,8 @@ Kind = Literal[
     "result",
 ]
 Component = Literal["normal", "tangential", "coriolis", "sliding", "relative", "absolute", "link"]
-PanelName = Literal["position", "velocity", "acceleration"]
-PANELS: tuple[PanelName, ...] = ("position", "velocity", "acceleration")
+#: How a panel is painted.
+Picture = Literal["mechanism", "vectors"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -195,20 +195,22 @@ class CoriolisInset:
 
 @dataclass(frozen=True, slots=True)
 class Panel:
-    """One of the three diagrams: its strokes in drawing order.
+    """One diagram of one pose: its strokes in drawing order.
 
     ``zeros`` holds what is not drawn in this pose, with its name, letters and place but without
     a caption: vectors of length zero, whole vectors that are no more than one of their parts,
     and, where nothing moves, the lines and crossings of the polygon.  Strokes and zeros together
-    have the same names in every pose.
+    have the same names in every pose.  ``title`` is its heading, ``picture`` how it is painted.
     """
 
-    name: PanelName
+    name: str
     unit: str
     strokes: tuple[Stroke, ...]
     equations: tuple[Equation, ...] = ()
     inset: CoriolisInset | None = None
     zeros: tuple[Stroke, ...] = ()
+    title: str = ""
+    picture: Picture = "vectors"
 
     def number(self, name: str) -> int:
         """Return the place of a stroke in drawing order, from 0.
@@ -244,7 +246,7 @@ class Row:
     key: str
     title: str
     letters: str
-    cells: Mapping[PanelName, tuple[Cell, ...]]
+    cells: Mapping[str, tuple[Cell, ...]]
 
 
 @dataclass(frozen=True, slots=True)

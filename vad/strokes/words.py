@@ -22,7 +22,7 @@ def describe(sheet: Sheet) -> str:
     """Return what the panels show, step by step, and what was measured."""
     say = Language(sheet.language).say
     lines = [
-        f"{say(panel.name)}: " + " ".join(_ended(s.caption) for s in panel.strokes)
+        f"{panel.title}: " + " ".join(_ended(s.caption) for s in panel.strokes)
         for panel in sheet.panels
     ]
     lines.append(f"{say('results')}: " + "; ".join(_row(row, sheet) for row in sheet.rows) + ".")

@@ -7,7 +7,6 @@ from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman
 from vad.plan.marks import Lettering, Mark, line, lines
 from vad.plan.scale import Scale, scale_bar
-from vad.strokes.language import Language
 from vad.strokes.sheet import Panel
 from vad.written import given, with_unit
 
@@ -20,16 +19,16 @@ TICK = 0.008
 _CENTIMETRES = {"mm": 0.1, "cm": 1.0, "m": 100.0}
 
 
-def pale_head(panel: Panel, place: PanelPlace, language: Language) -> list[Mark]:
+def pale_head(panel: Panel, place: PanelPlace) -> list[Mark]:
     """Return the head of a panel that is not begun: faint and bare."""
-    return _head(panel, place, language, "pale ")
+    return _head(panel, place, "pale ")
 
 
 def head(
-    panel: Panel, place: PanelPlace, language: Language, scale: Scale, centimetre: float | None
+    panel: Panel, place: PanelPlace, scale: Scale, centimetre: float | None
 ) -> list[Mark]:
     """Return the head of a panel; on paper it states what a centimetre stands for."""
-    marks = _head(panel, place, language)
+    marks = _head(panel, place)
     if scale.factor == 1.0:  # a single point has no scale
         return marks
     left, right = place.drawing.left, place.drawing.right
@@ -37,7 +36,7 @@ def head(
         value = centimetre / scale.factor
         runs = _stated(panel, value)
     else:
-        title = width(bold(roman(language.say(panel.name))), TITLE)
+        title = width(bold(roman(panel.title)), TITLE)
         value, runs = _fitting(panel, scale, right - left - title)
     start = right - width(runs, SCALE)
     marks.append(Mark(Lettering(runs, complex(start, place.title), SCALE), "notes"))
@@ -48,9 +47,9 @@ def head(
     return [*marks, lines(ticks, "scale bar")]
 
 
-def _head(panel: Panel, place: PanelPlace, language: Language, pale: str = "") -> list[Mark]:
+def _head(panel: Panel, place: PanelPlace, pale: str = "") -> list[Mark]:
     left, right = place.drawing.left, place.drawing.right
-    title = bold(roman(language.say(panel.name)))
+    title = bold(roman(panel.title))
     ends = complex(left, place.rule), complex(right, place.rule)
     return [
         line(ends, f"{pale}rule"),

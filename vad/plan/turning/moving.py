@@ -54,7 +54,7 @@ class MovingPanel:
 
     def __init__(self, setting: Setting, poses: Sequence[Panel], rates: Sequence[float]) -> None:
         self._setting = setting
-        position = setting.panel.name == "position"
+        position = setting.panel.picture == "mechanism"
         points = [point for pose in _usual(poses, position) for point in corners(pose)]
         self.scale = fill(points, setting.room, position)
         self._skeleton = Skeleton(setting, poses, self.scale) if position else None

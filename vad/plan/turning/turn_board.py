@@ -20,7 +20,6 @@ from vad.plan.page.title import title_marks
 from vad.plan.sketch import Setting
 from vad.plan.turning.fixed_width import Figures
 from vad.plan.turning.moving import MovingPanel
-from vad.strokes.language import Language
 from vad.strokes.sheet import Sheet
 
 #: Poses from which scale, columns and the ways of the labels are found.
@@ -81,13 +80,12 @@ class TurnBoard:
         self, sheet: Sheet, feet: Mapping[str, Foot], rows: Mapping[str, int]
     ) -> Iterator[tuple[str, list[Mark]]]:
         """Yield what never changes: title, heads, equations and the frame of the table."""
-        language = Language(sheet.language)
         yield "title", title_marks(sheet, self.page)
         yield "results", self._table.frame()
         for panel in sheet.panels:
             place = self.page.panels[panel.name]
             scale = self.panels[panel.name].scale
-            yield f"{panel.name} head", head(panel, place, language, scale, None)
+            yield f"{panel.name} head", head(panel, place, scale, None)
             terms = placed(feet[panel.name], place.equations, place.drawing.centre.real)
             yield (
                 f"{panel.name} foot",

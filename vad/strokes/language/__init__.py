@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
 from typing import Any
@@ -9,9 +10,10 @@ from typing import Any
 from vad.errors import unknown
 
 
-def languages() -> list[str]:
+@cache
+def languages() -> tuple[str, ...]:
     """Return the codes of the languages that there are."""
-    return sorted(module.name for module in iter_modules(__path__))
+    return tuple(sorted(module.name for module in iter_modules(__path__)))
 
 
 class Language:
@@ -42,5 +44,5 @@ class Language:
         return self._phrases[phrase].format(**parts)
 
     def name(self, name: str) -> str:
-        """Return the name of a link, slide or parameter in this language."""
+        """Return a name or title in this language; one that it does not translate stays itself."""
         return self._names.get(name, name.replace("_", " "))

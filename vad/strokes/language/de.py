@@ -2,9 +2,6 @@
 
 PHRASES = {
     # Seite
-    "position": "Lage",
-    "velocity": "Geschwindigkeit",
-    "acceleration": "Beschleunigung",
     "results": "Ergebnisse",
     "given": "gegeben",
     "coriolis rule": "Coriolis: v um 90° mit ω gedreht",
@@ -133,6 +130,9 @@ PHRASES = {
 
 #: Titel, Glieder, Schieber und Maße.
 NAMES = {
+    "Position": "Lage",
+    "Velocity": "Geschwindigkeit",
+    "Acceleration": "Beschleunigung",
     "Four-bar": "Gelenkviereck",
     "Slider–crank": "Schubkurbel",
     "Crank and slotted lever": "Schwingende Kurbelschleife",

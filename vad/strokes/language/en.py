@@ -2,9 +2,6 @@
 
 PHRASES = {
     # the page
-    "position": "Position",
-    "velocity": "Velocity",
-    "acceleration": "Acceleration",
     "results": "Results",
     "given": "given",
     "coriolis rule": "Coriolis: v turned 90° with ω",

@@ -1,4 +1,4 @@
-"""The position panel: the mechanism as compasses and set square construct it."""
+"""The mechanism as compasses and set square construct it: the strokes of the position diagram."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import math
 from collections.abc import Mapping
 
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, angle_of, scalar_of
+from vad.strokes.diagram import Drawing
 from vad.strokes.equations import Side, equation
 from vad.strokes.scene import Scene
 from vad.strokes.sheet import (
@@ -17,7 +18,6 @@ from vad.strokes.sheet import (
     Equation,
     Guide,
     Line,
-    Panel,
     Shape,
     Stroke,
     Term,
@@ -28,12 +28,12 @@ from vad.written import number, quantity
 COMPASS = 14.0
 
 
-def position(scene: Scene) -> Panel:
-    """Return the position panel of a pose."""
-    return _Position(scene).panel()
+def construct(scene: Scene) -> Drawing:
+    """Return the construction of a pose."""
+    return _Construction(scene).drawing()
 
 
-class _Position:
+class _Construction:
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self.motion = scene.motion
@@ -46,7 +46,7 @@ class _Position:
         """Return where a point is, in the user's frame and unit."""
         return self.scene.outward(self.motion.solver.routes.position(letter, self.motion.pose))
 
-    def panel(self) -> Panel:
+    def drawing(self) -> Drawing:
         self._frame()
         self._driver()
         known = {self.scene.driver}
@@ -57,7 +57,7 @@ class _Position:
             known.update(unknowns)
             self._images(known)
             equations.append(self._equation(loop))
-        return Panel("position", self.scene.unit, tuple(self.strokes), tuple(equations))
+        return Drawing(tuple(self.strokes), equations=tuple(equations))
 
     def _draw(
         self,
@@ -246,7 +246,7 @@ class _Position:
         parts: dict[str, object] = {
             "slide": slide.name.split("_")[0],
             "head": letter,
-            "symbol": slide_symbol(self.scene, slide),
+            "symbol": slide_symbol(self.scene, slide.name),
             "value": number(value, given=driven),
             "unit": self.scene.unit,
         }
@@ -291,8 +291,10 @@ def _start(chain: tuple[Step, ...]) -> str:
     return first.ends[1] if first.reverse else first.ends[0]
 
 
-def slide_symbol(scene: Scene, slide: Slide) -> str:
+def slide_symbol(scene: Scene, name: str) -> str:
     """Return the symbol of a slide's position: x or y along an axis of the frame, else s."""
+    steps = scene.motion.frame.steps
+    slide = next(step for step in steps if isinstance(step, Slide) and step.name == name)
     if scene.is_guide(slide) and slide.along in (0.0, 90.0):
         return "x" if slide.along == 0.0 else "y"
     return "s"

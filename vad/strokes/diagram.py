@@ -1,0 +1,76 @@
+"""What a kind of diagram declares: how it is drawn, where it stands, and what it measures.
+
+In comes the scene of a pose, out goes a `Panel`; a kind is one file of `vad.strokes.diagrams`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from vad.strokes.sheet import Cell, CoriolisInset, Equation, Panel, Picture, Stroke
+
+if TYPE_CHECKING:
+    from vad.strokes.scene import Scene
+
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """What is drawn of one pose: see `Panel`, which adds what its diagram says of itself."""
+
+    strokes: tuple[Stroke, ...]
+    zeros: tuple[Stroke, ...] = ()
+    equations: tuple[Equation, ...] = ()
+    inset: CoriolisInset | None = None
+
+
+def no_cells(scene: Scene, name: str) -> tuple[Cell, ...]:
+    """Add nothing to a row of the results table."""
+    return ()
+
+
+@dataclass(frozen=True, slots=True)
+class Diagram:
+    """A kind of diagram.
+
+    Attributes
+    ----------
+    name
+        What it is called in ``panels=…``, in JSON and on the command line.
+    title
+        Its heading in English; another language may have its own.
+    rank
+        Diagrams stand on the page, and are drawn, in ascending order of it.
+    picture
+        How its panel is painted: as a mechanism or as vectors from a pole.
+    unit
+        From a scene to the unit of its coordinates.
+    pose
+        From a scene to its strokes.
+    link, slide
+        From a scene and the name of a link or slide to the cells that it adds to that row.
+    """
+
+    name: str
+    title: str
+    rank: float
+    picture: Picture
+    unit: Callable[[Scene], str]
+    pose: Callable[[Scene], Drawing]
+    link: Callable[[Scene, str], tuple[Cell, ...]] = no_cells
+    slide: Callable[[Scene, str], tuple[Cell, ...]] = no_cells
+
+    def panel(self, scene: Scene) -> Panel:
+        """Return the panel of a pose, its title in the language of the scene."""
+        drawing = self.pose(scene)
+        return Panel(
+            self.name,
+            self.unit(scene),
+            drawing.strokes,
+            drawing.equations,
+            drawing.inset,
+            drawing.zeros,
+            scene.language.name(self.title),
+            self.picture,
+        )

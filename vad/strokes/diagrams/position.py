@@ -1,0 +1,28 @@
+"""The position diagram: the mechanism itself, constructed."""
+
+from __future__ import annotations
+
+from vad.kinematics.linkage import angle_of, length_of
+from vad.strokes.construct import construct, slide_symbol
+from vad.strokes.diagram import Diagram
+from vad.strokes.scene import Scene
+from vad.strokes.sheet import Cell
+
+
+def unit(scene: Scene) -> str:
+    """Return the unit of lengths."""
+    return scene.unit
+
+
+def link(scene: Scene, name: str) -> tuple[Cell, ...]:
+    """Return the angle of a link."""
+    return (Cell("θ", scene.motion.link(name).angle, "°", angle_of(name) == scene.driver),)
+
+
+def slide(scene: Scene, name: str) -> tuple[Cell, ...]:
+    """Return the position of a slide."""
+    place, given = scene.motion.slide(name).position, length_of(name) == scene.driver
+    return (Cell(slide_symbol(scene, name), place, unit(scene), given),)
+
+
+DIAGRAM = Diagram("position", "Position", 0, "mechanism", unit, construct, link, slide)

@@ -1,0 +1,33 @@
+"""The velocity polygon."""
+
+from __future__ import annotations
+
+from vad.kinematics.linkage import angle_of, length_of
+from vad.strokes.diagram import Diagram, Drawing
+from vad.strokes.polygon import polygon
+from vad.strokes.scene import Scene
+from vad.strokes.sheet import Cell
+
+
+def unit(scene: Scene) -> str:
+    """Return the unit of velocities."""
+    return scene.rate_unit(1)
+
+
+def pose(scene: Scene) -> Drawing:
+    """Return the velocity polygon of a pose."""
+    return polygon(scene, order=1)
+
+
+def link(scene: Scene, name: str) -> tuple[Cell, ...]:
+    """Return the angular velocity of a link."""
+    return (Cell("ω", scene.motion.link(name).omega, "rad/s", angle_of(name) == scene.driver),)
+
+
+def slide(scene: Scene, name: str) -> tuple[Cell, ...]:
+    """Return the velocity of a slide along its line."""
+    velocity, given = scene.motion.slide(name).velocity, length_of(name) == scene.driver
+    return (Cell("v", velocity, unit(scene), given),)
+
+
+DIAGRAM = Diagram("velocity", "Velocity", 1, "vectors", unit, pose, link, slide)
