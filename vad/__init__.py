@@ -1,7 +1,8 @@
 """Velocity and acceleration polygons, drawn stroke by stroke as at the board.
 
 Four verbs: `solve` a mechanism, `draw` its sheet, `animate` it as a lesson, `save` either one;
-`turn` is a film of a whole turn, `still` one step of a lesson.
+`turn` is a film of a whole turn, `still` one step of a lesson, `sheet_from_json` a sheet that was
+saved.
 Each part is loaded when it is first used.
 
 >>> import vad
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
         VadError,
     )
     from vad.export import save
+    from vad.export.sheet_json import sheet_from_json
     from vad.kinematics.motion import Motion, Motions, solve
     from vad.lecture.lesson import Lesson
     from vad.lecture.still import Still, still
@@ -67,6 +69,7 @@ __all__ = [
     "animate",
     "draw",
     "save",
+    "sheet_from_json",
     "solve",
     "still",
     "turn",
@@ -86,6 +89,7 @@ _HOMES = {
     "still": "vad.lecture.still",
     "Still": "vad.lecture.still",
     "save": "vad.export",
+    "sheet_from_json": "vad.export.sheet_json",
     "MECHANISMS": "vad.mechanisms",
     "Mechanism": "vad.mechanisms",
     "VadError": "vad.errors",

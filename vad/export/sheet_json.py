@@ -1,15 +1,21 @@
-"""A sheet as JSON: the strokes in drawing order, the same data that is painted and animated.
+"""A sheet as JSON and back: strokes in drawing order, and all else that a sheet holds.
 
-In comes a `Sheet`, out goes an object with a panel per diagram.  Coordinates are ``[x, y]`` in the
-panel's unit, printed in full; what a stroke has not is absent.
+In comes a `Sheet`, out goes an object with a panel per diagram, and the other way round nothing
+is lost.  Coordinates are ``[x, y]`` in the panel's unit, printed in full.
 """
 
 from __future__ import annotations
 
 import json
+import os
+from collections.abc import Mapping
+from pathlib import Path
 from typing import Any, BinaryIO
 
-from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Shape, Sheet, Stroke
+from vad.errors import InputError
+from vad.export.records import within
+from vad.export.sheet_form import SHEET
+from vad.strokes.sheet import Sheet
 
 
 def write(
@@ -24,72 +30,88 @@ def write(
 
 def to_dict(sheet: Sheet) -> dict[str, Any]:
     """Return ``sheet`` as dictionaries, lists, strings and numbers."""
-    return {
-        "mechanism": sheet.mechanism,
-        "panels": {
-            panel.name: {
-                "unit": _unit(panel),
-                "strokes": [_stroke(stroke) for stroke in panel.strokes],
-            }
-            for panel in sheet.panels
-        },
-    }
+    held: dict[str, Any] = SHEET.write(sheet)
+    return held
 
 
 def to_text(sheet: Sheet) -> str:
     """Return ``sheet`` as JSON with one stroke a line."""
-    panels = ",\n".join(_panel_text(panel) for panel in sheet.panels)
-    return f'{{"mechanism": {_text(sheet.mechanism)},\n "panels": {{\n{panels}}}}}\n'
+    return _laid(to_dict(sheet), "\n ") + "\n"
 
 
-def _panel_text(panel: Panel) -> str:
-    strokes = ",\n".join("    " + _text(_stroke(stroke)) for stroke in panel.strokes)
-    return f'  {_text(panel.name)}: {{"unit": {_text(_unit(panel))}, "strokes": [\n{strokes}]}}'
+def _laid(value: Any, line: str) -> str:
+    """Return JSON in which every object of a list has a line of its own."""
+    if _is_list(value):
+        return "[" + ",".join(line + _text(each) for each in value) + "]"
+    if isinstance(value, dict) and any(_is_list(v) or isinstance(v, dict) for v in value.values()):
+        entries = (f"{_text(key)}: {_laid(each, line + ' ')}" for key, each in value.items())
+        return "{" + ("," + line).join(entries) + "}"
+    return _text(value)
 
 
-def _unit(panel: Panel) -> str:
-    """Return the unit as the JSON of ``vad solve`` spells it: mm/s^2."""
-    return panel.unit.replace("²", "^2")
+def _is_list(value: Any) -> bool:
+    return isinstance(value, list) and bool(value) and isinstance(value[0], dict)
 
 
 def _text(value: Any) -> str:
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
 
 
-def _stroke(stroke: Stroke) -> dict[str, Any]:
-    entries = {
-        "kind": stroke.kind,
-        "label": stroke.label,
-        "component": stroke.component,
-        "link": stroke.link,
-        **_shape(stroke.shape),
-        "caption": stroke.caption,
-    }
-    return {key: value for key, value in entries.items() if value is not None}
+def sheet_from_json(source: str | os.PathLike[str] | Mapping[str, Any]) -> Sheet:
+    """Return the sheet that was saved as JSON.
+
+    Parameters
+    ----------
+    source
+        The name of a file, its text, or what ``json.load`` makes of it.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If there is no such file, or it holds no whole sheet: the message says where.
+
+    Examples
+    --------
+    >>> import vad
+    >>> sheet = vad.draw(vad.solve(vad.FourBar()))
+    >>> sheet_from_json(to_text(sheet)) == sheet
+    True
+    """
+    name, data = _loaded(source)
+    try:
+        sheet: Sheet = SHEET.read(data, "")
+        _check(sheet)
+    except InputError as error:
+        raise InputError(f"{name}: {error}", hint="as vad draw … -o sheet.json writes it") from None
+    return sheet
 
 
-def _shape(shape: Shape) -> dict[str, Any]:
-    match shape:
-        case Dot(at):
-            return {"at": _xy(at)}
-        case Arrow(start, end):
-            return {"from": _xy(start), "to": _xy(end)}
-        case Line(through, direction):
-            return {"through": _xy(through), "direction": _xy(direction)}
-        case Arc(centre, radius, start, sweep, through):
-            return {
-                "centre": _xy(centre),
-                "radius": float(radius),
-                "start": float(start),
-                "sweep": float(sweep),
-                "through": _xy(through),
-            }
-        case Guide(through, direction, side):
-            return {"through": _xy(through), "direction": _xy(direction), "side": _xy(side)}
-        case Block(at, direction, on):
-            return {"at": _xy(at), "direction": _xy(direction), "on": on}
+def _loaded(source: str | os.PathLike[str] | Mapping[str, Any]) -> tuple[str, Any]:
+    """Return what a source is called, and what it holds."""
+    if isinstance(source, Mapping):
+        return "sheet", source
+    is_text = isinstance(source, str) and source.lstrip().startswith(("{", "["))
+    name = "sheet" if is_text else os.fspath(source)
+    try:
+        return name, json.loads(str(source) if is_text else Path(name).read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{name}: {error.strerror or 'cannot be read'}") from None
+    except (ValueError, RecursionError) as error:  # no JSON, no UTF-8, or no name of a file
+        raise InputError(f"{name}: not JSON: {error}".splitlines()[0]) from None
 
 
-def _xy(point: complex | None) -> list[float] | None:
-    # Adding 0 turns -0.0 into 0.0, and complex() numpy's numbers into Python's.
-    return None if point is None else [complex(point).real + 0.0, complex(point).imag + 0.0]
+def _check(sheet: Sheet) -> None:
+    """Raise an error where strokes are called by names that they do not bear."""
+    if not sheet.panels:
+        raise InputError("panels: there is none")
+    for panel in sheet.panels:
+        place = within("panels", panel.name)
+        names = [stroke.name for stroke in (*panel.strokes, *panel.zeros)]
+        for name in names:
+            if names.count(name) > 1:
+                raise InputError(f"{place}: two strokes are called {name!r}")
+        sums = [terms for each in panel.equations for terms in (each.left, each.right)]
+        called = [term.stroke for terms in sums for term in terms if term.stroke]
+        for name in called + ([panel.inset.stroke] if panel.inset else []):
+            if name not in {stroke.name for stroke in panel.strokes}:
+                raise InputError(f"{place}: no stroke is called {name!r}")

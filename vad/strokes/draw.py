@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from vad.errors import InputError, UsageError, unknown
 from vad.kinematics.motion import Motion
+from vad.strokes.canonical import canonical
 from vad.strokes.chains import NOTHING
 from vad.strokes.diagrams import DIAGRAMS, Diagram
 from vad.strokes.language import Language
@@ -50,14 +51,17 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     scene = Scene(motion, Language(language))
     drawn = tuple(diagram.panel(scene) for diagram in diagrams)
     mechanism = motion.mechanism
-    return Sheet(
-        mechanism=mechanism.name,
-        title=scene.language.name(mechanism.title),
-        parameters=_parameters(scene),
-        rows=_without_noise(_rows(scene, diagrams), drawn),
-        panels=drawn,
-        language=language,
+    sheet: Sheet = canonical(
+        Sheet(
+            mechanism=mechanism.name,
+            title=scene.language.name(mechanism.title),
+            parameters=_parameters(scene),
+            rows=_without_noise(_rows(scene, diagrams), drawn),
+            panels=drawn,
+            language=language,
+        )
     )
+    return sheet
 
 
 def chosen(panels: Sequence[str] | str | None) -> tuple[str, ...]:

@@ -1,0 +1,223 @@
+"""Data classes as JSON and back, by one table for both ways.
+
+In comes a table of keys, out goes a `Form` that writes what it reads.  What it cannot read is
+answered with the place in the file: ``panels.velocity.strokes[3].from: missing``.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from vad.errors import InputError
+
+_REQUIRED: Any = object()
+
+
+@dataclass(frozen=True, slots=True)
+class Form:
+    """How one kind of value is written, and read from a place in the file.
+
+    ``cls`` is the class of what it reads, where that is a record.
+    """
+
+    write: Callable[[Any], Any]
+    read: Callable[[Any, str], Any]
+    cls: Callable[..., Any] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """How a record holds one attribute, where its form alone does not say it.
+
+    ``name`` is the key in the file if it is not the attribute's, ``default`` the value at which
+    it is left out.  With ``beside`` the keys of its own form stand among the record's.
+    """
+
+    form: Form
+    name: str | None = None
+    default: Any = _REQUIRED
+    beside: bool = False
+
+
+def optional(form: Form, default: Any = None) -> Key:
+    """Return the key of a value that is left out where it is ``default``."""
+    return Key(form, default=default)
+
+
+def wrong(place: str, wanted: str, value: Any) -> InputError:
+    """Return the error for a value that is not what it must be."""
+    shown = repr(value)
+    start = f"{place}: " if place else ""
+    return InputError(f"{start}must be {wanted}, got {shown[:40]}{'…' * (len(shown) > 40)}")
+
+
+def _read_text(value: Any, place: str) -> str:
+    try:
+        if isinstance(value, str) and value.encode():
+            return value
+    except UnicodeEncodeError:  # half of a surrogate pair, which no file can hold
+        raise wrong(place, "text", value) from None
+    if value != "":
+        raise wrong(place, "text", value)
+    return ""
+
+
+def _read_number(value: Any, place: str) -> float:
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        try:
+            number = float(value)
+        except OverflowError:
+            number = math.inf
+        if math.isfinite(number):
+            return number
+    raise wrong(place, "a finite number", value)
+
+
+def _read_flag(value: Any, place: str) -> bool:
+    if not isinstance(value, bool):
+        raise wrong(place, "true or false", value)
+    return value
+
+
+def _read_point(value: Any, place: str) -> complex:
+    return complex(*_read_pair(value, place))
+
+
+TEXT = Form(str, _read_text)
+NUMBER = Form(lambda value: float(value) + 0.0, _read_number)  # adding 0 turns -0.0 into 0.0
+FLAG = Form(bool, _read_flag)
+
+
+def one_of(values: Collection[Any]) -> Form:
+    """Return the form of one of a few values."""
+
+    def read(value: Any, place: str) -> Any:
+        for known in values:
+            if type(value) is type(known) and value == known:
+                return known
+        raise wrong(place, "one of " + ", ".join(map(str, values)), value)
+
+    return Form(lambda value: value, read)
+
+
+def row(*forms: Form) -> Form:
+    """Return the form of a tuple of so many different values."""
+
+    def read(value: Any, place: str) -> tuple[Any, ...]:
+        if not isinstance(value, list) or len(value) != len(forms):
+            raise wrong(place, f"a list of {len(forms)}", value)
+        pairs = enumerate(zip(forms, value, strict=True))
+        return tuple(form.read(each, f"{place}[{i}]") for i, (form, each) in pairs)
+
+    return Form(
+        lambda value: [form.write(each) for form, each in zip(forms, value, strict=True)], read
+    )
+
+
+_read_pair = row(NUMBER, NUMBER).read
+#: A point or direction: x + iy as ``[x, y]``.
+POINT = Form(lambda z: [float(z.real) + 0.0, float(z.imag) + 0.0], _read_point)
+
+
+def many(form: Form) -> Form:
+    """Return the form of a tuple of any number of values."""
+
+    def read(value: Any, place: str) -> tuple[Any, ...]:
+        if not isinstance(value, list):
+            raise wrong(place, "a list", value)
+        return tuple(form.read(each, f"{place}[{i}]") for i, each in enumerate(value))
+
+    return Form(lambda values: [form.write(each) for each in values], read)
+
+
+def by_name(form: Form) -> Form:
+    """Return the form of a mapping from names to values."""
+
+    def read(value: Any, place: str) -> dict[str, Any]:
+        found = _object(value, place)
+        return {_read_text(k, place): form.read(v, within(place, k)) for k, v in found.items()}
+
+    return Form(lambda values: {key: form.write(each) for key, each in values.items()}, read)
+
+
+def record(cls: Callable[..., Any], **attributes: Form | Key) -> Form:
+    """Return the form of a data class: an object with a key for each of ``attributes``."""
+    keys = {
+        name: Key(each) if isinstance(each, Form) else each for name, each in attributes.items()
+    }
+    names = {attribute: key.name or attribute for attribute, key in keys.items()}
+
+    def write(value: Any) -> dict[str, Any]:
+        entries: dict[str, Any] = {}
+        for attribute, key in keys.items():
+            held = getattr(value, attribute)
+            if key.beside:
+                entries |= key.form.write(held)
+            elif key.default is _REQUIRED or held != key.default:
+                entries[names[attribute]] = key.form.write(held)
+        return entries
+
+    def read(value: Any, place: str) -> Any:
+        found, held = _object(value, place), {}
+        for attribute, key in keys.items():
+            name = names[attribute]
+            if key.beside:
+                held[attribute] = key.form.read(found, place)
+            elif name in found:
+                held[attribute] = key.form.read(found[name], within(place, name))
+            elif key.default is _REQUIRED:
+                raise InputError(f"{within(place, name)}: missing")
+            else:
+                held[attribute] = key.default
+        return cls(**held)
+
+    return Form(write, read, cls)
+
+
+def variants(tag: str, **forms: Form) -> Form:
+    """Return the form of one of several records, told apart by the key ``tag``."""
+    which = one_of(list(forms))
+    names = {form.cls: name for name, form in forms.items()}
+
+    def write(value: Any) -> dict[str, Any]:
+        name = names[type(value)]
+        return {tag: name, **forms[name].write(value)}
+
+    def read(value: Any, place: str) -> Any:
+        if tag not in value:
+            raise InputError(f"{within(place, tag)}: missing")
+        return forms[which.read(value[tag], within(place, tag))].read(value, place)
+
+    return Form(write, read)
+
+
+def by_attribute(attribute: str, form: Form) -> Form:
+    """Return the form of a tuple of records, as an object with one of their attributes as key.
+
+    The record's own form holds all but that.
+    """
+
+    def write(values: Any) -> dict[str, Any]:
+        return {getattr(value, attribute): form.write(value) for value in values}
+
+    entries = by_name(form).read
+
+    def read(value: Any, place: str) -> tuple[Any, ...]:
+        found = entries(value, place)
+        return tuple(replace(each, **{attribute: name}) for name, each in found.items())
+
+    return Form(write, read)
+
+
+def within(place: str, key: Any) -> str:
+    """Return the place of a key: ``panels.velocity``."""
+    return f"{place}.{key}" if place else str(key)
+
+
+def _object(value: Any, place: str) -> Mapping[str, Any]:
+    if not isinstance(value, Mapping):
+        raise wrong(place, "an object", value)
+    return value

@@ -1,0 +1,109 @@
+"""The form of a sheet's JSON: one table of keys, by which it is both written and read.
+
+What a stroke has not is absent.  Keys of the public contract (kind, label, component, link, from,
+to, through, direction, at, caption, unit) stand beside those that make the sheet whole.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import get_args
+
+from vad.export.records import (
+    FLAG,
+    NUMBER,
+    POINT,
+    TEXT,
+    Form,
+    Key,
+    by_attribute,
+    by_name,
+    many,
+    one_of,
+    optional,
+    record,
+    row,
+    variants,
+)
+from vad.strokes.language import languages
+from vad.strokes.sheet import (
+    Arc,
+    Arrow,
+    Block,
+    Cell,
+    Component,
+    CoriolisInset,
+    Dot,
+    Equation,
+    Guide,
+    Kind,
+    Line,
+    Panel,
+    Picture,
+    Row,
+    Sheet,
+    Stroke,
+    Term,
+)
+
+#: A unit as the JSON of ``vad solve`` spells it: mm/s^2.
+UNIT = Form(
+    lambda unit: unit.replace("²", "^2"),
+    lambda value, place: TEXT.read(value, place).replace("^2", "²"),
+)
+SHAPE = variants(
+    "shape",
+    dot=record(Dot, at=POINT),
+    arrow=record(Arrow, start=Key(POINT, "from"), end=Key(POINT, "to"), tail=TEXT, head=TEXT),
+    line=record(Line, through=POINT, direction=POINT, until=POINT, square_to=optional(TEXT)),
+    arc=record(
+        Arc, centre=POINT, radius=NUMBER, start=NUMBER, sweep=NUMBER, through=optional(POINT)
+    ),
+    guide=record(Guide, through=POINT, direction=POINT, side=optional(POINT)),
+    block=record(Block, at=POINT, direction=POINT, on=optional(TEXT)),
+)
+STROKE = record(
+    Stroke,
+    kind=one_of(get_args(Kind)),
+    label=TEXT,
+    component=optional(one_of(get_args(Component))),
+    link=optional(TEXT),
+    shape=Key(SHAPE, beside=True),
+    caption=TEXT,
+    name=TEXT,
+    image=optional(FLAG, False),
+    reveals=optional(many(TEXT), ()),
+)
+TERM = record(Term, label=TEXT, link=optional(TEXT), stroke=optional(TEXT))
+EQUATION = record(Equation, left=many(TERM), right=many(TERM))
+INSET = record(
+    CoriolisInset,
+    link=TEXT,
+    slide=TEXT,
+    slot=POINT,
+    sliding=POINT,
+    coriolis=POINT,
+    sense=one_of((1, -1)),
+    stroke=TEXT,
+)
+PANEL = record(
+    partial(Panel, ""),  # whose name is its key
+    unit=UNIT,
+    title=TEXT,
+    picture=one_of(get_args(Picture)),
+    strokes=many(STROKE),
+    zeros=optional(many(STROKE), ()),
+    equations=optional(many(EQUATION), ()),
+    inset=optional(INSET),
+)
+CELL = record(Cell, symbol=TEXT, value=NUMBER, unit=UNIT, given=optional(FLAG, False))
+ROW = record(Row, key=TEXT, title=TEXT, letters=TEXT, cells=by_name(many(CELL)))
+SHEET = record(
+    Sheet,
+    mechanism=TEXT,
+    title=TEXT,
+    language=one_of(languages()),
+    parameters=many(row(TEXT, NUMBER, UNIT)),
+    rows=many(ROW),
+    panels=by_attribute("name", PANEL),
+)
