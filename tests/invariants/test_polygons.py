@@ -78,9 +78,10 @@ def test_the_equation_under_a_panel_holds(name: str) -> None:
                 for sign, terms in ((1, equation.left), (-1, equation.right)):
                     for term in terms:
                         if term.stroke is not None:
-                            shape = panel.strokes[term.stroke].shape
+                            stroke = panel.strokes[panel.number(term.stroke)]
+                            shape = stroke.shape
                             assert isinstance(shape, Arrow)
-                            assert panel.strokes[term.stroke].label == term.label
+                            assert stroke.label == term.label
                             total += sign * (shape.end - shape.start)
                 assert abs(total) <= 1e-11 * size(panel)
 
