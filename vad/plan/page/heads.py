@@ -24,9 +24,7 @@ def pale_head(panel: Panel, place: PanelPlace) -> list[Mark]:
     return _head(panel, place, "pale ")
 
 
-def head(
-    panel: Panel, place: PanelPlace, scale: Scale, centimetre: float | None
-) -> list[Mark]:
+def head(panel: Panel, place: PanelPlace, scale: Scale, centimetre: float | None) -> list[Mark]:
     """Return the head of a panel; on paper it states what a centimetre stands for."""
     marks = _head(panel, place)
     if scale.factor == 1.0:  # a single point has no scale

@@ -7,7 +7,7 @@ group is in any pose.
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from vad.plan.geometry import direction_of
 from vad.plan.labels.vertices import COINCIDENT
@@ -51,7 +51,7 @@ def spots(panel: Panel, scale: Scale, lasting: Collection[str] = ()) -> Spots:
             if stroke.component == "coriolis":
                 middle = scale((shape.start + shape.end) / 2)
                 found[CORIOLIS] = Spot(middle, [-1j * way])
-    kept = Panel(panel.name, panel.unit, panel.zeros)
+    kept = replace(panel, strokes=panel.zeros, zeros=())
     for letter, spot in spots(kept, scale).items() if lasting else ():
         if letter in lasting:
             found.setdefault(letter, Spot(spot.at, [0j]))
