@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import vad
-from vad import written
 from vad.cli.run import run
 from vad.lecture.moment import Moment
 from vad.painting.film import frames, redraw
@@ -140,26 +139,6 @@ def test_numbers_are_always_as_wide():
     assert shown[7:] == ["0.0", "7.0", "120.0"]
     for unit in ("mm/s", "rad/s²", "°"):
         assert len({round(typeset(figures(c)).advance, 9) for c in cells if c.unit == unit}) == 1
-
-
-@pytest.mark.parametrize(
-    ("unit", "values"),
-    [
-        ("mm/s", (1234.5, -2.0)),
-        ("mm/s", (57549.8, 12.0)),
-        ("mm/s", (9999.7,)),
-        ("mm/s", (0.00123, 0.001)),
-        ("mm/s²", (1234567.0, 3.0)),
-        ("°", (338.213, 12.0)),
-        ("°", (359.97, 12.0)),
-    ],
-)
-def test_the_largest_number_of_a_column_is_written_as_everywhere(
-    unit: str, values: tuple[float, ...]
-):
-    cells = [Cell("v", value, unit) for value in values]
-    shown = "".join(run.text for run in Figures(cells)(cells[0]) if run.shown)
-    assert shown == written.number(values[0], unit).replace("⁶", "6")  # raised, as a run
 
 
 @pytest.mark.parametrize(
