@@ -33,7 +33,7 @@ POSITION = Panel(
         Stroke("result", "C", Block(160 + 0j, 1 + 0j), "The block.", "slider"),
     ),
     title="Position",
-    picture="mechanism",
+    picture="skeleton",
 )
 VELOCITY = Panel(
     "velocity",

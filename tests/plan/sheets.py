@@ -116,7 +116,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
             ),
         ),
         title="Position",
-        picture="mechanism",
+        picture="skeleton",
     )
     velocity = Panel(
         "velocity",

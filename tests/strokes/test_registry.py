@@ -80,7 +80,7 @@ def test_a_panel_says_what_it_is() -> None:
     sheet = vad.draw(vad.solve(vad.GateActuator()))
     said = [(panel.name, panel.title, panel.unit, panel.picture) for panel in sheet.panels]
     assert said == [
-        ("position", "Position", "ft", "mechanism"),
+        ("position", "Position", "ft", "skeleton"),
         ("velocity", "Velocity", "ft/s", "vectors"),
         ("acceleration", "Acceleration", "ft/s²", "vectors"),
     ]

@@ -10,12 +10,12 @@ from tests.strokes.motions import drawn, everything, in_every_language, poses
 from vad.kinematics.motion import Motion
 from vad.lecture.still import still
 from vad.lecture.timeline import animate
-from vad.strokes.sheet import Cell, Panel, PanelName, Sheet
+from vad.strokes.sheet import Cell, Panel, Sheet
 
-Name = tuple[PanelName, str, str]  # of a cell: panel, row, symbol
+Name = tuple[str, str]  # of a cell: panel, row, symbol
 
 
-def cells(sheet: Sheet, panel: PanelName) -> Iterator[tuple[Name, Cell]]:
+def cells(sheet: Sheet, panel: str) -> Iterator[tuple[Name, Cell]]:
     """Yield the cells of a panel: the first of a row, which a stroke measures."""
     for row in sheet.rows:
         for cell in row.cells.get(panel, ())[:1]:

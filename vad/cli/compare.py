@@ -18,7 +18,7 @@ from vad.units import scene_unit
 from vad.written import typed
 
 if TYPE_CHECKING:
-    from vad.methods.comparison import Comparison, Row
+    from vad.methods.comparison import Answer, Comparison
 
 _REFERENCE = "50 digits"
 _DIGITS = 8  # of every result
@@ -105,7 +105,7 @@ def _data(mechanism: Mechanism, inputs: dict[str, Any], comparison: Comparison) 
     }
 
 
-def _row(row: Row) -> dict[str, Any]:
+def _row(row: Answer) -> dict[str, Any]:
     if row.found is None:
         return {"method": row.method, "problem": row.problem}
     return {

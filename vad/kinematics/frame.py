@@ -14,7 +14,7 @@ from vad.kinematics.numbers import Number, direction, fold
 from vad.kinematics.state import Component, Pose, Rates
 
 
-class Frame:
+class ReferenceFrame:
     """The unit and the axes in which a linkage is solved.
 
     Attributes

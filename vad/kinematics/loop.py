@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from vad.kinematics.closures import GroundedCrank, crossing
-from vad.kinematics.frame import Frame
+from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, angle_of, scalar_of
 from vad.kinematics.numbers import Number
 from vad.kinematics.state import GROUND, Pose, Rates
@@ -23,7 +23,9 @@ class LoopSolver:
     #: Whether the loop can be assembled in two ways.
     two_ways = False
 
-    def __init__(self, frame: Frame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]) -> None:
+    def __init__(
+        self, frame: ReferenceFrame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]
+    ) -> None:
         self.frame = frame
         self.side = side
         unknown = {scalar_of(s): (way, s) for way, s in loop.steps() if scalar_of(s) in unknowns}

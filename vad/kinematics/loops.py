@@ -13,7 +13,7 @@ from vad.kinematics.closures import (
     crossing,
     slot,
 )
-from vad.kinematics.frame import Frame
+from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, scalar_of
 from vad.kinematics.loop import LoopSolver
 from vad.kinematics.numbers import Number, cross, is_array, vector
@@ -21,7 +21,9 @@ from vad.kinematics.state import GROUND, Pose, Rates
 from vad.kinematics.strut import Strut
 
 
-def loop_solver(frame: Frame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]) -> LoopSolver:
+def loop_solver(
+    frame: ReferenceFrame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]
+) -> LoopSolver:
     """Return the solver of a loop, by what is unknown in it."""
     steps = {scalar_of(step): step for _, step in loop.steps() if scalar_of(step) in unknowns}
     bars = [step for step in steps.values() if isinstance(step, Bar)]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.kinematics.frame import Frame
+from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Slide
 from vad.kinematics.numbers import cross
 from vad.kinematics.solver import Solver, solver_of
@@ -52,14 +52,14 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
     return list(zip(ends[::2], ends[1::2], strict=True))
 
 
-def _sizes(frame: Frame) -> list[float]:
+def _sizes(frame: ReferenceFrame) -> list[float]:
     """Return the lengths of all bars in the user's unit."""
     lengths = [step.length for step in frame.steps if isinstance(step, Bar)]
     lengths += [frame.linkage.ground[1]] if frame.linkage.ground else []
     return [abs(length) for length in lengths if isinstance(length, float)]
 
 
-def _steepness(frame: Frame) -> float:
+def _steepness(frame: ReferenceFrame) -> float:
     """Return the least sine between two guides: the flatter they cross, the farther they reach."""
     guides = [s for s in frame.steps if isinstance(s, Slide) and isinstance(s.along, float)]
     lines = [frame.line(guide, None) for guide in guides]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import cast
 
-from vad.kinematics.frame import Frame
+from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Slide, Step, angle_of
 from vad.kinematics.numbers import Number
 from vad.kinematics.state import Pose, Rates
@@ -19,7 +19,7 @@ Costs = tuple[dict[str, float], Callable[[Step], float]]
 class Routes:
     """The shortest way from a fixed point to each letter, and the motion summed along it."""
 
-    def __init__(self, frame: Frame) -> None:
+    def __init__(self, frame: ReferenceFrame) -> None:
         self._frame = frame
         self._places = _shortest(frame, *_place_costs(frame))
         self._motions = _shortest(frame, *_motion_costs(frame))
@@ -63,7 +63,7 @@ class Routes:
         return total
 
 
-def _place_costs(frame: Frame) -> Costs:
+def _place_costs(frame: ReferenceFrame) -> Costs:
     """Cost lengths, for a short way rounds least, and links that only a later loop finds."""
     later = {scalar for pair in frame.linkage.unknowns[1:] for scalar in pair}
 
@@ -77,7 +77,7 @@ def _place_costs(frame: Frame) -> Costs:
     return {letter: abs(place) for letter, place in frame.fixed.items()}, cost
 
 
-def _motion_costs(frame: Frame) -> Costs:
+def _motion_costs(frame: ReferenceFrame) -> Costs:
     """Cost steps; guides of the frame round least."""
 
     def cost(step: Step) -> float:
@@ -87,7 +87,7 @@ def _motion_costs(frame: Frame) -> Costs:
 
 
 def _shortest(
-    frame: Frame, costs: dict[str, float], cost: Callable[[Step], float]
+    frame: ReferenceFrame, costs: dict[str, float], cost: Callable[[Step], float]
 ) -> dict[str, Route]:
     """Return the cheapest route to each letter, from letters with the given costs."""
     routes: dict[str, Route] = {letter: (letter, ()) for letter in frame.fixed}

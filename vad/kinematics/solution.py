@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from vad.errors import AssemblyError, DeadCentreError, InputError
 from vad.kinematics import chunks
 from vad.kinematics.closures import OpenLoopError
-from vad.kinematics.frame import Frame
+from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Linkage, Scalar
 from vad.kinematics.numbers import NAN_VECTOR, Number, Truth, direction, fold, is_array
 from vad.kinematics.reach import closing_range
@@ -56,7 +56,7 @@ class Solution(Generic[Truth]):
         self._acceleration: Rates | None = None
 
     @property
-    def frame(self) -> Frame:
+    def frame(self) -> ReferenceFrame:
         """The unit and the axes of the solution."""
         return self.solver.frame
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vad.errors import DeadCentreError
-from vad.kinematics.frame import Frame
+from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Linkage, scalar_of
 from vad.kinematics.loop import LoopSolver
 from vad.kinematics.loops import loop_solver
@@ -51,7 +51,7 @@ class Solver:
         scalars = {linkage.driver, *(scalar for pair in linkage.unknowns for scalar in pair)}
         self.links = {scalar.name for scalar in scalars if scalar.kind == "angle"}
         self.slides = {scalar.name for scalar in scalars if scalar.kind == "length"}
-        self.frame = Frame(linkage)
+        self.frame = ReferenceFrame(linkage)
         self.loops: list[LoopSolver] = [
             loop_solver(self.frame, side, loop, unknowns)
             for loop, unknowns in zip(linkage.loops, linkage.unknowns, strict=True)

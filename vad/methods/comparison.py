@@ -20,7 +20,7 @@ from vad.methods import METHODS, Found, Method, Problem, high_precision, problem
 
 
 @dataclass(frozen=True)
-class Row:
+class Answer:
     """What one method says about a pose.
 
     Attributes
@@ -48,7 +48,7 @@ class Row:
 class Comparison:
     """The rows of a table, and the truth with which they are compared."""
 
-    rows: tuple[Row, ...]
+    rows: tuple[Answer, ...]
     truth: Found
 
 
@@ -73,12 +73,12 @@ def compare(
     )
 
 
-def _row(name: str, method: Method, problem: Problem, truth: Found) -> Row:
+def _row(name: str, method: Method, problem: Problem, truth: Found) -> Answer:
     try:
         found = method(problem)
     except (ArithmeticError, ValueError, VadError) as error:  # LinAlgError is a ValueError
-        return Row(name, None, problem=str(error))
-    return Row(name, found, largest_error(found, truth), seconds(lambda: method(problem)))
+        return Answer(name, None, problem=str(error))
+    return Answer(name, found, largest_error(found, truth), seconds(lambda: method(problem)))
 
 
 def largest_error(found: Found, truth: Found) -> float:

@@ -11,8 +11,8 @@ import math
 
 from vad.kinematics.linkage import Scalar
 from vad.methods.problem import (
-    Equation,
     Found,
+    LoopEquation,
     Problem,
     Values,
     Vector,
@@ -58,7 +58,7 @@ def measured(start: complex, end: complex, along: complex) -> float:
 # --- the drawing --------------------------------------------------------------------------------
 
 
-def position(equation: Equation, values: Values, side: int) -> dict[Scalar, float]:
+def position(equation: LoopEquation, values: Values, side: int) -> dict[Scalar, float]:
     """Draw both chains as far as they are known, and find the point at which they meet."""
     tips = {-1: 0j, 1: equation.constant}
     for vector in equation.known:
@@ -89,7 +89,7 @@ def _guide(vector: Vector, values: Values) -> complex:
 
 
 def rates(
-    equation: Equation, values: Values, rate: Values, second: Values | None
+    equation: LoopEquation, values: Values, rate: Values, second: Values | None
 ) -> dict[Scalar, float]:
     """Draw the velocity polygon, or the acceleration polygon if ``second`` is given.
 

@@ -13,7 +13,7 @@ from typing import Any
 from mpmath import mp, mpc, mpf  # type: ignore[import-untyped]
 
 from vad.kinematics.linkage import Scalar
-from vad.methods.problem import Equation, Found, Problem, Values, Vector, found
+from vad.methods.problem import Found, LoopEquation, Problem, Values, Vector, found
 
 DIGITS = 50
 # Next to a dead centre half the digits are lost, and half of those left again.
@@ -49,7 +49,7 @@ def _polar(vector: Vector, values: Values) -> tuple[Any, Any]:
     )
 
 
-def _sum(equation: Equation, vectors: tuple[Vector, ...], values: Values) -> Any:
+def _sum(equation: LoopEquation, vectors: tuple[Vector, ...], values: Values) -> Any:
     total = mpc(equation.constant)
     for vector in vectors:
         size, direction = _polar(vector, values)
@@ -57,7 +57,7 @@ def _sum(equation: Equation, vectors: tuple[Vector, ...], values: Values) -> Any
     return total
 
 
-def _start(equation: Equation, values: Values, side: int) -> dict[Scalar, Any]:
+def _start(equation: LoopEquation, values: Values, side: int) -> dict[Scalar, Any]:
     known = _sum(equation, equation.known, values)
     seen = {**values, **dict.fromkeys(equation.unknowns, mpf(1))}
     (one, (a, p)), *others = ((vector, _polar(vector, seen)) for vector in equation.carriers)
@@ -82,7 +82,9 @@ def _root(square: Any) -> Any:
     return mp.sqrt(square)
 
 
-def _polished(equation: Equation, values: Values, start: dict[Scalar, Any]) -> dict[Scalar, Any]:
+def _polished(
+    equation: LoopEquation, values: Values, start: dict[Scalar, Any]
+) -> dict[Scalar, Any]:
     """Return the root of the loop equation next to ``start`` by Newton's method."""
     place = start
     for _ in range(3):
@@ -92,7 +94,7 @@ def _polished(equation: Equation, values: Values, start: dict[Scalar, Any]) -> d
     return place
 
 
-def _columns(equation: Equation, values: Values) -> dict[Scalar, Any]:
+def _columns(equation: LoopEquation, values: Values) -> dict[Scalar, Any]:
     """Return the derivatives of the equation by its unknowns."""
     columns = dict.fromkeys(equation.unknowns, mpc(0))
     for vector in equation.vectors:
@@ -117,7 +119,7 @@ def _two_unknowns(columns: dict[Scalar, Any], known: Any) -> dict[Scalar, Any]:
 
 
 def _rates(
-    equation: Equation, values: Values, rates: Values, seconds: Values | None
+    equation: LoopEquation, values: Values, rates: Values, seconds: Values | None
 ) -> dict[Scalar, Any]:
     """Return the unknown first derivatives, or the second ones if ``seconds`` is given."""
     given = rates if seconds is None else seconds

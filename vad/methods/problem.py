@@ -38,7 +38,7 @@ class Vector(NamedTuple):
     angle: Given
 
 
-class Equation(NamedTuple):
+class LoopEquation(NamedTuple):
     """One loop: its vectors and the two scalars that are found from it."""
 
     constant: complex
@@ -95,7 +95,7 @@ class Problem:
     mechanism: Mechanism
     driver: Scalar
     drive: Jet
-    equations: tuple[Equation, ...]
+    equations: tuple[LoopEquation, ...]
     side: int
     size: float
 
@@ -156,7 +156,9 @@ def _fixed_points(linkage: Linkage) -> dict[str, _Place]:
     return places
 
 
-def _equation(loop: Loop, unknowns: tuple[Scalar, ...], places: Mapping[str, _Place]) -> Equation:
+def _equation(
+    loop: Loop, unknowns: tuple[Scalar, ...], places: Mapping[str, _Place]
+) -> LoopEquation:
     """Return second chain - first chain = 0."""
     parts = []
     for sign, chain in ((-1, loop.first), (1, loop.second)):
@@ -173,7 +175,7 @@ def _equation(loop: Loop, unknowns: tuple[Scalar, ...], places: Mapping[str, _Pl
                 parts += [_Place(step.origin).times(sign), places[step.ends[0]].times(-sign)]
     vectors += [vector for part in parts for vector in part.vectors]
     total = sum(part.constant for part in parts)
-    return Equation(complex(total), tuple(_without_opposites(vectors)), unknowns)
+    return LoopEquation(complex(total), tuple(_without_opposites(vectors)), unknowns)
 
 
 def _without_opposites(vectors: list[Vector]) -> list[Vector]:
@@ -208,8 +210,8 @@ def polar(vector: Vector, values: Values) -> tuple[float, float]:
     )
 
 
-Position = Callable[[Equation, Values, int], dict[Scalar, float]]
-Rates = Callable[[Equation, Values, Values, Values | None], dict[Scalar, float]]
+Position = Callable[[LoopEquation, Values, int], dict[Scalar, float]]
+Rates = Callable[[LoopEquation, Values, Values, Values | None], dict[Scalar, float]]
 
 
 def loop_by_loop(problem: Problem, position: Position, rates: Rates) -> Found:

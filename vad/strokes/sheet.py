@@ -35,7 +35,7 @@ Kind = Literal[
 ]
 Component = Literal["normal", "tangential", "coriolis", "sliding", "relative", "absolute", "link"]
 #: How a panel is painted.
-Picture = Literal["mechanism", "vectors"]
+Picture = Literal["skeleton", "vectors"]
 
 
 @dataclass(frozen=True, slots=True)

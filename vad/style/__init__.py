@@ -19,7 +19,7 @@ TINT, PALE = 0.12, 0.55
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class LineStyle:
     """How the strokes of one row are told apart: a factor on the width, and a dash.
 
     ``dash`` is in line widths, on and off in turn; empty for a solid line.
@@ -74,7 +74,7 @@ class Style:
     grey: str
     hairline: str
     inks: tuple[str, ...]
-    lines: tuple[Line, ...] = (Line(),)
+    lines: tuple[LineStyle, ...] = (LineStyle(),)
     key: float = 0.058
     erase: float = 0.0
 
@@ -100,7 +100,7 @@ class Style:
         under = Pen(self.background, part.halo, (), "round", "round") if part.halo else None
         if part.line is None:
             return Look(fill, None, under, part.alpha)
-        line = Line()
+        line = LineStyle()
         if part.linked and row is not None:
             line = self.lines[row % len(self.lines)]
         wide = part.width * width * line.weight

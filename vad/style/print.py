@@ -1,6 +1,6 @@
 """Print: black on white for handouts; links are told apart by dash and weight."""
 
-from vad.style import Line, Style
+from vad.style import LineStyle, Style
 
 STYLE = Style(
     name="print",
@@ -10,11 +10,11 @@ STYLE = Style(
     hairline="#9A9A9A",
     inks=("#000000",),
     lines=(
-        Line(1.3),
-        Line(1.0, (3.2, 1.3)),
-        Line(0.85, (6.0, 1.3, 1.2, 1.3)),
-        Line(1.0, (1.1, 1.1)),
-        Line(0.7, (7.0, 1.3, 1.1, 1.3, 1.1, 1.3)),
+        LineStyle(1.3),
+        LineStyle(1.0, (3.2, 1.3)),
+        LineStyle(0.85, (6.0, 1.3, 1.2, 1.3)),
+        LineStyle(1.0, (1.1, 1.1)),
+        LineStyle(0.7, (7.0, 1.3, 1.1, 1.3, 1.1, 1.3)),
     ),
     key=0.0915,
     erase=0.003,

@@ -18,7 +18,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 from numpy.typing import NDArray
 
-from vad.export.sweep.results import Column, Results, Row
+from vad.export.sweep.results import Column, Curves, Results
 from vad.kinematics.motion import Motions
 from vad.style import Style, load_style
 from vad.units import scene_unit
@@ -195,7 +195,7 @@ def _points(share: float) -> float:
     return share * _SIZE[1] * 72.0 / _DPI
 
 
-def _name(row: Row) -> str:
+def _name(row: Curves) -> str:
     """Return a row's name with its letters: rod BC, slider B."""
     return f"{_words(row.name).removesuffix(' ' + row.letters.lower())} {row.letters}"
 

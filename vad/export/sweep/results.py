@@ -24,7 +24,7 @@ class Column:
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class Curves:
     """One link or slide: its position, velocity and acceleration; ``driven`` if it is the input."""
 
     name: str
@@ -38,11 +38,11 @@ class Results:
     """A motion over the places of its driver."""
 
     place: Column
-    links: tuple[Row, ...]
-    slides: tuple[Row, ...]
+    links: tuple[Curves, ...]
+    slides: tuple[Curves, ...]
 
     @property
-    def driver(self) -> Row:
+    def driver(self) -> Curves:
         """The link or slide that is driven."""
         return next(row for row in (*self.links, *self.slides) if row.driven)
 
@@ -53,13 +53,13 @@ def results_of(motion: Motions) -> Results:
     links, slides = motion.mechanism.links, motion.mechanism.slides
     name, places = next(iter(motion.inputs.items()))
 
-    def row(owner: str, letters: str, moving: object, quantities: tuple[str, ...]) -> Row:
+    def row(owner: str, letters: str, moving: object, quantities: tuple[str, ...]) -> Curves:
         columns = tuple(
             Column(quantity, scene_unit(quantity, unit), getattr(moving, quantity))
             for quantity in quantities
         )
         driven = driver.name == owner and name == quantities[0]
-        return Row(owner, letters, driven, columns)
+        return Curves(owner, letters, driven, columns)
 
     return Results(
         Column(name, scene_unit(name, unit), places),

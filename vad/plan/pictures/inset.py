@@ -47,7 +47,7 @@ class Inset:
 
 
 @dataclass(frozen=True, slots=True)
-class Spot:
+class Corner:
     """Where an inset stands: the origin of its picture, and the middle of its caption."""
 
     origin: complex
@@ -63,7 +63,7 @@ def draw_inset(inset: CoriolisInset, caption: str, setting: Setting, size: float
     return Inset(marks, names, box, runs, ink_size(runs, CAPTION_SIZE))
 
 
-def find_spot(obstacles: Obstacles, drawing: Rect, inset: Inset) -> Spot | None:
+def find_corner(obstacles: Obstacles, drawing: Rect, inset: Inset) -> Corner | None:
     """Return the emptiest corner for picture and caption, None where strokes fill them all."""
     box, (wide, high) = inset.box, inset.caption_box
     below = high + CAPTION_ABOVE + CAPTION_BELOW
@@ -91,10 +91,10 @@ def find_spot(obstacles: Obstacles, drawing: Rect, inset: Inset) -> Spot | None:
     if not free.any():
         return None
     best = int(free.argmax())
-    return Spot(centres[best] - box.centre, captions[best])
+    return Corner(centres[best] - box.centre, captions[best])
 
 
-def add_inset(sketch: Sketch, inset: Inset, spot: Spot) -> None:
+def add_inset(sketch: Sketch, inset: Inset, spot: Corner) -> None:
     """Add the inset to a panel, and its boxes to the obstacles."""
     setting, drawn = sketch.setting, sketch.setting.panel.inset
     assert drawn is not None

@@ -14,7 +14,7 @@ from vad.plan.labels.vertices import corners, find_vertices, label_vertices
 from vad.plan.marks import Mark, disc
 from vad.plan.pictures.arrows import add_vector
 from vad.plan.pictures.constructions import add_construction, name_construction
-from vad.plan.pictures.inset import Inset, add_inset, draw_inset, find_spot, reserved
+from vad.plan.pictures.inset import Inset, add_inset, draw_inset, find_corner, reserved
 from vad.plan.roles import DOT_RIM
 from vad.plan.scale import fill
 from vad.plan.sketch import Setting, Sketch
@@ -85,7 +85,7 @@ def _with_inset(setting: Setting, insets: list[Inset], full: Sketch) -> Sketch:
     for room in (None, *rooms):
         sketch = _sketch(setting, room) if room else full
         for inset in insets:
-            spot = find_spot(sketch.obstacles, setting.room, inset)
+            spot = find_corner(sketch.obstacles, setting.room, inset)
             if spot:
                 add_inset(sketch, inset, spot)
                 return sketch

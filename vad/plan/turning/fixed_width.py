@@ -14,7 +14,7 @@ from vad.written import MEASURED, MINUS, WRITTEN_OUT, in_turn, power_of_ten, typ
 
 
 @dataclass(frozen=True, slots=True)
-class Form:
+class FixedWidth:
     """How the numbers of one unit are written.
 
     They are multiples of ten to the ``power``, with so many ``digits`` before and ``decimals``
@@ -32,7 +32,7 @@ class Form:
 
         Examples
         --------
-        >>> "".join(run.text for run in Form(3, 1, True).runs(-7.25) if run.shown)
+        >>> "".join(run.text for run in FixedWidth(3, 1, True).runs(-7.25) if run.shown)
         '−7.2'
         """
         size = round(abs(value) / 10.0**self.power, self.decimals)
@@ -60,13 +60,13 @@ class Figures:
         return self._forms[cell.unit].runs(value)
 
 
-def _form(unit: str, values: list[float]) -> Form:
+def _form(unit: str, values: list[float]) -> FixedWidth:
     peak = max(abs(value) for value in values)
     signed = any(value < 0 for value in values)
     if unit == "°":
-        return Form(3, 1, signed)
+        return FixedWidth(3, 1, signed)
     # Rounded to the digits first: 9999.7 reads 10000.
     power = int(f"{peak:.{MEASURED - 1}e}".partition("e")[2])
     if not WRITTEN_OUT[0] <= power < WRITTEN_OUT[1]:
-        return Form(1, MEASURED - 1, signed, power)
-    return Form(max(power, 0) + 1, MEASURED - 1 - power, signed)
+        return FixedWidth(1, MEASURED - 1, signed, power)
+    return FixedWidth(max(power, 0) + 1, MEASURED - 1 - power, signed)

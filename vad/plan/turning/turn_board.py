@@ -19,7 +19,7 @@ from vad.plan.page.table import table
 from vad.plan.page.title import title_marks
 from vad.plan.sketch import Setting
 from vad.plan.turning.fixed_width import Figures
-from vad.plan.turning.moving import MovingPanel
+from vad.plan.turning.moving_panel import MovingPanel
 from vad.strokes.sheet import Sheet
 
 #: Poses from which scale, columns and the ways of the labels are found.

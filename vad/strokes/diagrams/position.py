@@ -25,4 +25,4 @@ def slide(scene: Scene, name: str) -> tuple[Cell, ...]:
     return (Cell(slide_symbol(scene, name), place, unit(scene), given),)
 
 
-DIAGRAM = Diagram("position", "Position", 0, "mechanism", unit, construct, link, slide)
+DIAGRAM = Diagram("position", "Position", 0, "skeleton", unit, construct, link, slide)

@@ -13,8 +13,8 @@ from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.marks import Mark
 from vad.plan.pictures import machine
 from vad.plan.pictures.guides import Rail, block_slot, blocks_on, poles
-from vad.plan.pictures.mechanism import add_bar, add_block
 from vad.plan.pictures.rotation import angle_arc, block_arc
+from vad.plan.pictures.skeleton import add_bar, add_block
 from vad.plan.pictures.supports import WAYS, add_axes, block_pivot, fixed_points
 from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch

@@ -24,9 +24,9 @@ from vad.plan.pictures.vectors import DOT, dot
 from vad.plan.roles import DOT_RIM, ROLES
 from vad.plan.scale import fill
 from vad.plan.sketch import Setting, Sketch
+from vad.plan.turning.moving_skeleton import Skeleton
 from vad.plan.turning.orbits import Orbit, find_orbit, stand
 from vad.plan.turning.seats import Seat, letter_size, seats
-from vad.plan.turning.skeleton import Skeleton
 from vad.plan.turning.spots import CORIOLIS, groups, spots
 from vad.strokes.sheet import Arrow, Panel
 
@@ -54,7 +54,7 @@ class MovingPanel:
 
     def __init__(self, setting: Setting, poses: Sequence[Panel], rates: Sequence[float]) -> None:
         self._setting = setting
-        position = setting.panel.picture == "mechanism"
+        position = setting.panel.picture == "skeleton"
         points = [point for pose in _usual(poses, position) for point in corners(pose)]
         self.scale = fill(points, setting.room, position)
         self._skeleton = Skeleton(setting, poses, self.scale) if position else None
