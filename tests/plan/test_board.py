@@ -1,0 +1,312 @@
+"""What stands on the board at which step, and that it means what it shows."""
+
+from __future__ import annotations
+
+import cmath
+import math
+import re
+
+import pytest
+
+import vad
+from tests.plan.snapshots import KEY, SCENES, lesson, written
+from vad.lecture.moment import done, drawing
+from vad.painting.posed import board_of
+from vad.plan.board import Plan, plan
+from vad.plan.format import screen
+from vad.plan.items import FOREVER, Item, Level
+from vad.plan.marks import Bow, Lettering, Polygon, Polyline
+from vad.plan.scale import Scale
+from vad.strokes.sheet import Arc, Arrow, Block, Guide, Panel, Sheet, Stroke
+
+EVERY = pytest.mark.parametrize("scene", SCENES)
+BOARDS: dict[str, Plan] = {}
+
+
+def board(scene: str) -> Plan:
+    if scene not in BOARDS:
+        BOARDS[scene] = board_of(lesson(scene))
+    return BOARDS[scene]
+
+
+def names(sheet: Sheet) -> list[str]:
+    return [f"{panel.name}:{stroke.name}" for panel in sheet.panels for stroke in panel.strokes]
+
+
+def text(item: Item) -> str:
+    shapes = [mark.shape for mark in item.marks]
+    return "".join(run.text for s in shapes if isinstance(s, Lettering) for run in s.runs)
+
+
+def drawn(items: list[Item]) -> set[str]:
+    """Return the strokes of which something is on the board, but for what is pale beforehand."""
+    return {
+        item.stroke
+        for item in items
+        if item.stroke and item.marks[0].role != "pending term" and item.level != Level.GLOW
+    }
+
+
+@EVERY
+def test_a_stroke_shows_from_when_it_is_drawn_and_never_before(scene: str):
+    shown = board(scene)
+    order = names(shown.sheet)
+    assert drawn(shown.shown(done(0))) == set()
+    for number, name in enumerate(order):
+        assert name in drawn(shown.shown(drawing(number)))
+        assert drawn(shown.shown(drawing(number))) <= set(order[: number + 1])
+        assert drawn(shown.shown(done(number + 1))) <= set(order[: number + 1])
+
+
+@EVERY
+def test_every_stroke_leaves_something_on_the_finished_board_or_was_a_construction(scene: str):
+    shown = board(scene)
+    left = drawn([item for item in shown.shown(shown.finished) if item.region != "caption"])
+    for panel in shown.sheet.panels:
+        for stroke in panel.strokes:
+            passing = panel.picture == "skeleton" and stroke.kind == "construction"
+            hidden = covered(panel, stroke, shown.sketches[panel.name].scale)
+            assert (f"{panel.name}:{stroke.name}" in left) != (passing or hidden), stroke.name
+
+
+def covered(panel: Panel, stroke: Stroke, scale: Scale) -> bool:
+    """Tell whether an earlier vector of the link joins the same two dots, as seen."""
+    if not isinstance(stroke.shape, Arrow):
+        return False
+    ends = [scale(stroke.shape.start), scale(stroke.shape.end)]
+    earlier = panel.strokes[: panel.number(stroke.name)]
+    others = [s.shape for s in earlier if isinstance(s.shape, Arrow) and s.link == stroke.link]
+    return any(
+        all(abs(scale(z) - end) < 0.012 for z, end in zip((o.start, o.end), ends, strict=True))
+        for o in others
+    )
+
+
+@EVERY
+def test_captions_stand_until_the_next_stroke_is_begun(scene: str):
+    shown = board(scene)
+    captions = [item for item in shown.items if item.region == "caption"]
+    assert [item.stroke for item in captions] == names(shown.sheet)
+    assert [item.since for item in captions] == [drawing(n) for n in range(len(captions))]
+    assert [item.until for item in captions] == [drawing(n + 1) for n in range(len(captions))]
+    strokes = [stroke for panel in shown.sheet.panels for stroke in panel.strokes]
+    for item, stroke in zip(captions, strokes, strict=True):
+        said = re.sub(r"[ ₀-₉ₐ-ₜ⁰¹²³⁴-⁹⁻]", "", stroke.caption)
+        assert len(re.sub(r"[^\w]", "", text(item))) >= 0.8 * len(re.sub(r"[^\w]", "", said))
+
+
+@EVERY
+def test_constructions_are_heavy_until_inked_and_faint_from_then_on(scene: str):
+    shown = board(scene)
+    for panel in shown.sheet.panels:
+        if panel.picture == "skeleton":
+            continue
+        for stroke in panel.strokes:
+            if stroke.kind != "construction":
+                continue
+            name = f"{panel.name}:{stroke.name}"
+            roles = {
+                mark.role: item
+                for item in shown.items
+                if item.stroke == name and item.region == panel.name
+                for mark in item.marks
+            }
+            heavy, faint = roles["construction"], roles["construction done"]
+            assert (heavy.until, faint.until) == (faint.since, FOREVER)
+            inked = [s.name for s in panel.strokes if s.link == stroke.link and s.kind == "result"]
+            last = panel.strokes[-1].name if not inked else None
+            numbers = [names(shown.sheet).index(f"{panel.name}:{each}") for each in inked or [last]]
+            after = [n for n in numbers if done(n + 1) > heavy.since]
+            assert faint.since == done(min(after) + 1)
+            assert all(
+                item.until == faint.since
+                for item in shown.items
+                if item.stroke == name and item.level == Level.LABEL and item.region == panel.name
+            )
+
+
+@EVERY
+def test_results_appear_with_the_stroke_that_reveals_them_bold_until_the_next(scene: str):
+    shown = board(scene)
+    given = [item for item in shown.items if item.region == "results" and not item.stroke]
+    assert all((item.since, item.until) == (0, FOREVER) for item in given)
+    for panel in shown.sheet.panels:
+        for row in shown.sheet.rows:
+            revealing = next((s for s in panel.strokes if row.key in s.reveals), None)
+            if revealing is None or all(cell.given for cell in row.cells.get(panel.name, ())):
+                continue
+            name = f"{panel.name}:{revealing.name}"
+            since = done(names(shown.sheet).index(name) + 1)
+            items = [i for i in shown.items if i.region == "results" and i.stroke == name]
+            spans = {(item.since, item.until) for item in items}
+            assert spans == {(since, since + 1), (since + 1, FOREVER)}
+            for item in items:
+                faces = {run.face for mark in item.marks for run in mark.shape.runs}
+                assert any("bold" in face for face in faces) == (item.until < FOREVER)
+
+
+@EVERY
+def test_every_mark_of_a_link_has_the_ink_of_its_row(scene: str):
+    """The key line of row n is in ink n; so is all that belongs to the link or slide of row n."""
+    shown = board(scene)
+    keys = [row.key for row in shown.sheet.rows]
+    frame = [item for item in shown.items if item.region == "results" and not item.stroke]
+    inks = [mark.row for item in frame for mark in item.marks if mark.role == "key"]
+    assert inks == [keys.index(key) for key in keys]
+    links = {
+        f"{panel.name}:{stroke.name}": stroke.link
+        for panel in shown.sheet.panels
+        for stroke in panel.strokes
+    }
+    inset = [panel.inset for panel in shown.sheet.panels if panel.inset]
+    for item in shown.items:
+        link = links.get(item.stroke)
+        rows = {mark.row for mark in item.marks if mark.row is not None}
+        if link in keys:
+            mixed = {keys.index(link)}
+            if any(mark.role.startswith("inset") for mark in item.marks):
+                mixed = {keys.index(inset[0].link), keys.index(inset[0].slide)}
+            assert rows <= mixed, (item.stroke, rows)
+        else:
+            assert not rows or link is None, item.stroke
+
+
+@EVERY
+def test_terms_of_an_equation_have_the_ink_of_what_they_name(scene: str):
+    shown = board(scene)
+    keys = [row.key for row in shown.sheet.rows]
+    for panel in shown.sheet.panels:
+        terms = [t for e in panel.equations for t in (*e.left, *e.right)]
+        marks = [
+            (text(item), item.marks[0].row)
+            for item in shown.shown(shown.finished)
+            if item.region == f"{panel.name} foot" and text(item) not in ("+", "=")
+        ]
+        assert sorted(row if row is not None else -1 for _, row in marks) == sorted(
+            keys.index(t.link) if t.link in keys else -1 for t in terms
+        )
+
+
+@EVERY
+def test_a_scale_bar_is_as_long_as_it_says(scene: str):
+    shown = board(scene)
+    for panel in shown.sheet.panels:
+        head = [
+            mark
+            for item in shown.shown(shown.finished)
+            if item.region == f"{panel.name} head"
+            for mark in item.marks
+        ]
+        (said,) = [m.shape for m in head if m.role == "notes"]
+        number = "".join(run.text for run in said.runs).split(" ")[0]
+        bars = [m.shape.pieces for m in head if m.role == "scale bar"]
+        (start, end), *_ = [piece for pieces in bars for piece in pieces]
+        assert abs(end - start) == pytest.approx(
+            float(number) * shown.sketches[panel.name].scale.factor, rel=1e-9
+        )
+
+
+@EVERY
+def test_the_arrow_of_omega_turns_with_the_driver(scene: str):
+    shown = board(scene)
+    given = [
+        cell.value
+        for row in shown.sheet.rows
+        for cell in row.cells["velocity"]
+        if cell.given and cell.symbol == "ω"
+    ]
+    arcs = [m for i in shown.items if i.region == "position" for m in i.marks if m.role == "sense"]
+    assert len(arcs) == len(given)
+    for mark, omega in zip(arcs, given, strict=True):
+        assert isinstance(mark.shape, Bow)
+        assert math.copysign(1.0, mark.shape.sweep) == math.copysign(1.0, omega)
+
+
+def test_the_arrow_of_omega_has_its_head_where_it_points():
+    for omega in (10.0, -10.0):
+        sheet = vad.draw(vad.solve(vad.FourBar(), omega=omega))
+        shown = plan(sheet, screen((1280, 720)), KEY)
+        (item,) = [i for i in shown.items if any(m.role == "sense" for m in i.marks)]
+        bow = next(m.shape for m in item.marks if isinstance(m.shape, Bow))
+        head = next(m.shape for m in item.marks if isinstance(m.shape, Polygon))
+        tip = head.rings[0][0]
+        turned = cmath.phase((tip - bow.centre) / cmath.rect(1.0, math.radians(bow.start)))
+        assert math.copysign(1.0, turned) == math.copysign(1.0, omega)
+
+
+@EVERY
+def test_hatching_is_on_the_side_away_from_the_rod(scene: str):
+    """Ticks of a guide leave its line on the side where no block and no rod is."""
+    shown = board(scene)
+    (panel,) = [panel for panel in shown.sheet.panels if panel.picture == "skeleton"]
+    scale = shown.sketches[panel.name].scale
+    for stroke in panel.strokes:
+        if not isinstance(stroke.shape, Guide) or stroke.shape.side is None:
+            continue
+        (ticks,) = [
+            mark.shape
+            for item in shown.items
+            if item.stroke == f"{panel.name}:{stroke.name}"
+            for mark in item.marks
+            if mark.role == "hatching"
+        ]
+        assert isinstance(ticks, Polyline)
+        blocks = [
+            scale(other.shape.at)
+            for other in panel.strokes
+            if isinstance(other.shape, Block) and other.link == stroke.link
+        ]
+        across = 1j * stroke.shape.direction
+        for foot, end in ticks.pieces:
+            out = ((end - foot) * across.conjugate()).real
+            assert all(out * ((block - foot) * across.conjugate()).real < 0 for block in blocks)
+
+
+@EVERY
+def test_vectors_run_from_their_first_letter_to_their_second(scene: str):
+    shown = board(scene)
+    for panel in shown.sheet.panels:
+        scale = shown.sketches[panel.name].scale
+        for stroke in panel.strokes:
+            if panel.picture == "skeleton" or not isinstance(stroke.shape, Arrow):
+                continue
+            heads = [
+                mark.shape.rings[0]
+                for item in shown.items
+                if item.stroke == f"{panel.name}:{stroke.name}" and item.level == Level.STROKE
+                for mark in item.marks
+                if mark.role == "head"
+            ]
+            start, end = scale(stroke.shape.start), scale(stroke.shape.end)
+            for tip, left, _, right in heads[:1]:
+                assert abs(tip - end) <= min(0.0061, 0.16 * abs(end - start))
+                along = ((left + right) / 2 - tip) * (end - start).conjugate()
+                assert along.real < 0
+
+
+@EVERY
+def test_the_angle_is_measured_counter_clockwise_from_the_axis(scene: str):
+    shown = board(scene)
+    (panel,) = [panel for panel in shown.sheet.panels if panel.picture == "skeleton"]
+    for stroke in panel.strokes:
+        if stroke.kind == "angle" and isinstance(stroke.shape, Arc):
+            (arc,) = [
+                m.shape
+                for i in shown.items
+                if i.stroke == f"{panel.name}:{stroke.name}"
+                for m in i.marks
+                if m.role == "angle"
+            ]
+            assert (arc.start, arc.sweep) == (stroke.shape.start, stroke.shape.sweep)
+            assert 0.0 <= arc.sweep < 360.0
+
+
+@pytest.mark.parametrize("scene", ["slider-crank", "shaper", "gate-actuator"])
+@pytest.mark.parametrize("shape", [(16, 9), (4, 3)])
+def test_a_picture_is_the_same_at_every_size(scene: str, shape: tuple[int, int]):
+    sheet = board(scene).sheet
+    pictures = [
+        list(written(plan(sheet, screen((shape[0] * k, shape[1] * k)), KEY, lesson=True).items))
+        for k in (40, 80, 160)
+    ]
+    assert pictures[0] == pictures[1] == pictures[2]
