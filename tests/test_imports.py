@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-HEAVY = {"matplotlib", "PIL", "av", "pint", "rich", "mpmath"}
+HEAVY = {"matplotlib", "PIL", "av", "pint", "rich", "mpmath", "fontTools"}
 ROOT = Path(__file__).parents[1]
 
 

@@ -5,12 +5,10 @@ from __future__ import annotations
 from typing import BinaryIO
 
 from vad.errors import UsageError
-from vad.export.lesson_pdf import pages
-from vad.export.pdf_document import Document
 from vad.lecture.still import Still
-from vad.painting.posed import posed, sheet_of
+from vad.painting.pdf_painter import PdfPainter
+from vad.painting.posed import posed
 from vad.strokes.sheet import Sheet
-from vad.strokes.words import title
 
 
 def write(
@@ -33,9 +31,7 @@ def write(
     if paper and (size or isinstance(thing, Still)):
         what = "a step of a lesson" if isinstance(thing, Still) else "a picture with a size"
         raise UsageError(f"paper: not for {what}", hint="a whole sheet takes the paper's size")
-    board, state = posed(thing, size, style, paper)
-    sheet = sheet_of(thing)
-    document = Document(target, title(sheet), sheet.language)
-    for _ in pages(document, board, [state]):
-        pass
-    document.close()
+    shown = posed(thing, size, style, paper)
+    painter = PdfPainter(shown.title, shown.sheet.language)
+    shown.play(painter)
+    painter.write(target)

@@ -1,14 +1,13 @@
-"""A picture as SVG: in comes a sheet or a step of a lesson, out go paths, and it in words."""
+"""A picture as SVG: in comes a sheet or a step of a lesson, out go its shapes, and it in words."""
 
 from __future__ import annotations
 
-import io
 from typing import BinaryIO
 
 from vad.lecture.still import Still
-from vad.painting.posed import posed, sheet_of, sketch
+from vad.painting.posed import posed
+from vad.painting.svg_painter import SvgPainter, Text
 from vad.strokes.sheet import Sheet
-from vad.strokes.words import describe, title
 
 
 def write(
@@ -16,18 +15,14 @@ def write(
     target: BinaryIO,
     size: tuple[int, int] | None = None,
     style: str | None = None,
+    text: Text = "glyphs",
 ) -> None:
-    """Write the picture; ``size`` is that of the same picture in pixels."""
-    from matplotlib.backends.backend_svg import RendererSVG
+    """Write the picture; ``size`` is that of the same picture in pixels.
 
-    board, state = posed(thing, size, style)
-    page = io.StringIO()
-    # No date: the same sheet gives the same bytes.
-    metadata = {"Date": None, "Creator": "vad", "Title": title(sheet_of(thing))}
-    renderer = RendererSVG(
-        board.page.width, board.page.height, page, image_dpi=72, metadata=metadata
-    )
-    renderer.writer.element("desc", text=describe(sheet_of(thing)))
-    sketch(renderer, board, state)
-    renderer.finalize()
-    target.write(page.getvalue().encode())
+    ``text`` is ``"glyphs"`` for shapes that look alike in every program, or ``"letters"`` for text
+    in an embedded font, which a browser selects and searches.
+    """
+    shown = posed(thing, size, style)
+    painter = SvgPainter(shown.sheet, text)
+    shown.play(painter)
+    target.write(b'<?xml version="1.0" encoding="UTF-8"?>\n' + painter.svg.encode())

@@ -38,10 +38,11 @@ _EM = 100.0
 class Letter:
     """One letter of a line: its outline and advance, and where it stands, all in ems.
 
-    ``face`` and ``text`` say which letter it is, ``size`` is less than 1 for a small one.
+    ``text`` says which letter it is and ``face`` where its outline was found, which is upright
+    for a sign that has no italic; ``size`` is less than 1 for a small one.
     """
 
-    face: str
+    face: Face
     text: str
     vertices: Points
     codes: Codes
@@ -67,19 +68,25 @@ class Typeset:
     letters: tuple[Letter, ...] = ()
 
 
+def font_file(face: Face) -> str:
+    """Return the path of a face's font."""
+    import matplotlib
+
+    return os.path.join(matplotlib.get_data_path(), "fonts", "ttf", FILES[face])
+
+
 @lru_cache(maxsize=4)
 def _font(face: Face) -> Any:
-    import matplotlib
     from matplotlib.ft2font import FT2Font
 
-    font = FT2Font(os.path.join(matplotlib.get_data_path(), "fonts", "ttf", FILES[face]))
+    font = FT2Font(font_file(face))
     font.set_size(_EM, 72)
     return font
 
 
 @lru_cache(maxsize=1024)
-def _glyph(face: Face, letter: str) -> tuple[Points, Codes, float]:
-    """Return vertices, codes and advance of one letter, in units of the type size."""
+def _glyph(face: Face, letter: str) -> tuple[Face, Points, Codes, float]:
+    """Return the face that has a letter, and its vertices, codes and advance there, in ems."""
     from matplotlib.ft2font import LoadFlags
 
     font = _font(face)
@@ -89,7 +96,8 @@ def _glyph(face: Face, letter: str) -> tuple[Points, Codes, float]:
     glyph = font.load_char(ord(letter), flags=LoadFlags.NO_HINTING)
     vertices, codes = font.get_path()
     advance = glyph.linearHoriAdvance / 65536 / _EM
-    return np.asarray(vertices, dtype=float) / _EM, np.asarray(codes, dtype=np.uint8), advance
+    outline = np.asarray(vertices, dtype=float) / _EM
+    return face, outline, np.asarray(codes, dtype=np.uint8), advance
 
 
 @lru_cache(maxsize=4096)
@@ -106,10 +114,10 @@ def typeset(runs: Runs) -> Typeset:
         for letter in run.text:
             if letter in "′″" and slanted:
                 pen += PRIME_GAP
-            shape, kind, advance = _glyph(run.face, letter)
+            face, shape, kind, advance = _glyph(run.face, letter)
             if run.shown:
                 at = complex(pen, rise)
-                letters.append(Letter(run.face, letter, shape, kind, advance, at, size))
+                letters.append(Letter(face, letter, shape, kind, advance, at, size))
             if len(shape) and run.shown:
                 vertices.append(shape * size + (pen, rise))
                 codes.append(kind)

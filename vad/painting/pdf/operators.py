@@ -1,14 +1,14 @@
-"""How PDF writes numbers, colours, pens and paths: in come values and marks, out goes text."""
+"""How PDF writes numbers, colours, pens and paths: in come values and shapes, out goes text."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from vad.plan.marks import CLOSE, CURVE, LINE, MOVE, Codes, Pen, Points
+from vad.plan.lettering.glyphs import CLOSE, CURVE, LINE, MOVE, QUADRATIC, Codes, Points
+from vad.style import Pen
 
 #: A thousandth of a point is 0.35 µm; fewer digits save little.
 _DIGITS = 3
-_QUADRATIC = 3  # a curve with one control point, as TrueType has it
 _OPERATORS = {MOVE: "m", LINE: "l", CURVE: "c"}
 
 #: Left, bottom, right and top, in points.
@@ -42,11 +42,11 @@ def string(text: str) -> str:
     return f"<FEFF{text.encode('utf-16-be').hex().upper()}>"
 
 
-def pen(pen: Pen) -> str:
-    """Return the operators that take up a pen."""
-    dash = " ".join(map(number, pen.dash))
+def take(pen: Pen, unit: float) -> str:
+    """Return the operators that take up a pen, whose page unit is ``unit`` points."""
+    dash = " ".join(number(part * unit) for part in pen.dash)
     cap, join = int(pen.cap == "round"), int(pen.join == "round")
-    return f"{colour(pen.ink)} RG {number(pen.width)} w {cap} J {join} j [{dash}] 0 d"
+    return f"{colour(pen.colour)} RG {number(pen.width * unit)} w {cap} J {join} j [{dash}] 0 d"
 
 
 def path(vertices: Points, codes: Codes) -> Iterator[str]:
@@ -59,7 +59,7 @@ def path(vertices: Points, codes: Codes) -> Iterator[str]:
             yield "h"
             place += 1
             continue
-        if kind == _QUADRATIC:
+        if kind == QUADRATIC:
             (x0, y0), (x1, y1), (x2, y2) = points[place - 1 : place + 2]
             curve = ((x0 + 2 * x1) / 3, (y0 + 2 * y1) / 3, (x2 + 2 * x1) / 3, (y2 + 2 * y1) / 3)
             yield f"{' '.join(map(number, (*curve, x2, y2)))} c"

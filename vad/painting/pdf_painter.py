@@ -1,0 +1,157 @@
+"""PDF: shapes become paths and letters on pages; what some pages share is written once.
+
+In come marks, page by page, out goes a file in which a pixel of the same picture is a point.
+
+matplotlib can write PDF too, but not share what pages have in common, and its text cannot be
+searched.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import BinaryIO
+
+from vad.painting.outlines import outline
+from vad.painting.pdf.objects import Objects
+from vad.painting.pdf.operators import Area, box, colour, number, path, string, take
+from vad.painting.pdf.pieces import pieces
+from vad.painting.pdf.type3 import Letters
+from vad.plan.format import Format
+from vad.plan.items import Item
+from vad.plan.marks import Lettering, Outline, Polygon
+from vad.style import Look, Pen
+
+_MITRE = 4  # a corner longer than this is cut off, as in Agg and in SVG
+
+
+class PdfPainter:
+    """A painter of pages, which are written when all are painted.
+
+    Parameters
+    ----------
+    title, language
+        What a reader's window and a screen reader say; the language is two letters.
+    """
+
+    def __init__(self, title: str, language: str) -> None:
+        self._title, self._language = title, language
+        self._letters = Letters()
+        self._alphas: set[int] = set()  # in thousandths
+        self._areas: list[Area] = []
+        self._pages: list[list[str]] = []
+        self._operators: list[str] = []
+        self._fill: str | None = None
+        self._pen: Pen | None = None
+        self._alpha = 1000
+
+    def begin(self, form: Format, background: str) -> None:
+        """Begin a page with its ground, edge included."""
+        self._unit = form.unit
+        left, right = -form.edge, form.width + form.edge
+        bottom, top = -form.edge, form.height + form.edge
+        self._areas.append(
+            (left * form.unit, bottom * form.unit, right * form.unit, top * form.unit)
+        )
+        self._pages.append([])
+        self._fresh()
+        ring = (
+            complex(left, bottom),
+            complex(right, bottom),
+            complex(right, top),
+            complex(left, top),
+        )
+        self.paint(Polygon((ring,)), Look(background))
+
+    def group(self, item: Item) -> None:
+        """Begin what may be shared with other pages."""
+        self._finish()
+
+    def paint(self, shape: Outline, look: Look) -> None:
+        """Paint one shape."""
+        if look.under:
+            self._set(None, look.under, 1.0)
+            self._path(shape, "S")
+        self._set(look.fill, look.pen, look.alpha)
+        if isinstance(shape, Lettering) and look.fill and not look.pen:
+            self._operators.append(self._letters.show(shape, self._unit))
+            return
+        self._path(shape, "B" if look.fill and look.pen else "f" if look.fill else "S")
+
+    def end(self) -> None:
+        """End the page."""
+        self._finish()
+
+    def write(self, target: BinaryIO) -> None:
+        """Write all pages."""
+        objects = Objects(target)
+        catalog, tree, resources, info = (objects.reserve() for _ in range(4))
+        pages, forms = self._write_pages(objects, tree, resources)
+        shapes = " ".join(f"/F{form} {form} 0 R" for form in forms)
+        alphas = " ".join(
+            f"/A{each} << /ca {number(each / 1000)} /CA {number(each / 1000)} >>"
+            for each in sorted(self._alphas)
+        )
+        fonts = self._letters.write(objects)
+        objects.write(
+            f"<< /XObject << {shapes} >> /Font {fonts} /ExtGState << {alphas} >> >>", resources
+        )
+        kids = " ".join(f"{page} 0 R" for page in pages)
+        objects.write(f"<< /Type /Pages /Kids [{kids}] /Count {len(pages)} >>", tree)
+        # Printed in true size, unless somebody wants it otherwise.
+        objects.write(
+            f"<< /Type /Catalog /Pages {tree} 0 R /Lang ({self._language}) "
+            "/ViewerPreferences << /DisplayDocTitle true /PrintScaling /None >> >>",
+            catalog,
+        )
+        objects.write(f"<< /Title {string(self._title)} /Creator (vad) /Producer (vad) >>", info)
+        objects.close(catalog, info)
+
+    def _write_pages(
+        self, objects: Objects, tree: int, resources: int
+    ) -> tuple[list[int], list[int]]:
+        """Write pages, and forms with what they share; return the numbers of both."""
+        split = pieces(self._pages)
+        shows = Counter(piece for page in split for piece in page)
+        forms: dict[str, int] = {}
+        pages: list[int] = []
+        for page, area in zip(split, self._areas, strict=True):
+            frame = f"{box(area)} /Resources {resources} 0 R"
+            content = [f"{_MITRE} M"]
+            for piece in page:
+                if shows[piece] > 1 and piece not in forms:
+                    head = f"/Type /XObject /Subtype /Form /BBox {frame}"
+                    forms[piece] = objects.stream(piece, head)
+                content.append(f"/F{forms[piece]} Do" if piece in forms else piece)
+            stream = objects.stream("\n".join(content))
+            entry = f"/Type /Page /Parent {tree} 0 R /MediaBox {frame} /Contents {stream} 0 R"
+            pages.append(objects.write(f"<< {entry} >>"))
+        return pages, list(forms.values())
+
+    def _path(self, shape: Outline, paint: str) -> None:
+        vertices, codes = outline(shape)
+        if len(codes):
+            self._operators += [*path(vertices * self._unit, codes), paint]
+
+    def _set(self, fill: str | None, pen: Pen | None, alpha: float) -> None:
+        """Set colours, pen and alpha, as far as they change within a group."""
+        thousandths = round(1000 * alpha)
+        if thousandths != self._alpha:
+            self._alpha = thousandths
+            self._alphas.add(thousandths)
+            self._operators.append(f"/A{thousandths} gs")
+        if fill and fill != self._fill:
+            self._fill = fill
+            self._operators.append(f"{colour(fill)} rg")
+        if pen and pen != self._pen:
+            self._pen = pen
+            self._operators.append(take(pen, self._unit))
+
+    def _finish(self) -> None:
+        """Put what was painted since the last group on the page."""
+        if self._operators:
+            self._pages[-1].append("\n".join(["q", *self._operators, "Q"]))
+        self._fresh()
+
+    def _fresh(self) -> None:
+        self._operators = []
+        self._fill, self._pen, self._alpha = None, None, 1000

@@ -1,0 +1,88 @@
+"""Page units become pixels, y down, with no more digits than an eye can tell.
+
+In come a format and shapes, out go numbers and the data of paths.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+
+from vad.plan.format import Format
+from vad.plan.marks import Bow, Polygon, Polyline
+
+#: Steps of the grid to a page unit, at least: a tenth of a pixel at 1280×720.
+_STEPS = 7200
+_QUARTER = 90.0  # a longer arc is sensitive to how its ends are rounded
+
+
+class Grid:
+    """The pixels of one page, with tenths or hundredths of them."""
+
+    def __init__(self, form: Format) -> None:
+        self.unit = form.unit
+        self.width, self.height = (
+            (side + 2.0 * form.edge) * form.unit for side in (form.width, form.height)
+        )
+        self._corner = complex(-form.edge, form.height + form.edge)
+        self._digits = max(0, math.ceil(math.log10(_STEPS / form.unit)))
+
+    def at(self, z: complex) -> tuple[str, str]:
+        """Return x and y of a point."""
+        x, y = self._steps(z)
+        return self._length(x), self._length(y)
+
+    def path(self, shape: Polyline | Polygon | Bow) -> str:
+        """Return the data of a path, each step as the difference to the point before."""
+        match shape:
+            case Polyline(pieces):
+                return "".join(self._line(piece) for piece in pieces)
+            case Polygon(rings):
+                return "".join(self._line(ring) + "z" for ring in rings)
+            case Bow():
+                return self._arc(shape)
+
+    def _line(self, points: Sequence[complex]) -> str:
+        places = [self._steps(z) for z in points]
+        ways = [each for (x, y), (u, v) in pairwise(places) for each in (u - x, v - y)]
+        return f"M{self._listed(places[0])}" + (f"l{self._listed(ways)}" if ways else "")
+
+    def _arc(self, bow: Bow) -> str:
+        pieces = max(1, math.ceil(abs(bow.sweep) / _QUARTER))
+        angles = [math.radians(bow.start + bow.sweep * k / pieces) for k in range(pieces + 1)]
+        places = [self._steps(bow.centre + cmath.rect(bow.radius, angle)) for angle in angles]
+        radius, turn = number(bow.radius * self.unit), int(bow.sweep < 0.0)
+        arcs = [
+            f"a{radius} {radius} 0 0 {turn} {self._listed((u - x, v - y))}"
+            for (x, y), (u, v) in pairwise(places)
+        ]
+        return f"M{self._listed(places[0])}" + "".join(arcs)
+
+    def _steps(self, z: complex) -> tuple[int, int]:
+        away = (z - self._corner) * (self.unit * 10**self._digits)
+        return round(away.real), -round(away.imag)
+
+    def _length(self, steps: int) -> str:
+        return number(steps / 10**self._digits, self._digits)
+
+    def _listed(self, steps: Iterable[int]) -> str:
+        """Return lengths one after the other; a minus sign parts them as well as a blank."""
+        return " ".join(map(self._length, steps)).replace(" -", "-")
+
+
+def number(value: float, digits: int = 2) -> str:
+    """Return a number as short as it can be.
+
+    Examples
+    --------
+    >>> number(0.25), number(-3.0), number(-0.001)
+    ('.25', '-3', '0')
+    """
+    text = f"{value:.{digits}f}"
+    if "." in text:
+        text = text.rstrip("0").removesuffix(".")
+    if text in ("0", "-0", ""):
+        return "0"
+    return text.replace("0.", ".", 1) if text.startswith(("0.", "-0.")) else text

@@ -1,0 +1,102 @@
+"""Text as text: set in the board's own faces, of which the file holds the letters that it needs.
+
+It can be selected, copied and searched: for pages and notebooks.  Every stretch stands where the
+board has it, whatever a browser thinks of kerning.
+"""
+
+from __future__ import annotations
+
+from html import escape
+
+from vad.painting.stretches import Stretch, stretches
+from vad.painting.svg.classes import Classes, drawn, filled, named
+from vad.painting.svg.font_subset import FAMILY, data_uri
+from vad.painting.svg.grid import Grid, number
+from vad.plan.lettering.runs import Face
+from vad.plan.marks import Lettering
+from vad.style import Look
+
+#: The rest is for programs that ignore the fonts of a file; STIX itself has the same widths.
+_SETTING = f"font-family:{FAMILY},STIXGeneral,serif;font-kerning:none;white-space:pre"
+_FACES: dict[Face, str] = {
+    "roman": "",
+    "italic": "font-style:italic",
+    "bold": "font-weight:bold",
+    "bolditalic": "font-style:italic;font-weight:bold",
+}
+
+
+class SetText:
+    """The text of one picture, and the letters that its fonts need."""
+
+    def __init__(self, classes: Classes) -> None:
+        self._classes = classes
+        self._letters: dict[Face, set[str]] = {}
+        self._beneath: set[str] = set()
+
+    def element(self, text: Lettering, look: Look, grid: Grid) -> str:
+        """Return the element of a line of text."""
+        line = stretches(text.runs)
+        if not line:
+            return ""
+        whole = len(line) == 1 and line[0][0].size == 1.0
+        name = self._classes.name(
+            _SETTING,
+            f"font-size:{number(text.size * grid.unit)}px",
+            *(_says(line[0]) if whole else ()),
+            filled(look),
+            drawn(look.pen, grid.unit, look.alpha),
+        )
+        x, y = grid.at(text.at + text.size * line[0][0].at)
+        words = self._words(line[0]) if whole else self._spans(line, text, grid)
+        element = f'<text class="{name}" x="{x}" y="{y}">{words}</text>\n'
+        return self._haloed(element, look, grid) if look.under else element
+
+    def definitions(self) -> str:
+        """Return nothing: letters are in the fonts."""
+        return ""
+
+    def rules(self) -> str:
+        """Return the rules that bring the fonts."""
+        return "".join(
+            f"@font-face{{font-family:{FAMILY};{_FACES[face] or 'font-style:normal'};"
+            f"src:url({data_uri(face, letters)})}}\n"
+            for face, letters in sorted(self._letters.items())
+        )
+
+    def _spans(self, line: list[Stretch], text: Lettering, grid: Grid) -> str:
+        """Return the stretches of a line, each where the board has it."""
+        spans: list[str] = []
+        level = grid.at(text.at + text.size * line[0][0].at)[1]
+        for stretch in line:
+            says = _says(stretch)
+            x, y = grid.at(text.at + text.size * stretch[0].at)
+            name = f'class="{self._classes.name(*says)}" ' if any(says) else ""
+            place = f'x="{x}"' if y == level else f'x="{x}" y="{y}"'
+            spans.append(f"<tspan {name}{place}>{self._words(stretch)}</tspan>")
+            level = y
+        return "".join(spans)
+
+    def _words(self, stretch: Stretch) -> str:
+        words = "".join(letter.text for letter in stretch)
+        self._letters.setdefault(stretch[0].face, set()).update(words)
+        return escape(words)
+
+    def _haloed(self, element: str, look: Look, grid: Grid) -> str:
+        """Return a line of text on its halo.
+
+        The halo lies beneath the whole line: painted with each stretch, it would cover the end of
+        the one before.
+        """
+        halo, home = self._classes.name(drawn(look.under, grid.unit)), named("t", element)
+        use = f'<use href="#{home}" class="{halo}"/>\n'
+        if home in self._beneath:
+            return use + element
+        self._beneath.add(home)
+        return use + element.replace("<text", f'<text id="{home}"', 1)
+
+
+def _says(stretch: Stretch) -> tuple[str, str]:
+    """Return how a stretch differs from its line."""
+    small = f"font-size:{number(stretch[0].size)}em" if stretch[0].size != 1.0 else ""
+    return _FACES[stretch[0].face], small

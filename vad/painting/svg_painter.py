@@ -1,0 +1,132 @@
+"""SVG: shapes become elements that other programs open, search and restyle.
+
+In come marks, group by group, out goes one ``<svg>`` element.  Every stroke is a ``<g>`` that bears
+its name, and its caption as a title.
+"""
+
+from __future__ import annotations
+
+from html import escape
+from typing import Literal
+
+from vad.errors import unknown
+from vad.painting.svg.classes import Classes, drawn, filled
+from vad.painting.svg.drawn_text import DrawnText
+from vad.painting.svg.grid import Grid, number
+from vad.painting.svg.set_text import SetText
+from vad.plan.format import Format
+from vad.plan.items import Item
+from vad.plan.marks import Disc, Lettering, Outline
+from vad.strokes.sheet import Sheet
+from vad.strokes.words import describe, title
+from vad.style import Look
+
+#: How text is written: as the shapes of its glyphs, or as letters in an embedded font.
+Text = Literal["glyphs", "letters"]
+_TEXTS: dict[str, type[DrawnText | SetText]] = {"glyphs": DrawnText, "letters": SetText}
+
+
+class SvgPainter:
+    """A painter of one picture.
+
+    Parameters
+    ----------
+    sheet
+        What the picture shows, for its words.
+    text
+        ``"glyphs"`` for a file that looks alike in every program, ``"letters"`` for a page on which
+        text is selected and searched.
+
+    Attributes
+    ----------
+    svg
+        The picture, once it is ended.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If there is no such way with text.
+    """
+
+    def __init__(self, sheet: Sheet, text: Text = "glyphs") -> None:
+        if text not in _TEXTS:
+            raise unknown("text", text, _TEXTS)
+        self._sheet = sheet
+        self._captions = {
+            f"{panel.name}:{stroke.name}": stroke.caption
+            for panel in sheet.panels
+            for stroke in panel.strokes
+        }
+        self._classes = Classes()
+        self._text = _TEXTS[text](self._classes)
+        self._elements: list[str] = []
+        self._begun: set[str] = set()
+        self._others: dict[str, int] = {}
+        self._open = False
+        self.svg = ""
+
+    def begin(self, form: Format, background: str) -> None:
+        """Begin the picture with its ground."""
+        self._grid = Grid(form)
+        self._elements.append(f'<rect width="100%" height="100%" fill="{background}"/>\n')
+
+    def group(self, item: Item) -> None:
+        """Begin a ``<g>`` for an item of a stroke; the page's own stand between them."""
+        self._close()
+        if not item.stroke:
+            return
+        self._open = True
+        first = item.region == item.stroke.partition(":")[0] and item.stroke not in self._begun
+        if first:
+            self._begun.add(item.stroke)
+        name = escape(item.stroke)
+        self._elements.append(f'<g id="{self._unique(name, first)}" data-stroke="{name}">\n')
+        if first and item.stroke in self._captions:
+            self._elements.append(f"<title>{escape(self._captions[item.stroke])}</title>\n")
+
+    def paint(self, shape: Outline, look: Look) -> None:
+        """Paint one shape."""
+        if isinstance(shape, Lettering):
+            self._elements.append(self._text.element(shape, look, self._grid))
+            return
+        if look.under:
+            self._shape(shape, drawn(look.under, self._grid.unit))
+        self._shape(shape, filled(look), drawn(look.pen, self._grid.unit, look.alpha))
+
+    def end(self) -> None:
+        """End the picture."""
+        self._close()
+        width, height = number(self._grid.width), number(self._grid.height)
+        self.svg = (
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
+            f'viewBox="0 0 {width} {height}" role="img" lang="{self._sheet.language}" '
+            'fill="none" xml:space="preserve">\n'
+            f"<title>{escape(title(self._sheet))}</title>\n"
+            f"<desc>{escape(describe(self._sheet))}</desc>\n"
+            f"<style>\n{self._text.rules()}{self._classes.sheet()}</style>\n"
+            f"{self._text.definitions()}{''.join(self._elements)}</svg>\n"
+        )
+
+    def _shape(self, shape: Outline, *looks: str) -> None:
+        name = self._classes.name(*looks)
+        if isinstance(shape, Disc):
+            x, y = self._grid.at(shape.centre)
+            radius = number(shape.radius * self._grid.unit)
+            place = f'circle cx="{x}" cy="{y}" r="{radius}"'
+        else:
+            assert not isinstance(shape, Lettering)
+            place = f'path d="{self._grid.path(shape)}"'
+        self._elements.append(f'<{place} class="{name}"/>\n')
+
+    def _unique(self, name: str, first: bool) -> str:
+        """Return an id: the name for the first group in the stroke's panel, numbers for others."""
+        name = name.replace(":", "-")  # a colon is for namespaces
+        if first:
+            return name
+        self._others[name] = self._others.get(name, 1) + 1
+        return f"{name}-{self._others[name]}"
+
+    def _close(self) -> None:
+        if self._open:
+            self._elements.append("</g>\n")
+        self._open = False
