@@ -6,7 +6,7 @@ from vad.plan.layout import Page
 from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
-from vad.plan.page.table import GIVEN_SIZE, SIZE, Entries, heading
+from vad.plan.page.entries import GIVEN_SIZE, SIZE, Entries, heading
 from vad.strokes.language import Language
 from vad.strokes.sheet import Cell, Row
 from vad.written import with_unit

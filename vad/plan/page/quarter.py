@@ -8,7 +8,7 @@ from vad.plan.layout import Page
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
-from vad.plan.page.table import GIVEN_SIZE, NAME_GAP, SIZE, Entries, heading
+from vad.plan.page.entries import GIVEN_SIZE, NAME_GAP, SIZE, Entries, heading
 from vad.strokes.language import Language
 from vad.strokes.sheet import Row
 
