@@ -11,7 +11,6 @@ import vad
 HOME = Path(vad.__file__).parent
 FILES = {path.relative_to(HOME): path.read_text("utf-8") for path in sorted(HOME.rglob("*.py"))}
 LONGEST = 300
-# These rooms are being built anew, and still share names with the others.
 
 
 def imported(text: str) -> set[str]:

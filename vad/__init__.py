@@ -23,7 +23,7 @@ if TYPE_CHECKING:
         VadError,
     )
     from vad.export import save
-    from vad.export.sheet_json import sheet_from_json
+    from vad.export.data.sheet_json import sheet_from_json
     from vad.kinematics.motion import Motion, Motions, solve
     from vad.lecture.lesson import Lesson
     from vad.lecture.still import Still, still
@@ -89,7 +89,7 @@ _HOMES = {
     "still": "vad.lecture.still",
     "Still": "vad.lecture.still",
     "save": "vad.export",
-    "sheet_from_json": "vad.export.sheet_json",
+    "sheet_from_json": "vad.export.data.sheet_json",
     "MECHANISMS": "vad.mechanisms",
     "Mechanism": "vad.mechanisms",
     "VadError": "vad.errors",

@@ -15,8 +15,8 @@ import pytest
 import vad
 from tests.export.synthetic import SHEET
 from tests.strokes.poses import MECHANISMS, sheets
-from vad.export import save, sheet_json
-from vad.painting.film import frames
+from vad.export import save
+from vad.export.data import sheet_json
 from vad.strokes.language import languages
 from vad.strokes.sheet import Dot, Panel, Sheet, Stroke
 
@@ -177,7 +177,7 @@ def test_the_lesson_of_the_sheet_that_came_back_is_the_same() -> None:
         (("rows", 1, "cells", "velocity", 0, "value"), True, "[0].value: must be a finite"),
         (("panels",), {}, "panels: there is none"),
         (("panels", "velocity"), 7, "panels.velocity: must be an object, got 7"),
-        (("panels", "velocity", "picture"), "film", "must be one of mechanism, vectors"),
+        (("panels", "velocity", "picture"), "film", "must be one of skeleton, vectors"),
         (("panels", "velocity", "strokes"), {}, "panels.velocity.strokes: must be a list"),
         (("panels", "velocity", "strokes", 1, "from"), [0], "strokes[1].from: must be a list of 2"),
         (("panels", "velocity", "strokes", 1, "to", 0), math.nan, "strokes[1].to[0]: must be a"),

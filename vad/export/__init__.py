@@ -18,7 +18,7 @@ from importlib import import_module
 from inspect import signature
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any, Literal, TypedDict, Unpack
 
 from vad.errors import UsageError
 from vad.export import files
@@ -38,7 +38,7 @@ FORMATS: dict[type, dict[str, str]] = {
         ".png": "vad.export.png",
         ".svg": "vad.export.svg",
         ".pdf": "vad.export.pdf",
-        ".json": "vad.export.sheet_json",
+        ".json": "vad.export.data.sheet_json",
     },
     Lesson: {
         ".mp4": "vad.export.mp4.mp4",
@@ -76,6 +76,7 @@ class Options(TypedDict, total=False):
     size: tuple[int, int] | None
     style: str | None
     paper: str | None
+    text: Literal["glyphs", "letters"]
 
 
 def save(

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.errors import InputError, unknown
-from vad.kinematics.inputs import ManyPoses, OnePose, checked
 from vad.kinematics.numbers import Real, Truth, Vector
-from vad.kinematics.report import plain, table, units
+from vad.kinematics.results.inputs import ManyPoses, OnePose, checked
+from vad.kinematics.results.report import plain, table, units
+from vad.kinematics.results.views import Link, Point, Slider
 from vad.kinematics.solution import Solution
 from vad.kinematics.solver import solver_of
-from vad.kinematics.views import Link, Point, Slider
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism

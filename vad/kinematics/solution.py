@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from vad.errors import AssemblyError, DeadCentreError, InputError
 from vad.kinematics import chunks
-from vad.kinematics.closures import OpenLoopError
+from vad.kinematics.closing.closures import OpenLoopError
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Linkage, Scalar
 from vad.kinematics.numbers import NAN_VECTOR, Number, Truth, direction, fold, is_array

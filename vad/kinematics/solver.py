@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from vad.errors import DeadCentreError
+from vad.kinematics.closing.loop import LoopSolver
+from vad.kinematics.closing.loops import loop_solver
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Linkage, scalar_of
-from vad.kinematics.loop import LoopSolver
-from vad.kinematics.loops import loop_solver
 from vad.kinematics.numbers import Number, direction, fold, is_array
 from vad.kinematics.routes import Routes
 from vad.kinematics.state import GROUND, Pose, Rates
@@ -68,7 +68,7 @@ class Solver:
 
         Raises
         ------
-        vad.kinematics.closures.OpenLoopError
+        vad.kinematics.closing.closures.OpenLoopError
             For a single pose that does not close; in arrays it is NaN.
         """
         pose = Pose({GROUND: 1.0 + 0j}, {}, [])

@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from vad.errors import InputError
-from vad.export.records import within
-from vad.export.sheet_form import SHEET
+from vad.export.data.records import within
+from vad.export.data.sheet_form import SHEET
 from vad.strokes.sheet import Sheet
 
 

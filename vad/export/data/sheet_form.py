@@ -9,7 +9,7 @@ from __future__ import annotations
 from functools import partial
 from typing import get_args
 
-from vad.export.records import (
+from vad.export.data.records import (
     FLAG,
     NUMBER,
     POINT,

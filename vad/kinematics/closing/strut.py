@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from vad.kinematics.closures import Triangle
+from vad.kinematics.closing.closures import Triangle
 from vad.kinematics.numbers import Number
 
 

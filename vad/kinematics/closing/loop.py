@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from vad.kinematics.closures import GroundedCrank, crossing
+from vad.kinematics.closing.closures import GroundedCrank, crossing
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, angle_of, scalar_of
 from vad.kinematics.numbers import Number

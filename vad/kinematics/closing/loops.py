@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from vad.errors import DeadCentreError, InputError
-from vad.kinematics.closures import (
+from vad.kinematics.closing.closures import (
     AngleAndLength,
     GroundedCrank,
     Triangle,
@@ -13,12 +13,12 @@ from vad.kinematics.closures import (
     crossing,
     slot,
 )
+from vad.kinematics.closing.loop import LoopSolver
+from vad.kinematics.closing.strut import Strut
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, scalar_of
-from vad.kinematics.loop import LoopSolver
 from vad.kinematics.numbers import Number, cross, is_array, vector
 from vad.kinematics.state import GROUND, Pose, Rates
-from vad.kinematics.strut import Strut
 
 
 def loop_solver(
