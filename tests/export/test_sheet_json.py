@@ -158,7 +158,7 @@ def test_the_lesson_of_the_sheet_that_came_back_is_the_same() -> None:
         vad.animate(each, fps=4, size=(320, 240), speed=4)
         for each in (sheet, vad.sheet_from_json(sheet_json.to_text(sheet)))
     ]
-    pairs = zip(*map(frames, films), strict=True)
+    pairs = zip(*map(filmed, films), strict=True)
     assert all(np.array_equal(one.pixels, other.pixels) for one, other in pairs)
 
 
