@@ -100,8 +100,9 @@ def painted(*pages: tuple[complex, ...]) -> bytes:
 
 def test_what_pages_share_is_written_once() -> None:
     a, b, c, d = 0.2 + 0.2j, 0.4 + 0.4j, 0.6 + 0.6j, 0.8 + 0.8j
-    data = painted((a, b, c), (a, b, d, c), (d,))
-    for page, spots in enumerate([(a, b, c), (a, b, d, c), (d,)]):
+    pages = (a, b, c), (a, b, d, c), (d, c)
+    data = painted(*pages)
+    for page, spots in enumerate(pages):
         expected = [100 * spot for spot in spots]
         assert centres(data, page) == pytest.approx(expected, abs=0.01)
     reader = pypdf.PdfReader(io.BytesIO(data))
