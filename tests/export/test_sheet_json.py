@@ -15,9 +15,11 @@ import pytest
 import vad
 from tests.export.synthetic import SHEET
 from tests.strokes.poses import MECHANISMS, sheets
+from vad.errors import InputError, UsageError
 from vad.export import save
 from vad.export.data import sheet_json
 from vad.painting.filming import filmed
+from vad.painting.posed import picture
 from vad.strokes.language import languages
 from vad.strokes.sheet import Dot, Panel, Sheet, Stroke
 
@@ -263,3 +265,35 @@ def test_damaged_sheets_are_read_or_refused(seed: int) -> None:
 
 
 TEXT = sheet_json.to_text(lever())
+
+
+def plain() -> dict[str, Any]:
+    return json.loads(sheet_json.to_text(vad.draw(vad.solve(vad.SliderCrank()))))
+
+
+@pytest.mark.parametrize("panel", ["position", "velocity", "acceleration"])
+@pytest.mark.parametrize("kind", ["known", "construction", "result", "pole", "fixed", "angle"])
+def test_a_sheet_that_lacks_strokes_is_painted_or_refused_in_a_line(panel: str, kind: str):
+    held = plain()
+    for only in (True, False):
+        strokes = plain()["panels"][panel]["strokes"]
+        held["panels"][panel]["strokes"] = [s for s in strokes if (s["kind"] == kind) == only]
+        held["panels"][panel]["equations"] = []
+        held["panels"][panel].pop("inset", None)
+        assert picture(vad.sheet_from_json(held)).shape == (720, 1280, 4)
+
+
+def test_a_direction_has_length_one():
+    held = plain()
+    line = next(s for s in held["panels"]["velocity"]["strokes"] if s["kind"] == "construction")
+    line["direction"] = [0, 0]
+    with pytest.raises(InputError, match=r"direction: must be a direction of length 1, got \[0"):
+        vad.sheet_from_json(held)
+
+
+def test_a_page_without_room_is_refused():
+    held = plain()
+    velocity = held["panels"]["velocity"]
+    held["panels"] |= {f"velocity {number}": velocity for number in range(40)}
+    with pytest.raises(UsageError, match="no room for 43 panels"):
+        picture(vad.sheet_from_json(held))

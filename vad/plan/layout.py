@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from vad.errors import UsageError
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 
@@ -17,6 +18,7 @@ NARROWEST_COLUMN = 0.436  # three columns from W/H = 1.5 on
 ROW_PITCH = 0.040
 EQUATION_PITCH = 0.043
 CAPTION_PITCH = 0.046
+SMALLEST_DRAWING = 0.05
 FLOOR = 0.051  # the lowest baseline where there is no caption
 TOP_RULE = 0.115  # below the top
 
@@ -76,11 +78,26 @@ class Page:
 
 
 def lay_out(form: Format, equations: dict[str, int], rows: int, caption_lines: int) -> Page:
-    """Return the page for the panels named in ``equations`` (their numbers of foot lines)."""
+    """Return the page for the panels named in ``equations`` (their numbers of foot lines).
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If they have no room.
+    """
     gaps = 2 * MARGIN + (len(equations) - 1) * GUTTER
     if (form.width - gaps * form.whole) / len(equations) >= NARROWEST_COLUMN * form.whole:
-        return _side_by_side(form, equations, rows, caption_lines)
-    return _grid(form, equations, caption_lines)
+        page = _side_by_side(form, equations, rows, caption_lines)
+    else:
+        page = _grid(form, equations, caption_lines)
+    drawings = [place.drawing for place in page.panels.values()]
+    if min(min(drawing.width, drawing.height) for drawing in drawings) < SMALLEST_DRAWING:
+        raise UsageError(
+            f"the page has no room for {len(equations)} panels with {rows} rows of results and "
+            f"captions of {caption_lines} lines",
+            hint="draw fewer panels",
+        )
+    return page
 
 
 def _captions(lines: int) -> tuple[float, ...]:

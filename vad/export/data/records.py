@@ -122,6 +122,16 @@ _read_pair = row(NUMBER, NUMBER).read
 POINT = Form(lambda z: [float(z.real) + 0.0, float(z.imag) + 0.0], _read_point)
 
 
+def _read_way(value: Any, place: str) -> complex:
+    way = _read_point(value, place)
+    if abs(abs(way) - 1.0) > 1e-9:
+        raise wrong(place, "a direction of length 1", value)
+    return way
+
+
+WAY = Form(POINT.write, _read_way)
+
+
 def many(form: Form) -> Form:
     """Return the form of a tuple of any number of values."""
 

@@ -14,6 +14,7 @@ from vad.export.data.records import (
     NUMBER,
     POINT,
     TEXT,
+    WAY,
     Form,
     Key,
     by_attribute,
@@ -55,12 +56,12 @@ SHAPE = variants(
     "shape",
     dot=record(Dot, at=POINT),
     arrow=record(Arrow, start=Key(POINT, "from"), end=Key(POINT, "to"), tail=TEXT, head=TEXT),
-    line=record(Line, through=POINT, direction=POINT, until=POINT, square_to=optional(TEXT)),
+    line=record(Line, through=POINT, direction=WAY, until=POINT, square_to=optional(TEXT)),
     arc=record(
         Arc, centre=POINT, radius=NUMBER, start=NUMBER, sweep=NUMBER, through=optional(POINT)
     ),
-    guide=record(Guide, through=POINT, direction=POINT, side=optional(POINT)),
-    block=record(Block, at=POINT, direction=POINT, on=optional(TEXT)),
+    guide=record(Guide, through=POINT, direction=WAY, side=optional(WAY)),
+    block=record(Block, at=POINT, direction=WAY, on=optional(TEXT)),
 )
 STROKE = record(
     Stroke,
@@ -80,9 +81,9 @@ INSET = record(
     CoriolisInset,
     link=TEXT,
     slide=TEXT,
-    slot=POINT,
-    sliding=POINT,
-    coriolis=POINT,
+    slot=WAY,
+    sliding=WAY,
+    coriolis=WAY,
     sense=one_of((1, -1)),
     stroke=TEXT,
 )

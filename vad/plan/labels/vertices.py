@@ -17,7 +17,7 @@ from vad.plan.lettering.runs import Runs, symbols
 from vad.plan.marks import Lettering, Mark, line
 from vad.plan.scale import Scale
 from vad.plan.sketch import Sketch, Tag
-from vad.strokes.sheet import Arrow, Dot, Panel
+from vad.strokes.sheet import Arrow, Dot, Line, Panel
 
 LETTER = 0.040
 COINCIDENT = 0.012
@@ -48,6 +48,8 @@ def corners(panel: Panel) -> list[complex]:
             points.append(stroke.shape.at)
         elif isinstance(stroke.shape, Arrow):
             points += [stroke.shape.start, stroke.shape.end]
+        elif isinstance(stroke.shape, Line):
+            points += [stroke.shape.through, stroke.shape.until]
     return points
 
 

@@ -96,7 +96,7 @@ def name_construction(sketch: Sketch, index: int, points: list[complex]) -> None
     assert isinstance(shape, Line)
     start, span = placed.start, placed.span
     if shape.square_to:
-        middle = sum(points, 0j) / len(points)
+        middle = sum(points, 0j) / max(len(points), 1)
         stub, length = _stub(start, placed.way, middle, sketch.obstacles.during(span))
         marks = right_angle(start, placed.way, stub, placed.row, length)
         sketch.add(stroke, Level.CONSTRUCTION, after, marks, span[1])

@@ -106,9 +106,9 @@ def _beside_arc(arc: Bow, wide: float, high: float, obstacles: Obstacles) -> Pla
     return place(obstacles, arc.centre + arc.radius * way, way, wide, high)
 
 
-def add_sense(sketch: Sketch, index: int, shape: Arc, sense: float) -> None:
+def add_sense(sketch: Sketch, index: int | None, shape: Arc, sense: float) -> None:
     """Add the ω arrow of the driven link, stroke ``index``, in a free sector about its pivot."""
-    if not sense:
+    if index is None or not sense:
         return
     setting, obstacles = sketch.setting, sketch.obstacles
     stroke = setting.panel.strokes[index]

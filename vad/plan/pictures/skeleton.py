@@ -65,9 +65,10 @@ def given_sense(sheet: Sheet) -> float:
     return next((cell.value for cell in cells if cell.given and cell.symbol[0] == "ω"), 0.0)
 
 
-def driven(panel: Panel) -> int:
-    """Return the number of the stroke that draws what the driver dictates."""
-    return next(i for i, stroke in enumerate(panel.strokes) if stroke.kind == "known")
+def driven(panel: Panel) -> int | None:
+    """Return the number of the stroke that draws what the driver dictates, if it is there."""
+    numbers = (i for i, stroke in enumerate(panel.strokes) if stroke.kind == "known")
+    return next(numbers, None)
 
 
 def add_stroke(sketch: Sketch, index: int, points: list[complex]) -> None:

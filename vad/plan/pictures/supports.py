@@ -72,7 +72,7 @@ def add_pivots(sketch: Sketch, vertices: list[Vertex]) -> None:
             for stroke in panel.strokes
             if isinstance(stroke.shape, Arrow)
             for start, end in permutations((scale(stroke.shape.start), scale(stroke.shape.end)))
-            if abs(end - at) > PIXEL and _leads_from(at, start, end)
+            if min(abs(end - at), abs(end - start)) > PIXEL and _leads_from(at, start, end)
         ]
         way, size = _orientation(at, bars, sketch.obstacles)
         lean = 1.0
