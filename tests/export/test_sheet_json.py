@@ -17,6 +17,7 @@ from tests.export.synthetic import SHEET
 from tests.strokes.poses import MECHANISMS, sheets
 from vad.export import save
 from vad.export.data import sheet_json
+from vad.painting.filming import filmed
 from vad.strokes.language import languages
 from vad.strokes.sheet import Dot, Panel, Sheet, Stroke
 
