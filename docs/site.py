@@ -6,6 +6,7 @@ code, and every picture that a page shows and one of its own commands draws.
 
 from __future__ import annotations
 
+import logging
 import shutil
 import tempfile
 from pathlib import Path
@@ -53,6 +54,7 @@ def _html(pages: Path, folder: Path) -> None:
     from mkdocs.commands.build import build as build_html
     from mkdocs.config import load_config
 
+    logging.basicConfig(level=logging.WARNING, format="%(levelname)s: %(message)s")
     settings = load_config(
         str(HOME / "mkdocs.yml"), docs_dir=str(pages), site_dir=str(folder), strict=True
     )
