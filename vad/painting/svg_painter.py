@@ -55,7 +55,7 @@ class SvgPainter:
             raise unknown("text", text, _TEXTS)
         self._sheet = sheet
         self._captions = {
-            f"{panel.name}:{stroke.name}": stroke.caption
+            panel.full(stroke.name): stroke.caption
             for panel in sheet.panels
             for stroke in panel.strokes
         }

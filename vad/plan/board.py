@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from importlib import import_module
 from typing import Protocol
 
 from vad.lecture.moment import done
@@ -20,6 +19,7 @@ from vad.plan.page.captioning import caption_lines
 from vad.plan.page.changing import captions, equations, heads, lights, results
 from vad.plan.page.foot import Foot, compose
 from vad.plan.page.title import title_marks
+from vad.plan.pictures.kinds import sketched
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Sheet
 
@@ -97,7 +97,7 @@ def plan(sheet: Sheet, form: Format, key: float, lesson: bool = False) -> Plan:
     first = 0
     for panel in sheet.panels:
         room = page.panels[panel.name].drawing
-        sketches[panel.name] = draw(Setting(sheet, panel, room, rows, first, form.centimetre))
+        sketches[panel.name] = sketched(Setting(sheet, panel, room, rows, first, form.centimetre))
         first += len(panel.strokes)
     regions = regions_of(page)
     items = [
@@ -132,14 +132,6 @@ def rows_of(sheet: Sheet) -> dict[str, int]:
     for index, row in enumerate(sheet.rows):
         rows.setdefault(row.key, index)  # an actuator is a link and a slide: one ink
     return rows
-
-
-def draw(setting: Setting) -> Sketch:
-    """Return the sketch of a panel; each picture is a module with a function ``draw``."""
-    picture = import_module(f"vad.plan.pictures.{setting.panel.picture}")
-    sketch = picture.draw(setting)
-    assert isinstance(sketch, Sketch)
-    return sketch
 
 
 def regions_of(page: Page) -> dict[str, Rect]:

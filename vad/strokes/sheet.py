@@ -212,6 +212,10 @@ class Panel:
     title: str = ""
     picture: Picture = "vectors"
 
+    def full(self, name: str) -> str:
+        """Return the full name of a stroke of this panel: ``velocity:BC.line``."""
+        return f"{self.name}:{name}"
+
     def number(self, name: str) -> int:
         """Return the place of a stroke in drawing order, from 0.
 

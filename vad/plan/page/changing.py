@@ -13,7 +13,7 @@ from vad.plan.layout import Page
 from vad.plan.marks import Mark
 from vad.plan.page.captioning import caption_marks, setter
 from vad.plan.page.foot import Foot, placed
-from vad.plan.page.heads import head, pale_head
+from vad.plan.page.heads import head, pale
 from vad.plan.page.table import table
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Panel, Sheet
@@ -24,9 +24,8 @@ def heads(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[
     for panel in sheet.panels:
         sketch, place = sketches[panel.name], page.panels[panel.name]
         begun, region = drawing(sketch.setting.first), f"{panel.name} head"
-        pale = pale_head(panel, place)
         full = head(panel, place, sketch.scale, sketch.setting.centimetre)
-        yield Item("", region, Level.GROUND, tuple(pale), 0, begun)
+        yield Item("", region, Level.GROUND, tuple(pale(full)), 0, begun)
         yield Item("", region, Level.GROUND, tuple(full), begun)
 
 
@@ -44,7 +43,7 @@ def equations(
                 yield Item("", region, Level.LABEL, (Mark(text, "term", row),), begun)
                 continue
             inked = setting.after(setting.panel.number(term.stroke))
-            name = f"{panel.name}:{term.stroke}"
+            name = panel.full(term.stroke)
             pending = (Mark(text, "pending term", row),)
             yield Item(name, region, Level.LABEL, pending, begun, inked)
             yield Item(name, region, Level.LABEL, (Mark(text, "term", row),), inked)
@@ -67,7 +66,7 @@ def results(
             number = _revealing(panel, row.key)
             if number is None:
                 continue
-            since, name = setting.after(number), f"{panel.name}:{panel.strokes[number].name}"
+            since, name = setting.after(number), panel.full(panel.strokes[number].name)
             if lesson:
                 bold = entries.cells(index, row, panel.name, True)
                 yield Item(name, "results", Level.LABEL, tuple(bold), since, since + 1)
@@ -88,7 +87,7 @@ def captions(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterat
         setting = sketches[panel.name].setting
         for index, stroke in enumerate(panel.strokes):
             marks = caption_marks(panel, index, write, page)
-            since, name = setting.during(index), f"{panel.name}:{stroke.name}"
+            since, name = setting.during(index), panel.full(stroke.name)
             yield Item(name, "caption", Level.LABEL, tuple(marks), since, since + 2)
 
 
@@ -101,7 +100,7 @@ def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
                 marks = sketch.lights.get(stroke.link or "") if other != home else None
                 if marks:
                     name, span = (
-                        f"{other}:{stroke.name}",
+                        setting.panel.full(stroke.name),
                         (setting.during(index), setting.after(index)),
                     )
                     yield Item(name, home, Level.GLOW, tuple(marks), *span)
