@@ -36,7 +36,8 @@ _WORDS = {
     "velocity": ("a unit of velocity", "mm/s, m/s, ft/min"),
     "acceleration": ("a unit of acceleration", "mm/s^2, m/s^2, ft/s^2"),
 }
-_LENGTHS = frozenset(("mm", "cm", "m", "km", "in", "ft", "yd"))
+#: The usual units of length.
+LENGTH_UNITS = ("mm", "cm", "m", "km", "in", "ft", "yd")
 
 # A table of our own rather than pint's, in which a radian is no mere number: "2 Hz" is then not
 # taken for 2 rad/s, nor "50 percent" for half a radian.
@@ -140,7 +141,7 @@ def check_length_unit(name: str) -> str:
     >>> check_length_unit("ft")
     'ft'
     """
-    if name not in _LENGTHS:
+    if name not in LENGTH_UNITS:
         _factor(name if name.isalpha() else "", "length", "mm", written=name)
     return name
 

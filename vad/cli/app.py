@@ -8,7 +8,7 @@ from collections.abc import Iterable
 import click
 
 from vad import __version__
-from vad.cli import actions, catalogue, compare, values
+from vad.cli import actions, catalogue, compare, completion, values
 from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import named_option
 from vad.errors import unknown
@@ -52,10 +52,16 @@ class App(click.Group):
         try:
             return super().parse_args(ctx, args)
         except click.NoSuchOption as error:
-            wrong = unknown("option", error.option_name, ["--help", "--version"])
-            if not error.option_name.startswith(("--h", "--v")):
+            wrong = unknown("option", error.option_name, ["--help", "--version", "--completion"])
+            if not error.option_name.startswith(("--h", "--v", "--c")):
                 wrong.hint = "other options stand after the command; see vad --help"
             raise wrong from None
+
+
+def _print_completion(ctx: click.Context, _: click.Parameter, shell: str | None) -> None:
+    if shell is not None and not ctx.resilient_parsing:
+        click.echo(completion.script(shell))
+        ctx.exit()
 
 
 @click.group(
@@ -65,6 +71,15 @@ class App(click.Group):
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 @click.version_option(__version__, message="vad %(version)s")
+@click.option(
+    "--completion",
+    metavar="|".join(completion.SHELLS),
+    is_eager=True,
+    expose_value=False,
+    callback=_print_completion,
+    shell_complete=completion.one_of(completion.SHELLS),
+    help="Print the script that completes words in a shell.",
+)
 @click.pass_context
 def app(ctx: click.Context) -> None:
     """Velocity and acceleration polygons of mechanisms, solved, drawn and animated."""
@@ -86,6 +101,7 @@ _SHEET = [
     click.Option(
         ["--panels"],
         callback=values.several("panel", DIAGRAMS),
+        shell_complete=completion.several(DIAGRAMS),
         multiple=True,
         metavar="NAME,NAME",
         help=f"some of {', '.join(DIAGRAMS)}  [all]",
@@ -117,6 +133,7 @@ def _output(extensions: Iterable[str]) -> click.Option:
         ["-o", "--output"],
         required=True,
         callback=values.path(),
+        shell_complete=completion.a_file,
         metavar="FILE",
         help=f"{', '.join(names)} or {last}",
     )

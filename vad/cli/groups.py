@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import click
+from click.shell_completion import CompletionItem
 
 from vad.cli.options import build, mechanism_options
 from vad.errors import UsageError, unknown
@@ -65,7 +66,7 @@ class MechanismGroup(click.Group):
         """Bring NAME to the front, wherever it stands among the options."""
         place = _first_word(args, self.options)
         if place is None:
-            if not {"-h", "--help"}.intersection(args):
+            if not ctx.resilient_parsing and not {"-h", "--help"}.intersection(args):
                 raise UsageError(
                     f"{self.name} needs the name of a mechanism",
                     hint=f"vad {self.name} slider-crank; vad list names them all",
@@ -73,6 +74,14 @@ class MechanismGroup(click.Group):
         else:
             args = [args[place], *args[:place], *args[place + 1 :]]
         return super().parse_args(ctx, args)
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
+        """Return what a shell may offer where NAME is still to come."""
+        own = click.Command(self.name, params=list(self.options), add_help_option=False)
+        return [
+            *super().shell_complete(ctx, incomplete),
+            *click.Command.shell_complete(own, ctx, incomplete),
+        ]
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Return the names of all mechanisms."""

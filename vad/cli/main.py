@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 
 from vad.cli import process
@@ -14,9 +15,11 @@ def main() -> int:
         process.raise_on_signals()
         process.quieten()
         # From here on a request to stop leaves in good order, even while modules are loaded.
+        from vad.cli import completion
         from vad.cli.run import run
 
-        code = run(sys.argv[1:])
+        question = os.environ.get(completion.VARIABLE)
+        code = completion.answer(question) if question else run(sys.argv[1:])
         if sys.stdout is not None:
             sys.stdout.flush()
         return code

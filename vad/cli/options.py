@@ -12,9 +12,9 @@ from typing import Any, cast
 
 import click
 
-from vad.cli import values
+from vad.cli import completion, values
 from vad.mechanisms import Mechanism
-from vad.units import scene_unit
+from vad.units import LENGTH_UNITS, scene_unit
 from vad.written import typed
 
 _INPUT_HELP = {
@@ -91,7 +91,13 @@ def flag(name: str) -> str:
 def named_option(name: str, what: str, names: Collection[str], text: str) -> click.Option:
     """Return an option that takes one of a few names."""
     read, metavar = values.one_of(what, names), "|".join(names)
-    return click.Option([flag(name), name], callback=read, metavar=metavar, help=text)
+    return click.Option(
+        [flag(name), name],
+        callback=read,
+        shell_complete=completion.one_of(names),
+        metavar=metavar,
+        help=text,
+    )
 
 
 def _field_option(field: dataclasses.Field[Any], unit: str) -> click.Option:
@@ -105,6 +111,7 @@ def _field_option(field: dataclasses.Field[Any], unit: str) -> click.Option:
         return click.Option(
             [flag(name), name],
             callback=values.length_unit(),
+            shell_complete=completion.one_of(LENGTH_UNITS),
             is_eager=True,
             metavar="UNIT",
             help=f"{text}  [{default}]",

@@ -1,0 +1,120 @@
+"""The pages that follow from the code: the mechanisms, the command line, the benchmarks.
+
+Out go pages in Markdown by their paths.
+"""
+
+from __future__ import annotations
+
+import csv
+import inspect
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+import click
+
+from vad.cli.app import app
+from vad.cli.groups import MechanismGroup
+from vad.cli.options import mechanism_options
+from vad.mechanisms import MECHANISMS, Mechanism
+
+_BENCHMARKS = Path(__file__).parents[1] / "benchmarks" / "results"
+_SPEED = """\
+## A million poses
+
+Time divided by that of `sin`, `cos`, `sqrt` and `arctan2` of as many numbers, for positions alone,
+for positions and velocities, and for all three orders.
+"""
+_FILMS = """\
+## Films and pictures
+
+The default slider–crank lecture at 1280×720 and 30 frames a second, in ratios within one run, whole
+processes. `FuncAnimation` is timed on a part of the frames and extrapolated; it pays for every
+frame of a pause.
+"""
+
+
+def made_pages() -> dict[str, str]:
+    """Return the made pages by their paths."""
+    return {
+        "reference/mechanisms.md": _mechanisms(),
+        "reference/command-line.md": _command_line(),
+        "explanation/benchmarks.md": _benchmarks(),
+    }
+
+
+def _mechanisms() -> str:
+    parts = ["# Mechanisms", "Options of the command line are fields of the class in Python."]
+    for name, kind in MECHANISMS.items():
+        parts += [f"## {kind.title}", inspect.getdoc(kind) or ""]
+        if name not in _without_poster():
+            parts.append(f"![{kind.title}](../gallery/posters/{name}-paper.png)")
+        parts.append(f"`vad solve {name}` · `vad.{kind.__name__}`")
+        parts += [_options(mechanism_options(kind)), _reported(kind)]
+    return _joined(parts)
+
+
+def _without_poster() -> set[str]:
+    posters = (Path(__file__).parents[1] / "gallery" / "posters").glob("*-paper.png")
+    return set(MECHANISMS) - {poster.stem.removesuffix("-paper") for poster in posters}
+
+
+def _reported(kind: type[Mechanism]) -> str:
+    """Say what the results are called."""
+    links = [f"`{name}` {ends}" for name, ends in kind.links.items()]
+    slides = [f"`{name}` at {point}" for name, point in kind.slides.items()]
+    points = [f"`{letter}`" for letter in kind.points]
+    named = {"Links": links, "Slides": slides, "Points": points}
+    return " · ".join(f"{what}: {', '.join(each)}" for what, each in named.items() if each) + "."
+
+
+def _command_line() -> str:
+    with click.Context(app, info_name="vad") as context:
+        own = app.get_params(context)
+    parts = ["# Command line", app.help or "", "`vad [OPTIONS] COMMAND …`", _options(own)]
+    parts.append(
+        "The exit code is 0; 1 for a mechanism or a file that cannot be, with one line `error: …` "
+        "and perhaps one `hint: …`; 2 for wrong usage."
+    )
+    for name, command in app.commands.items():
+        words = f"vad {name}"
+        options: Iterable[click.Parameter] = command.params
+        if isinstance(command, MechanismGroup):
+            words += " NAME"
+            options = command.options
+        parts += [f"## vad {name}", f"`{words} [OPTIONS]`", command.help or "", _options(options)]
+        if isinstance(command, MechanismGroup):
+            parts.append("And the options of the [mechanism](mechanisms.md).")
+    return _joined(parts)
+
+
+def _options(options: Iterable[click.Parameter]) -> str:
+    rows = []
+    for option in options:
+        assert isinstance(option, click.Option)
+        takes = "" if option.is_flag else f" {option.metavar or ''}"
+        rows.append([f"`{', '.join(option.opts)}{takes}`".replace("|", r"\|"), option.help or ""])
+    return _table(["option", ""], rows)
+
+
+def _benchmarks() -> str:
+    machine, speed = _measured("speed")
+    _, films = _measured("rendering")
+    parts = ["# Benchmarks", "  \n".join(machine), _SPEED, speed, _FILMS, films]
+    return _joined([*parts, "The scripts are in `benchmarks/`."])
+
+
+def _measured(name: str) -> tuple[list[str], str]:
+    """Return what is said of the machine and the table of one benchmark."""
+    lines = (_BENCHMARKS / f"{name}.csv").read_text("utf-8").splitlines()
+    machine = [line.removeprefix("# ") for line in lines if line.startswith("#")]
+    head, *rows = csv.reader(line for line in lines if not line.startswith("#"))
+    return machine, _table(head, rows)
+
+
+def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def _joined(parts: Iterable[str]) -> str:
+    return "\n\n".join(part.strip() for part in parts if part) + "\n"

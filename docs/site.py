@@ -1,0 +1,62 @@
+"""The site: in come the pages, out goes a folder of HTML that needs no other server.
+
+The pages are copied to a folder in the making, with the gallery, the pages that follow from the
+code, and every picture that a page shows and one of its own commands draws.
+"""
+
+from __future__ import annotations
+
+import logging
+import shutil
+import tempfile
+from pathlib import Path
+
+from docs.examples import draw_pictures
+from docs.made import made_pages
+
+HOME = Path(__file__).parent
+ROOT = HOME.parent
+PAGES = HOME / "pages"
+#: Of the gallery, what the pages show.
+_SHOWN = ("*.png", "films/*-paper.gif", "posters/*.png")
+
+
+def build(folder: Path) -> None:
+    """Build the site into ``folder``, which is emptied before.
+
+    Raises
+    ------
+    SystemExit
+        If a command of a page fails, or anything is amiss: a link or a picture that leads nowhere,
+        a page that no menu lists, a name without a docstring.
+    """
+    with tempfile.TemporaryDirectory() as name:
+        pages = Path(name) / "pages"
+        gather(pages)
+        _html(pages, folder.resolve())
+
+
+def gather(pages: Path) -> None:
+    """Write everything that the site consists of into ``pages``, as Markdown and pictures."""
+    shutil.copytree(PAGES, pages)
+    for pattern in _SHOWN:
+        for picture in (ROOT / "gallery").glob(pattern):
+            copy = pages / picture.relative_to(ROOT)
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(picture, copy)
+    for page in sorted(pages.rglob("*.md")):
+        draw_pictures(page)
+    for path, text in made_pages().items():
+        (pages / path).write_text(text, encoding="utf-8")
+
+
+def _html(pages: Path, folder: Path) -> None:
+    from mkdocs.commands.build import build as build_html
+    from mkdocs.config import load_config
+
+    logging.basicConfig(level=logging.WARNING, format="%(levelname)s: %(message)s")
+    settings = load_config(
+        str(HOME / "mkdocs.yml"), docs_dir=str(pages), site_dir=str(folder), strict=True
+    )
+    settings.plugins.on_startup(command="build", dirty=False)
+    build_html(settings)
