@@ -83,3 +83,27 @@ def test_a_signal_that_is_held_back_is_raised_when_it_is_asked_for(listening):
 def test_a_signal_that_is_held_back_is_raised_at_the_end_at_the_latest(listening):
     with pytest.raises(process.Interrupted), process.signals_held_back():
         os.kill(os.getpid(), signal.SIGHUP)
+
+
+def test_a_signal_that_is_lost_is_remembered_and_not_shown(environment):
+    """As where Python tidies up after an import: what a finaliser raises reaches nobody."""
+    script = (
+        "import os, signal, sys\n"
+        "from vad.cli import catalogue, main\n"
+        "class Tidied:\n"
+        "    def __del__(self):\n"
+        "        os.kill(os.getpid(), signal.SIGTERM)\n"
+        "        sum(range(10))\n"
+        "catalogue.table = lambda: str(Tidied()) and ''\n"
+        "sys.argv = ['vad', 'list']\n"
+        "sys.exit(main())\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script],
+        capture_output=True,
+        text=True,
+        env=environment,
+        timeout=60,
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (143, "error: interrupted\n")

@@ -68,6 +68,8 @@ def open_standard_streams() -> None:
 def quieten() -> None:
     """Keep libraries from writing to stderr, unless Python was asked for warnings.
 
+    Nor does Python itself, where a signal comes while it tidies up after an import.
+
     Nothing is shown in a window, whatever the user's own programs are set to.
     """
     import logging
@@ -77,6 +79,13 @@ def quieten() -> None:
     logging.getLogger().addHandler(logging.NullHandler())
     if not sys.warnoptions:
         warnings.simplefilter("ignore")
+    sys.unraisablehook = _complain
+
+
+def _complain(lost: sys.UnraisableHookArgs) -> None:
+    """Show what went wrong where nobody can catch it; `check_interrupt` remembers a signal."""
+    if not isinstance(lost.exc_value, Interrupted):
+        sys.__unraisablehook__(lost)
 
 
 def raise_on_signals() -> None:

@@ -43,6 +43,7 @@ def run(arguments: Sequence[str]) -> int:
             raise
         problem = f"{type(error).__name__}: {error}"
         return _report(f"internal fault ({problem})", "VAD_DEBUG=1 shows where it happened")
+    check_interrupt()
     return 0
 
 
