@@ -6,7 +6,7 @@ import math
 from dataclasses import KW_ONLY, dataclass, field, fields
 from typing import Any, ClassVar, TypeVar
 
-from vad.errors import InputError, unknown
+from vad.errors import InputError, one_of, shown
 from vad.kinematics.linkage import Linkage
 
 CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}
@@ -85,11 +85,10 @@ class Mechanism:
     def _check(self, name: str, metadata: Any) -> None:
         value = getattr(self, name)
         if metadata["quantity"] == "choice":
-            if value not in metadata["choices"]:
-                raise unknown(name, str(value), metadata["choices"])
+            one_of(name, value, metadata["choices"])
         elif metadata["quantity"] == "unit":
-            if not isinstance(value, str) or not value.strip():
-                raise InputError(f"{name}: must be the name of a unit, got {value!r}")
+            if not isinstance(value, str) or not value.strip() or not value.isprintable():
+                raise InputError(f"{name}: must be the name of a unit, got {shown(value)}")
         elif value is not None or not metadata["optional"]:
             object.__setattr__(self, name, self._number(name, value, metadata["signed"]))
 
@@ -100,7 +99,7 @@ class Mechanism:
                 raise TypeError
             number = float(value)
         except (TypeError, ValueError, OverflowError):
-            raise InputError(f"{name}: must be one number, got {value!r}") from None
+            raise InputError(f"{name}: must be one number, got {shown(value)}") from None
         if not math.isfinite(number):
             raise InputError(f"{name}: must be a finite number, got {number}")
         if not signed and number <= 0.0:
