@@ -61,8 +61,8 @@ rpm = turn / minute
 rps = turn / second
 """.strip().splitlines()
 
-#: Longer ones are no numbers: the patterns take time that grows with the square of the length.
-_LONGEST = 1000
+#: Longer texts are no numbers, and no units: to read them takes the square of their length.
+_LONGEST, _LONGEST_UNIT = 1000, 60
 _WRITTEN = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([^\W\d_].*?|°.*?)\s*")
 _POWER = r"(?:(?:\^|\*\*)-?[1-3]|⁻?[¹²³])?"
 _NAME = rf"(?:[^\W\d_]+|°){_POWER}"
@@ -152,7 +152,7 @@ def _factor(unit: str, quantity: str, length_unit: str, written: str | None = No
     what, examples = _WORDS[quantity]
     name = shown(unit if written is None else written)
     wrong = UsageError(f"{name} is not {what}", f"try {examples}")
-    if not _UNIT.fullmatch(unit):
+    if len(unit) > _LONGEST_UNIT or not _UNIT.fullmatch(unit):
         raise wrong
     from pint.errors import PintError
 

@@ -172,7 +172,7 @@ def format_of(kind: type, path: str | os.PathLike[str]) -> str:
     formats = FORMATS[kind]
     extension = Path(text).suffix.lower()
     named_as_folder = text.endswith(("/", os.sep)) or extension == ""
-    if named_as_folder or (extension not in formats and Path(text).is_dir()):
+    if named_as_folder or (extension not in formats and os.path.isdir(text)):
         extension = FOLDER
     if extension in formats:
         return extension

@@ -6,7 +6,8 @@ In come a lesson and the number of a step, out goes a `Still`.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from numbers import Integral
+from operator import index
+from typing import Any
 
 from vad.errors import UsageError, one_of, shown
 from vad.lecture.lesson import Lesson
@@ -79,13 +80,20 @@ def still(lesson: Lesson, step: int | str) -> Still:
     }
     steps = places[one_of("panel", panel, places)] if colon else range(1, len(lesson.steps) + 1)
     where = f"the {panel} panel" if colon else "the lesson"
-    if isinstance(number, str) and number.strip().isdecimal():
-        place = int(number.strip()[:_DIGITS])
-    elif isinstance(number, Integral) and not isinstance(number, bool):
-        place = int(number)
-    else:
+    place = _place(number)
+    if place is None:
         raise UsageError(f"{shown(step)} is not a step", hint="as in 4 or velocity:4")
     if not 1 <= place <= len(steps):
         got = shown(number).strip("'")
         raise UsageError(f"there is no step {got}: {where} has {len(steps)}, from 1 on")
     return Still(lesson, steps[place - 1])
+
+
+def _place(number: Any) -> int | None:
+    """Return the number of a step, or None for what is none."""
+    if isinstance(number, str):
+        return int(number.strip()[:_DIGITS]) if number.strip().isdecimal() else None
+    try:
+        return None if isinstance(number, bool) else index(number)
+    except TypeError:
+        return None

@@ -152,7 +152,7 @@ def check_size(size: tuple[int, int]) -> tuple[int, int]:
     """
     hint = "try 1280x720"
     try:
-        width, height = (int(side) for side in size)
+        width, height = (int(side) for side in size if isinstance(side, Real))
         whole = (width, height) == tuple(size) and not isinstance(size, str | bytes)
     except (TypeError, ValueError, OverflowError):
         whole = False

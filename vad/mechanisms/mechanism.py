@@ -13,6 +13,8 @@ CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}
 ASSEMBLIES = ("open", "crossed")
 # Between these, products of four lengths stay in the range of double precision when scaled.
 SHORTEST, LONGEST = 1e-200, 1e200
+#: Characters of a unit, which stands behind every number.
+LONGEST_UNIT = 60
 
 #: Every mechanism class by the name that the command line knows.
 MECHANISMS: dict[str, type[Mechanism]] = {}
@@ -87,8 +89,10 @@ class Mechanism:
         if metadata["quantity"] == "choice":
             one_of(name, value, metadata["choices"])
         elif metadata["quantity"] == "unit":
-            if not isinstance(value, str) or not value.strip() or not value.isprintable():
+            if not isinstance(value, str) or not (value.strip() and value.isprintable()):
                 raise InputError(f"{name}: must be the name of a unit, got {shown(value)}")
+            if len(value) > LONGEST_UNIT:
+                raise InputError(f"{name}: must be short, got {shown(value)}")
         elif value is not None or not metadata["optional"]:
             object.__setattr__(self, name, self._number(name, value, metadata["signed"]))
 
@@ -98,7 +102,7 @@ class Mechanism:
             if isinstance(value, str | bytes | bool):
                 raise TypeError
             number = float(value)
-        except (TypeError, ValueError, OverflowError):
+        except Exception:  # whatever a class says that is asked for a number
             raise InputError(f"{name}: must be one number, got {shown(value)}") from None
         if not math.isfinite(number):
             raise InputError(f"{name}: must be a finite number, got {number}")

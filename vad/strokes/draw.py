@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from vad.errors import InputError, UsageError, one_of, shown
@@ -73,9 +73,10 @@ def chosen(panels: Sequence[str] | str | None) -> tuple[str, ...]:
         For an unknown name, or none.
     """
     given = tuple(DIAGRAMS) if panels is None else panels
-    given = (given,) if isinstance(given, str) else given
-    if not isinstance(given, Iterable):
-        raise UsageError(f"panels: must be names of panels, got {shown(given)}")
+    try:
+        given = (given,) if isinstance(given, str) else tuple(given)
+    except TypeError:
+        raise UsageError(f"panels: must be names of panels, got {shown(given)}") from None
     names = [one_of("panel", name, DIAGRAMS) for name in given]
     if not names:
         raise UsageError("panels: none given", hint="known: " + ", ".join(DIAGRAMS))
