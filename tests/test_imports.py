@@ -71,3 +71,10 @@ def test_drawing_to_data_loads_no_pixels():
 def test_a_table_of_a_turn_loads_no_pixels(tmp_path):
     names = loaded(command("sweep", "four-bar", "-o", str(tmp_path / "a.csv")))
     assert not names & HEAVY
+
+
+@pytest.mark.parametrize(("text", "tools"), [("glyphs", set()), ("letters", {"fontTools"})])
+def test_fonts_are_cut_only_for_text_that_is_set(tmp_path, text, tools):
+    path = str(tmp_path / "a.svg")
+    code = f"vad.save(vad.draw(vad.solve(vad.FourBar())), {path!r}, text={text!r})"
+    assert loaded(f"import vad; {code}") & {"fontTools", "av", "rich"} == tools

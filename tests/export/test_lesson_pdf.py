@@ -9,13 +9,14 @@ import pytest
 from PIL import Image
 
 import vad
-from tests.export import pdf_reader
+from tests.painting.readers import media_box, operations, page_count, pdf_text
 from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
 from vad.lecture.lesson import Lesson
-from vad.lecture.moment import moments
-from vad.lecture.still import ends
+from vad.lecture.moment import moment, moments
 from vad.painting.film import redraw
+from vad.painting.posed import board_of
+from vad.style import load_style
 
 
 @pytest.fixture(scope="module")
@@ -31,11 +32,11 @@ def saved(thing: object, path: Path, **options: object) -> bytes:
 class TestLesson:
     def test_a_page_a_step_with_its_caption(self, lesson: Lesson, tmp_path: Path) -> None:
         data = saved(lesson, tmp_path / "lesson.pdf")
-        assert len(pdf_reader.pages(data)) == len(lesson.steps)
-        assert pdf_reader.media_box(data) == (0, 0, 1280, 720)
+        assert page_count(data) == len(lesson.steps)
+        assert media_box(data) == (0, 0, 1280, 720)
         for place in (0, 8, len(lesson.steps) - 1):
             step = lesson.steps[place]
-            written = pdf_reader.text(data, place)
+            written = pdf_text(data, place)
             assert " ".join(step.stroke.caption.split()[:3]) in written.replace("\n", " ")
             assert f"{step.index + 1} / {len(step.panel.strokes)}" in written
 
@@ -47,16 +48,20 @@ class TestLesson:
 
     def test_colours_the_page(self, lesson: Lesson, tmp_path: Path) -> None:
         data = saved(replace(lesson, style="chalk"), tmp_path / "lesson.pdf")
-        assert all(page.startswith("0.114 0.169 0.153 rg") for page in pdf_reader.pages(data))
+        for place in range(0, len(lesson.steps), 8):
+            fills = (values for values, operator in operations(data, place) if operator == "rg")
+            assert [float(part) for part in next(fills)] == [0.114, 0.169, 0.153]
 
     def test_without_a_step(self, lesson: Lesson, tmp_path: Path) -> None:
         data = saved(replace(lesson, steps=()), tmp_path / "lesson.pdf")
-        assert pdf_reader.pages(data) == []
+        assert page_count(data) == 0
 
 
 def test_the_board_at_the_end_of_each_step_is_that_of_the_film(lesson: Lesson) -> None:
-    rests = [state for state, _ in moments(lesson) if state.panel is not None and not state.grown]
-    assert list(ends(lesson)) == rests
+    stills = [vad.still(lesson, number).moment for number in range(1, len(lesson.steps) + 1)]
+    opening, *rests = [state for state, _ in moments(lesson) if state.share == 1.0]
+    assert opening.beat == 0
+    assert stills == rests
 
 
 class TestStill:
@@ -65,7 +70,8 @@ class TestStill:
         before = lesson.steps[: still.step]
         frame = lesson.opening + sum(step.grow + step.hold for step in before) - 1
         pixels = Image.open(io.BytesIO(saved(still, tmp_path / "step.png")))
-        assert np.array_equal(np.asarray(pixels), redraw(lesson, frame)[..., :3])
+        expected = redraw(board_of(lesson), moment(lesson, frame), load_style(lesson.style))
+        assert np.array_equal(np.asarray(pixels), expected[..., :3])
         assert "Acceleration:" not in pixels.info["Description"]
         assert "ω = −2.308" not in pixels.info["Description"]
 

@@ -6,13 +6,13 @@ import re
 from pathlib import Path
 
 import pytest
-from vad.plan.paper import CENTIMETRE, load_paper, paper_names
-from vad.plan.vertices import corners
 
 import vad
-from tests.export import pdf_reader
+from tests.painting.readers import centres, media_box, operations, pdf_catalog, pdf_text
 from vad.errors import UsageError
-from vad.plan.board import Board
+from vad.painting.posed import posed
+from vad.plan.format import paper_names
+from vad.plan.labels.vertices import corners
 from vad.strokes.sheet import Arrow, Sheet
 
 MILLIMETRE = 72 / 25.4
@@ -30,7 +30,7 @@ def sheet_of(name: str) -> Sheet:
 @pytest.mark.parametrize("paper", paper_names())
 def test_the_page_is_the_paper(folder: Path, paper: str) -> None:
     vad.save(sheet_of("four-bar"), "sheet.pdf", paper=paper)
-    left, bottom, right, top = pdf_reader.media_box(Path("sheet.pdf").read_bytes())
+    left, bottom, right, top = media_box(Path("sheet.pdf").read_bytes())
     size = (right - left) / MILLIMETRE, (top - bottom) / MILLIMETRE
     assert size == pytest.approx(SIZES[paper], abs=0.01)
 
@@ -41,9 +41,9 @@ def test_a_ruler_finds_every_vector_as_long_as_it_is(folder: Path, name: str, pa
     sheet = sheet_of(name)
     vad.save(sheet, "sheet.pdf", paper="A4")
     data = Path("sheet.pdf").read_bytes()
-    dots = pdf_reader.centres(data)
+    dots = centres(data)
     place = [each.name for each in sheet.panels].index(panel)
-    stated = re.findall(r"1 cm = (\S+) ", pdf_reader.text(data))[place]
+    stated = re.findall(r"1 cm = (\S+) ", pdf_text(data))[place]
     points_per_unit = 10 * MILLIMETRE / float(stated)
     arrows = [s.shape for s in sheet.panel(panel).strokes if isinstance(s.shape, Arrow)]
     assert arrows
@@ -56,10 +56,11 @@ def test_a_ruler_finds_every_vector_as_long_as_it_is(folder: Path, name: str, pa
 @pytest.mark.parametrize("name", vad.MECHANISMS)
 def test_scales_are_round_and_polygons_fit(name: str, paper: str) -> None:
     sheet = sheet_of(name)
-    board = Board(sheet, load_paper(paper).board, on_paper=True)
+    board = posed(sheet, paper=paper).board
+    assert board.form.centimetre is not None
     for panel in sheet.panels:
-        scale = board.arts[panel.name].scale
-        mantissa = float(f"{CENTIMETRE / scale.factor:.12e}".partition("e")[0])
+        scale = board.sketches[panel.name].scale
+        mantissa = float(f"{board.form.centimetre / scale.factor:.12e}".partition("e")[0])
         assert mantissa in MANTISSAS
         drawing = board.page.panels[panel.name].drawing
         assert all(drawing.holds(scale(point)) for point in corners(panel))
@@ -67,31 +68,37 @@ def test_scales_are_round_and_polygons_fit(name: str, paper: str) -> None:
 
 def test_the_bar_beside_the_statement_is_a_centimetre(folder: Path) -> None:
     vad.save(sheet_of("slider-crank"), "sheet.pdf", paper="A4")
-    (page,) = pdf_reader.pages(Path("sheet.pdf").read_bytes())
-    lines = re.findall(r"(\S+) (\S+) m\n(\S+) \2 l\nS", page)
-    lengths = [float(end) - float(start) for start, _, end in lines]
+    steps = operations(Path("sheet.pdf").read_bytes())
+    lengths = [
+        float(end[0]) - float(start[0])
+        for (start, move), (end, line), (_, paint) in zip(steps, steps[1:], steps[2:], strict=False)
+        if (move, line, paint) == ("m", "l", "S") and start[1] == end[1]
+    ]
     assert sum(abs(length - 10 * MILLIMETRE) < EXACT for length in lengths) == 3
 
 
 def test_a_length_has_its_ratio(folder: Path) -> None:
     vad.save(sheet_of("slider-crank"), "sheet.pdf", paper="A4")
-    written = pdf_reader.text(Path("sheet.pdf").read_bytes())
+    written = pdf_text(Path("sheet.pdf").read_bytes())
     assert "1 cm = 20 mm   (1 : 2)" in written
     vad.save(sheet_of("gate-actuator"), "sheet.pdf", paper="A4")
-    written = pdf_reader.text(Path("sheet.pdf").read_bytes())
+    written = pdf_text(Path("sheet.pdf").read_bytes())
     assert "1 cm = 0.5 ft\n" in written
 
 
 def test_the_edge_has_the_background_too(folder: Path) -> None:
     vad.save(sheet_of("scotch-yoke"), "sheet.pdf", paper="A4", style="chalk")
     data = Path("sheet.pdf").read_bytes()
-    left, bottom, *_ = pdf_reader.media_box(data)
-    assert pdf_reader.pages(data)[0].splitlines()[1] == f"{left:g} {bottom:g} m"
+    first = next(index for index, (_, operator) in enumerate(operations(data)) if operator == "m")
+    ground = [[float(value) for value in values] for values, _ in operations(data)[first:][:4]]
+    left, bottom, right, top = media_box(data)
+    assert ground == [[left, bottom], [right, bottom], [right, top], [left, top]]
 
 
 def test_it_prints_in_true_size(folder: Path) -> None:
     vad.save(sheet_of("scotch-yoke"), "sheet.pdf", paper="A4")
-    assert b"/PrintScaling /None" in Path("sheet.pdf").read_bytes()
+    catalog = pdf_catalog(Path("sheet.pdf").read_bytes())
+    assert catalog["/ViewerPreferences"]["/PrintScaling"] == "/None"
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,9 @@ from vad.plan.format import screen
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.marks import Bow, Lettering, Polygon, Polyline
 from vad.plan.scale import Scale
+from vad.strokes.language import Language, languages
 from vad.strokes.sheet import Arc, Arrow, Block, Guide, Panel, Sheet, Stroke
+from vad.style import load_style, style_names
 
 EVERY = pytest.mark.parametrize("scene", SCENES)
 BOARDS: dict[str, Plan] = {}
@@ -310,3 +312,52 @@ def test_a_picture_is_the_same_at_every_size(scene: str, shape: tuple[int, int])
         for k in (40, 80, 160)
     ]
     assert pictures[0] == pictures[1] == pictures[2]
+
+
+@EVERY
+def test_new_results_are_bold_in_a_grid_too(scene: str):
+    sheet = lesson(scene).sheet
+    shown = board_of(vad.animate(sheet, size=(1024, 768)))
+    assert not shown.page.columns
+    for panel in sheet.panels:
+        for stroke in panel.strokes:
+            name = f"{panel.name}:{stroke.name}"
+            since = done(names(sheet).index(name) + 1)
+            for item in shown.items:
+                if item.region == "results" and item.stroke == name:
+                    faces = {run.face for mark in item.marks for run in mark.shape.runs}
+                    fresh = (item.since, item.until) == (since, since + 1)
+                    assert fresh or (item.since, item.until) == (since + 1, FOREVER)
+                    assert any("bold" in face for face in faces) == fresh, (name, text(item))
+
+
+@pytest.mark.parametrize("code", languages())
+@pytest.mark.parametrize("size", [(1280, 720), (1024, 768)])
+def test_the_page_speaks_one_language(code: str, size: tuple[int, int]):
+    sheet = vad.draw(vad.solve(vad.CrankSlottedLever(rod=100, ram_height=180)), language=code)
+    shown = board_of(vad.animate(sheet, size=size))
+    written = {text(item) for item in shown.items} | {
+        "".join(run.text for run in mark.shape.runs)
+        for item in shown.items
+        for mark in item.marks
+        if hasattr(mark.shape, "runs")
+    }
+    assert {panel.title for panel in sheet.panels} | {sheet.title} <= written
+    keys = ["given", "coriolis rule", *(["results"] if size == (1024, 768) else [])]
+    for key in keys:
+        assert Language(code).say(key) in written, key
+        for other in set(languages()) - {code}:
+            assert Language(other).say(key) not in written, key
+
+
+@pytest.mark.parametrize("style", style_names())
+def test_the_key_of_a_row_shows_all_of_its_dash(style: str):
+    """A dash that does not show in the key is no key."""
+    look = load_style(style).look
+    for film in (lesson("shaper"), lesson("gate-actuator")):
+        shown = board_of(vad.animate(film.sheet, style=style))
+        keys = [mark for item in shown.items for mark in item.marks if mark.role == "key"]
+        assert len(keys) == len(film.sheet.rows)
+        for mark in keys:
+            ((start, end),) = mark.shape.pieces
+            assert abs(end - start) >= 1.2 * sum(look("key", mark.row).pen.dash)

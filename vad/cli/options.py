@@ -90,7 +90,7 @@ def flag(name: str) -> str:
 
 def named_option(name: str, what: str, names: Collection[str], text: str) -> click.Option:
     """Return an option that takes one of a few names."""
-    read, metavar = values.name_of(what, names), "|".join(names)
+    read, metavar = values.one_of(what, names), "|".join(names)
     return click.Option([flag(name), name], callback=read, metavar=metavar, help=text)
 
 

@@ -11,8 +11,8 @@ from typing import Any
 
 import click
 
-from vad import units
-from vad.errors import UsageError, one_of, shown
+from vad import errors, units
+from vad.errors import UsageError, shown
 
 Callback = Callable[[click.Context, click.Parameter, Any], Any]
 
@@ -34,9 +34,9 @@ def length_unit() -> Callback:
     return _callback(lambda word, _: units.check_length_unit(word))
 
 
-def name_of(what: str, names: Collection[str]) -> Callback:
+def one_of(what: str, names: Collection[str]) -> Callback:
     """Read one of a few names; a misspelt one is answered with the nearest."""
-    return _callback(lambda word, _: one_of(what, word, names))
+    return _callback(lambda word, _: errors.one_of(what, word, names))
 
 
 def several(what: str, names: Collection[str]) -> Callback:
@@ -44,7 +44,7 @@ def several(what: str, names: Collection[str]) -> Callback:
 
     def names_of(words: tuple[str, ...], _: click.Context) -> tuple[str, ...]:
         parts = [part.strip() for word in words for part in word.split(",")]
-        return tuple(dict.fromkeys(one_of(what, part, names) for part in parts))
+        return tuple(dict.fromkeys(errors.one_of(what, part, names) for part in parts))
 
     return _callback(names_of)
 

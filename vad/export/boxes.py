@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.painting.picture import EMPTY, Box, Frame
+from vad.painting.picture import Box, Frame
 
 Picture = NDArray[Any]
 
@@ -30,14 +30,6 @@ def parted(frames: Iterable[Frame], size: tuple[int, int]) -> Iterator[tuple[Fra
         for left, top, right, bottom in boxes:
             shown[top:bottom, left:right] = now[top:bottom, left:right]
         yield frame, boxes
-
-
-def union(one: Box, other: Box) -> Box:
-    """Return the smallest box that holds two; `EMPTY` holds nothing."""
-    if one == EMPTY:
-        return other
-    lefts, tops, rights, bottoms = zip(one, other, strict=True)
-    return min(lefts), min(tops), max(rights), max(bottoms)
 
 
 def bands(now: Picture, shown: Picture, box: Box, most: int) -> list[Box]:

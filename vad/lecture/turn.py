@@ -119,7 +119,7 @@ def turn(
     style
         The name of a style.
     panels
-        Which of "position", "velocity" and "acceleration"; all of them if None.
+        Which of "position", "velocity" and "acceleration"; the usual ones if None.
     language
         The language of the words on the page, as a two-letter code.
 

@@ -16,7 +16,7 @@ from vad.lecture.moment import Moment
 from vad.painting.agg_painter import AggPainter
 from vad.painting.outlines import outline
 from vad.painting.painter import Looks, play
-from vad.painting.picture import EMPTY, Box, Frame
+from vad.painting.picture import EMPTY, Box, Frame, Words, difference, touching, union, window
 from vad.plan.board import Board
 from vad.plan.geometry import Rect
 from vad.plan.items import Item
@@ -24,7 +24,6 @@ from vad.plan.marks import Mark
 from vad.style import Style
 
 Pixels = NDArray[np.uint8]
-Words = NDArray[np.uint32]  # one per pixel
 
 
 def frames(board: Board, moments: Iterable[tuple[Moment, int]], style: Style) -> Iterator[Frame]:
@@ -72,9 +71,9 @@ class _Incremental:
             regions = self._changed(moment.beat)
             box = self._dirty
             for region in regions:
-                box = _union(box, self._pixels_of(self._board.regions[region]))
+                box = union(box, self._pixels_of(self._board.regions[region]))
             top = self._split(regions, moment.beat)
-        box = _union(box, self._reach(top, moment.share))
+        box = union(box, self._reach(top, moment.share))
         before = self._cut(box).copy()
         if moment.beat != self._beat:
             self._commit(regions, top, moment.beat)
@@ -111,7 +110,7 @@ class _Incremental:
         self, regions: dict[str, list[Item]], top: list[tuple[Mark, Box | None]], beat: int
     ) -> None:
         """Repaint the regions that look different; keep what lies beneath the top as base."""
-        self._cut(self._dirty)[:] = self._base[_window(self._dirty)]
+        self._cut(self._dirty)[:] = self._base[window(self._dirty)]
         for region, items in regions.items():
             area = self._pixels_of(self._board.regions[region])
             self._cut(area)[:] = self._ground
@@ -129,13 +128,13 @@ class _Incremental:
         if not self._top:
             return
         box = self._reach(self._top, share)
-        self._cut(box)[:] = self._base[_window(box)]
+        self._cut(box)[:] = self._base[window(box)]
         for mark, spot in self._top:
             if spot is None:
                 grown = mark.at(share)
                 if grown:
                     self._painter.paint(grown.shape, self._looks(grown))
-            elif _touch(spot, box):
+            elif touching(spot, box):
                 self._painter.paint(mark.shape, self._looks(mark))
         self._dirty = box
 
@@ -148,18 +147,18 @@ class _Incremental:
         for mark, spot in top:
             grown = mark.at(share) if spot is None else None
             if grown:
-                box = _union(box, self._box(grown))
+                box = union(box, self._box(grown))
         while True:
             wider = box
             for _, spot in top:
-                if spot and _touch(spot, wider):
-                    wider = _union(wider, spot)
+                if spot and touching(spot, wider):
+                    wider = union(wider, spot)
             if wider == box:
                 return box
             box = wider
 
     def _cut(self, box: Box) -> Words:
-        return self._words[_window(box)]
+        return self._words[window(box)]
 
     def _box(self, mark: Mark) -> Box:
         """Return the pixels that a mark can touch."""
@@ -189,40 +188,3 @@ def _growing(item: Item, beat: int | None) -> bool:
 def _first_growing(items: list[Item], beat: int) -> int:
     numbers = (number for number, item in enumerate(items) if _growing(item, beat))
     return next(numbers, len(items))
-
-
-def _window(box: Box) -> tuple[slice, slice]:
-    return slice(box[1], box[3]), slice(box[0], box[2])
-
-
-def _touch(one: Box, other: Box) -> bool:
-    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
-
-
-def _union(one: Box, other: Box) -> Box:
-    if one[0] >= one[2] or one[1] >= one[3]:
-        return other
-    if other[0] >= other[2] or other[1] >= other[3]:
-        return one
-    return (
-        min(one[0], other[0]),
-        min(one[1], other[1]),
-        max(one[2], other[2]),
-        max(one[3], other[3]),
-    )
-
-
-def difference(before: Words, now: Words, box: Box) -> Box:
-    """Return the smallest box in which two pictures of ``box`` differ."""
-    differs = before != now
-    rows = np.flatnonzero(differs.any(axis=1))
-    if not len(rows):
-        return EMPTY
-    columns = np.flatnonzero(differs.any(axis=0))
-    left, top = box[:2]
-    return (
-        left + int(columns[0]),
-        top + int(rows[0]),
-        left + int(columns[-1]) + 1,
-        top + int(rows[-1]) + 1,
-    )

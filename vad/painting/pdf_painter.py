@@ -21,8 +21,6 @@ from vad.plan.items import Item
 from vad.plan.marks import Lettering, Outline, Polygon
 from vad.style import Look, Pen
 
-_MITRE = 4  # a corner longer than this is cut off, as in Agg and in SVG
-
 
 class PdfPainter:
     """A painter of pages, which are written when all are painted.
@@ -116,7 +114,7 @@ class PdfPainter:
         pages: list[int] = []
         for page, area in zip(split, self._areas, strict=True):
             frame = f"{box(area)} /Resources {resources} 0 R"
-            content = [f"{_MITRE} M"]
+            content: list[str] = []
             for piece in page:
                 if shows[piece] > 1 and piece not in forms:
                     head = f"/Type /XObject /Subtype /Form /BBox {frame}"

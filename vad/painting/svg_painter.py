@@ -23,6 +23,8 @@ from vad.style import Look
 
 #: How text is written: as the shapes of its glyphs, or as letters in an embedded font.
 Text = Literal["glyphs", "letters"]
+#: How many times its width a corner may stick out: as in Agg and in PDF.
+_MITRE = 10
 _TEXTS: dict[str, type[DrawnText | SetText]] = {"glyphs": DrawnText, "letters": SetText}
 
 
@@ -51,7 +53,7 @@ class SvgPainter:
     def __init__(self, sheet: Sheet, text: Text = "glyphs") -> None:
         self._sheet = sheet
         self._captions = {
-            f"{panel.name}:{stroke.name}": stroke.caption
+            panel.full(stroke.name): stroke.caption
             for panel in sheet.panels
             for stroke in panel.strokes
         }
@@ -98,7 +100,7 @@ class SvgPainter:
         self.svg = (
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
             f'viewBox="0 0 {width} {height}" role="img" lang="{self._sheet.language}" '
-            'fill="none" xml:space="preserve">\n'
+            f'fill="none" stroke-miterlimit="{_MITRE}" xml:space="preserve">\n'
             f"<title>{escape(title(self._sheet))}</title>\n"
             f"<desc>{escape(describe(self._sheet))}</desc>\n"
             f"<style>\n{self._text.rules()}{self._classes.sheet()}</style>\n"

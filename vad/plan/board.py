@@ -6,24 +6,22 @@ colours.  A still, a step and a film are one plan at different beats.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from importlib import import_module
 from typing import Protocol
 
-from vad.lecture.moment import done, drawing
+from vad.lecture.moment import done
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import Item, Level
 from vad.plan.layout import MARGIN, Page, lay_out
-from vad.plan.marks import Mark
-from vad.plan.page.captioning import caption_lines, caption_marks, setter
-from vad.plan.page.foot import Foot, compose, placed
-from vad.plan.page.heads import head, pale_head
-from vad.plan.page.table import table
+from vad.plan.page.captioning import caption_lines
+from vad.plan.page.changing import captions, equations, heads, lights, results
+from vad.plan.page.foot import Foot, compose
 from vad.plan.page.title import title_marks
+from vad.plan.pictures.kinds import sketched
 from vad.plan.sketch import Setting, Sketch
-from vad.strokes.sheet import Panel, Sheet
+from vad.strokes.sheet import Sheet
 
 
 class Board(Protocol):
@@ -99,17 +97,17 @@ def plan(sheet: Sheet, form: Format, key: float, lesson: bool = False) -> Plan:
     first = 0
     for panel in sheet.panels:
         room = page.panels[panel.name].drawing
-        sketches[panel.name] = draw(Setting(sheet, panel, room, rows, first, form.centimetre))
+        sketches[panel.name] = sketched(Setting(sheet, panel, room, rows, first, form.centimetre))
         first += len(panel.strokes)
     regions = regions_of(page)
     items = [
         Item("", "title", Level.GROUND, tuple(title_marks(sheet, page))),
-        *_heads(sheet, page, sketches),
-        *_feet(sheet, page, feet, sketches),
-        *_results(sheet, page, sketches, key, lesson),
-        *(_captions(sheet, page, sketches) if lesson else ()),
+        *heads(sheet, page, sketches),
+        *equations(sheet, page, feet, sketches),
+        *results(sheet, page, sketches, key, lesson),
+        *(captions(sheet, page, sketches) if lesson else ()),
         *(item for sketch in sketches.values() for item in sketch.items),
-        *_lights(sketches),
+        *lights(sketches),
     ]
     order = {name: number for number, name in enumerate(regions)}
     items.sort(key=lambda item: (order[item.region], item.level))
@@ -136,14 +134,6 @@ def rows_of(sheet: Sheet) -> dict[str, int]:
     return rows
 
 
-def draw(setting: Setting) -> Sketch:
-    """Return the sketch of a panel; each picture is a module with a function ``draw``."""
-    picture = import_module(f"vad.plan.pictures.{setting.panel.picture}")
-    sketch = picture.draw(setting)
-    assert isinstance(sketch, Sketch)
-    return sketch
-
-
 def regions_of(page: Page) -> dict[str, Rect]:
     """Return the parts of a page that change on their own, in painting order."""
     regions = {"title": Rect(0.0, page.title - 0.02, page.width, page.height)}
@@ -165,90 +155,3 @@ def regions_of(page: Page) -> dict[str, Rect]:
         whole, drawing = place.region, place.drawing
         regions[name] = Rect(whole.left, drawing.bottom, whole.right, drawing.top)
     return regions
-
-
-def _heads(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[Item]:
-    for panel in sheet.panels:
-        sketch, place = sketches[panel.name], page.panels[panel.name]
-        begun, region = drawing(sketch.setting.first), f"{panel.name} head"
-        pale = pale_head(panel, place)
-        full = head(panel, place, sketch.scale, sketch.setting.centimetre)
-        yield Item("", region, Level.GROUND, tuple(pale), 0, begun)
-        yield Item("", region, Level.GROUND, tuple(full), begun)
-
-
-def _feet(
-    sheet: Sheet, page: Page, feet: Mapping[str, Foot], sketches: Mapping[str, Sketch]
-) -> Iterator[Item]:
-    """Yield the equations, in which a term is pale until its stroke is inked."""
-    for panel in sheet.panels:
-        setting, place = sketches[panel.name].setting, page.panels[panel.name]
-        begun, region = drawing(setting.first), f"{panel.name} foot"
-        middle = place.drawing.centre.real
-        for text, term in placed(feet[panel.name], place.equations, middle):
-            row = setting.row(term.link) if term else None
-            if term is None or term.stroke is None:
-                yield Item("", region, Level.LABEL, (Mark(text, "term", row),), begun)
-                continue
-            inked = setting.after(setting.panel.number(term.stroke))
-            name = f"{panel.name}:{term.stroke}"
-            pending = (Mark(text, "pending term", row),)
-            yield Item(name, region, Level.LABEL, pending, begun, inked)
-            yield Item(name, region, Level.LABEL, (Mark(text, "term", row),), inked)
-
-
-def _results(
-    sheet: Sheet, page: Page, sketches: Mapping[str, Sketch], key: float, lesson: bool
-) -> Iterator[Item]:
-    """Yield the results: what is given at once, the rest as its stroke measures it."""
-    results = table(sheet, page, key)
-    yield Item("", "results", Level.GROUND, tuple(results.frame()))
-    for panel in sheet.panels:
-        setting = sketches[panel.name].setting
-        for index, row in enumerate(sheet.rows):
-            marks = results.cells(index, row, panel.name, False)
-            cells = row.cells.get(panel.name, ())
-            if all(cell.given for cell in cells):
-                yield Item("", "results", Level.LABEL, tuple(marks))
-                continue
-            number = _revealing(panel, row.key)
-            if number is None:
-                continue
-            since, name = setting.after(number), f"{panel.name}:{panel.strokes[number].name}"
-            if lesson:
-                bold = results.cells(index, row, panel.name, True)
-                yield Item(name, "results", Level.LABEL, tuple(bold), since, since + 1)
-                since += 1
-            yield Item(name, "results", Level.LABEL, tuple(marks), since)
-
-
-def _revealing(panel: Panel, key: str) -> int | None:
-    """Return the number of the stroke that measures a row."""
-    strokes = enumerate(panel.strokes)
-    return next((number for number, stroke in strokes if key in stroke.reveals), None)
-
-
-def _captions(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[Item]:
-    """Yield the captions, each from when its stroke is begun until the next one is."""
-    write = setter(sheet)
-    for panel in sheet.panels:
-        setting = sketches[panel.name].setting
-        for index, stroke in enumerate(panel.strokes):
-            marks = caption_marks(panel, index, write, page)
-            since, name = setting.during(index), f"{panel.name}:{stroke.name}"
-            yield Item(name, "caption", Level.LABEL, tuple(marks), since, since + 2)
-
-
-def _lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
-    """Yield the light on a link of the mechanism while a vector of it is drawn elsewhere."""
-    for home, sketch in sketches.items():
-        for other, elsewhere in sketches.items():
-            setting = elsewhere.setting
-            for index, stroke in enumerate(setting.panel.strokes):
-                marks = sketch.lights.get(stroke.link or "") if other != home else None
-                if marks:
-                    name, span = (
-                        f"{other}:{stroke.name}",
-                        (setting.during(index), setting.after(index)),
-                    )
-                    yield Item(name, home, Level.GLOW, tuple(marks), *span)

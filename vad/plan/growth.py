@@ -1,4 +1,4 @@
-"""The five ways in which a mark comes about: trim, slide, turn, scale and fade.
+"""The five ways in which a mark comes about: trimming, sliding, turning, scaling and fading.
 
 Each is data: knots between which a painter interpolates linearly over the share of the stroke
 that is drawn, 0 to 1.  At share 1 every mark is as it stays.
@@ -11,6 +11,24 @@ import math
 from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any, Protocol
+
+#: A shape as it is at a share, None while nothing of it shows, and its share of alpha.
+Grown = tuple[Any, float]
+
+
+class Shape(Protocol):
+    """What grows: see the shapes of `vad.plan.marks`."""
+
+    def mapped(self, turn: complex, shift: complex) -> Any:
+        """Return the shape with every point z at ``turn * z + shift``."""
+
+
+class Line(Shape, Protocol):
+    """A shape with a first point and a length."""
+
+    def trimmed(self, share: float) -> Any:
+        """Return the first ``share`` of the length."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,9 +37,10 @@ class Trimming:
 
     knots: tuple[tuple[float, float], ...] = ((0.0, 0.0), (1.0, 1.0))
 
-    def part(self, share: float) -> float:
-        """Return the part of the length that is drawn."""
-        return between(self.knots, share).real
+    def of(self, shape: Line, share: float) -> Grown:
+        """Return the part that is drawn."""
+        part = between(self.knots, share).real
+        return (shape.trimmed(part) if part > 0.0 else None), 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,9 +49,9 @@ class Sliding:
 
     knots: tuple[tuple[float, complex], ...]
 
-    def change(self, share: float) -> tuple[complex, complex, float]:
-        """Return what maps the mark, ``turn * z + shift``, and its alpha."""
-        return 1.0, between(self.knots, share), 1.0
+    def of(self, shape: Shape, share: float) -> Grown:
+        """Return the shape on its way."""
+        return shape.mapped(1.0, between(self.knots, share)), 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,10 +61,10 @@ class Turning:
     centre: complex
     knots: tuple[tuple[float, float], ...]
 
-    def change(self, share: float) -> tuple[complex, complex, float]:
-        """Return what maps the mark, ``turn * z + shift``, and its alpha."""
+    def of(self, shape: Shape, share: float) -> Grown:
+        """Return the shape on its way."""
         turn = cmath.exp(1j * math.radians(between(self.knots, share).real))
-        return turn, self.centre * (1.0 - turn), 1.0
+        return shape.mapped(turn, self.centre * (1.0 - turn)), 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,10 +74,10 @@ class Scaling:
     centre: complex
     knots: tuple[tuple[float, float], ...]
 
-    def change(self, share: float) -> tuple[complex, complex, float]:
-        """Return what maps the mark, ``turn * z + shift``, and its alpha."""
+    def of(self, shape: Shape, share: float) -> Grown:
+        """Return the shape at its size."""
         factor = between(self.knots, share).real
-        return factor, self.centre * (1.0 - factor), 1.0
+        return shape.mapped(factor, self.centre * (1.0 - factor)), 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,9 +86,9 @@ class Fading:
 
     knots: tuple[tuple[float, float], ...] = ((0.0, 0.0), (1.0, 1.0))
 
-    def change(self, share: float) -> tuple[complex, complex, float]:
-        """Return what maps the mark, ``turn * z + shift``, and its alpha."""
-        return 1.0, 0j, between(self.knots, share).real
+    def of(self, shape: Shape, share: float) -> Grown:
+        """Return the shape with as much ink as it has."""
+        return shape, between(self.knots, share).real
 
 
 Growth = Trimming | Sliding | Turning | Scaling | Fading

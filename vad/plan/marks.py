@@ -149,15 +149,14 @@ class Mark:
 
     def at(self, share: float) -> Mark | None:
         """Return the mark when ``share`` of its stroke is drawn, None while nothing shows."""
-        growth = self.growth
-        if growth is None:
+        if self.growth is None:
             return self
-        if isinstance(growth, Trimming):
+        if isinstance(self.growth, Trimming):
             assert isinstance(self.shape, Polyline | Bow)
-            part = growth.part(share)
-            return replace(self, shape=self.shape.trimmed(part)) if part > 0.0 else None
-        turn, shift, alpha = growth.change(share)
-        return replace(self, shape=self.shape.mapped(turn, shift), alpha=self.alpha * alpha)
+            shape, alpha = self.growth.of(self.shape, share)
+        else:
+            shape, alpha = self.growth.of(self.shape, share)
+        return replace(self, shape=shape, alpha=self.alpha * alpha) if shape else None
 
     def moved(self, by: complex) -> Mark:
         """Return the mark shifted; it must not grow."""

@@ -20,10 +20,14 @@ BOTTOM_PADDING_POSITION = 0.090
 
 @dataclass(frozen=True, slots=True)
 class Scale:
-    """From panel coordinates to the page: ``origin + factor * z``."""
+    """From panel coordinates to the page: ``origin + factor * z``.
+
+    A panel with a single point has no scale to state: it is ``bare``.
+    """
 
     origin: complex
     factor: float
+    bare: bool = False
 
     def __call__(self, z: complex) -> complex:
         """Return where on the page is the panel's point ``z``."""
@@ -52,7 +56,7 @@ def fill(
     ys = [p.imag for p in all_points]
     wide, high = max(xs) - min(xs), max(ys) - min(ys)
     if not wide and not high:
-        return Scale(inner.centre, 1.0)
+        return Scale(inner.centre, 1.0, bare=True)
     factor = min(
         inner.width / wide if wide else math.inf, inner.height / high if high else math.inf
     )

@@ -105,6 +105,6 @@ class Sketch:
         """Add what ``stroke`` draws; None for what belongs to no stroke."""
         shown = tuple(marks)
         if shown:
-            panel = self.setting.panel.name
-            name = f"{panel}:{stroke.name}" if stroke else ""
-            self.items.append(Item(name, panel, level, shown, since, until))
+            panel = self.setting.panel
+            name = panel.full(stroke.name) if stroke else ""
+            self.items.append(Item(name, panel.name, level, shown, since, until))

@@ -50,6 +50,8 @@ class Diagram:
         From a scene to its strokes.
     link, slide
         From a scene and the name of a link or slide to the cells that it adds to that row.
+    usual
+        Whether it is drawn where nobody asks for it by name.
     """
 
     name: str
@@ -60,6 +62,7 @@ class Diagram:
     pose: Callable[[Scene], Drawing]
     link: Callable[[Scene, str], tuple[Cell, ...]] = no_cells
     slide: Callable[[Scene, str], tuple[Cell, ...]] = no_cells
+    usual: bool = True
 
     def panel(self, scene: Scene) -> Panel:
         """Return the panel of a pose, its title in the language of the scene."""

@@ -23,7 +23,7 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     motion
         One pose; its rates are solved only as far as the panels need them.
     panels
-        Which of "position", "velocity" and "acceleration", in any order; all of them if None.
+        Which of "position", "velocity" and "acceleration", in any order; the usual ones if None.
     language
         The language of the captions, as a two-letter code.
 
@@ -65,14 +65,15 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
 
 
 def chosen(panels: Sequence[str] | str | None) -> tuple[str, ...]:
-    """Return the names of panels in the order of the page, each once; None are all of them.
+    """Return the names of panels in the order of the page, each once; None are the usual ones.
 
     Raises
     ------
     vad.errors.UsageError
         For an unknown name, or none.
     """
-    given = tuple(DIAGRAMS) if panels is None else panels
+    usual = tuple(name for name, diagram in DIAGRAMS.items() if diagram.usual)
+    given = usual if panels is None else panels
     try:
         given = (given,) if isinstance(given, str) else tuple(given)
     except TypeError:

@@ -93,8 +93,8 @@ class Arc:
 class Guide:
     """The straight frame line through ``through``, hatched on the side away from the rod.
 
-    ``from_`` … ``to`` is the stretch that the sheet needs, ``side`` a unit vector that points
-    away from the rod, and None where the line is a slot in a moving link.
+    ``side`` is a unit vector that points away from the rod, and None where the line is a slot in a
+    moving link.
     """
 
     through: complex
@@ -124,7 +124,7 @@ class Stroke:
     Attributes
     ----------
     kind
-        The role of the stroke; style turns it into line width and dash.
+        What is done: a known vector is laid, a construction line drawn, a result inked.
     label
         What is written beside it: a letter, two letters, ``⟂ BC``, ``∥ guide`` …
     shape
@@ -211,6 +211,10 @@ class Panel:
     zeros: tuple[Stroke, ...] = ()
     title: str = ""
     picture: Picture = "vectors"
+
+    def full(self, name: str) -> str:
+        """Return the full name of a stroke of this panel: ``velocity:BC.line``."""
+        return f"{self.name}:{name}"
 
     def number(self, name: str) -> int:
         """Return the place of a stroke in drawing order, from 0.

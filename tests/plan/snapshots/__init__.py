@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, assert_never
 
 import vad
 from vad.lecture.lesson import Lesson
@@ -86,6 +86,7 @@ def _mark(mark: Mark) -> Iterator[str]:
     yield mark.role
     yield "" if mark.row is None else f"[{mark.row}]"
     yield "" if mark.width == 1.0 else f"x{mark.width:g}"
+    yield "" if mark.alpha == 1.0 else f"alpha {mark.alpha:g}"
     yield _shape(mark.shape)
     yield _growth(mark.growth) if mark.growth else ""
 
@@ -114,10 +115,12 @@ def _growth(growth: Growth) -> str:
             return "slide " + " ".join(f"{_number(x)}:{_points([z])}" for x, z in knots)
         case Turning(centre, knots):
             return f"turn about {_points([centre])} from {knots[0][1]:.1f}°"
-        case Scaling():
-            return "scale"
-        case Fading():
-            return "fade"
+        case Scaling(_, knots):
+            return f"scale from {knots[0][1]:g}"
+        case Fading(knots):
+            return f"fade from {knots[0][1]:g}"
+        case _:
+            assert_never(growth)
 
 
 def _points(points: Iterable[complex]) -> str:

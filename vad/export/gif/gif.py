@@ -13,11 +13,11 @@ from typing import BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.export.boxes import bands, parted, union
+from vad.export.boxes import bands, parted
 from vad.export.gif.image import image_bytes
 from vad.export.palette import Palette, coarse
 from vad.export.source import Film, Progress, painted, rate
-from vad.painting.picture import EMPTY, Box, Frame
+from vad.painting.picture import EMPTY, Box, Frame, union
 
 Bytes = NDArray[np.uint8]
 

@@ -57,8 +57,8 @@ def checked(name: str, value: object, largest: float) -> Number:
     if _is_number(value):
         return _one(name, value, largest)
     array = _many(name, value)
-    if not math.isinf(largest):
-        array[~(np.abs(array) <= largest)] = np.nan
+    with np.errstate(invalid="ignore"):
+        array[~(np.isfinite(array) & (np.abs(array) <= largest))] = np.nan
     return array
 
 

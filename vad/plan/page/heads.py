@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from vad.plan.layout import PanelPlace
-from vad.plan.lettering.glyphs import width
+from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, bold, roman
 from vad.plan.marks import Lettering, Mark, line, lines
 from vad.plan.scale import Scale, scale_bar
@@ -14,45 +16,47 @@ TITLE = 0.037
 SCALE = 0.030
 LONGEST_BAR = 0.12
 SHORTEST_BAR = 0.03
+LEAST_TITLE = 0.024
+GAP = 0.0125  # from the bar to its value
+APART = 0.0225  # the least from title to bar
 RISE = 0.0098  # of the bar above the baseline
 TICK = 0.008
 _CENTIMETRES = {"mm": 0.1, "cm": 1.0, "m": 100.0}
 
 
-def pale_head(panel: Panel, place: PanelPlace) -> list[Mark]:
-    """Return the head of a panel that is not begun: faint and bare."""
-    return _head(panel, place, "pale ")
-
-
 def head(panel: Panel, place: PanelPlace, scale: Scale, centimetre: float | None) -> list[Mark]:
     """Return the head of a panel; on paper it states what a centimetre stands for."""
-    marks = _head(panel, place)
-    if scale.factor == 1.0:  # a single point has no scale
-        return marks
+    if scale.bare:
+        return _head(panel, place, TITLE)
     left, right = place.drawing.left, place.drawing.right
+    title = bold(roman(panel.title))
     if centimetre:
         value = centimetre / scale.factor
         runs = _stated(panel, value)
     else:
-        title = width(bold(roman(panel.title)), TITLE)
-        value, runs = _fitting(panel, scale, right - left - title)
-    start = right - width(runs, SCALE)
+        value, runs = _fitting(panel, scale, right - left - width(title, TITLE))
+    length, start = value * scale.factor, right - width(runs, SCALE)
+    room = start - GAP - length - APART - left
+    marks = _head(panel, place, fitted(title, TITLE, LEAST_TITLE, room))
     marks.append(Mark(Lettering(runs, complex(start, place.title), SCALE), "notes"))
-    end, y = start - 0.0125, place.title + RISE
-    first = end - value * scale.factor
+    end, y = start - GAP, place.title + RISE
+    first = end - length
     marks.append(line([complex(first, y), complex(end, y)], "scale bar"))
     ticks = [(complex(x, y - TICK), complex(x, y + TICK)) for x in (first, end)]
     return [*marks, lines(ticks, "scale bar")]
 
 
-def _head(panel: Panel, place: PanelPlace, pale: str = "") -> list[Mark]:
+def pale(head: list[Mark]) -> list[Mark]:
+    """Return the head before its panel is begun: rule and title, faint and bare."""
+    rule, title, *_ = head
+    return [replace(rule, role="pale rule"), replace(title, role="pale words")]
+
+
+def _head(panel: Panel, place: PanelPlace, size: float) -> list[Mark]:
     left, right = place.drawing.left, place.drawing.right
-    title = bold(roman(panel.title))
     ends = complex(left, place.rule), complex(right, place.rule)
-    return [
-        line(ends, f"{pale}rule"),
-        Mark(Lettering(title, complex(left, place.title), TITLE), f"{pale}words"),
-    ]
+    title = Lettering(bold(roman(panel.title)), complex(left, place.title), size)
+    return [line(ends, "rule"), Mark(title, "words")]
 
 
 def _stated(panel: Panel, value: float) -> Runs:
@@ -65,12 +69,16 @@ def _stated(panel: Panel, value: float) -> Runs:
 
 
 def _fitting(panel: Panel, scale: Scale, room: float) -> tuple[float, Runs]:
-    """Return the value of the scale bar, and as text, so that both fit beside the title."""
-    longest = LONGEST_BAR
+    """Return the value of the scale bar, and as text: the longest that fits beside the title.
+
+    Where none of a length that can be measured fits, the shortest one, and the title gives way.
+    """
+    value = scale_bar(scale.factor, LONGEST_BAR)
     while True:
-        value = scale_bar(scale.factor, longest)
         runs = roman(with_unit(given(value), panel.unit))
-        need = width(runs, SCALE) + value * scale.factor + 0.035
-        if need <= room or longest < SHORTEST_BAR:
+        length = value * scale.factor
+        shorter = scale_bar(scale.factor, 0.9 * length)
+        fits = width(runs, SCALE) + GAP + length + APART <= room
+        if fits or shorter * scale.factor < SHORTEST_BAR:
             return value, runs
-        longest *= 0.6
+        value = shorter

@@ -1,1 +1,1 @@
-"""The pictures in the panels: the mechanism, and vectors laid tip to tail."""
+"""The pictures in the panels: the skeleton of the mechanism, and vectors laid tip to tail."""

@@ -1,0 +1,189 @@
+"""How strokes come about: from where they begin, the pencil at the tip, and never backwards."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from functools import cache
+from itertools import pairwise
+
+import pytest
+
+from tests.plan.snapshots import SCENES, lesson
+from vad.painting.posed import board_of
+from vad.plan.board import Plan
+from vad.plan.growth import Fading, Growth, Scaling, Sliding, Trimming, Turning
+from vad.plan.items import Item
+from vad.plan.marks import Bow, Disc, Lettering, Mark, Polygon, Polyline
+from vad.strokes.sheet import Arrow
+
+EVERY = pytest.mark.parametrize("scene", SCENES)
+SHARES = [k / 8 for k in range(9)]
+NEAR = 1e-9
+
+
+@cache
+def board(scene: str) -> Plan:
+    return board_of(lesson(scene))
+
+
+def growing(scene: str, kind: type[Growth]) -> list[Mark]:
+    return [m for item in board(scene).items for m in item.marks if isinstance(m.growth, kind)]
+
+
+def by_role(items: list[Item], role: str) -> list[Mark]:
+    return [mark for item in items for mark in item.marks if mark.role == role]
+
+
+def strokes(scene: str) -> dict[str, list[Item]]:
+    found: dict[str, list[Item]] = {}
+    for item in board(scene).items:
+        if item.stroke.startswith(f"{item.region}:"):
+            found.setdefault(item.stroke, []).append(item)
+    return found
+
+
+def length(mark: Mark | None) -> float:
+    if mark is None:
+        return 0.0
+    if isinstance(mark.shape, Bow):
+        return abs(math.radians(mark.shape.sweep)) * mark.shape.radius
+    assert isinstance(mark.shape, Polyline)
+    return sum(abs(b - a) for piece in mark.shape.pieces for a, b in pairwise(piece))
+
+
+def first(mark: Mark) -> complex:
+    shape = mark.shape
+    return shape.curve()[0] if isinstance(shape, Bow) else shape.pieces[0][0]
+
+
+def last(mark: Mark) -> complex:
+    shape = mark.shape
+    return shape.curve()[-1] if isinstance(shape, Bow) else shape.pieces[-1][-1]
+
+
+@EVERY
+def test_what_is_drawn_to_the_end_is_as_it_stays(scene: str):
+    for item in board(scene).items:
+        for mark in item.marks:
+            shown = mark.at(1.0)
+            assert shown is not None and shown.alpha == mark.alpha
+            for a, b in zip(points(shown), points(mark), strict=True):
+                assert abs(a - b) < NEAR, (item.stroke, mark.role)
+
+
+def points(mark: Mark) -> list[complex]:
+    match mark.shape:
+        case Polyline(pieces):
+            return [z for piece in pieces for z in piece]
+        case Polygon(rings):
+            return [z for ring in rings for z in ring]
+        case Disc(centre, radius):
+            return [centre, centre + radius]
+        case Bow():
+            return mark.shape.curve()
+        case Lettering(_, at, size):
+            return [at, at + size]
+
+
+@EVERY
+def test_lines_grow_from_their_first_point_and_only_grow(scene: str):
+    for mark in growing(scene, Trimming):
+        shown = [mark.at(share) for share in SHARES]
+        lengths = [length(each) for each in shown]
+        assert shown[0] is None
+        assert lengths == sorted(lengths) and lengths[4] < lengths[-1]
+        assert length(mark) == pytest.approx(lengths[-1])
+        assert all(abs(first(each) - first(mark)) < NEAR for each in shown if each)
+
+
+@EVERY
+def test_the_head_of_a_vector_runs_from_its_tail_to_its_tip(scene: str):
+    heads = 0
+    for panel in board(scene).sheet.panels:
+        for stroke in panel.strokes if panel.picture == "vectors" else ():
+            items = strokes(scene).get(f"{panel.name}:{stroke.name}", [])
+            moving = [m for m in by_role(items, "head") if isinstance(m.growth, Sliding)]
+            if not isinstance(stroke.shape, Arrow) or not moving:
+                continue
+            (head,) = moving
+            (shaft,) = by_role(items, "vector") or by_role(items, "whole")
+            tips = [points(shown)[0] for share in SHARES if (shown := head.at(share))]
+            assert len(tips) == len(SHARES)
+            assert abs(tips[0] - first(shaft)) < NEAR
+            way = tips[-1] - tips[0]
+            for share, tip in zip(SHARES, tips, strict=True):
+                assert abs(tip - (tips[0] + share * way)) < NEAR
+                drawn = shaft.at(share)
+                if drawn:  # the shaft ends within its head
+                    reach = abs(points(head)[0] - points(head)[1])
+                    assert abs(last(drawn) - tip) <= reach
+            heads += 1
+    assert heads
+
+
+@EVERY
+def test_the_pencil_is_at_the_tip_of_what_is_drawn(scene: str):
+    pencils = 0
+    for name, items in strokes(scene).items():
+        moving = [m for m in by_role(items, "pencil") if m.growth]
+        drawn = by_role(items, "construction") + by_role(items, "compass arc")
+        for pencil in moving:
+            (line,) = drawn
+            for share in SHARES[1:]:
+                tip, there = pencil.at(share), line.at(share)
+                assert tip and there and isinstance(tip.shape, Disc)
+                assert abs(tip.shape.centre - last(there)) < 1e-6, (name, share)
+            pencils += 1
+    assert pencils
+
+
+@EVERY
+def test_the_compass_stands_in_its_centre_and_does_not_change_its_span(scene: str):
+    for mark in growing(scene, Turning):
+        if mark.role != "compass leg":
+            continue
+        centre, _, tip = points(mark)
+        for share in SHARES:
+            foot, hinge, end = points(mark.at(share))
+            assert abs(foot - centre) < NEAR
+            assert abs(hinge - foot) == pytest.approx(abs(end - hinge))
+            assert abs(end - foot) == pytest.approx(abs(tip - centre))
+
+
+@EVERY
+def test_the_set_square_lies_along_its_line_at_the_pencil(scene: str):
+    for items in strokes(scene).values():
+        squares, lines = by_role(items, "set square"), by_role(items, "construction")
+        for square in squares:
+            (start, end) = points(lines[0])
+            way = (end - start) / abs(end - start)
+            for share in SHARES:
+                corner, foot, _ = points(square.at(share))[:3]
+                across = [((z - start) * way.conjugate()).imag for z in (corner, foot)]
+                along = sorted(((z - start) * way.conjugate()).real for z in (corner, foot))
+                assert max(map(abs, across)) < 1e-6
+                drawn = share * abs(end - start)
+                assert along[0] - 1e-6 <= drawn <= along[1] + 1e-6
+
+
+@EVERY
+def test_dots_swell_and_blocks_come_out_of_the_ground(scene: str):
+    for mark in growing(scene, Scaling):
+        discs = [mark.at(share).shape for share in SHARES]
+        radii = [disc.radius for disc in discs]
+        assert radii == sorted(radii)
+        assert radii[0] <= 0.2 * radii[-1]
+        assert all(abs(disc.centre - discs[-1].centre) < NEAR for disc in discs)
+    for mark in growing(scene, Fading):
+        alphas = [mark.at(share).alpha for share in SHARES]
+        assert alphas == sorted(alphas)
+        assert (alphas[0], alphas[-1]) == (0.0, 1.0)
+
+
+@pytest.mark.parametrize("sweep", [60.0, -60.0])
+def test_a_turn_to_go_is_counter_clockwise_positive(sweep: float):
+    turned = Mark(Disc(1 + 0j, 0.1), "pencil", growth=Turning(0j, ((0.0, sweep), (1.0, 0.0))))
+    begun = turned.at(0.0)
+    assert begun is not None and isinstance(begun.shape, Disc)
+    assert abs(begun.shape.centre - cmath.rect(1.0, math.radians(sweep))) < NEAR

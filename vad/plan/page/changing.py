@@ -1,0 +1,106 @@
+"""What changes about the panels, and at which beat: heads, equations, results, captions, lights.
+
+In come a sheet on its page and the sketches of its panels, out go items.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from vad.lecture.moment import drawing
+from vad.plan.items import Item, Level
+from vad.plan.layout import Page
+from vad.plan.marks import Mark
+from vad.plan.page.captioning import caption_marks, setter
+from vad.plan.page.foot import Foot, placed
+from vad.plan.page.heads import head, pale
+from vad.plan.page.table import table
+from vad.plan.sketch import Sketch
+from vad.strokes.sheet import Panel, Sheet
+
+
+def heads(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[Item]:
+    """Yield the heads of the panels, faint until they are begun."""
+    for panel in sheet.panels:
+        sketch, place = sketches[panel.name], page.panels[panel.name]
+        begun, region = drawing(sketch.setting.first), f"{panel.name} head"
+        full = head(panel, place, sketch.scale, sketch.setting.centimetre)
+        yield Item("", region, Level.GROUND, tuple(pale(full)), 0, begun)
+        yield Item("", region, Level.GROUND, tuple(full), begun)
+
+
+def equations(
+    sheet: Sheet, page: Page, feet: Mapping[str, Foot], sketches: Mapping[str, Sketch]
+) -> Iterator[Item]:
+    """Yield the equations, in which a term is pale until its stroke is inked."""
+    for panel in sheet.panels:
+        setting, place = sketches[panel.name].setting, page.panels[panel.name]
+        begun, region = drawing(setting.first), f"{panel.name} foot"
+        middle = place.drawing.centre.real
+        for text, term in placed(feet[panel.name], place.equations, middle):
+            row = setting.row(term.link) if term else None
+            if term is None or term.stroke is None:
+                yield Item("", region, Level.LABEL, (Mark(text, "term", row),), begun)
+                continue
+            inked = setting.after(setting.panel.number(term.stroke))
+            name = panel.full(term.stroke)
+            pending = (Mark(text, "pending term", row),)
+            yield Item(name, region, Level.LABEL, pending, begun, inked)
+            yield Item(name, region, Level.LABEL, (Mark(text, "term", row),), inked)
+
+
+def results(
+    sheet: Sheet, page: Page, sketches: Mapping[str, Sketch], key: float, lesson: bool
+) -> Iterator[Item]:
+    """Yield the results: what is given at once, the rest as its stroke measures it."""
+    entries = table(sheet, page, key)
+    yield Item("", "results", Level.GROUND, tuple(entries.frame()))
+    for panel in sheet.panels:
+        setting = sketches[panel.name].setting
+        for index, row in enumerate(sheet.rows):
+            marks = entries.cells(index, row, panel.name, False)
+            cells = row.cells.get(panel.name, ())
+            if all(cell.given for cell in cells):
+                yield Item("", "results", Level.LABEL, tuple(marks))
+                continue
+            number = _revealing(panel, row.key)
+            if number is None:
+                continue
+            since, name = setting.after(number), panel.full(panel.strokes[number].name)
+            if lesson:
+                bold = entries.cells(index, row, panel.name, True)
+                yield Item(name, "results", Level.LABEL, tuple(bold), since, since + 1)
+                since += 1
+            yield Item(name, "results", Level.LABEL, tuple(marks), since)
+
+
+def _revealing(panel: Panel, key: str) -> int | None:
+    """Return the number of the stroke that measures a row."""
+    strokes = enumerate(panel.strokes)
+    return next((number for number, stroke in strokes if key in stroke.reveals), None)
+
+
+def captions(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[Item]:
+    """Yield the captions, each from when its stroke is begun until the next one is."""
+    write = setter(sheet)
+    for panel in sheet.panels:
+        setting = sketches[panel.name].setting
+        for index, stroke in enumerate(panel.strokes):
+            marks = caption_marks(panel, index, write, page)
+            since, name = setting.during(index), panel.full(stroke.name)
+            yield Item(name, "caption", Level.LABEL, tuple(marks), since, since + 2)
+
+
+def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
+    """Yield the light on a link of the mechanism while a vector of it is drawn elsewhere."""
+    for home, sketch in sketches.items():
+        for other, elsewhere in sketches.items():
+            setting = elsewhere.setting
+            for index, stroke in enumerate(setting.panel.strokes):
+                marks = sketch.lights.get(stroke.link or "") if other != home else None
+                if marks:
+                    name, span = (
+                        setting.panel.full(stroke.name),
+                        (setting.during(index), setting.after(index)),
+                    )
+                    yield Item(name, home, Level.GLOW, tuple(marks), *span)
