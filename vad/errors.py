@@ -15,6 +15,9 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 
+#: The most characters of a message, of a value in it, and how many of them are those of its end.
+_LONGEST, _LONGEST_VALUE = (500, 150), (60, 20)
+
 
 class VadError(Exception):
     """Base of all errors of this package.
@@ -22,7 +25,8 @@ class VadError(Exception):
     Parameters
     ----------
     message
-        One line that names the parameter and says what is wrong with it.
+        One line that names the parameter and says what is wrong with it.  Line breaks and control
+        characters of what it quotes are taken out, and of a very long one the middle.
     hint
         One line that says what would work, where that can be said.
 
@@ -34,8 +38,8 @@ class VadError(Exception):
     """
 
     def __init__(self, message: str, hint: str | None = None) -> None:
-        super().__init__(message)
-        self.hint = hint
+        super().__init__(one_line(message))
+        self.hint = None if hint is None else one_line(hint)
 
 
 class InputError(VadError):
@@ -58,8 +62,10 @@ class ExportError(VadError):
     """A file or folder that cannot be written."""
 
 
-def unknown(what: str, given: str, known: Iterable[str]) -> UsageError:
-    """Return the error for a name that is not one of ``known``, with the nearest as a hint.
+def unknown(what: str, given: object, known: Iterable[str]) -> UsageError:
+    """Return the error for a name that is not one of ``known``.
+
+    The hint has the names that begin like it, or else the nearest one.
 
     Examples
     --------
@@ -67,7 +73,65 @@ def unknown(what: str, given: str, known: Iterable[str]) -> UsageError:
     >>> print(error, "-", error.hint)
     unknown mechanism 'slidercrank' - did you mean 'slider-crank'?
     """
+    names = {name.lstrip("-"): name for name in known}  # dashes make no option like another
+    text = given.lower().lstrip("-") if isinstance(given, str) else ""
+    near = [name for name in names if text and name.startswith(text)]
+    near = near or difflib.get_close_matches(text, names, n=1, cutoff=0.5)
+    if near:
+        hint = "did you mean " + " or ".join(f"'{names[name]}'" for name in near) + "?"
+    else:
+        hint = "known: " + ", ".join(names.values())
+    return UsageError(f"unknown {what} {shown(given)}", hint)
+
+
+def one_of(what: str, given: object, known: Iterable[str]) -> str:
+    """Return ``given`` if it is one of ``known`` names.
+
+    Raises
+    ------
+    UsageError
+        If it is not.
+
+    Examples
+    --------
+    >>> one_of("style", "chalk", ["chalk", "paper"])
+    'chalk'
+    """
     names = list(known)
-    nearest = difflib.get_close_matches(given.lower(), names, n=1, cutoff=0.5)
-    hint = f"did you mean '{nearest[0]}'?" if nearest else "known: " + ", ".join(names)
-    return UsageError(f"unknown {what} '{given}'", hint=hint)
+    if not isinstance(given, str) or given not in names:
+        raise unknown(what, given, names)
+    return given
+
+
+def shown(value: object) -> str:
+    """Return a value as a message quotes it: a long one without its middle.
+
+    Examples
+    --------
+    >>> shown("6_"), shown(10**80), shown(10**5000)
+    ("'6_'", '1000000000000000000000000000000000000000…0000000000000000000', 'an int')
+    """
+    try:
+        text = f"'{value}'" if isinstance(value, str) else repr(value)
+    except Exception:  # of a class that cannot say what it is, or digits beyond Python's limit
+        name = type(value).__name__
+        text = f"an {name}" if name[0] in "aeiou" else f"a {name}"
+    return _without_middle(text, *_LONGEST_VALUE)
+
+
+def one_line(text: str) -> str:
+    r"""Return a message on one line, without control characters, and not as long as a book.
+
+    Examples
+    --------
+    >>> one_line("four\nbar\x1b[31m")
+    'four bar?[31m'
+    """
+    text = _without_middle(" ".join(text.split()), *_LONGEST)
+    return "".join(each if each.isprintable() else "?" for each in text)
+
+
+def _without_middle(text: str, most: int, end: int) -> str:
+    if len(text) <= most:
+        return text
+    return f"{text[: most - end]}…{text[len(text) - end + 1 :]}"

@@ -12,7 +12,7 @@ from decimal import Decimal
 from functools import cache
 from typing import TYPE_CHECKING
 
-from vad.errors import UsageError
+from vad.errors import UsageError, shown
 
 if TYPE_CHECKING:
     from pint import UnitRegistry
@@ -62,6 +62,8 @@ rpm = turn / minute
 rps = turn / second
 """.strip().splitlines()
 
+#: Longer texts are no numbers, and no units: to read them takes the square of their length.
+_LONGEST, _LONGEST_UNIT = 1000, 60
 _WRITTEN = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([^\W\d_].*?|°.*?)\s*")
 _POWER = r"(?:(?:\^|\*\*)-?[1-3]|⁻?[¹²³])?"
 _NAME = rf"(?:[^\W\d_]+|°){_POWER}"
@@ -110,9 +112,9 @@ def read(text: str, quantity: str, length_unit: str = "mm") -> float:
     try:
         return float(text)
     except ValueError:
-        written = _WRITTEN.fullmatch(text)
+        written = _WRITTEN.fullmatch(text) if len(text) <= _LONGEST else None
     if written is None:
-        raise UsageError(f"'{text}' is not a number", hint=_example(text, quantity))
+        raise UsageError(f"{shown(text)} is not a number", hint=_example(text, quantity))
     number, unit = written.groups()
     factor = _factor(unit, quantity, length_unit)
     value = float(number)
@@ -149,8 +151,9 @@ def check_length_unit(name: str) -> str:
 def _factor(unit: str, quantity: str, length_unit: str, written: str | None = None) -> Decimal:
     """Return how many of the scene's unit make one ``unit``, which was given as ``written``."""
     what, examples = _WORDS[quantity]
-    wrong = UsageError(f"'{unit if written is None else written}' is not {what}", f"try {examples}")
-    if not _UNIT.fullmatch(unit):
+    name = shown(unit if written is None else written)
+    wrong = UsageError(f"{name} is not {what}", f"try {examples}")
+    if len(unit) > _LONGEST_UNIT or not _UNIT.fullmatch(unit):
         raise wrong
     from pint.errors import PintError
 

@@ -31,6 +31,7 @@ def complaint(result, code):
         ("draw four-bar --panels velcity -o a.png", "velocity"),
         ("draw four-bar --panels position,velcity -o a.png", "velocity"),
         ("draw four-bar --style chlak -o a.png", "chalk"),
+        ("draw four-bar --omega 3 --ou x.png", "--output"),
         ("list --jsn", "--json"),
         ("--versoin", "--version"),
     ],
@@ -74,6 +75,11 @@ def test_a_misspelt_word_is_answered_with_the_nearest(vad, words, nearest):
         ("sweep four-bar -o x.csv --steps 1000001", "--steps: must be from 2 to 1000000"),
         ("sweep four-bar -o x.csv --from 7 --to 7", "--from, --to: 7 to 7 is no range"),
         ("sweep four-bar -o x.csv --to inf", "--from, --to: 0 to inf is no range"),
+        ("animate four-bar -o x.png --still 99", "--still: there is no step 99: the lesson has"),
+        ("animate four-bar -o x.png --still one", "--still: 'one' is not a step"),
+        ("animate four-bar -o x.png --still velocty:1", "--still: unknown panel 'velocty'"),
+        ("animate four-bar -o x.png --still " + "9" * 5000, "--still: there is no step 999"),
+        ("animate four-bar -o x.srt --speed 1000 --fps 1", "no caption stands as long as a frame"),
         ("list four-bar", "unexpected extra argument"),
         ("four-bar", "unknown command 'four-bar'"),
     ],
@@ -103,6 +109,49 @@ def test_a_length_that_cannot_be(vad, word):
 def test_an_input_that_is_not_finite(vad, name, word):
     error, _ = complaint(vad("solve", "four-bar", f"--{name}", word), 1)
     assert error.startswith(f"{name}: must be a finite number")
+
+
+def test_an_option_like_no_other_is_answered_with_all(vad):
+    _, hint = complaint(vad("draw", "four-bar", "--fps", "3", "-o", "x.png"), 2)
+    assert hint.startswith("known: --")
+    assert "--panels" in hint
+
+
+@pytest.mark.parametrize("given", ["--rod 100", "--ram-height 180"])
+def test_a_ram_takes_two_options(vad, given):
+    _, hint = complaint(vad("solve", "crank-slotted-lever", *given.split()), 1)
+    assert hint == "as in --rod 100 --ram-height 180"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["solve", "four-bar", "--crank", "9" * 130_000 + "x"],
+        ["solve", "x" * 130_000],
+        ["x" * 130_000],
+        ["solve", "four-bar", "--" + "x" * 130_000],
+        ["animate", "four-bar", "-o", "a.mp4", "--fps", "x" * 130_000],
+        ["animate", "four-bar", "-o", "a.png", "--still", "x" * 130_000],
+        ["draw", "four-bar", "-o", "x" * 130_000],
+    ],
+    ids=["number", "mechanism", "command", "option", "rate", "step", "file"],
+)
+def test_a_word_as_long_as_a_book_is_not_said_in_full(vad, words):
+    result = vad(*words)
+    assert result.code in (1, 2)
+    assert all(len(line) < 520 for line in result.err.splitlines())
+
+
+def test_the_root_of_all_folders_is_no_film(vad):
+    error, _ = complaint(vad("animate", "scotch-yoke", "-o", "/"), 1)
+    assert "'/'" in error
+
+
+def test_a_matplotlibrc_that_cannot_be_read_is_named(process, tmp_path):
+    (tmp_path / "matplotlibrc").write_bytes(b"font.family: \xff\n")
+    result = process("sweep", "scotch-yoke", "-o", "a.png", cwd=tmp_path)
+    error, _ = complaint(result, 1)
+    assert "matplotlibrc" in error
 
 
 def test_links_that_do_not_close(vad):

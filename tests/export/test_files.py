@@ -5,6 +5,7 @@ import shutil
 import signal
 import stat
 import threading
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -284,3 +285,106 @@ class TestInterrupts:
         thread.start()
         thread.join()
         assert Path("a.bin").read_bytes() == b"threaded"
+
+
+class TestLeftovers:
+    """What a killed process left is swept an hour later, and nothing else."""
+
+    PART = ".vad-0123abcd.part"
+
+    @staticmethod
+    def aged(path: Path, hours: float) -> None:
+        then = time.time() - 3600 * hours
+        os.utime(path, (then, then), follow_symlinks=False)
+
+    @pytest.mark.parametrize("kind", ["file", "folder", "link"])
+    @pytest.mark.parametrize("make", [files.new_file, lambda path: files.new_folder(path, ours)])
+    def test_an_old_part_is_swept(
+        self, folder: Path, kind: str, make: Callable[[str], Any]
+    ) -> None:
+        part, precious = folder / self.PART, folder / "thesis"
+        precious.mkdir()
+        fill(precious)
+        if kind == "file":
+            part.write_bytes(b"half")
+        elif kind == "folder":
+            part.mkdir()
+            fill(part)
+        else:
+            part.symlink_to(precious)
+        self.aged(part, 1.1)
+        with make("made"):
+            pass
+        assert sorted(os.listdir()) == ["made", "thesis"]
+        assert (precious / "ours").read_text() == "new"
+
+    @pytest.mark.parametrize(
+        "name",
+        [".vad-0123abcd.old", ".vad-0123abcd.part~", ".vad-zzzzzzzz.part", "x.part", ".vad-1.part"],
+    )
+    def test_nothing_of_another_name(self, folder: Path, name: str) -> None:
+        Path(name).touch()
+        self.aged(Path(name), 1000)
+        with files.new_file("made"):
+            pass
+        assert sorted(os.listdir()) == sorted([name, "made"])
+
+    def test_what_is_still_being_written_stays(self, folder: Path) -> None:
+        with files.new_file("one") as stream:
+            self.aged(Path(stream.name), 0.9)
+            with files.new_file("two"):
+                pass
+            stream.write(b"whole")
+        assert Path("one").read_bytes() == b"whole"
+
+    def test_a_part_that_cannot_be_removed_hinders_nobody(
+        self, folder: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        Path(self.PART).touch()
+        self.aged(Path(self.PART), 2)
+
+        def refuse(path: str | Path) -> None:
+            if Path(path).name == self.PART:
+                raise PermissionError(1, "Operation not permitted")
+
+        monkeypatch.setattr(os, "unlink", refuse)
+        with files.new_file("made"):
+            pass
+        assert sorted(os.listdir()) == [self.PART, "made"]
+
+
+def test_a_file_is_on_the_disk_before_it_takes_its_place(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seen: list[tuple[str, int, int]] = []
+    sync, replace = os.fsync, os.replace
+
+    def synced(descriptor: int) -> None:
+        found = os.fstat(descriptor)
+        seen.append(("sync", found.st_ino, found.st_size))
+        sync(descriptor)
+
+    def replaced(source: Path, target: Path) -> None:
+        found = os.stat(source)
+        seen.append(("replace", found.st_ino, found.st_size))
+        replace(source, target)
+
+    monkeypatch.setattr(os, "fsync", synced)
+    monkeypatch.setattr(os, "replace", replaced)
+    with files.new_file("a.bin") as stream:
+        stream.write(b"whole")
+    inode = os.stat("a.bin").st_ino
+    assert seen == [("sync", inode, 5), ("replace", inode, 5)]
+
+
+def test_a_loop_of_links_is_not_replaced(folder: Path) -> None:
+    Path("a.bin").symlink_to("b.bin")
+    Path("b.bin").symlink_to("a.bin")
+    with pytest.raises(ExportError, match=r"'a\.bin' is a link that leads to itself"):
+        files.new_file("a.bin").__enter__()
+    assert Path("a.bin").is_symlink()
+
+
+def test_the_root_is_no_folder_to_be_replaced() -> None:
+    with pytest.raises(ExportError, match="'/' is the root"):
+        files.new_folder("/", ours).__enter__()

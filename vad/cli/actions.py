@@ -64,12 +64,20 @@ def animate(
     sheet = vad.draw(vad.solve(mechanism, **inputs), **options)
     lesson = vad.animate(sheet, **timing)
     if still is not None:
-        vad.save(vad.still(lesson, still), output)
+        vad.save(_still(lesson, still), output)
         written(output)
         return
     with progress(output) as moved:
         vad.save(lesson, output, beside=SUBTITLES if subtitles else (), progress=moved)
     written(output, f"{lesson.duration:.1f} s, {lesson.frames} frames")
+
+
+def _still(lesson: Lesson, step: str) -> Still:
+    """Return one step; what is wrong with its name is said of the option."""
+    try:
+        return vad.still(lesson, step)
+    except UsageError as error:
+        raise UsageError(f"--still: {error}", error.hint) from None
 
 
 def _turn(mechanism: Mechanism, inputs: Inputs, output: str, **options: Any) -> None:

@@ -28,10 +28,12 @@ class HelpfulCommand(click.Command):
         try:
             return super().parse_args(ctx, args)
         except click.NoSuchOption as error:
-            # click takes -crank for -c -r …; the word as it was written is more use.
-            word = next((w for w in words if w.startswith(error.option_name)), error.option_name)
-            names = [name for option in self.get_params(ctx) for name in option.opts]
-            raise unknown("option", word.partition("=")[0], names) from None
+            name = error.option_name
+            if not name.startswith("--"):
+                # click takes -crank for -c -r …; the word as it was written is more use.
+                name = next((word for word in words if word.startswith(name)), name)
+            names = [each for option in self.get_params(ctx) for each in option.opts]
+            raise unknown("option", name.partition("=")[0], names) from None
 
 
 class MechanismGroup(click.Group):

@@ -33,3 +33,5 @@ def main() -> int:
         process.abandon_stdout()
         process.say(f"error: cannot write: {error.strerror or error}")
         return 1
+    finally:
+        process.be_done()

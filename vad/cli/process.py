@@ -6,14 +6,27 @@ import contextlib
 import os
 import signal
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
 from types import FrameType
 
 _SIGNALS = [
     getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
 ]
-_received: list[int] = []
 # The exit code of a program whose reader has gone away, as a shell reports it.
 BROKEN_PIPE = 128 + 13
+
+
+@dataclass
+class _Heard:
+    """The signals that came, and whether they wait for `check_interrupt`."""
+
+    received: list[int] = field(default_factory=list)
+    held_back: bool = False
+
+
+_heard = _Heard()
 
 
 class Interrupted(BaseException):
@@ -27,10 +40,10 @@ class Interrupted(BaseException):
 def check_interrupt() -> None:
     """Raise `Interrupted` if a signal came.
 
-    A library in the midst of its own initialisation may have made another error of it.
+    It may have been held back, or a library may have made another error of it.
     """
-    if _received:
-        raise Interrupted(_received[0])
+    if _heard.received:
+        raise Interrupted(_heard.received[0])
 
 
 def say(line: str) -> None:
@@ -55,6 +68,8 @@ def open_standard_streams() -> None:
 def quieten() -> None:
     """Keep libraries from writing to stderr, unless Python was asked for warnings.
 
+    Nor does Python itself, where a signal comes while it tidies up after an import.
+
     Nothing is shown in a window, whatever the user's own programs are set to.
     """
     import logging
@@ -64,20 +79,50 @@ def quieten() -> None:
     logging.getLogger().addHandler(logging.NullHandler())
     if not sys.warnoptions:
         warnings.simplefilter("ignore")
+    sys.unraisablehook = _complain
+
+
+def _complain(lost: sys.UnraisableHookArgs) -> None:
+    """Show what went wrong where nobody can catch it; `check_interrupt` remembers a signal."""
+    if not isinstance(lost.exc_value, Interrupted):
+        sys.__unraisablehook__(lost)
 
 
 def raise_on_signals() -> None:
-    """Turn the signals that this process does not ignore into `Interrupted`."""
+    """Turn the first of the signals that this process does not ignore into `Interrupted`.
+
+    Later ones do nothing, so that they do not disturb the clearing up.  They have a handler all the
+    same: Python complains of one that is pending when it is set to be ignored.
+    """
 
     def stop(number: int, _frame: FrameType | None) -> None:
-        for other in caught:
-            signal.signal(other, signal.SIG_IGN)  # nothing may disturb the clearing up
-        _received.append(number)
-        raise Interrupted(number)
+        first = not _heard.received
+        _heard.received.append(number)
+        if first and not _heard.held_back:
+            raise Interrupted(number)
 
-    caught = [each for each in _SIGNALS if signal.getsignal(each) is not signal.SIG_IGN]
-    for each in caught:
-        signal.signal(each, stop)
+    for each in _SIGNALS:
+        if signal.getsignal(each) is not signal.SIG_IGN:
+            signal.signal(each, stop)
+
+
+@contextmanager
+def signals_held_back() -> Iterator[None]:
+    """Let signals wait for the next `check_interrupt`, of which the last is the end of the block.
+
+    For work with threads: an exception that comes out of nowhere can leave a lock taken for ever.
+    """
+    _heard.held_back = True
+    try:
+        yield
+        check_interrupt()
+    finally:
+        _heard.held_back = False
+
+
+def be_done() -> None:
+    """Let signals do nothing from now on: Python is about to end this process."""
+    _heard.held_back = True
 
 
 def abandon_stdout() -> None:

@@ -9,22 +9,35 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vad.cli.process import check_interrupt, signals_held_back
+
 if TYPE_CHECKING:
     from vad.export.source import Progress
 
 
 @contextmanager
-def progress(what: str) -> Iterator[Progress | None]:
-    """Show a bar on stderr if that is a terminal; yield what moves it, or None."""
-    if sys.stderr is None or not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import Progress as Bar
+def progress(what: str) -> Iterator[Progress]:
+    """Yield what a film calls after each frame: it obeys signals, and on a terminal moves a bar."""
 
-    with Bar(console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task(what, total=None)
-        yield lambda done, total: bar.update(task, completed=done, total=total)
+    def obey(_done: int, _total: int) -> None:
+        check_interrupt()
+
+    with signals_held_back():
+        if sys.stderr is None or not sys.stderr.isatty():
+            yield obey
+            return
+        from rich.console import Console
+        from rich.markup import escape
+        from rich.progress import Progress as Bar
+
+        with Bar(console=Console(stderr=True), transient=True) as bar:
+            task = bar.add_task(escape(what), total=None)
+
+            def move(done: int, total: int) -> None:
+                obey(done, total)
+                bar.update(task, completed=done, total=total)
+
+            yield move
 
 
 def written(path: str, details: str = "") -> None:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import click
 
 from vad.cli.process import check_interrupt, say
-from vad.errors import UsageError, VadError
+from vad.errors import UsageError, VadError, one_line
 
 
 def run(arguments: Sequence[str]) -> int:
@@ -38,11 +38,14 @@ def run(arguments: Sequence[str]) -> int:
         if error.filename is None:
             raise  # standard output, which is the affair of the process
         return _report(f"'{os.fsdecode(error.filename)}': {error.strerror}")
+    except UnicodeDecodeError:  # of no file but that one, which comes with no name
+        return _report("a matplotlibrc, here or in your home folder, is not UTF-8")
     except Exception as error:
         if os.environ.get("VAD_DEBUG"):
             raise
         problem = f"{type(error).__name__}: {error}"
         return _report(f"internal fault ({problem})", "VAD_DEBUG=1 shows where it happened")
+    check_interrupt()
     return 0
 
 
@@ -63,12 +66,7 @@ def _in_words(error: click.ClickException) -> tuple[str, str | None]:
 
 def _report(message: str, hint: str | None = None, exit_code: int = 1) -> int:
     check_interrupt()
-    say(_one_line(f"error: {message}"))
+    say(f"error: {one_line(message)}")
     if hint:
-        say(_one_line(f"hint: {hint}"))
+        say(f"hint: {one_line(hint)}")
     return exit_code
-
-
-def _one_line(text: str) -> str:
-    """Return ``text`` without line breaks and control characters, which a name may hold."""
-    return "".join(c if c.isprintable() else "?" for c in " ".join(text.split()))

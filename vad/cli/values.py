@@ -11,8 +11,8 @@ from typing import Any
 
 import click
 
-from vad import units
-from vad.errors import UsageError, unknown
+from vad import errors, units
+from vad.errors import UsageError, shown
 
 Callback = Callable[[click.Context, click.Parameter, Any], Any]
 
@@ -36,7 +36,7 @@ def length_unit() -> Callback:
 
 def one_of(what: str, names: Collection[str]) -> Callback:
     """Read one of a few names; a misspelt one is answered with the nearest."""
-    return _callback(lambda word, _: _known(what, word, names))
+    return _callback(lambda word, _: errors.one_of(what, word, names))
 
 
 def several(what: str, names: Collection[str]) -> Callback:
@@ -44,7 +44,7 @@ def several(what: str, names: Collection[str]) -> Callback:
 
     def names_of(words: tuple[str, ...], _: click.Context) -> tuple[str, ...]:
         parts = [part.strip() for word in words for part in word.split(",")]
-        return tuple(dict.fromkeys(_known(what, part, names) for part in parts))
+        return tuple(dict.fromkeys(errors.one_of(what, part, names) for part in parts))
 
     return _callback(names_of)
 
@@ -55,7 +55,7 @@ def size() -> Callback:
     def size_of(word: str, _: click.Context) -> tuple[int, int]:
         numbers = re.fullmatch(r"\s*(\d{1,9})\s*[x×X*]\s*(\d{1,9})\s*", word)
         if numbers is None:
-            raise UsageError(f"'{word}' is not a size", hint="as in 1280x720")
+            raise UsageError(f"{shown(word)} is not a size", hint="as in 1280x720")
         return int(numbers[1]), int(numbers[2])
 
     return _callback(size_of)
@@ -85,9 +85,3 @@ def _callback(read: Callable[[Any, click.Context], Any]) -> Callback:
             raise UsageError(f"{param.opts[0]}: {error}", error.hint) from None
 
     return called
-
-
-def _known(what: str, name: str, names: Collection[str]) -> str:
-    if name not in names:
-        raise unknown(what, name, names)
-    return name

@@ -12,7 +12,8 @@ when ``write`` returns.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
 from contextlib import ExitStack
 from importlib import import_module
 from inspect import signature
@@ -20,7 +21,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, Unpack
 
-from vad.errors import UsageError
+from vad.errors import UsageError, shown
 from vad.export import files
 from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
     from vad.export.source import Progress
 
 FOLDER = "/"
+_BESIDE = 'as in (".srt", ".vtt")'
 
 #: What can be saved as what: extension -> module, which is imported when it is used.
 FORMATS: dict[type, dict[str, str]] = {
@@ -115,7 +117,7 @@ def save(
     module = import_module(FORMATS[type(thing)][extension])
     _check_options(module, extension, options)
     with ExitStack() as stack:
-        for other in (Path(path).with_suffix(each) for each in beside):
+        for other in _beside(path, beside):
             writer = import_module(FORMATS[type(thing)][format_of(type(thing), other)])
             writer.write(thing, stack.enter_context(files.new_file(other)))
         if extension == FOLDER:
@@ -125,12 +127,28 @@ def save(
         module.write(thing, target, **options)
 
 
-def _check_options(module: ModuleType, extension: str, options: Iterable[str]) -> None:
-    """Raise `vad.errors.UsageError` for an option that a format does not have."""
+def _beside(path: str | os.PathLike[str], extensions: Iterable[str]) -> list[Path]:
+    """Return the further files of the same name."""
+    if isinstance(extensions, str) or not isinstance(extensions, Iterable):
+        raise UsageError(f"beside: must be extensions, got {shown(extensions)}", _BESIDE)
+    others = []
+    for each in extensions:
+        if not isinstance(each, str) or not re.fullmatch(r"\.\w+", each):
+            raise UsageError(f"beside: must be extensions, got {shown(each)}", _BESIDE)
+        folder, name = os.path.split(os.path.splitext(os.fspath(path).rstrip("/"))[0])
+        others.append(Path(folder, name + each))
+    return others
+
+
+def _check_options(module: ModuleType, extension: str, options: Mapping[str, object]) -> None:
+    """Raise `vad.errors.UsageError` for an option that a format does not have, or cannot call."""
     known = set(signature(module.write).parameters)
     for name in options:
         if name not in known:
             raise UsageError(f"{name}: {_named(extension)} has no such option")
+    progress = options.get("progress")
+    if progress is not None and not callable(progress):
+        raise UsageError(f"progress: must be a function, got {shown(progress)}")
 
 
 def format_of(kind: type, path: str | os.PathLike[str]) -> str:
@@ -148,16 +166,17 @@ def format_of(kind: type, path: str | os.PathLike[str]) -> str:
     """
     if kind not in FORMATS:
         raise UsageError(f"a {kind.__name__} cannot be saved", hint="draw or animate it first")
-    if not isinstance(path, str | os.PathLike):
-        raise UsageError(f"path: must be the name of a file, got {path!r}")
-    formats, text = FORMATS[kind], os.fspath(path)
+    text = os.fspath(path) if isinstance(path, str | os.PathLike) else None
+    if not isinstance(text, str):
+        raise UsageError(f"path: must be the name of a file, got {shown(path)}")
+    formats = FORMATS[kind]
     extension = Path(text).suffix.lower()
     named_as_folder = text.endswith(("/", os.sep)) or extension == ""
-    if named_as_folder or (extension not in formats and Path(text).is_dir()):
+    if named_as_folder or (extension not in formats and os.path.isdir(text)):
         extension = FOLDER
     if extension in formats:
         return extension
-    raise UsageError(f"{_NAMES[kind]} cannot be saved as '{text}'", hint=_what_works(kind))
+    raise UsageError(f"{_NAMES[kind]} cannot be saved as {shown(text)}", hint=_what_works(kind))
 
 
 def _what_works(kind: type) -> str:

@@ -1,24 +1,31 @@
 """Files and folders that appear whole or not at all.
 
 In comes a path, out goes a stream or an empty folder beside it; when the caller has filled it, it
-takes the path's place in one step.  Until then whatever stood there stays as it was, and after any
-exception, an interrupt too, nothing half-written remains.  Signals are the program's own affair:
-one that it turns into an exception, as the command line does, leaves nothing behind either.
+takes the path's place in one step, a file not before it is on the disk.  Until then whatever stood
+there stays as it was, and after any exception, an interrupt too, nothing half-written remains.
+Signals are the program's own affair: one that it turns into an exception, as the command line does,
+leaves nothing behind either.  What a program leaves that is killed outright is swept when the next
+file is made in the same folder.
 """
 
 from __future__ import annotations
 
 import contextlib
 import os
+import re
 import secrets
 import shlex
 import shutil
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import BinaryIO
 
 from vad.errors import ExportError
+
+#: What is in the making, and for how long it may stand untouched.
+_PART, _HOUR = re.compile(r"\.vad-[0-9a-f]{8}\.part"), 3600.0
 
 
 @contextmanager
@@ -57,8 +64,11 @@ def new_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
         part.unlink(missing_ok=True)
 
     with _explained(path), _cleared_up(clear):
+        _sweep(final.parent)
         with open(part, "x+b") as stream:
             yield stream
+            stream.flush()
+            os.fsync(stream.fileno())
         if final.exists():
             shutil.copymode(final, part)
         os.replace(part, final)
@@ -93,6 +103,7 @@ def new_folder(path: str | os.PathLike[str], replaceable: Callable[[Path], bool]
 
     with _explained(path), _cleared_up(clear):
         _check_folder(path, final, replaceable)
+        _sweep(final.parent)
         part.mkdir()
         yield part
         _check_folder(path, final, replaceable)
@@ -113,13 +124,37 @@ def _cleared_up(clear: Callable[[], None]) -> Iterator[None]:
         clear()
 
 
+def _sweep(folder: Path) -> None:
+    """Remove from ``folder`` what a process that was killed has begun and left.
+
+    Whoever still writes has touched its part within the hour.
+    """
+    long_ago = time.time() - _HOUR
+    with contextlib.suppress(OSError), os.scandir(folder) as entries:
+        for entry in entries:
+            if not _PART.fullmatch(entry.name):
+                continue
+            with contextlib.suppress(OSError):
+                if entry.stat(follow_symlinks=False).st_mtime > long_ago:
+                    continue
+                if entry.is_dir(follow_symlinks=False):
+                    shutil.rmtree(entry.path)
+                else:
+                    os.unlink(entry.path)
+
+
 def _place(path: str | os.PathLike[str]) -> Path:
     """Return where ``path`` really is (behind links), in a folder that can be written."""
     try:
         final = Path(os.path.realpath(path))
         final.exists()
     except (OSError, ValueError) as error:  # a name too long, or with a zero byte in it
-        raise ExportError(f"'{path}' cannot be a file: {error}") from None
+        reason = str(getattr(error, "strerror", error)).lower()
+        raise ExportError(f"'{path}' cannot be a file: {reason}") from None
+    if final.is_symlink():
+        raise ExportError(f"'{path}' is a link that leads to itself")
+    if not final.name:
+        raise ExportError(f"'{path}' is the root of all folders", hint="name a folder of its own")
     folder, shown = final.parent, Path(path).parent
     if not folder.exists():
         hint = f"create it first: mkdir -p {shlex.quote(str(shown))}"

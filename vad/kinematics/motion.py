@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Generic, Unpack, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.errors import InputError, unknown
+from vad.errors import InputError, one_of, shown, unknown
 from vad.kinematics.numbers import Real, Truth, Vector
 from vad.kinematics.results.inputs import ManyPoses, OnePose, checked
 from vad.kinematics.results.report import plain, table, units
@@ -51,14 +51,13 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
     >>> round(motion.slide("slider").velocity, 6)
     -490.028085
     """
-    if not hasattr(mechanism, "linkage"):
+    if not hasattr(mechanism, "linkage") or isinstance(mechanism, type):
         raise InputError(
-            f"mechanism: must be a mechanism with its dimensions, got {mechanism!r}",
+            f"mechanism: must be a mechanism with its dimensions, got {shown(mechanism)}",
             hint="for example vad.FourBar()",
         )
     for name in inputs:
-        if name not in mechanism.inputs:
-            raise unknown("input", name, mechanism.inputs)
+        one_of("input", name, mechanism.inputs)
     solver = solver_of(mechanism)
     turns = solver.linkage.driver.kind == "angle"
     # Beyond this, squares of rates times lengths would leave the range of double precision.
@@ -85,19 +84,17 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
         vad.errors.UsageError
             For a name that the mechanism does not have.
         """
-        if name not in self.solver.links:
+        if not isinstance(name, str) or name not in self.solver.links:
             raise unknown("link", name, self.links)
         return Link(self, name)
 
     def point(self, letter: str) -> Point[Vector]:
         """Return the motion of a point."""
-        if letter not in self.points:
-            raise unknown("point", letter, self.points)
-        return Point(self, letter)
+        return Point(self, one_of("point", letter, self.points))
 
     def slide(self, name: str) -> Slider[Real]:
         """Return the motion of a slide."""
-        if name not in self.solver.slides:
+        if not isinstance(name, str) or name not in self.solver.slides:
             raise unknown("slide", name, self.slides)
         return Slider(self, name)
 

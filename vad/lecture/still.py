@@ -6,11 +6,16 @@ In come a lesson and the number of a step, out goes a `Still`.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from operator import index
+from typing import Any
 
-from vad.errors import UsageError, unknown
+from vad.errors import UsageError, one_of, shown
 from vad.lecture.lesson import Lesson
 from vad.lecture.moment import Moment, done
 from vad.strokes.sheet import Sheet
+
+#: More of them are too many steps, and with very many Python makes no number of them.
+_DIGITS = 9
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,17 +71,29 @@ def still(lesson: Lesson, step: int | str) -> Still:
     vad.errors.UsageError
         If there is no such step.
     """
-    panel, colon, number = str(step).rpartition(":")
+    if not isinstance(lesson, Lesson):
+        raise UsageError(f"lesson: must be what vad.animate returns, got {shown(lesson)}")
+    panel, colon, number = step.rpartition(":") if isinstance(step, str) else ("", "", step)
     places: dict[str, list[int]] = {
         name: [i for i, each in enumerate(lesson.steps, 1) if each.panel.name == name]
         for name in (each.name for each in lesson.sheet.panels)
     }
-    if colon and panel not in places:
-        raise unknown("panel", panel, places)
-    steps = places[panel] if colon else list(range(1, len(lesson.steps) + 1))
+    steps = places[one_of("panel", panel, places)] if colon else range(1, len(lesson.steps) + 1)
     where = f"the {panel} panel" if colon else "the lesson"
-    if not number.strip().isdecimal():
-        raise UsageError(f"'{step}' is not a step", hint="as in 4 or velocity:4")
-    if not 1 <= int(number) <= len(steps):
-        raise UsageError(f"there is no step {number}: {where} has {len(steps)}, from 1 on")
-    return Still(lesson, steps[int(number) - 1])
+    place = _place(number)
+    if place is None:
+        raise UsageError(f"{shown(step)} is not a step", hint="as in 4 or velocity:4")
+    if not 1 <= place <= len(steps):
+        got = shown(number).strip("'")
+        raise UsageError(f"there is no step {got}: {where} has {len(steps)}, from 1 on")
+    return Still(lesson, steps[place - 1])
+
+
+def _place(number: Any) -> int | None:
+    """Return the number of a step, or None for what is none."""
+    if isinstance(number, str):
+        return int(number.strip()[:_DIGITS]) if number.strip().isdecimal() else None
+    try:
+        return None if isinstance(number, bool) else index(number)
+    except TypeError:
+        return None

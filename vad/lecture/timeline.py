@@ -5,9 +5,11 @@ In comes a sheet, out goes a `Lesson` in whole frames.
 
 from __future__ import annotations
 
+import contextlib
 import math
+from numbers import Real
 
-from vad.errors import UsageError
+from vad.errors import UsageError, shown
 from vad.lecture.lesson import Lesson, Step
 from vad.strokes.sheet import Arc, Arrow, Line, Panel, Sheet, Stroke
 
@@ -62,8 +64,8 @@ def animate(
         If a value is out of its range.
     """
     if not isinstance(sheet, Sheet):
-        raise UsageError(f"sheet: must be what vad.draw returns, got {sheet!r}")
-    check(fps, size, speed)
+        raise UsageError(f"sheet: must be what vad.draw returns, got {shown(sheet)}")
+    fps, size, speed = checked(fps, size, speed, style)
 
     def count(seconds: float) -> int:
         return max(1, round(seconds / speed * fps))
@@ -80,9 +82,7 @@ def animate(
             clock += grow + hold
             last = round(clock / speed * fps)
             steps.append(_step(panel, index, first, grown, last))
-    return Lesson(
-        sheet, tuple(steps), count(OPENING), count(CLOSING), fps, (size[0], size[1]), style
-    )
+    return Lesson(sheet, tuple(steps), count(OPENING), count(CLOSING), fps, size, style)
 
 
 def _step(panel: Panel, index: int, first: int, grown: int, last: int) -> Step:
@@ -112,38 +112,57 @@ def _length(stroke: Stroke) -> float:
     return 0.0
 
 
-def check(fps: float, size: tuple[int, int], speed: float) -> None:
-    """Raise `vad.errors.UsageError` for a film that cannot be."""
-    _check_number("fps", fps, FPS, "try --fps 30")
-    _check_number("speed", speed, SPEED, "try --speed 1")
-    check_size(size)
+def checked(
+    fps: float, size: tuple[int, int], speed: float, style: str
+) -> tuple[float, tuple[int, int], float]:
+    """Return rate, size and speed of a film as plain numbers.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        For a film that cannot be; what styles there are is known only where it is painted.
+    """
+    if not isinstance(style, str):
+        raise UsageError(f"style: must be the name of a style, got {shown(style)}")
+    return (
+        _number("fps", fps, FPS, "try --fps 30"),
+        check_size(size),
+        _number("speed", speed, SPEED, "try --speed 1"),
+    )
 
 
-def _check_number(name: str, value: float, ends: tuple[float, float], hint: str) -> None:
-    """Raise an error for what is no number, or out of its range; NaN is out of every range."""
-    number = isinstance(value, int | float) and not isinstance(value, bool)
-    if not (number and ends[0] <= value <= ends[1]):
-        shown = f"{value:g}" if number else repr(value)
-        raise UsageError(
-            f"{name}: must be between {ends[0]:g} and {ends[1]:g}, got {shown}", hint=hint
-        )
+def _number(name: str, value: object, ends: tuple[float, float], hint: str) -> float:
+    """Return a number in its range; NaN is out of every range."""
+    if isinstance(value, Real) and not isinstance(value, bool):
+        with contextlib.suppress(OverflowError, TypeError):  # beyond every float; a span of time
+            number = float(value)
+            if ends[0] <= number <= ends[1]:
+                return number
+    got = shown(value)
+    raise UsageError(f"{name}: must be between {ends[0]:g} and {ends[1]:g}, got {got}", hint)
 
 
-def check_size(size: tuple[int, int]) -> None:
-    """Raise `vad.errors.UsageError` for a size that no picture can have."""
+def check_size(size: tuple[int, int]) -> tuple[int, int]:
+    """Return width and height as whole numbers.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        For a size that no picture can have.
+    """
+    hint = "try 1280x720"
     try:
-        whole = len(size) == 2 and all(side == int(side) for side in size)
+        width, height = (int(side) for side in size if isinstance(side, Real))
+        whole = (width, height) == tuple(size) and not isinstance(size, str | bytes)
     except (TypeError, ValueError, OverflowError):
         whole = False
     if not whole:
-        raise UsageError(
-            f"size: must be a width and a height in pixels, got {size}", hint="try 1280x720"
+        message = f"size: must be a width and a height in pixels, got {shown(size)}"
+        raise UsageError(message, hint)
+    ends = zip(SMALLEST, (width, height), LARGEST, strict=True)
+    if not all(low <= side <= high for low, side, high in ends):
+        smallest, largest, got = (
+            "x".join(map(shown, each)) for each in (SMALLEST, LARGEST, (width, height))
         )
-    if not all(
-        low <= side <= high for low, side, high in zip(SMALLEST, size, LARGEST, strict=True)
-    ):
-        raise UsageError(
-            f"size: must be between {SMALLEST[0]}x{SMALLEST[1]} and "
-            f"{LARGEST[0]}x{LARGEST[1]}, got {size[0]}x{size[1]}",
-            hint="try 1280x720",
-        )
+        raise UsageError(f"size: must be between {smallest} and {largest}, got {got}", hint)
+    return width, height

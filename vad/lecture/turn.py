@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from vad.errors import DeadCentreError, InputError
-from vad.lecture.timeline import check
+from vad.lecture.timeline import checked
 from vad.strokes.sheet import Sheet
 
 if TYPE_CHECKING:
@@ -144,7 +144,7 @@ def turn(
     from vad.strokes.draw import chosen
     from vad.strokes.language import Language
 
-    check(fps, size, speed)
+    fps, size, speed = checked(fps, size, speed, style)
     motion = mechanism if isinstance(mechanism, Motion) else solve(mechanism)
     if motion.many:
         raise InputError("motion: a turn begins with one pose, got arrays of poses")
@@ -155,7 +155,7 @@ def turn(
         course(motion),
         max(2, round(SECONDS / speed * fps)),
         fps,
-        (size[0], size[1]),
+        size,
         style,
         names,
         language,

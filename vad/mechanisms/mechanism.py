@@ -6,13 +6,15 @@ import math
 from dataclasses import KW_ONLY, dataclass, field, fields
 from typing import Any, ClassVar, TypeVar
 
-from vad.errors import InputError, unknown
+from vad.errors import InputError, one_of, shown
 from vad.kinematics.linkage import Linkage
 
 CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}
 ASSEMBLIES = ("open", "crossed")
 # Between these, products of four lengths stay in the range of double precision when scaled.
 SHORTEST, LONGEST = 1e-200, 1e200
+#: Characters of a unit, which stands behind every number.
+LONGEST_UNIT = 60
 
 #: Every mechanism class by the name that the command line knows.
 MECHANISMS: dict[str, type[Mechanism]] = {}
@@ -85,11 +87,12 @@ class Mechanism:
     def _check(self, name: str, metadata: Any) -> None:
         value = getattr(self, name)
         if metadata["quantity"] == "choice":
-            if value not in metadata["choices"]:
-                raise unknown(name, str(value), metadata["choices"])
+            one_of(name, value, metadata["choices"])
         elif metadata["quantity"] == "unit":
-            if not isinstance(value, str) or not value.strip():
-                raise InputError(f"{name}: must be the name of a unit, got {value!r}")
+            if not isinstance(value, str) or not (value.strip() and value.isprintable()):
+                raise InputError(f"{name}: must be the name of a unit, got {shown(value)}")
+            if len(value) > LONGEST_UNIT:
+                raise InputError(f"{name}: must be short, got {shown(value)}")
         elif value is not None or not metadata["optional"]:
             object.__setattr__(self, name, self._number(name, value, metadata["signed"]))
 
@@ -99,8 +102,8 @@ class Mechanism:
             if isinstance(value, str | bytes | bool):
                 raise TypeError
             number = float(value)
-        except (TypeError, ValueError, OverflowError):
-            raise InputError(f"{name}: must be one number, got {value!r}") from None
+        except Exception:  # whatever a class says that is asked for a number
+            raise InputError(f"{name}: must be one number, got {shown(value)}") from None
         if not math.isfinite(number):
             raise InputError(f"{name}: must be a finite number, got {number}")
         if not signed and number <= 0.0:

@@ -3,6 +3,8 @@
 from vad.errors import InputError
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of
 
+_HINT = "as in --rod 100 --ram-height 180"
+
 
 def quick_return(
     crank: float,
@@ -27,7 +29,7 @@ def quick_return(
         ram = Slide("DE", "ram", 0.0, origin=1j * ram_height)
         loops = (lever, Loop(first=(arm, Bar("CE", "rod", rod)), second=(ram,)))
     elif rod is not None:
-        raise InputError("ram_height: is missing; a ram needs a rod and a ram_height")
+        raise InputError("ram_height: is missing; a ram needs a rod and a ram_height", _HINT)
     elif ram_height is not None:
-        raise InputError("rod: is missing; a ram needs a rod and a ram_height")
+        raise InputError("rod: is missing; a ram needs a rod and a ram_height", _HINT)
     return Linkage(angle_of("crank"), loops, images=(arm,), ground=("D", *ground))

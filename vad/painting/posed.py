@@ -64,10 +64,10 @@ def posed(
     if isinstance(thing, Still):
         lesson = thing.lesson
         return Posed(board_of(lesson), thing.moment, load_style(lesson.style), thing.drawn)
-    if size:
-        check_size(size)
-    form = paper_format(paper) if paper else screen(size or SIZE)
-    look = load_style(style or STYLE)
+    form = screen(SIZE if size is None else check_size(size))
+    if paper is not None:
+        form = paper_format(paper)
+    look = load_style(STYLE if style is None else style)
     board = plan(thing, form, look.key)
     return Posed(board, Moment(board.finished), look, thing)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from html import escape
 from typing import Literal
 
-from vad.errors import unknown
+from vad.errors import one_of
 from vad.painting.svg.classes import Classes, drawn, filled
 from vad.painting.svg.drawn_text import DrawnText
 from vad.painting.svg.grid import Grid, number
@@ -51,8 +51,6 @@ class SvgPainter:
     """
 
     def __init__(self, sheet: Sheet, text: Text = "glyphs") -> None:
-        if text not in _TEXTS:
-            raise unknown("text", text, _TEXTS)
         self._sheet = sheet
         self._captions = {
             panel.full(stroke.name): stroke.caption
@@ -60,7 +58,7 @@ class SvgPainter:
             for stroke in panel.strokes
         }
         self._classes = Classes()
-        self._text = _TEXTS[text](self._classes)
+        self._text = _TEXTS[one_of("text", text, _TEXTS)](self._classes)
         self._elements: list[str] = []
         self._begun: set[str] = set()
         self._others: dict[str, int] = {}

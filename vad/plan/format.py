@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from vad.errors import unknown
+from vad.errors import one_of
 
 _POINTS_PER_INCH = 72.0
 _CENTIMETRE = _POINTS_PER_INCH / 2.54
@@ -79,8 +79,7 @@ def paper(name: str) -> Format:
     >>> round((a4.width + 2 * a4.edge) * a4.unit, 2)
     841.89
     """
-    if name not in _MILLIMETRES:
-        raise unknown("paper", name, _MILLIMETRES)
-    points = [side * _CENTIMETRE / 10.0 - 2.0 * _PAPER_EDGE for side in _MILLIMETRES[name]]
+    sides = _MILLIMETRES[one_of("paper", name, _MILLIMETRES)]
+    points = [side * _CENTIMETRE / 10.0 - 2.0 * _PAPER_EDGE for side in sides]
     width, height = (side / _PAPER_UNIT for side in points)
     return Format(width, height, _PAPER_UNIT, _PAPER_EDGE / _PAPER_UNIT, _CENTIMETRE / _PAPER_UNIT)

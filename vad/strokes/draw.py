@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from vad.errors import InputError, UsageError, unknown
+from vad.errors import InputError, UsageError, one_of, shown
 from vad.kinematics.motion import Motion
 from vad.strokes.canonical import canonical
 from vad.strokes.chains import NOTHING
@@ -44,7 +44,7 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     ['a,d', 'ab', '⟂ BC', '⟂ DC', 'c', 'bc', 'dc']
     """
     if not isinstance(motion, Motion):
-        raise InputError(f"motion: must be what vad.solve returns, got {motion!r}")
+        raise InputError(f"motion: must be what vad.solve returns, got {shown(motion)}")
     if motion.many:
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
     diagrams = [DIAGRAMS[name] for name in chosen(panels)]
@@ -73,11 +73,12 @@ def chosen(panels: Sequence[str] | str | None) -> tuple[str, ...]:
         For an unknown name, or none.
     """
     usual = tuple(name for name, diagram in DIAGRAMS.items() if diagram.usual)
-    names = usual if panels is None else panels
-    names = (names,) if isinstance(names, str) else tuple(names)
-    for name in names:
-        if name not in DIAGRAMS:
-            raise unknown("panel", str(name), DIAGRAMS)
+    given = usual if panels is None else panels
+    try:
+        given = (given,) if isinstance(given, str) else tuple(given)
+    except TypeError:
+        raise UsageError(f"panels: must be names of panels, got {shown(given)}") from None
+    names = [one_of("panel", name, DIAGRAMS) for name in given]
     if not names:
         raise UsageError("panels: none given", hint="known: " + ", ".join(DIAGRAMS))
     return tuple(name for name in DIAGRAMS if name in names)

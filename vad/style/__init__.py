@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Literal
 
-from vad.errors import unknown
+from vad.errors import one_of
 from vad.plan.roles import ROLES, Ink
 
 #: How much ink is in the tint of a block, and in the words of a panel that is not begun.
@@ -138,8 +138,6 @@ def load_style(name: str) -> Style:
     vad.errors.UsageError
         If there is none of that name.
     """
-    if name not in style_names():
-        raise unknown("style", name, style_names())
-    style = importlib.import_module(f"vad.style.{name}").STYLE
+    style = importlib.import_module(f"vad.style.{one_of('style', name, style_names())}").STYLE
     assert isinstance(style, Style)
     return style

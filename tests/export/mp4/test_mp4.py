@@ -83,6 +83,11 @@ def test_no_dates_no_versions_of_the_container(film: Lesson) -> None:
         assert "creation_time" not in container.metadata
 
 
+def test_the_film_says_what_it_shows(film: Lesson) -> None:
+    with av.open("film.mp4") as container:
+        assert container.metadata["title"].startswith(SHEET.title)
+
+
 class TestSubtitles:
     def test_track_reads_back(self, folder: Path, painter: None) -> None:
         made = lesson()

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.export.synthetic import SHEET, lesson
+from vad.errors import UsageError
 from vad.export import save
 from vad.export.subtitles.cues import Cue, cues
 from vad.export.subtitles.srt import srt
@@ -39,3 +40,12 @@ def test_files(folder: Path) -> None:
     text = Path("film.vtt").read_text(encoding="utf-8")
     assert text.startswith("WEBVTT\n\n00:00:00.167 --> 00:00:00.400\nThey meet in c.\n\n")
     assert "a &lt; b &amp; c." in text
+
+
+@pytest.mark.parametrize("path", ["film.srt", "film.vtt"])
+def test_a_film_too_fast_for_captions_has_no_file_of_them(folder: Path, path: str) -> None:
+    panel = SHEET.panels[0]
+    made = Lesson(SHEET, (Step(panel, 0, 0, 0),), 1, 1, 1.0, (96, 64))
+    with pytest.raises(UsageError, match="no caption stands as long as a frame"):
+        save(made, path)
+    assert not list(folder.iterdir())

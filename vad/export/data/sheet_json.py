@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from vad.errors import InputError
+from vad.errors import InputError, shown
 from vad.export.data.records import within
 from vad.export.data.sheet_form import SHEET
 from vad.strokes.sheet import Sheet
@@ -90,6 +90,8 @@ def _loaded(source: str | os.PathLike[str] | Mapping[str, Any]) -> tuple[str, An
     """Return what a source is called, and what it holds."""
     if isinstance(source, Mapping):
         return "sheet", source
+    if not isinstance(source, str | os.PathLike) or not isinstance(os.fspath(source), str):
+        raise InputError(f"sheet: must be the name of a file, or its text, got {shown(source)}")
     is_text = isinstance(source, str) and source.lstrip().startswith(("{", "["))
     name = "sheet" if is_text else os.fspath(source)
     try:

@@ -22,6 +22,7 @@ from vad.export.source import Film, Progress, painted, rate
 from vad.export.subtitles.cues import Cue, cues
 from vad.lecture.lesson import Lesson
 from vad.painting.picture import Frame
+from vad.strokes.words import title
 
 if TYPE_CHECKING:
     from av.container import OutputContainer
@@ -74,6 +75,7 @@ def write(
         rate=rate(lesson.fps),
         subtitles=cues(lesson) if subtitles and isinstance(lesson, Lesson) else (),
         language=lesson.sheet.language,
+        title=title(lesson.sheet),
     )
 
 
@@ -94,6 +96,7 @@ def encode(
     rate: Fraction,
     subtitles: Sequence[Cue] = (),
     language: str = "en",
+    title: str = "",
 ) -> None:
     """Encode ``frames`` of ``size`` (width, height) at ``rate`` frames a second."""
     import av
@@ -103,6 +106,7 @@ def encode(
     options = {"movflags": "+faststart", "fflags": "+bitexact"}
     try:
         with av.open(stream.name, "w", format="mp4", options=options) as container:
+            container.metadata["title"] = title
             video = _video_stream(container, size, rate)
             track = _subtitle_stream(container, language) if subtitles else None
             container.start_encoding()

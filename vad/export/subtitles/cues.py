@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from vad.errors import UsageError
 from vad.lecture.lesson import Lesson
 
 
@@ -25,6 +26,20 @@ def cues(lesson: Lesson) -> list[Cue]:
         text = " ".join(step.stroke.caption.split())
         if text and frame > start:
             found.append(Cue(start / lesson.fps, frame / lesson.fps, text))
+    return found
+
+
+def spoken(lesson: Lesson) -> list[Cue]:
+    """Return the cues of a file that holds nothing else.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If there is none.
+    """
+    found = cues(lesson)
+    if not found:
+        raise UsageError("subtitles: no caption stands as long as a frame", hint="try --speed 1")
     return found
 
 

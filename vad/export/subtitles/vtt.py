@@ -6,13 +6,13 @@ from collections.abc import Iterable
 from typing import BinaryIO
 
 from vad.export.source import Progress
-from vad.export.subtitles.cues import Cue, clock, cues
+from vad.export.subtitles.cues import Cue, clock, spoken
 from vad.lecture.lesson import Lesson
 
 
 def write(lesson: Lesson, stream: BinaryIO, *, progress: Progress | None = None) -> None:
     """Write the captions of ``lesson`` to ``stream``."""
-    stream.write(vtt(cues(lesson)).encode())
+    stream.write(vtt(spoken(lesson)).encode())
     if progress is not None:
         progress(lesson.frames, lesson.frames)
 

@@ -55,7 +55,9 @@ def plot(motion: Motions, results: Results, file: IO[bytes]) -> None:
         "xtick.color": style.grey,
         "ytick.color": style.grey,
     }
-    with mpl.rc_context(settings):
+    with mpl.rc_context():
+        mpl.rcdefaults()  # the user's own settings are for the user's own plots
+        mpl.rcParams.update(settings)
         figure = Figure((_SIZE[0] / _DPI, _SIZE[1] / _DPI), dpi=_DPI, facecolor=style.background)
         _head(figure, motion, style)
         _curves(figure, results, style)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from vad.errors import AssemblyError, UsageError
+from vad.errors import AssemblyError, UsageError, shown
 from vad.export.files import new_file
 from vad.export.sweep.results import Results, results_of
 from vad.kinematics.motion import Motions
@@ -34,7 +34,9 @@ def save_sweep(motion: Motions, path: str | Path) -> None:
     """
     kind = Path(path).suffix.lower()
     if kind not in FORMATS:
-        raise UsageError(f"a sweep cannot be saved as '{path}'", hint=f"as {' or '.join(FORMATS)}")
+        raise UsageError(
+            f"a sweep cannot be saved as {shown(str(path))}", hint=f"as {' or '.join(FORMATS)}"
+        )
     if not np.any(motion.assembled):
         raise AssemblyError("the links close at none of these poses")
     results = results_of(motion)

@@ -7,7 +7,7 @@ from importlib import import_module
 from pkgutil import iter_modules
 from typing import Any
 
-from vad.errors import unknown
+from vad.errors import one_of
 
 
 @cache
@@ -28,9 +28,7 @@ class Language:
     """
 
     def __init__(self, code: str) -> None:
-        if code not in languages():
-            raise unknown("language", code, languages())
-        table = import_module(f"{__name__}.{code}")
+        table = import_module(f"{__name__}.{one_of('language', code, languages())}")
         self.code = code
         self._phrases: dict[str, str] = table.PHRASES
         self._names: dict[str, str] = table.NAMES

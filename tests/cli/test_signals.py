@@ -1,0 +1,109 @@
+"""Signals: whatever comes together, one line is said and nothing half-written stays."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+from vad.cli import process
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
+
+TERMINATED = 128 + 15, 128 + 1  # whichever of the two is heard first
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "animate whitworth --speed .2 --fps 60 -o made.mp4",
+        "animate whitworth --speed .2 --fps 60 -o made.gif",
+        "sweep whitworth --steps 1000000 -o made.csv",
+    ],
+    ids=["mp4", "gif", "csv"],
+)
+@pytest.mark.parametrize("pause", [0.0, 0.002], ids=["at once", "one soon after the other"])
+def test_two_signals_together(environment, tmp_path, words, pause):
+    """As at the end of a login."""
+    for _ in range(2):
+        with subprocess.Popen(
+            [sys.executable, "-m", "vad", *words.split()],
+            stderr=subprocess.PIPE,
+            text=True,
+            env=environment,
+            cwd=tmp_path,
+        ) as running:
+            deadline = time.monotonic() + 30
+            while not list(tmp_path.iterdir()) and running.poll() is None:
+                assert time.monotonic() < deadline
+                time.sleep(0.01)  # until the file is in the making
+            running.send_signal(signal.SIGTERM)
+            time.sleep(pause)
+            running.send_signal(signal.SIGHUP)
+            _, err = running.communicate(timeout=30)
+        assert err == "error: interrupted\n"
+        assert running.returncode in TERMINATED
+        assert not list(tmp_path.iterdir())
+
+
+@pytest.fixture
+def listening(monkeypatch):
+    """Let this process turn signals into `process.Interrupted`, for the time of a test."""
+    before = {number: signal.getsignal(number) for number in (signal.SIGTERM, signal.SIGHUP)}
+    monkeypatch.setattr(process, "_SIGNALS", list(before))
+    monkeypatch.setattr(process, "_heard", process._Heard())
+    process.raise_on_signals()
+    yield
+    for number, handler in before.items():
+        signal.signal(number, handler)
+
+
+def test_the_first_signal_is_raised_and_later_ones_do_nothing(listening):
+    with pytest.raises(process.Interrupted) as caught:
+        os.kill(os.getpid(), signal.SIGTERM)
+    assert caught.value.exit_code == 128 + signal.SIGTERM
+    os.kill(os.getpid(), signal.SIGHUP)
+    os.kill(os.getpid(), signal.SIGTERM)
+
+
+def test_a_signal_that_is_held_back_is_raised_when_it_is_asked_for(listening):
+    done = []
+    with pytest.raises(process.Interrupted), process.signals_held_back():
+        os.kill(os.getpid(), signal.SIGHUP)
+        done.append("undisturbed")
+        process.check_interrupt()
+        done.append("too far")
+    assert done == ["undisturbed"]
+
+
+def test_a_signal_that_is_held_back_is_raised_at_the_end_at_the_latest(listening):
+    with pytest.raises(process.Interrupted), process.signals_held_back():
+        os.kill(os.getpid(), signal.SIGHUP)
+
+
+def test_a_signal_that_is_lost_is_remembered_and_not_shown(environment):
+    """As where Python tidies up after an import: what a finaliser raises reaches nobody."""
+    script = (
+        "import os, signal, sys\n"
+        "from vad.cli import catalogue, main\n"
+        "class Tidied:\n"
+        "    def __del__(self):\n"
+        "        os.kill(os.getpid(), signal.SIGTERM)\n"
+        "        sum(range(10))\n"
+        "catalogue.table = lambda: str(Tidied()) and ''\n"
+        "sys.argv = ['vad', 'list']\n"
+        "sys.exit(main())\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script],
+        capture_output=True,
+        text=True,
+        env=environment,
+        timeout=60,
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (143, "error: interrupted\n")
