@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from numbers import Real
 from typing import Any, TypedDict
 
 import numpy as np
@@ -62,12 +63,30 @@ def checked(name: str, value: object, largest: float) -> Number:
             raise InputError(f"{name}: must be within ±{largest:g}, got {number:g}")
         return number
     try:
-        if value is None or isinstance(value, str | bytes | bool):
-            raise TypeError
-        array = np.array(value, dtype=float)
+        array = np.array(_numbers(value), dtype=float)
     except (TypeError, ValueError, OverflowError):
         wanted = "must be a number or an array of numbers"
-        raise InputError(f"{name}: {wanted}, got {value!r}") from None
-    if not math.isinf(largest):
-        array[~(np.abs(array) <= largest)] = np.nan
+        raise InputError(f"{name}: {wanted}, got {_shown(value)}") from None
+    with np.errstate(invalid="ignore"):
+        array[~(np.isfinite(array) & (np.abs(array) <= largest))] = np.nan
     return array
+
+
+def _numbers(value: object) -> NDArray[Any]:
+    """Return an array as it is given, if it holds nothing but real numbers."""
+    if np.ma.is_masked(value):
+        raise TypeError("masked elements are no numbers")
+    given = np.asarray(value)
+    if given.dtype == object and all(
+        isinstance(x, Real) and not isinstance(x, bool) for x in given.flat
+    ):
+        return given
+    if given.dtype.kind not in "iuf":
+        raise TypeError("not real numbers")
+    return given
+
+
+def _shown(value: object) -> str:
+    """Return a value as an error shows it: in one line, and not all of a long one."""
+    words = " ".join(repr(value).split())
+    return words if len(words) <= 60 else f"{words[:57]}..."
