@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator
 
 from vad.kinematics.linkage import Bar, Linkage, Slide, Step
-from vad.kinematics.numbers import Number, direction, fold
+from vad.kinematics.numbers import Number, difference, direction, fold, times
 from vad.kinematics.state import Component, Pose, Rates
 
 
@@ -50,11 +50,12 @@ class ReferenceFrame:
             if slide.ends[0] not in moving:
                 self.fixed.setdefault(slide.ends[0], self._inward(slide.origin))
         self._lines = {
-            slide.name: direction(fold(float(slide.along) - self.angle)) for slide in guides
+            slide.name: direction(difference(fold(float(slide.along)), self.angle))
+            for slide in guides
         }
 
     def _inward(self, point: complex) -> complex:
-        return complex(point / self.scale * self.turn.conjugate())
+        return complex(times(point / self.scale, self.turn.conjugate()))
 
     def shift(self, slide: Slide) -> complex:
         """Return the vector from the tail of a slide to the zero of its line."""

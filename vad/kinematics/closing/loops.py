@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import numpy as np
-
-from vad.errors import DeadCentreError, InputError
+from vad.errors import InputError
 from vad.kinematics.closing.closures import (
     AngleAndLength,
     GroundedCrank,
@@ -13,11 +11,12 @@ from vad.kinematics.closing.closures import (
     crossing,
     slot,
 )
+from vad.kinematics.closing.equal_links import equal_bars, equal_rod
 from vad.kinematics.closing.loop import LoopSolver
 from vad.kinematics.closing.strut import Strut
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, scalar_of
-from vad.kinematics.numbers import Number, cross, is_array, vector
+from vad.kinematics.numbers import Number, cross, over, vector
 from vad.kinematics.state import GROUND, Pose, Rates
 
 
@@ -55,6 +54,9 @@ class TwoAnglesLoop(LoopSolver):
         sizes = (self.frame.size(self.step), self.frame.size(self.other)) if self.crank else None
         self._closure = TwoAngles(self.side, self.crank, sizes)
         self._longest: Bar | None = None
+        if self.crank and sizes:
+            named = dict(zip((self.step.link, self.other.link), sizes, strict=True))
+            self.equal = equal_bars(self.frame.linkage.driver.name, self.side, self.crank, named)
         if self.crank and sizes and max(sizes) > max(abs(self.crank.c), abs(self.crank.t)):
             self._see_from(self.step if sizes[0] > sizes[1] else self.other)
 
@@ -132,7 +134,7 @@ class StrutLoop(TwoAnglesLoop):
         strut, arm = self.frame.size(self.step, pose), self.frame.size(self.other)
         at_arm, at_ground = self._strut.projections(strut)
         arm_axis = vector(at_arm / arm, sine)
-        ground_axis = vector(at_ground, -arm * sine) / self.offset.real
+        ground_axis = over(vector(at_ground, -arm * sine), self.offset.real)
         units = {self.step.link: 1.0 + 0j, self.other.link: arm_axis, GROUND: ground_axis}
         super().cross(Pose(units, pose.length, pose.sine), rates, sine)
 
@@ -150,7 +152,11 @@ class AngleAndLengthLoop(LoopSolver):
         frame, way = self.frame, -self.way
         crank = GroundedCrank(way * self.crank.c, way * self.crank.t) if self.crank else None
         guide = way * self.other_way * frame.line(self.other, None)
-        self._closure = AngleAndLength(self.side, crank, frame.size(self.step), guide)
+        size = frame.size(self.step)
+        self._closure = AngleAndLength(self.side, crank, size, guide)
+        if crank:
+            driver, rod = frame.linkage.driver.name, (self.step.link, size)
+            self.equal = equal_rod(driver, self.side, crank, rod, guide, self.other.name)
 
     def close(self, pose: Pose) -> None:
         """Let the bar end on the line."""
@@ -176,20 +182,12 @@ class SlotLoop(LoopSolver):
         unit, length = slot(-self.way * self.gap(pose))
         pose.unit[self.step.link], pose.length[self.other.name] = unit, length
         # The lines always cross at right angles; what can vanish is the length.
-        pose.sine.append(length - length + float(self.way * self.other_way))
+        pose.sine.append((length > 0.0) * float(self.way * self.other_way))
 
-    def radius(self, bar: Bar, pose: Pose) -> Number:
-        """Return the block's distance from the pivot, where it has a direction."""
-        radius = self.frame.size(bar, pose)
-        if is_array(radius):
-            return np.where(radius == 0.0, np.nan, radius) if (radius == 0.0).any() else radius
-        if radius == 0.0:
-            pivot, pin = bar.ends[0], bar.ends[1]
-            raise DeadCentreError(
-                f"{bar.link}: {pin} stands on the pivot {pivot}, where the {bar.link} may point "
-                "anywhere"
-            )
-        return radius
+    def why_dead(self) -> str:
+        """Say that the pin stands on the pivot."""
+        link, pivot, pin = self.step.link, self.step.ends[0], self.step.ends[1]
+        return f"{link}: {pin} stands on the pivot {pivot}, where the {link} may point anywhere"
 
 
 class TwoLengthsLoop(LoopSolver):
@@ -206,4 +204,4 @@ class TwoLengthsLoop(LoopSolver):
         target = -self.gap(pose)
         found = crossing(target, p, q, sine)
         pose.length[self.step.name], pose.length[self.other.name] = found
-        pose.sine.append(target.real * 0.0 + sine)
+        pose.sine.append((target.real == target.real) * sine)

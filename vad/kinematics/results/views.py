@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, Generic
 
 import numpy as np
 
-from vad.errors import DeadCentreError
 from vad.kinematics.linkage import Slide, angle_of
 from vad.kinematics.numbers import (
     Number,
@@ -20,6 +19,7 @@ from vad.kinematics.numbers import (
     fold,
     is_array,
     positive,
+    times,
 )
 
 if TYPE_CHECKING:
@@ -44,15 +44,15 @@ class Link(Generic[Real]):
             return motion.shaped(
                 motion.reckon(
                     lambda pose, _: degrees_of(
-                        pose.unit[name] if turn == 1 else pose.unit[name] * turn
+                        pose.unit[name] if turn == 1 else times(pose.unit[name], turn)
                     ),
                     0,
                 )
             )
         unit = motion.pose.unit[name]
         if unit != unit:  # NaN
-            raise DeadCentreError(f"{name}: its angle is undetermined at this dead centre")
-        return degrees_of(unit * turn)
+            raise motion.dead_centre()
+        return degrees_of(times(unit, turn)) + 0.0
 
     def _given_angle(self, value: Number) -> Number:
         """Return the driver's angle: as it was given, without a turn there and back."""
@@ -67,12 +67,12 @@ class Link(Generic[Real]):
     @property
     def omega(self) -> Real:
         """Its angular velocity in rad/s."""
-        return self._motion.shaped(self._motion.velocity.turning[self._name])
+        return self._motion.shaped(self._motion.rates(1)[-1].turning[self._name])
 
     @property
     def alpha(self) -> Real:
         """Its angular acceleration in rad/s²."""
-        return self._motion.shaped(self._motion.acceleration.turning[self._name])
+        return self._motion.shaped(self._motion.rates(2)[-1].turning[self._name])
 
 
 class Point(Generic[Vector]):
@@ -96,7 +96,7 @@ class Point(Generic[Vector]):
             slide: Slider[Any] = Slider(motion, guide.name)
             return guide.origin + slide.position * heading(guide)
         pin = routes.pin(letter)
-        if pin and motion.frame.angle:
+        if pin:
             return motion.shaped(motion.crank_direction, float(pin.length))
         return self._outward(motion.reckon(lambda pose, _: routes.position(letter, pose), 0))
 
@@ -144,13 +144,13 @@ class Slider(Generic[Real]):
     def velocity(self) -> Real:
         """Its velocity along the line."""
         motion = self._motion
-        return motion.shaped(motion.velocity.sliding[self._name], motion.frame.scale)
+        return motion.shaped(motion.rates(1)[-1].sliding[self._name], motion.frame.scale)
 
     @property
     def acceleration(self) -> Real:
         """Its acceleration along the line."""
         motion = self._motion
-        return motion.shaped(motion.acceleration.sliding[self._name], motion.frame.scale)
+        return motion.shaped(motion.rates(2)[-1].sliding[self._name], motion.frame.scale)
 
     @property
     def coriolis(self) -> Real | None:
@@ -158,9 +158,7 @@ class Slider(Generic[Real]):
         motion, name = self._motion, self._name
         for step in motion.frame.steps:
             if isinstance(step, Slide) and step.name == name and isinstance(step.along, str):
-                turning, sliding = (
-                    motion.velocity.turning[step.along],
-                    motion.velocity.sliding[name],
-                )
-                return motion.shaped(abs(2.0 * turning * sliding), motion.frame.scale)
+                rates = motion.rates(1)[0]
+                twist = abs(2.0 * rates.turning[step.along] * rates.sliding[name])
+                return motion.shaped(twist, motion.frame.scale)
         return None
