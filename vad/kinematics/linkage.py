@@ -61,6 +61,8 @@ class Slide:
         and the Coriolis component.
     origin
         Where a fixed line has its zero, as x + iy.
+    through_tail
+        Whether a fixed line passes through its tail, however `origin` is rounded.
     reverse
         Whether the loop runs through it from head to tail; written ``-Slide(…)``.
     """
@@ -70,6 +72,7 @@ class Slide:
     along: float | str
     origin: complex = 0j
     reverse: bool = False
+    through_tail: bool = False
 
     def __neg__(self) -> Slide:
         return replace(self, reverse=not self.reverse)
@@ -137,6 +140,8 @@ class Linkage:
         The letter of the fixed point at the origin.
     ground
         A second fixed point: its letter, distance and direction in degrees.
+    parallel
+        Whether its one loop is a parallelogram that stays one through its change points.
     """
 
     driver: Scalar
@@ -144,6 +149,7 @@ class Linkage:
     images: tuple[Bar, ...] = ()
     pivot: str = "A"
     ground: tuple[str, float, float] | None = None
+    parallel: bool = False
     unknowns: tuple[tuple[Scalar, ...], ...] = field(init=False, default=())
 
     def __post_init__(self) -> None:

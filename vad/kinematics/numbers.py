@@ -193,18 +193,18 @@ def choose(centre: Number, constants: Mapping[int, tuple[float, ...]]) -> tuple[
     return tuple(np.array(column).take(place, mode="clip") for column in columns)
 
 
-def degrees_of(value: Number) -> Number:
-    """Return the angle of a vector in degrees within [0, 360).
+def degrees_of(value: Number, base: float = 0.0) -> Number:
+    """Return the angle of a vector in degrees within [0, 360), seen from a line at ``base``.
 
     Examples
     --------
-    >>> degrees_of(-1j), degrees_of(complex(1, -1e-300))
-    (270.0, 0.0)
+    >>> degrees_of(-1j), degrees_of(complex(1, -1e-300)), degrees_of(1j, 45.0)
+    (270.0, 0.0, 135.0)
     """
-    if is_array(value):
-        return positive(np.degrees(np.arctan2(value.imag, value.real)))
-    # numpy's, whose last bit is not always that of the C library.
-    return positive(math.degrees(float(np.arctan2(value.imag, value.real))))
+    # numpy's for one pose too: its last bit is not always that of the C library.
+    radians = np.arctan2(value.imag, value.real)
+    degrees = np.degrees(radians) if is_array(value) else math.degrees(float(radians))
+    return positive(difference(degrees, -base) if base else degrees)
 
 
 def positive(degrees: Number) -> Number:

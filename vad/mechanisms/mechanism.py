@@ -10,7 +10,6 @@ from vad.errors import InputError, unknown
 from vad.kinematics.linkage import Linkage
 
 CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}
-ASSEMBLIES = ("open", "crossed")
 # Between these, products of four lengths stay in the range of double precision when scaled.
 SHORTEST, LONGEST = 1e-200, 1e200
 
@@ -44,6 +43,12 @@ def unit(default: str) -> str:
     return field(default=default, metadata=metadata)
 
 
+def way(*choices: str) -> str:
+    """Declare in which ways it can be assembled; the first is the default."""
+    metadata = {"quantity": "choice", "choices": choices, "help": "which way it is assembled"}
+    return field(default=choices[0], metadata=metadata)
+
+
 @dataclass(frozen=True)
 class Mechanism:
     """A linkage with its parameters; each kind is a subclass in a file of its own.
@@ -68,10 +73,7 @@ class Mechanism:
     inputs: ClassVar[dict[str, float]] = CRANK
 
     _: KW_ONLY
-    assembly: str = field(
-        default="open",
-        metadata={"quantity": "choice", "choices": ASSEMBLIES, "help": "which way it is assembled"},
-    )
+    assembly: str = way("open", "crossed")
     length_unit: str = unit("mm")
 
     def __init_subclass__(cls) -> None:

@@ -189,7 +189,7 @@ class AngleAndLength:
             }
 
     def close(self, gap: Number, u: Number) -> tuple[Number, Number, Number]:
-        """Return the bar's unit vector, the length s and the sine between bar normal and g."""
+        """Return the bar's unit vector seen along g, the length s and the sine of normal and g."""
         r = self.r
         along = -dot(self.g, gap)
         if self.crank is not None:
@@ -205,7 +205,7 @@ class AngleAndLength:
         if not is_array(root) and math.isnan(root):
             raise OpenLoopError(abs(height) - r)
         root = self.side * root
-        return times(self.g, vector(root / r, height / r)), along + root, -root / r
+        return vector(root / r, height / r), along + root, -root / r
 
 
 def slot(pin: Number) -> tuple[Number, Number]:

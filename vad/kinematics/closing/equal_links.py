@@ -51,6 +51,7 @@ class EqualLinks:
         here = self._applies(pose.unit[self._driver])
         for link, (source, sense) in self._copies.items():
             pose.unit[link] = _where(here, sense * pose.unit[source], pose.unit[link])
+            pose.leaning.pop(link, None)
         if self._slide:
             pose.length[self._slide] = _where(here, 0.0, pose.length[self._slide])
 

@@ -43,7 +43,7 @@ class LoopSolver:
         fixed = frame.fixed
         self.offset = 0j if starts[0] == starts[1] else fixed[starts[1]] - fixed[starts[0]]
         for way, step in loop.steps():
-            if isinstance(step, Slide):
+            if isinstance(step, Slide) and not step.through_tail:
                 self.offset += way * frame.shift(step)
         self.crank = self._grounded_crank()
         self.inverted = self._longer_crank()

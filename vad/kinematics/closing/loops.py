@@ -11,12 +11,12 @@ from vad.kinematics.closing.closures import (
     crossing,
     slot,
 )
-from vad.kinematics.closing.equal_links import equal_bars, equal_rod
+from vad.kinematics.closing.equal_links import equal_bars, equal_rod, parallelogram
 from vad.kinematics.closing.loop import LoopSolver
 from vad.kinematics.closing.strut import Strut
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, scalar_of
-from vad.kinematics.numbers import Number, cross, over, vector
+from vad.kinematics.numbers import Number, cross, fold, over, times, vector
 from vad.kinematics.state import GROUND, Pose, Rates
 
 
@@ -56,7 +56,11 @@ class TwoAnglesLoop(LoopSolver):
         self._longest: Bar | None = None
         if self.crank and sizes:
             named = dict(zip((self.step.link, self.other.link), sizes, strict=True))
-            self.equal = equal_bars(self.frame.linkage.driver.name, self.side, self.crank, named)
+            driver, side = self.frame.linkage.driver.name, self.side
+            if self.frame.linkage.parallel:
+                self.equal = parallelogram(driver, self.crank, named)
+            else:
+                self.equal = equal_bars(driver, side, self.crank, named)
         if self.crank and sizes and max(sizes) > max(abs(self.crank.c), abs(self.crank.t)):
             self._see_from(self.step if sizes[0] > sizes[1] else self.other)
 
@@ -153,7 +157,9 @@ class AngleAndLengthLoop(LoopSolver):
         crank = GroundedCrank(way * self.crank.c, way * self.crank.t) if self.crank else None
         guide = way * self.other_way * frame.line(self.other, None)
         size = frame.size(self.step)
+        frame.guides[self.step.link] = fold(float(self.other.along))
         self._closure = AngleAndLength(self.side, crank, size, guide)
+        self._advance = frame.advance(self.other) if self.other.through_tail else 0.0
         if crank:
             driver, rod = frame.linkage.driver.name, (self.step.link, size)
             self.equal = equal_rod(driver, self.side, crank, rod, guide, self.other.name)
@@ -161,8 +167,12 @@ class AngleAndLengthLoop(LoopSolver):
     def close(self, pose: Pose) -> None:
         """Let the bar end on the line."""
         u = pose.unit.get(self.frame.linkage.driver.name)
-        found = self._closure.close(-self.way * self.gap(pose), u)
-        pose.unit[self.step.link], pose.length[self.other.name], sine = found
+        lean, length, sine = self._closure.close(-self.way * self.gap(pose), u)
+        link, guide = self.step.link, self._closure.g
+        pose.unit[link] = lean if guide == 1.0 else times(guide, lean)
+        if self.frame.angle:
+            pose.leaning[link] = (-self.way * self.other_way) * lean
+        pose.length[self.other.name] = length + self._advance
         pose.sine.append(sine)
 
 

@@ -24,6 +24,7 @@ from vad.kinematics.numbers import (
 
 if TYPE_CHECKING:
     from vad.kinematics.solution import Solution
+    from vad.kinematics.state import Pose
 
 
 class Link(Generic[Real]):
@@ -39,20 +40,17 @@ class Link(Generic[Real]):
         motion, name = self._motion, self._name
         if angle_of(name) == motion.linkage.driver:
             return self._given_angle(motion.inputs["angle"])
-        turn = motion.frame.turn
-        if motion.many:
-            return motion.shaped(
-                motion.reckon(
-                    lambda pose, _: degrees_of(
-                        pose.unit[name] if turn == 1 else times(pose.unit[name], turn)
-                    ),
-                    0,
-                )
-            )
-        unit = motion.pose.unit[name]
-        if unit != unit:  # NaN
+        if not motion.many and motion.pose.unit[name] != motion.pose.unit[name]:  # NaN
             raise motion.dead_centre()
-        return degrees_of(times(unit, turn)) + 0.0
+        return motion.shaped(motion.reckon(lambda pose, _: self._heading(pose), 0))
+
+    def _heading(self, pose: Pose) -> Number:
+        """Return its direction in degrees: as seen along its guide, where it has one."""
+        frame, name = self._motion.frame, self._name
+        if name in pose.leaning:
+            return degrees_of(pose.leaning[name], frame.guides[name])
+        unit = pose.unit[name]
+        return degrees_of(unit if frame.turn == 1 else times(unit, frame.turn))
 
     def _given_angle(self, value: Number) -> Number:
         """Return the driver's angle: as it was given, without a turn there and back."""
