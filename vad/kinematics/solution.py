@@ -224,22 +224,37 @@ def _not_assembled(mechanism: Mechanism, value: float, miss: float) -> AssemblyE
     unit = "°" if turns else f" {mechanism.length_unit}"
     miss *= solver.frame.scale
     message = f"{name} {value:g}{unit}: the links miss by {miss:.4g} {mechanism.length_unit}"
-    ranges = [_without_rounding(*ends) for ends in closing_range(mechanism)]
+    ranges = closing_range(mechanism)
     if not ranges:
         return AssemblyError(f"{message}; with these lengths they close at no {name}")
-    words = " and ".join(
-        f"{low:.6g}{unit}" + (f" … {high:.6g}{unit}" if high > low else "") for low, high in ranges
-    )
-    inside = [low + share * (high - low) for low, high in ranges for share in (0.02, 0.98)]
+    words = " and ".join(_range_in_words(low, high, unit) for low, high in ranges)
     period = 360.0 if turns else math.inf
-    nearest = min(inside, key=lambda place: abs(math.remainder(place - value, period)))
-    hint = f"try {name} {nearest:.4g}"
+
+    def distance(place: float) -> float:
+        return abs(math.remainder(place - value, period))
+
+    inside = [low + share * (high - low) for low, high in ranges for share in (0.02, 0.98)]
+    works = _shortest(solver, min(inside, key=distance))
+    hint = f"try {name} {works}" if works else None
     return AssemblyError(f"{message}; they close for {name} {words}", hint=hint)
 
 
-def _without_rounding(low: float, high: float) -> tuple[float, float]:
-    """Return a range, or twice the one place that it is but for rounding."""
-    if high - low > 1e-5 * max(abs(low), abs(high), 1.0):
-        return low, high
-    place = float(f"{0.5 * (low + high):.6f}") + 0.0
-    return place, place
+def _range_in_words(low: float, high: float, unit: str) -> str:
+    """Write a range with as many digits as tell its ends apart."""
+    largest, width = max(abs(low), abs(high)), high - low
+    if width <= 1e-14 * largest:
+        return f"{0.5 * (low + high) + 0.0:.6g}{unit}"
+    digits = max(6, min(17, 4 + math.ceil(math.log10(largest / width))))
+    return f"{low:.{digits}g}{unit} … {high:.{digits}g}{unit}"
+
+
+def _shortest(solver: Solver, place: float) -> str | None:
+    """Write a place with as few digits, four at least, as still close."""
+    for digits in range(4, 18):
+        text = f"{place + 0.0:.{digits}g}"
+        try:
+            solver.positions(float(text))
+        except OpenLoopError:
+            continue
+        return text
+    return None

@@ -102,6 +102,13 @@ class LoopSolver:
         if self.equal:
             self.equal.move(pose, rates[-1])
 
+    def limits(self) -> list[float]:
+        """Return where it just closes, of a driver that alone moves its gap, in closed form.
+
+        These are angles in degrees in the frame, or lengths in the solver's unit.
+        """
+        return []
+
     def why_dead(self) -> str:
         """Say what is the matter at a dead centre of this loop."""
         names = " and ".join(scalar_of(step).name for step in (self.step, self.other))

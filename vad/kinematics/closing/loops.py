@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import cast
+
 from vad.errors import InputError
 from vad.kinematics.closing.closures import (
     AngleAndLength,
@@ -12,11 +14,17 @@ from vad.kinematics.closing.closures import (
     slot,
 )
 from vad.kinematics.closing.equal_links import equal_bars, equal_rod, parallelogram
+from vad.kinematics.closing.limits import (
+    guide_limits,
+    push_limits,
+    strut_limits,
+    triangle_limits,
+)
 from vad.kinematics.closing.loop import LoopSolver
 from vad.kinematics.closing.strut import Strut
 from vad.kinematics.frame import ReferenceFrame
-from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, scalar_of
-from vad.kinematics.numbers import Number, cross, fold, over, times, vector
+from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, length_of, scalar_of
+from vad.kinematics.numbers import Number, cross, degrees_of, fold, over, times, vector
 from vad.kinematics.state import GROUND, Pose, Rates
 
 
@@ -63,6 +71,12 @@ class TwoAnglesLoop(LoopSolver):
                 self.equal = equal_bars(driver, side, self.crank, named)
         if self.crank and sizes and max(sizes) > max(abs(self.crank.c), abs(self.crank.t)):
             self._see_from(self.step if sizes[0] > sizes[1] else self.other)
+
+    def limits(self) -> list[float]:
+        """Return the crank angles at which both bars are in line."""
+        if self.crank is None or self.crank.c == 0.0:
+            return []
+        return triangle_limits(self.crank, self.frame.size(self.step), self.frame.size(self.other))
 
     def _see_from(self, longest: Bar) -> None:
         """Choose the bar from which `cross` sees the loop."""
@@ -126,6 +140,10 @@ class StrutLoop(TwoAnglesLoop):
         if self._strut.short_gap:
             self._see_from(self.step)
 
+    def limits(self) -> list[float]:
+        """Return the lengths at which strut and bar are in line."""
+        return strut_limits(abs(self.offset), self.frame.size(self.other))
+
     def triangle(self, pose: Pose) -> Triangle:
         """Return the triangle of strut, bar and gap."""
         return self._strut.triangle(self.frame.size(self.step, pose))
@@ -163,6 +181,19 @@ class AngleAndLengthLoop(LoopSolver):
         if crank:
             driver, rod = frame.linkage.driver.name, (self.step.link, size)
             self.equal = equal_rod(driver, self.side, crank, rod, guide, self.other.name)
+
+    def limits(self) -> list[float]:
+        """Return where the bar stands across its guide."""
+        frame, line, size = self.frame, self._closure.g, self.frame.size(self.step)
+        height = cross(line, -self.way * self.offset)
+        if self.crank:
+            angles = guide_limits(height, -self.way * self.crank.t, size)
+            return [angle + degrees_of(line) for angle in angles]
+        way, pushed = self.known[0]
+        if len(self.known) > 1 or length_of(getattr(pushed, "name", "")) != frame.linkage.driver:
+            return []
+        slope = cross(line, -self.way * way * frame.line(cast(Slide, pushed), None))
+        return push_limits(height, slope, size)
 
     def close(self, pose: Pose) -> None:
         """Let the bar end on the line."""
