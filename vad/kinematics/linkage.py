@@ -7,6 +7,7 @@ driven or found in an earlier loop; a slide has an unknown length unless it is d
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
@@ -35,6 +36,9 @@ class Bar:
     link: str
     length: float | str
     reverse: bool = False
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "length", _number(f"length of {self.ends}", self.length))
 
     @property
     def against(self) -> bool:
@@ -74,11 +78,23 @@ class Slide:
     reverse: bool = False
     through_tail: bool = False
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "along", _number(f"direction of {self.ends}", self.along))
+
     def __neg__(self) -> Slide:
         return replace(self, reverse=not self.reverse)
 
 
 Step = Bar | Slide
+
+
+def _number(what: str, value: float | str) -> float | str:
+    """Return a number as a float, and a name as it is."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, bool) or not isinstance(value, float | int) or not math.isfinite(value):
+        raise InputError(f"{what}: must be a finite number or a name, got {value!r}")
+    return float(value)
 
 
 class Scalar(NamedTuple):
@@ -167,6 +183,9 @@ class Linkage:
             known.update(fresh)
             found.append(fresh)
         object.__setattr__(self, "unknowns", tuple(found))
+        from vad.kinematics.soundness import check  # which reads what is defined here
+
+        check(self)
 
     @property
     def frame(self) -> float:

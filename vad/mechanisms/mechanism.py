@@ -82,7 +82,7 @@ class Mechanism:
     def __post_init__(self) -> None:
         for parameter in fields(self):
             self._check(parameter.name, parameter.metadata)
-        self.linkage()
+        self._check_names(self.linkage())
 
     def _check(self, name: str, metadata: Any) -> None:
         value = getattr(self, name)
@@ -94,6 +94,15 @@ class Mechanism:
                 raise InputError(f"{name}: must be the name of a unit, got {value!r}")
         elif value is not None or not metadata["optional"]:
             object.__setattr__(self, name, self._number(name, value, metadata["signed"]))
+
+    def _check_names(self, linkage: Linkage) -> None:
+        """Check that all that turns or slides has a row of the results."""
+        scalars = {linkage.driver, *(scalar for pair in linkage.unknowns for scalar in pair)}
+        listed = {"angle": ("link", self.links), "length": ("slide", self.slides)}
+        for scalar in sorted(scalars):
+            what, names = listed[scalar.kind]
+            if scalar.name not in names:
+                raise unknown(what, scalar.name, names)
 
     @staticmethod
     def _number(name: str, value: Any, signed: bool) -> float:
