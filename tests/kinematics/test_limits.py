@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from mpmath import mp
 
 import vad
 from tests.kinematics.test_traps import crank
@@ -122,3 +123,33 @@ def test_an_open_loop_says_by_how_much_and_where_it_would_close(
     assert words in str(caught.value)
     assert caught.value.hint == f"try {first} {works:g}"
     assert vad.solve(mechanism, **{first: works}).assembled
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "place"),
+    [
+        (vad.SliderCrank(2, 4, 5.99999999), 0.0),
+        (vad.FourBar(100, 1, 50, 49.0000001, ground_angle=0.05), 180.0),
+        (vad.DoubleSlider(1e-6), 5.0),
+        (vad.GateActuator(3, 1e-6), 9.0),
+        (vad.FourBar(crank=300), 60.0),
+        (vad.FourBar(4, 3, 2, 3), 120.0),
+    ],
+)
+def test_the_hint_always_works(mechanism: Any, place: float) -> None:
+    first = next(iter(mechanism.inputs))
+    with pytest.raises(vad.AssemblyError) as caught:
+        vad.solve(mechanism, **{first: place}).point("B").position  # noqa: B018
+    assert caught.value.hint is not None
+    works = float(caught.value.hint.rsplit(" ", 1)[1])
+    assert vad.solve(mechanism, **{first: works}).assembled
+
+
+def test_a_narrow_range_is_exact() -> None:
+    """sin θ = (h − rod)/crank, to the last digits however narrow the range."""
+    with mp.workdps(40):
+        sine = (mp.mpf(5.99999999) - 4) / 2
+        wanted = float(mp.asin(sine) * 180 / mp.pi)
+    [(low, high)] = closing_range(vad.SliderCrank(2, 4, 5.99999999))
+    assert low == pytest.approx(wanted, abs=3e-14)
+    assert high == pytest.approx(180 - wanted, abs=3e-14)

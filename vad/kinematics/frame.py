@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator
 
 from vad.kinematics.linkage import Bar, Linkage, Slide, Step
-from vad.kinematics.numbers import Number, direction, fold
+from vad.kinematics.numbers import Number, difference, direction, dot, fold, times
 from vad.kinematics.state import Component, Pose, Rates
 
 
@@ -30,6 +30,8 @@ class ReferenceFrame:
         All bars and slides.
     fixed
         The fixed points by letter, in that unit and frame.
+    guides
+        The directions of the guides on which bars end, by link, in the user's axes.
     """
 
     def __init__(self, linkage: Linkage) -> None:
@@ -37,6 +39,7 @@ class ReferenceFrame:
         self.scale = _power_of_two(linkage)
         self.angle = fold(linkage.frame)
         self.turn = direction(self.angle)
+        self.guides: dict[str, float] = {}
         steps = [step for loop in linkage.loops for _, step in loop.steps()]
         self.steps: tuple[Step, ...] = (*steps, *linkage.images)
         self.fixed = {linkage.pivot: 0j}
@@ -50,11 +53,12 @@ class ReferenceFrame:
             if slide.ends[0] not in moving:
                 self.fixed.setdefault(slide.ends[0], self._inward(slide.origin))
         self._lines = {
-            slide.name: direction(fold(float(slide.along) - self.angle)) for slide in guides
+            slide.name: direction(difference(fold(float(slide.along)), self.angle))
+            for slide in guides
         }
 
     def _inward(self, point: complex) -> complex:
-        return complex(point / self.scale * self.turn.conjugate())
+        return complex(times(point / self.scale, self.turn.conjugate()))
 
     def shift(self, slide: Slide) -> complex:
         """Return the vector from the tail of a slide to the zero of its line."""
@@ -62,6 +66,10 @@ class ReferenceFrame:
         if isinstance(slide.along, str) or tail not in self.fixed:
             return 0j
         return self._inward(slide.origin) - self.fixed[tail]
+
+    def advance(self, slide: Slide) -> float:
+        """Return the position of a slide's tail along the slide's own line."""
+        return -dot(self.shift(slide), self._lines[slide.name])
 
     def size(self, bar: Bar, pose: Pose | None = None) -> Number:
         """Return the length of a bar in the solver's unit."""

@@ -7,6 +7,7 @@ driven or found in an earlier loop; a slide has an unknown length unless it is d
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
@@ -36,6 +37,9 @@ class Bar:
     length: float | str
     reverse: bool = False
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "length", _number(f"length of {self.ends}", self.length))
+
     @property
     def against(self) -> bool:
         """Whether it points against its link."""
@@ -61,6 +65,8 @@ class Slide:
         and the Coriolis component.
     origin
         Where a fixed line has its zero, as x + iy.
+    through_tail
+        Whether a fixed line passes through its tail, however `origin` is rounded.
     reverse
         Whether the loop runs through it from head to tail; written ``-Slide(…)``.
     """
@@ -70,12 +76,25 @@ class Slide:
     along: float | str
     origin: complex = 0j
     reverse: bool = False
+    through_tail: bool = False
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "along", _number(f"direction of {self.ends}", self.along))
 
     def __neg__(self) -> Slide:
         return replace(self, reverse=not self.reverse)
 
 
 Step = Bar | Slide
+
+
+def _number(what: str, value: float | str) -> float | str:
+    """Return a number as a float, and a name as it is."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, bool) or not isinstance(value, float | int) or not math.isfinite(value):
+        raise InputError(f"{what}: must be a finite number or a name, got {value!r}")
+    return float(value)
 
 
 class Scalar(NamedTuple):
@@ -137,6 +156,8 @@ class Linkage:
         The letter of the fixed point at the origin.
     ground
         A second fixed point: its letter, distance and direction in degrees.
+    parallel
+        Whether its one loop is a parallelogram that stays one through its change points.
     """
 
     driver: Scalar
@@ -144,6 +165,7 @@ class Linkage:
     images: tuple[Bar, ...] = ()
     pivot: str = "A"
     ground: tuple[str, float, float] | None = None
+    parallel: bool = False
     unknowns: tuple[tuple[Scalar, ...], ...] = field(init=False, default=())
 
     def __post_init__(self) -> None:
@@ -161,6 +183,9 @@ class Linkage:
             known.update(fresh)
             found.append(fresh)
         object.__setattr__(self, "unknowns", tuple(found))
+        from vad.kinematics.soundness import check  # which reads what is defined here
+
+        check(self)
 
     @property
     def frame(self) -> float:

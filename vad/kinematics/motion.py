@@ -62,9 +62,10 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
     turns = solver.linkage.driver.kind == "angle"
     # Beyond this, squares of rates times lengths would leave the range of double precision.
     largest = 1e60 * (1.0 if turns else solver.frame.scale)
-    given = {
-        name: checked(name, inputs.get(name, default), math.inf if name == "angle" else largest)
-        for name, default in mechanism.inputs.items()
+    # What is left out is the mechanism's own default, which is never refused.
+    given = mechanism.inputs | {
+        name: checked(name, value, math.inf if name == "angle" else largest)
+        for name, value in inputs.items()
     }
     return Motion(mechanism, solver, given)
 

@@ -1,13 +1,14 @@
 """Arithmetic that reads alike for one pose and for many: floats and arrays in, the same out.
 
 A plane vector is a complex number, an angle is in degrees.  Every function takes Python numbers
-or numpy arrays and performs the same IEEE operations on both.
+or numpy arrays and performs the same IEEE operations on both, bit for bit.  Products of two vectors
+are therefore written out: numpy's own are fused on some processors, and its quotients differ.
 """
 
 from __future__ import annotations
 
-import cmath
 import math
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -31,8 +32,7 @@ EPSILON = 2.0**-52
 NAN_VECTOR = complex(math.nan, math.nan)
 
 _RADIAN = math.pi / 180.0
-# Zero apart, no direction comes nearer to the x axis, in degrees: no bit of a sum of lengths
-# depends on it, and its square stays within the range, so that ω is right even there.
+# The square of a smaller sine would leave the range, and with it ω at a change point.
 _LEAST = 1e-100
 # Coefficients of x²¹ … x³ in the series of the sine: on ±π/2 what is left out is below 2e-18.
 _SERIES = tuple((-1) ** k / math.factorial(2 * k + 1) for k in range(10, 0, -1))
@@ -53,10 +53,28 @@ def fold(degrees: Number) -> Number:
     """
     if not is_array(degrees):
         return math.remainder(degrees, 360.0)
-    # Beyond 1e15 turns 360·k is no longer exact; fmod is, but four times slower.
-    if degrees.size and np.abs(degrees).max() > 1e15:
-        degrees = np.fmod(degrees, 360.0)
-    return degrees - 360.0 * np.rint(degrees * (1.0 / 360.0))
+    # Beyond 1e15, 360·k is no longer exact; fmod is, and 720 keeps which of ±180 is meant.
+    if degrees.size and not np.abs(degrees).max() <= 1e15:
+        degrees = np.where(np.abs(degrees) > 1e15, np.fmod(degrees, 720.0), degrees)
+    folded = degrees - 360.0 * np.rint(degrees / 360.0)
+    beyond = np.abs(folded) > 180.0  # the quotient was rounded onto one half
+    if beyond.any():
+        folded = np.where(beyond, folded - np.copysign(360.0, folded), folded)
+    return folded
+
+
+def difference(a: Number, b: Number) -> Number:
+    """Return a - b of two folded angles, folded, and rounded only once.
+
+    Examples
+    --------
+    >>> difference(179.99999999999997, -180.0)
+    -2.842170943040401e-14
+    """
+    whole = a - b
+    part = whole - a
+    lost = (a - (whole - part)) - (b + part)
+    return fold(fold(whole) + lost)
 
 
 def sine(degrees: Number) -> Number:
@@ -93,13 +111,21 @@ def direction(degrees: Number) -> Number:
     size = abs(degrees)
     if is_array(degrees):
         slope = np.minimum(size, 180.0 - size)
-        if slope.size and slope.min() < _LEAST:
-            slope[(slope > 0.0) & (slope < _LEAST)] = _LEAST
         return vector(sine(90.0 - size), sine(np.copysign(slope, degrees)))
     slope = min(size, 180.0 - size)
-    if 0.0 < slope < _LEAST:
-        slope = _LEAST
     return complex(sine(90.0 - size), sine(math.copysign(slope, degrees)))
+
+
+def off_axis(unit: Number) -> Number:
+    """Return a unit vector that lies on the x axis, or so far off that its sine can be squared."""
+    size = abs(unit.imag)
+    if not is_array(unit):
+        least = math.copysign(_LEAST, unit.imag)
+        return complex(unit.real, least) if 0.0 < size < _LEAST else unit
+    if unit.size and not size.min() >= _LEAST:
+        near = (size > 0.0) & (size < _LEAST)
+        return vector(unit.real, np.where(near, np.copysign(_LEAST, unit.imag), unit.imag))
+    return unit
 
 
 def vector(x: Number, y: Number) -> Number:
@@ -122,6 +148,16 @@ def dot(a: Number, b: Number) -> Number:
     return a.real * b.real + a.imag * b.imag
 
 
+def times(a: Number, b: Number) -> Number:
+    """Return the product of two plane vectors, of which one turns the other."""
+    return vector(a.real * b.real - a.imag * b.imag, a.real * b.imag + a.imag * b.real)
+
+
+def over(a: Number, length: Number) -> Number:
+    """Return a plane vector divided by a length."""
+    return vector(a.real / length, a.imag / length)
+
+
 def sqrt(value: Number) -> Number:
     """Return the square root of a value that is not negative."""
     return np.sqrt(value) if is_array(value) else math.sqrt(value)
@@ -132,29 +168,43 @@ def sign(value: Number) -> Number:
     return np.copysign(1.0, value) if is_array(value) else math.copysign(1.0, value)
 
 
-def choose(side: Number, plus: tuple[float, ...], minus: tuple[float, ...]) -> tuple[Number, ...]:
-    """Return the numbers in ``plus`` where ``side`` is +1 and those in ``minus`` where it is -1.
+def nearest(x: Number, other: Number) -> tuple[Number, Number]:
+    """Write a sine or cosine as x = centre - short, with centre -1, 0 or 1.
 
-    One factor is always zero, so nothing is rounded; ``numpy.where`` takes ten times as long.
+    ``other`` is the cosine or sine.  Near ±1 ``short`` keeps its relative accuracy, near 0 it is x
+    itself: where that is 0 or ±½ exactly, nothing is rounded.
     """
-    if not is_array(side):
-        return plus if side > 0 else minus
-    upper = 0.5 + 0.5 * side
-    lower = 1.0 - upper
-    return tuple(upper * p + lower * m for p, m in zip(plus, minus, strict=True))
+    if not is_array(x):
+        centre = round(x)
+        return centre, centre * (other * other / (1.0 + abs(x))) if centre else -x
+    centres = np.rint(x)
+    short = centres * (other * other / (1.0 + np.abs(x)))
+    np.copyto(short, -x, where=centres == 0.0)
+    return centres, short
 
 
-def degrees_of(value: Number) -> Number:
-    """Return the angle of a vector in degrees within [0, 360).
+def choose(centre: Number, constants: Mapping[int, tuple[float, ...]]) -> tuple[Number, ...]:
+    """Return the constants that belong to ``centre``: those of -1, 0 or 1."""
+    if not is_array(centre):
+        return constants[centre]
+    with np.errstate(invalid="ignore"):
+        place = (centre + 1.0).astype(np.intp)
+    columns = zip(constants[-1], constants[0], constants[1], strict=True)
+    return tuple(np.array(column).take(place, mode="clip") for column in columns)
+
+
+def degrees_of(value: Number, base: float = 0.0) -> Number:
+    """Return the angle of a vector in degrees within [0, 360), seen from a line at ``base``.
 
     Examples
     --------
-    >>> degrees_of(-1j), degrees_of(complex(1, -1e-300))
-    (270.0, 0.0)
+    >>> degrees_of(-1j), degrees_of(complex(1, -1e-300)), degrees_of(1j, 45.0)
+    (270.0, 0.0, 135.0)
     """
-    if is_array(value):
-        return positive(np.degrees(np.arctan2(value.imag, value.real)))
-    return positive(math.degrees(cmath.phase(value)))
+    # numpy's for one pose too: its last bit is not always that of the C library.
+    radians = np.arctan2(value.imag, value.real)
+    degrees = np.degrees(radians) if is_array(value) else math.degrees(float(radians))
+    return positive(difference(degrees, -base) if base else degrees)
 
 
 def positive(degrees: Number) -> Number:

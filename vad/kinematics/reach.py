@@ -1,4 +1,8 @@
-"""Where a mechanism can be assembled: the range of its driver, found by asking the solver."""
+"""Where a mechanism can be assembled: the range of its driver.
+
+The limits have closed forms where the driver alone moves a loop; the solver is asked between them,
+and on a grid for what later loops allow.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +14,7 @@ from numpy.typing import NDArray
 
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Slide
-from vad.kinematics.numbers import cross
+from vad.kinematics.numbers import cross, fold, positive
 from vad.kinematics.solver import Solver, solver_of
 
 if TYPE_CHECKING:
@@ -36,13 +40,16 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
     sizes = [] if turns else _sizes(solver.frame)
     limit = 360.0 if turns else sum(sizes) / _steepness(solver.frame)
     grid = np.linspace(0.0 if turns else -limit, limit, samples)
-    # However short the other bar is, a strut as long as one of the bars reaches.
-    grid = np.union1d(grid, [*sizes, *(-size for size in sizes)])
+    limits = _limits(solver, turns)
+    between = 0.5 * (limits[1:] + limits[:-1])
+    grid = np.unique(np.concatenate([grid, limits, between]))
     closes = _closes(solver, grid)
     if closes.all():
         return [(float(grid[0]), float(grid[-1]))]
-    edges = np.flatnonzero(closes[1:] != closes[:-1])
-    ends = [_edge(solver, float(grid[i]), float(grid[i + 1]), 1e-15 * limit) for i in edges]
+    ends = [
+        _edge(solver, float(grid[i]), float(grid[i + 1]), limits, 1e-15 * limit)
+        for i in np.flatnonzero(closes[1:] != closes[:-1])
+    ]
     if closes[0]:
         ends = [float(grid[0]), *ends]
     if closes[-1]:
@@ -50,6 +57,16 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
     if turns and closes[0]:  # the last interval runs on through 0°
         ends = [ends[-2] - 360.0, *ends[1:-2]]
     return list(zip(ends[::2], ends[1::2], strict=True))
+
+
+def _limits(solver: Solver, turns: bool) -> NDArray[np.float64]:
+    """Return all limits in closed form, of an angle within [0, 360), sorted."""
+    frame = solver.frame
+    found = [limit for loop in solver.loops for limit in loop.limits()]
+    if turns:
+        angles = {positive(fold(limit + frame.angle)) for limit in found}
+        return np.array(sorted(angles | ({360.0} if 0.0 in angles else set())))
+    return np.unique([limit * frame.scale for limit in found])
 
 
 def _sizes(frame: ReferenceFrame) -> list[float]:
@@ -74,8 +91,13 @@ def _closes(solver: Solver, values: NDArray[np.float64]) -> NDArray[np.bool_]:
     return closes
 
 
-def _edge(solver: Solver, inside: float, outside: float, tolerance: float) -> float:
-    """Return the last value that closes between two of which exactly one does."""
+def _edge(
+    solver: Solver, inside: float, outside: float, limits: NDArray[np.float64], tolerance: float
+) -> float:
+    """Return the limit between two values of which exactly one closes."""
+    for end in (inside, outside):
+        if end in limits:
+            return end
     if not _closes(solver, np.array([inside]))[0]:
         inside, outside = outside, inside
     middle = 0.5 * (inside + outside)

@@ -14,7 +14,7 @@ from vad.kinematics import chunks
 from vad.kinematics.closing.closures import OpenLoopError
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Linkage, Scalar
-from vad.kinematics.numbers import NAN_VECTOR, Number, Truth, direction, fold, is_array
+from vad.kinematics.numbers import NAN_VECTOR, Number, Truth, direction, fold, is_array, times
 from vad.kinematics.reach import closing_range
 from vad.kinematics.solver import Solver, solver_of
 from vad.kinematics.state import Pose, Rates
@@ -52,8 +52,7 @@ class Solution(Generic[Truth]):
         self._pose: Pose | None = None
         self._closed: NDArray[np.bool_] | None = None
         self._whole_pose: Pose | None = None
-        self._velocity: Rates | None = None
-        self._acceleration: Rates | None = None
+        self._found: tuple[Rates, ...] = ()
 
     @property
     def frame(self) -> ReferenceFrame:
@@ -109,17 +108,28 @@ class Solution(Generic[Truth]):
 
     @property
     def velocity(self) -> Rates:
-        """First derivatives, in the solver's unit."""
-        if self._velocity is None:
-            self._velocity = self._rates(())
-        return self._velocity
+        """First derivatives, in the solver's unit; of one pose all of them, or none."""
+        return self._complete(self.rates(1)[0])
 
     @property
     def acceleration(self) -> Rates:
-        """Second derivatives, in the solver's unit."""
-        if self._acceleration is None:
-            self._acceleration = self._rates((self.velocity,))
-        return self._acceleration
+        """Second derivatives, in the solver's unit; of one pose all of them, or none."""
+        return self._complete(self.rates(2)[1])
+
+    def _complete(self, rates: Rates) -> Rates:
+        if not self.many and any(rate != rate for rate in rates.flat().values()):
+            raise self.dead_centre()
+        return rates
+
+    def dead_centre(self) -> DeadCentreError:
+        """Return the error of a single pose in which what was asked for is undetermined."""
+        return DeadCentreError(self.solver.why_dead(self.pose))
+
+    def rates(self, orders: int) -> tuple[Rates, ...]:
+        """Return the rates of the first orders; what has none at a dead centre is NaN."""
+        while len(self._found) < orders:
+            self._found = *self._found, self._rates(self._found)
+        return self._found[:orders]
 
     def _rates(self, lower: tuple[Rates, ...]) -> Rates:
         value = list(self.inputs.values())[len(lower) + 1]
@@ -144,15 +154,17 @@ class Solution(Generic[Truth]):
             closed = self._closes.reshape(self.shape).copy()
         else:
             try:
-                closed = bool(self.pose.sine)
-            except AssemblyError:
+                self._pose = self._pose or self.solver.positions(self._driver)
+                closed = True
+            except OpenLoopError:
                 closed = False
         return closed
 
     @property
     def _closes(self) -> NDArray[np.bool_]:
         if self._closed is None:
-            self._closed = ~np.isnan(sum(self.whole_pose.sine))
+            driver = np.broadcast_to(self._driver, self.shape).ravel()
+            self._closed = ~np.isnan(driver + sum(self.whole_pose.sine))
         return self._closed
 
     def shaped(self, value: Number, *scales: Number) -> Number:
@@ -162,17 +174,18 @@ class Solution(Generic[Truth]):
         """
         if not self.many:
             for scale in scales:
-                value = value * scale
+                value = _scaled(value, scale)
             if value != value:
-                raise DeadCentreError("the result is undetermined at this dead centre")
+                raise self.dead_centre()
             if value - value != 0:
                 raise InputError("the result leaves the range of double precision")
-            return value
+            return value + 0.0  # no zero is negative
         result = np.array(np.broadcast_to(value, math.prod(self.shape)))
         with np.errstate(all="ignore"):
             for scale in scales:
-                if not (isinstance(scale, float) and scale == 1.0):
-                    result *= scale
+                if scale != 1.0:
+                    result = _scaled(result, scale)
+            result += 0.0  # no zero is negative
         nothing = NAN_VECTOR if np.iscomplexobj(result) else math.nan
         result[np.isinf(result)] = nothing  # beyond the range of double precision
         if not self._closes.all():
@@ -182,11 +195,7 @@ class Solution(Generic[Truth]):
     def reckon(self, formula: Formula, orders: int) -> Number:
         """Evaluate ``formula(pose, rates)`` in the solution of up to ``orders`` derivatives."""
         pose = self.whole_pose
-        rates: tuple[Rates, ...] = ()
-        if orders == 1:
-            rates = (self.velocity,)
-        elif orders == 2:
-            rates = (self.velocity, self.acceleration)
+        rates = self.rates(orders)
         if not self.many:
             return formula(pose, rates)
 
@@ -194,6 +203,10 @@ class Solution(Generic[Truth]):
             return {"": formula(pose.cut(part), tuple(rate.cut(part) for rate in rates))}
 
         return chunks.gather(math.prod(self.shape), part_of)[""]
+
+
+def _scaled(value: Number, scale: Number) -> Number:
+    return times(value, scale) if isinstance(scale, complex) else value * scale
 
 
 def _broadcast(inputs: dict[str, Number]) -> tuple[int, ...]:
@@ -211,22 +224,37 @@ def _not_assembled(mechanism: Mechanism, value: float, miss: float) -> AssemblyE
     unit = "°" if turns else f" {mechanism.length_unit}"
     miss *= solver.frame.scale
     message = f"{name} {value:g}{unit}: the links miss by {miss:.4g} {mechanism.length_unit}"
-    ranges = [_without_rounding(*ends) for ends in closing_range(mechanism)]
+    ranges = closing_range(mechanism)
     if not ranges:
         return AssemblyError(f"{message}; with these lengths they close at no {name}")
-    words = " and ".join(
-        f"{low:.6g}{unit}" + (f" … {high:.6g}{unit}" if high > low else "") for low, high in ranges
-    )
-    inside = [low + share * (high - low) for low, high in ranges for share in (0.02, 0.98)]
+    words = " and ".join(_range_in_words(low, high, unit) for low, high in ranges)
     period = 360.0 if turns else math.inf
-    nearest = min(inside, key=lambda place: abs(math.remainder(place - value, period)))
-    hint = f"try {name} {nearest:.4g}"
+
+    def distance(place: float) -> float:
+        return abs(math.remainder(place - value, period))
+
+    inside = [low + share * (high - low) for low, high in ranges for share in (0.02, 0.98)]
+    works = _shortest(solver, min(inside, key=distance))
+    hint = f"try {name} {works}" if works else None
     return AssemblyError(f"{message}; they close for {name} {words}", hint=hint)
 
 
-def _without_rounding(low: float, high: float) -> tuple[float, float]:
-    """Return a range, or twice the one place that it is but for rounding."""
-    if high - low > 1e-5 * max(abs(low), abs(high), 1.0):
-        return low, high
-    place = float(f"{0.5 * (low + high):.6f}") + 0.0
-    return place, place
+def _range_in_words(low: float, high: float, unit: str) -> str:
+    """Write a range with as many digits as tell its ends apart."""
+    largest, width = max(abs(low), abs(high)), high - low
+    if width <= 1e-14 * largest:
+        return f"{0.5 * (low + high) + 0.0:.6g}{unit}"
+    digits = max(6, min(17, 4 + math.ceil(math.log10(largest / width))))
+    return f"{low:.{digits}g}{unit} … {high:.{digits}g}{unit}"
+
+
+def _shortest(solver: Solver, place: float) -> str | None:
+    """Write a place with as few digits, four at least, as still close."""
+    for digits in range(4, 18):
+        text = f"{place + 0.0:.{digits}g}"
+        try:
+            solver.positions(float(text))
+        except OpenLoopError:
+            continue
+        return text
+    return None

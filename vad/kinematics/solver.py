@@ -5,14 +5,11 @@ from __future__ import annotations
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from vad.errors import DeadCentreError
 from vad.kinematics.closing.loop import LoopSolver
 from vad.kinematics.closing.loops import loop_solver
 from vad.kinematics.frame import ReferenceFrame
-from vad.kinematics.linkage import Linkage, scalar_of
-from vad.kinematics.numbers import Number, direction, fold, is_array
+from vad.kinematics.linkage import Linkage
+from vad.kinematics.numbers import Number, difference, direction, fold, off_axis
 from vad.kinematics.routes import Routes
 from vad.kinematics.state import GROUND, Pose, Rates
 
@@ -76,21 +73,18 @@ class Solver:
         if driver.kind == "angle":
             angle = fold(value)
             if self.frame.angle:
-                angle = fold(angle - self.frame.angle)
-            pose.unit[driver.name] = direction(angle)
+                angle = difference(angle, self.frame.angle)
+            pose.unit[driver.name] = off_axis(direction(angle))
         else:
             pose.length[driver.name] = value / self.frame.scale
         for loop in self.loops:
-            loop.close(pose)
+            loop.place(pose)
         return pose
 
     def rates(self, pose: Pose, lower: tuple[Rates, ...], value: Number) -> Rates:
         """Solve all loops for the driver's rate, of the order after those in ``lower``.
 
-        Raises
-        ------
-        DeadCentreError
-            For a single pose at a dead centre; in arrays its rates are NaN.
+        What has no rate at a dead centre is NaN.
         """
         driver = self.linkage.driver
         if driver.kind == "angle":
@@ -98,19 +92,12 @@ class Solver:
         else:
             found = Rates({}, {driver.name: value / self.frame.scale})
         for loop, sine in zip(self.loops, pose.sine, strict=True):
-            loop.cross(pose, (*lower, found), _alive(loop, sine))
+            loop.move(pose, (*lower, found), sine)
         return found
 
-
-def _alive(loop: LoopSolver, sine: Number) -> Number:
-    """Return the sine by which the crossing divides: never zero."""
-    if is_array(sine):
-        dead = sine == 0.0
-        # A copy only where there is a dead centre.
-        return np.where(dead, np.nan, sine) if dead.any() else sine
-    if sine == 0.0:
-        names = " and ".join(scalar_of(step).name for step in (loop.step, loop.other))
-        raise DeadCentreError(
-            f"dead centre: the construction lines of {names} are parallel and do not cross"
-        )
-    return sine
+    def why_dead(self, pose: Pose) -> str:
+        """Say why a result is undetermined in a single pose."""
+        for loop, sine in zip(self.loops, pose.sine, strict=True):
+            if sine == 0.0:
+                return loop.why_dead()
+        return "the result is undetermined at this dead centre"

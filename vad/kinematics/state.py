@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple
 
 from vad.kinematics import chunks
@@ -33,25 +33,30 @@ class Pose:
     """Where everything is: unit vectors of links (and of the ground), lengths of slides.
 
     ``sine`` holds, loop by loop, the sine of the angle at which its construction lines cross.
+    ``leaning`` holds the unit vectors of bars as seen along the guides on which they end, where
+    those are turned against the frame: their angles lose no digit by turning there and back.
     """
 
     unit: dict[str, Number]
     length: dict[str, Number]
     sine: list[Number]
+    leaning: dict[str, Number] = field(default_factory=dict)
 
     def flat(self) -> dict[Any, Number]:
         """Return all values in one dictionary."""
         units = {angle_of(name): value for name, value in self.unit.items()}
         lengths = {length_of(name): value for name, value in self.length.items()}
-        return units | lengths | dict(enumerate(self.sine))
+        leaning = {Scalar("leaning", name): value for name, value in self.leaning.items()}
+        return units | lengths | leaning | dict(enumerate(self.sine))
 
     @classmethod
     def of(cls, values: dict[Any, Number]) -> Pose:
         """Return the pose whose `flat` is ``values``."""
         pose = cls({}, {}, [])
+        kinds = {"angle": pose.unit, "length": pose.length, "leaning": pose.leaning}
         for key, value in values.items():
             if isinstance(key, Scalar):
-                (pose.unit if key.kind == "angle" else pose.length)[key.name] = value
+                kinds[key.kind][key.name] = value
             else:
                 pose.sine.append(value)
         return pose
@@ -60,7 +65,10 @@ class Pose:
         """Return the poses in ``part``."""
         sines = chunks.cut(dict(enumerate(self.sine)), part)
         return Pose(
-            chunks.cut(self.unit, part), chunks.cut(self.length, part), list(sines.values())
+            chunks.cut(self.unit, part),
+            chunks.cut(self.length, part),
+            list(sines.values()),
+            chunks.cut(self.leaning, part),
         )
 
 

@@ -10,7 +10,6 @@ from vad.errors import InputError, one_of, shown
 from vad.kinematics.linkage import Linkage
 
 CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}
-ASSEMBLIES = ("open", "crossed")
 # Between these, products of four lengths stay in the range of double precision when scaled.
 SHORTEST, LONGEST = 1e-200, 1e200
 #: Characters of a unit, which stands behind every number.
@@ -46,6 +45,12 @@ def unit(default: str) -> str:
     return field(default=default, metadata=metadata)
 
 
+def way(*choices: str) -> str:
+    """Declare in which ways it can be assembled; the first is the default."""
+    metadata = {"quantity": "choice", "choices": choices, "help": "which way it is assembled"}
+    return field(default=choices[0], metadata=metadata)
+
+
 @dataclass(frozen=True)
 class Mechanism:
     """A linkage with its parameters; each kind is a subclass in a file of its own.
@@ -70,10 +75,7 @@ class Mechanism:
     inputs: ClassVar[dict[str, float]] = CRANK
 
     _: KW_ONLY
-    assembly: str = field(
-        default="open",
-        metadata={"quantity": "choice", "choices": ASSEMBLIES, "help": "which way it is assembled"},
-    )
+    assembly: str = way("open", "crossed")
     length_unit: str = unit("mm")
 
     def __init_subclass__(cls) -> None:
@@ -82,7 +84,7 @@ class Mechanism:
     def __post_init__(self) -> None:
         for parameter in fields(self):
             self._check(parameter.name, parameter.metadata)
-        self.linkage()
+        self._check_names(self.linkage())
 
     def _check(self, name: str, metadata: Any) -> None:
         value = getattr(self, name)
@@ -95,6 +97,14 @@ class Mechanism:
                 raise InputError(f"{name}: must be short, got {shown(value)}")
         elif value is not None or not metadata["optional"]:
             object.__setattr__(self, name, self._number(name, value, metadata["signed"]))
+
+    def _check_names(self, linkage: Linkage) -> None:
+        """Check that all that turns or slides has a row of the results."""
+        scalars = {linkage.driver, *(scalar for pair in linkage.unknowns for scalar in pair)}
+        listed = {"angle": ("link", self.links), "length": ("slide", self.slides)}
+        for scalar in sorted(scalars):
+            what, names = listed[scalar.kind]
+            one_of(what, scalar.name, names)
 
     @staticmethod
     def _number(name: str, value: Any, signed: bool) -> float:

@@ -33,7 +33,8 @@ class Whitworth(Mechanism):
     def linkage(self) -> Linkage:
         """Return the loops; the tip C lies on the side away from Q."""
         height = self.ram_height
-        if self.rod is not None and height is None:
+        level = self.rod is not None and height is None
+        if level:
             height = self.ground * math.sin(math.radians(self.ground_angle))
         ground = (self.ground, self.ground_angle)
-        return quick_return(self.crank, -self.arm, ground, self.rod, height)
+        return quick_return(self.crank, -self.arm, ground, self.rod, height, level)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
@@ -22,10 +23,15 @@ from vad.kinematics.numbers import (
     cross,
     dot,
     is_array,
-    sign,
+    nearest,
+    over,
     sqrt,
+    times,
     vector,
 )
+
+# The values next to which a sine or cosine is expanded.
+CENTRES = (-1, 0, 1)
 
 
 class OpenLoopError(AssemblyError):
@@ -52,13 +58,8 @@ def _root(low: Number, high: Number, both: Number, scale_low: Number, scale_high
     # NaN fails this comparison too, and takes the careful way.
     if least.size and not least.min() >= 0.0:
         short = (low < -8 * EPSILON * scale_low) | (high < -8 * EPSILON * scale_high)
-        least = np.where(short, np.nan, np.maximum(least, 0.0))
+        least = np.where(short, np.nan, np.fmax(least, 0.0))
     return np.sqrt(least * (both - least))
-
-
-def _near_one(x: Number, other: Number) -> tuple[Number, Number]:
-    """Write a sine or cosine as x = side·(1 - rest); ``rest`` keeps its relative accuracy."""
-    return sign(x), other * other / (1.0 + abs(x))
 
 
 @dataclass(frozen=True)
@@ -67,7 +68,8 @@ class GroundedCrank:
 
     Where crank and ground are nearly in line the gap is a small difference of large lengths;
     their differences are formed once, exactly, and what the angle adds is formed without
-    cancellation.  This keeps ω to full accuracy at change points.
+    cancellation.  This keeps ω to full accuracy at change points.  Where the cosine is 0 or ±½
+    nothing is rounded, and a dead centre is found exactly.
     """
 
     c: complex
@@ -77,16 +79,16 @@ class GroundedCrank:
         """Return the gap for the crank's unit vector ``u``."""
         if self.c.real == 0.0:  # nothing cancels, and a small cosine keeps its digits
             return self.t * u + self.c
-        side, rest = _near_one(u.real, u.imag)
-        return self.gap_from(u, rest * side, *choose(side, *self.ends))
+        centre, short = nearest(u.real, u.imag)
+        return self.gap_from(u, short, *choose(centre, self.ends))
 
     @property
-    def ends(self) -> tuple[tuple[float], tuple[float]]:
-        """The gap's x where the crank points along the x axis, and where it points against it."""
-        return (self.c.real + self.t,), (self.c.real - self.t,)
+    def ends(self) -> dict[int, tuple[float]]:
+        """The gap's x where the crank's cosine is -1, 0 and 1."""
+        return {centre: (self.c.real + centre * self.t,) for centre in CENTRES}
 
     def gap_from(self, u: Number, short: Number, end: Number) -> Number:
-        """Return the gap for a cosine that falls ``short`` of ±1, from the x that it has there."""
+        """Return the gap for a cosine that falls ``short`` of -1, 0 or 1, from the x there."""
         return vector(end - self.t * short, self.t * u.imag + self.c.imag)
 
 
@@ -114,24 +116,23 @@ class TwoAngles:
         if crank is None or sizes is None:
             return
         self.crank, self.sizes = crank, sizes
-        r, q = sizes
-        c = crank.c.real
-        self._constants = [
-            (
-                *end,
-                math.fsum((c, t)) ** 2,
-                math.fsum((r, q, -c, -t)) * math.fsum((r, q, c, t)),
-                math.fsum((c, t, q, -r)) * math.fsum((c, t, r, -q)),
+        (r, q), (c, t) = map(Fraction, sizes), map(Fraction, (crank.c.real, crank.t))
+        squares = {centre: c * c + t * t + 2 * centre * c * t for centre in CENTRES}
+        self._constants = {
+            centre: (
+                *crank.ends[centre],
+                float(square),
+                float((r + q) ** 2 - square),
+                float(square - (r - q) ** 2),
             )
-            for end, t in zip(crank.ends, (crank.t, -crank.t), strict=True)
-        ]
+            for centre, square in squares.items()
+        }
 
     def over_crank(self, u: Number) -> Triangle:
         """Return the triangle over a grounded crank's gap."""
-        side, rest = _near_one(u.real, u.imag)
-        short = side * rest
+        centre, short = nearest(u.real, u.imag)
         grown = (-2.0 * self.crank.c.real * self.crank.t) * short
-        end, square, below, above = choose(side, *self._constants)
+        end, square, below, above = choose(centre, self._constants)
         gap = self.crank.gap_from(u, short, end)
         return Triangle(gap, square + grown, below - grown, above + grown, *self.sizes)
 
@@ -157,13 +158,14 @@ class TwoAngles:
             if square == 0.0:  # the bars fold onto each other and may turn together
                 return NAN_VECTOR, NAN_VECTOR, 0.0
             if r == 0.0:  # a strut without length may point anywhere
-                return NAN_VECTOR, -gap / q, 0.0
+                return NAN_VECTOR, over(-gap, q), 0.0
         # Both feet from Heron's factor: the short bar's from no difference of the long ones.
         half = (0.5 * self.side) * root
         across = half / square
         twice = 2.0 * square
-        first = gap * vector((above + (2.0 * difference) * r) / (r * twice), across / r)
-        second = gap * vector(((2.0 * difference) * q - above) / (q * twice), across / q)
+        along = above + (2.0 * difference) * r, (2.0 * difference) * q - above
+        first = times(gap, vector(along[0] / (r * twice), across / r))
+        second = times(gap, vector(along[1] / (q * twice), across / q))
         sine = half / (r * q)
         if is_array(r) and not r.all():
             sine[(r == 0.0) & (half == 0.0)] = 0.0
@@ -181,18 +183,19 @@ class AngleAndLength:
         self.crank = crank if g == 1.0 else None
         if self.crank is not None:
             h, t = self.crank.c.imag, self.crank.t
-            self._constants = [
-                (math.fsum((r, -h, -f)), math.fsum((r, h, f)), h + f) for f in (t, -t)
-            ]
+            self._constants = {
+                k: (math.fsum((r, -h, -k * t)), math.fsum((r, h, k * t)), h + k * t)
+                for k in CENTRES
+            }
 
     def close(self, gap: Number, u: Number) -> tuple[Number, Number, Number]:
-        """Return the bar's unit vector, the length s and the sine between bar normal and g."""
+        """Return the bar's unit vector seen along g, the length s and the sine of normal and g."""
         r = self.r
         along = -dot(self.g, gap)
         if self.crank is not None:
-            side, rest = _near_one(u.imag, u.real)
-            sunk = self.crank.t * (side * rest)
-            below, above, height = choose(side, *self._constants)
+            centre, short = nearest(u.imag, u.real)
+            sunk = self.crank.t * short
+            below, above, height = choose(centre, self._constants)
             below, above, height = below + sunk, above - sunk, height - sunk
         else:
             height = cross(self.g, gap)
@@ -202,7 +205,7 @@ class AngleAndLength:
         if not is_array(root) and math.isnan(root):
             raise OpenLoopError(abs(height) - r)
         root = self.side * root
-        return self.g * vector(root / r, height / r), along + root, -root / r
+        return vector(root / r, height / r), along + root, -root / r
 
 
 def slot(pin: Number) -> tuple[Number, Number]:
@@ -212,8 +215,8 @@ def slot(pin: Number) -> tuple[Number, Number]:
     """
     length = sqrt(dot(pin, pin))
     if is_array(length):
-        return pin / np.where(length == 0.0, np.nan, length), length
-    return (pin / length if length else NAN_VECTOR), length
+        return over(pin, np.where(length == 0.0, np.nan, length)), length
+    return (over(pin, length) if length else NAN_VECTOR), length
 
 
 def crossing(target: Number, p: Number, q: Number, sine: Number) -> tuple[Number, Number]:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
+import numpy as np
+
 from vad.kinematics.closing.closures import GroundedCrank, crossing
+from vad.kinematics.closing.equal_links import EqualLinks
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, angle_of, scalar_of
-from vad.kinematics.numbers import Number
+from vad.kinematics.numbers import Number, is_array
 from vad.kinematics.state import GROUND, Pose, Rates
 
 SignedStep = tuple[int, Step]
@@ -39,7 +43,7 @@ class LoopSolver:
         fixed = frame.fixed
         self.offset = 0j if starts[0] == starts[1] else fixed[starts[1]] - fixed[starts[0]]
         for way, step in loop.steps():
-            if isinstance(step, Slide):
+            if isinstance(step, Slide) and not step.through_tail:
                 self.offset += way * frame.shift(step)
         self.crank = self._grounded_crank()
         self.inverted = self._longer_crank()
@@ -47,6 +51,8 @@ class LoopSolver:
         known = [self.ground] if self.inverted else self.known
         #: What moves by known amounts, for velocities and for accelerations.
         self.moving = known, [*known, *ordered]
+        #: The copies that stand still or turn with the crank, where links are of equal length.
+        self.equal: EqualLinks | None = None
         self.prepare()
 
     def _grounded_crank(self) -> GroundedCrank | None:
@@ -78,6 +84,35 @@ class LoopSolver:
     def close(self, pose: Pose) -> None:
         """Find the two unknowns of the position and write them into ``pose``."""
         raise TypeError(f"{type(self).__name__} has no closed form")
+
+    def place(self, pose: Pose) -> None:
+        """Find the two unknowns of the position, those of equal links without any rounding."""
+        self.close(pose)
+        if self.equal:
+            self.equal.place(pose)
+
+    def move(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
+        """Find the two unknown rates of the highest order; NaN at a dead centre."""
+        if is_array(sine) or sine != 0.0:
+            self.cross(pose, rates, _alive(sine))
+        else:
+            for step in (self.step, self.other):
+                found = rates[-1].turning if isinstance(step, Bar) else rates[-1].sliding
+                found[scalar_of(step).name] = math.nan
+        if self.equal:
+            self.equal.move(pose, rates[-1])
+
+    def limits(self) -> list[float]:
+        """Return where it just closes, of a driver that alone moves its gap, in closed form.
+
+        These are angles in degrees in the frame, or lengths in the solver's unit.
+        """
+        return []
+
+    def why_dead(self) -> str:
+        """Say what is the matter at a dead centre of this loop."""
+        names = " and ".join(scalar_of(step).name for step in (self.step, self.other))
+        return f"dead centre: the construction lines of {names} are parallel and do not cross"
 
     def gap(self, pose: Pose) -> Number:
         """Return the known part of the loop's sum."""
@@ -117,3 +152,12 @@ class LoopSolver:
     def radius(self, bar: Bar, pose: Pose) -> Number:
         """Return the length at which an unknown bar turns."""
         return self.frame.size(bar, pose)
+
+
+def _alive(sine: Number) -> Number:
+    """Return the sine by which the crossing divides: never zero."""
+    if not is_array(sine):
+        return sine
+    dead = sine == 0.0
+    # A copy only where there is a dead centre.
+    return np.where(dead, np.nan, sine) if dead.any() else sine

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
+from typing import cast
 
-from vad.errors import DeadCentreError, InputError
+from vad.errors import InputError
 from vad.kinematics.closing.closures import (
     AngleAndLength,
     GroundedCrank,
@@ -13,11 +13,18 @@ from vad.kinematics.closing.closures import (
     crossing,
     slot,
 )
+from vad.kinematics.closing.equal_links import equal_bars, equal_rod, parallelogram
+from vad.kinematics.closing.limits import (
+    guide_limits,
+    push_limits,
+    strut_limits,
+    triangle_limits,
+)
 from vad.kinematics.closing.loop import LoopSolver
 from vad.kinematics.closing.strut import Strut
 from vad.kinematics.frame import ReferenceFrame
-from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, scalar_of
-from vad.kinematics.numbers import Number, cross, is_array, vector
+from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, length_of, scalar_of
+from vad.kinematics.numbers import Number, cross, degrees_of, fold, over, times, vector
 from vad.kinematics.state import GROUND, Pose, Rates
 
 
@@ -55,8 +62,21 @@ class TwoAnglesLoop(LoopSolver):
         sizes = (self.frame.size(self.step), self.frame.size(self.other)) if self.crank else None
         self._closure = TwoAngles(self.side, self.crank, sizes)
         self._longest: Bar | None = None
+        if self.crank and sizes:
+            named = dict(zip((self.step.link, self.other.link), sizes, strict=True))
+            driver, side = self.frame.linkage.driver.name, self.side
+            if self.frame.linkage.parallel:
+                self.equal = parallelogram(driver, self.crank, named)
+            else:
+                self.equal = equal_bars(driver, side, self.crank, named)
         if self.crank and sizes and max(sizes) > max(abs(self.crank.c), abs(self.crank.t)):
             self._see_from(self.step if sizes[0] > sizes[1] else self.other)
+
+    def limits(self) -> list[float]:
+        """Return the crank angles at which both bars are in line."""
+        if self.crank is None or self.crank.c == 0.0:
+            return []
+        return triangle_limits(self.crank, self.frame.size(self.step), self.frame.size(self.other))
 
     def _see_from(self, longest: Bar) -> None:
         """Choose the bar from which `cross` sees the loop."""
@@ -120,6 +140,10 @@ class StrutLoop(TwoAnglesLoop):
         if self._strut.short_gap:
             self._see_from(self.step)
 
+    def limits(self) -> list[float]:
+        """Return the lengths at which strut and bar are in line."""
+        return strut_limits(abs(self.offset), self.frame.size(self.other))
+
     def triangle(self, pose: Pose) -> Triangle:
         """Return the triangle of strut, bar and gap."""
         return self._strut.triangle(self.frame.size(self.step, pose))
@@ -132,7 +156,7 @@ class StrutLoop(TwoAnglesLoop):
         strut, arm = self.frame.size(self.step, pose), self.frame.size(self.other)
         at_arm, at_ground = self._strut.projections(strut)
         arm_axis = vector(at_arm / arm, sine)
-        ground_axis = vector(at_ground, -arm * sine) / self.offset.real
+        ground_axis = over(vector(at_ground, -arm * sine), self.offset.real)
         units = {self.step.link: 1.0 + 0j, self.other.link: arm_axis, GROUND: ground_axis}
         super().cross(Pose(units, pose.length, pose.sine), rates, sine)
 
@@ -150,13 +174,36 @@ class AngleAndLengthLoop(LoopSolver):
         frame, way = self.frame, -self.way
         crank = GroundedCrank(way * self.crank.c, way * self.crank.t) if self.crank else None
         guide = way * self.other_way * frame.line(self.other, None)
-        self._closure = AngleAndLength(self.side, crank, frame.size(self.step), guide)
+        size = frame.size(self.step)
+        frame.guides[self.step.link] = fold(float(self.other.along))
+        self._closure = AngleAndLength(self.side, crank, size, guide)
+        self._advance = frame.advance(self.other) if self.other.through_tail else 0.0
+        if crank:
+            driver, rod = frame.linkage.driver.name, (self.step.link, size)
+            self.equal = equal_rod(driver, self.side, crank, rod, guide, self.other.name)
+
+    def limits(self) -> list[float]:
+        """Return where the bar stands across its guide."""
+        frame, line, size = self.frame, self._closure.g, self.frame.size(self.step)
+        height = cross(line, -self.way * self.offset)
+        if self.crank:
+            angles = guide_limits(height, -self.way * self.crank.t, size)
+            return [angle + degrees_of(line) for angle in angles]
+        way, pushed = self.known[0]
+        if len(self.known) > 1 or length_of(getattr(pushed, "name", "")) != frame.linkage.driver:
+            return []
+        slope = cross(line, -self.way * way * frame.line(cast(Slide, pushed), None))
+        return push_limits(height, slope, size)
 
     def close(self, pose: Pose) -> None:
         """Let the bar end on the line."""
         u = pose.unit.get(self.frame.linkage.driver.name)
-        found = self._closure.close(-self.way * self.gap(pose), u)
-        pose.unit[self.step.link], pose.length[self.other.name], sine = found
+        lean, length, sine = self._closure.close(-self.way * self.gap(pose), u)
+        link, guide = self.step.link, self._closure.g
+        pose.unit[link] = lean if guide == 1.0 else times(guide, lean)
+        if self.frame.angle:
+            pose.leaning[link] = (-self.way * self.other_way) * lean
+        pose.length[self.other.name] = length + self._advance
         pose.sine.append(sine)
 
 
@@ -176,20 +223,12 @@ class SlotLoop(LoopSolver):
         unit, length = slot(-self.way * self.gap(pose))
         pose.unit[self.step.link], pose.length[self.other.name] = unit, length
         # The lines always cross at right angles; what can vanish is the length.
-        pose.sine.append(length - length + float(self.way * self.other_way))
+        pose.sine.append((length > 0.0) * float(self.way * self.other_way))
 
-    def radius(self, bar: Bar, pose: Pose) -> Number:
-        """Return the block's distance from the pivot, where it has a direction."""
-        radius = self.frame.size(bar, pose)
-        if is_array(radius):
-            return np.where(radius == 0.0, np.nan, radius) if (radius == 0.0).any() else radius
-        if radius == 0.0:
-            pivot, pin = bar.ends[0], bar.ends[1]
-            raise DeadCentreError(
-                f"{bar.link}: {pin} stands on the pivot {pivot}, where the {bar.link} may point "
-                "anywhere"
-            )
-        return radius
+    def why_dead(self) -> str:
+        """Say that the pin stands on the pivot."""
+        link, pivot, pin = self.step.link, self.step.ends[0], self.step.ends[1]
+        return f"{link}: {pin} stands on the pivot {pivot}, where the {link} may point anywhere"
 
 
 class TwoLengthsLoop(LoopSolver):
@@ -206,4 +245,4 @@ class TwoLengthsLoop(LoopSolver):
         target = -self.gap(pose)
         found = crossing(target, p, q, sine)
         pose.length[self.step.name], pose.length[self.other.name] = found
-        pose.sine.append(target.real * 0.0 + sine)
+        pose.sine.append((target.real == target.real) * sine)

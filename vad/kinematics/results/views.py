@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, Generic
 
 import numpy as np
 
-from vad.errors import DeadCentreError
 from vad.kinematics.linkage import Slide, angle_of
 from vad.kinematics.numbers import (
     Number,
@@ -20,10 +19,12 @@ from vad.kinematics.numbers import (
     fold,
     is_array,
     positive,
+    times,
 )
 
 if TYPE_CHECKING:
     from vad.kinematics.solution import Solution
+    from vad.kinematics.state import Pose
 
 
 class Link(Generic[Real]):
@@ -39,20 +40,17 @@ class Link(Generic[Real]):
         motion, name = self._motion, self._name
         if angle_of(name) == motion.linkage.driver:
             return self._given_angle(motion.inputs["angle"])
-        turn = motion.frame.turn
-        if motion.many:
-            return motion.shaped(
-                motion.reckon(
-                    lambda pose, _: degrees_of(
-                        pose.unit[name] if turn == 1 else pose.unit[name] * turn
-                    ),
-                    0,
-                )
-            )
-        unit = motion.pose.unit[name]
-        if unit != unit:  # NaN
-            raise DeadCentreError(f"{name}: its angle is undetermined at this dead centre")
-        return degrees_of(unit * turn)
+        if not motion.many and motion.pose.unit[name] != motion.pose.unit[name]:  # NaN
+            raise motion.dead_centre()
+        return motion.shaped(motion.reckon(lambda pose, _: self._heading(pose), 0))
+
+    def _heading(self, pose: Pose) -> Number:
+        """Return its direction in degrees: as seen along its guide, where it has one."""
+        frame, name = self._motion.frame, self._name
+        if name in pose.leaning:
+            return degrees_of(pose.leaning[name], frame.guides[name])
+        unit = pose.unit[name]
+        return degrees_of(unit if frame.turn == 1 else times(unit, frame.turn))
 
     def _given_angle(self, value: Number) -> Number:
         """Return the driver's angle: as it was given, without a turn there and back."""
@@ -67,12 +65,12 @@ class Link(Generic[Real]):
     @property
     def omega(self) -> Real:
         """Its angular velocity in rad/s."""
-        return self._motion.shaped(self._motion.velocity.turning[self._name])
+        return self._motion.shaped(self._motion.rates(1)[-1].turning[self._name])
 
     @property
     def alpha(self) -> Real:
         """Its angular acceleration in rad/s²."""
-        return self._motion.shaped(self._motion.acceleration.turning[self._name])
+        return self._motion.shaped(self._motion.rates(2)[-1].turning[self._name])
 
 
 class Point(Generic[Vector]):
@@ -96,7 +94,7 @@ class Point(Generic[Vector]):
             slide: Slider[Any] = Slider(motion, guide.name)
             return guide.origin + slide.position * heading(guide)
         pin = routes.pin(letter)
-        if pin and motion.frame.angle:
+        if pin:
             return motion.shaped(motion.crank_direction, float(pin.length))
         return self._outward(motion.reckon(lambda pose, _: routes.position(letter, pose), 0))
 
@@ -144,13 +142,13 @@ class Slider(Generic[Real]):
     def velocity(self) -> Real:
         """Its velocity along the line."""
         motion = self._motion
-        return motion.shaped(motion.velocity.sliding[self._name], motion.frame.scale)
+        return motion.shaped(motion.rates(1)[-1].sliding[self._name], motion.frame.scale)
 
     @property
     def acceleration(self) -> Real:
         """Its acceleration along the line."""
         motion = self._motion
-        return motion.shaped(motion.acceleration.sliding[self._name], motion.frame.scale)
+        return motion.shaped(motion.rates(2)[-1].sliding[self._name], motion.frame.scale)
 
     @property
     def coriolis(self) -> Real | None:
@@ -158,9 +156,7 @@ class Slider(Generic[Real]):
         motion, name = self._motion, self._name
         for step in motion.frame.steps:
             if isinstance(step, Slide) and step.name == name and isinstance(step.along, str):
-                turning, sliding = (
-                    motion.velocity.turning[step.along],
-                    motion.velocity.sliding[name],
-                )
-                return motion.shaped(abs(2.0 * turning * sliding), motion.frame.scale)
+                rates = motion.rates(1)[0]
+                twist = abs(2.0 * rates.turning[step.along] * rates.sliding[name])
+                return motion.shaped(twist, motion.frame.scale)
         return None

@@ -1,0 +1,97 @@
+"""Linkages written by hand: what would be solved wrongly is refused by name, in one line."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+import vad
+from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of, length_of
+
+CRANK = Bar("AB", "crank", 40.0)
+GROUND = ("D", 100.0, 0.0)
+
+
+def four_bar(first: tuple[Bar, ...], second: tuple[Bar, ...]) -> Linkage:
+    return Linkage(angle_of("crank"), (Loop(first, second),), ground=GROUND)
+
+
+def slotted(*steps: Bar | Slide, second: tuple[Bar, ...]) -> Linkage:
+    return Linkage(angle_of("crank"), (Loop((CRANK, *steps), second),), ground=GROUND)
+
+
+WRONG: dict[str, tuple[Callable[[], Linkage], str]] = {
+    "slide without the bar that carries it": (
+        lambda: slotted(-Slide("CB", "block", "lever"), second=(Bar("DC", "lever", 80.0),)),
+        "loop 1: no bar of lever carries block",
+    ),
+    "slide against its bar": (
+        lambda: slotted(Slide("BQ", "block", "lever"), second=(Bar("DQ", "lever", "block"),)),
+        "loop 1: block slides against the bar of lever that carries it",
+    ),
+    "both unknowns in one chain": (
+        lambda: four_bar((CRANK,), (Bar("DC", "rocker", 80.0), -Bar("BC", "coupler", 120.0))),
+        "loop 1: both unknowns are in one chain, the first has none",
+    ),
+    "chains that end apart": (
+        lambda: four_bar((CRANK, Bar("BC", "coupler", 120.0)), (Bar("DE", "rocker", 80.0),)),
+        "loop 1: its chains end at different points, C and E",
+    ),
+    "broken chain": (
+        lambda: four_bar((CRANK, Bar("EC", "coupler", 120.0)), (Bar("DC", "rocker", 80.0),)),
+        "loop 1, first chain: is broken, EC does not begin at B",
+    ),
+    "chain from nowhere": (
+        lambda: four_bar((CRANK, Bar("BC", "coupler", 120.0)), (Bar("XC", "rocker", 80.0),)),
+        "loop 1: X, where a chain begins, is no fixed point",
+    ),
+    "one bar with two lengths": (
+        lambda: Linkage(
+            angle_of("crank"),
+            (Loop((CRANK, Bar("BC", "coupler", 120.0)), (Bar("DC", "rocker", 80.0),)),),
+            images=(Bar("DC", "rocker", 81.0),),
+            ground=GROUND,
+        ),
+        "rocker: DC has two lengths, 80.0 and 81.0",
+    ),
+    "no number for a length": (
+        lambda: four_bar((Bar("AB", "crank", None),), ()),  # type: ignore[arg-type]
+        "length of AB: must be a finite number or a name, got None",
+    ),
+    "strut from a moving point": (
+        lambda: Linkage(
+            length_of("stroke"),
+            (
+                Loop(
+                    (Slide("AS", "stroke", "strut"), Bar("SB", "strut", "stroke")),
+                    (Bar("AB", "arm", 5.0),),
+                ),
+            ),
+        ),
+        "loop 1: strut must lead between two fixed points",
+    ),
+}
+
+
+@pytest.mark.parametrize(("write", "message"), WRONG.values(), ids=list(WRONG))
+def test_what_would_be_solved_wrongly_is_refused(
+    write: Callable[[], Linkage], message: str
+) -> None:
+    with pytest.raises(vad.InputError) as caught:
+        write()
+    assert str(caught.value) == message
+
+
+def test_whole_numbers_are_numbers() -> None:
+    assert Slide("DC", "slider", 0).along == 0.0
+    assert type(Bar("AB", "crank", 40).length) is float
+
+
+def test_a_misspelt_link_is_refused_when_the_mechanism_is_made(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(vad.FourBar, "links", {"crank": "AB", "cuopler": "BC", "rocker": "DC"})
+    with pytest.raises(vad.InputError, match="unknown link 'coupler'") as caught:
+        vad.FourBar()
+    assert caught.value.hint == "did you mean 'cuopler'?"
