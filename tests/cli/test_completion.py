@@ -60,7 +60,7 @@ def test_an_option_that_is_given_is_not_offered_again(offered):
 
 def test_the_names_that_an_option_takes(offered):
     assert offered("vad draw four-bar --style ") == plain(*style_names())
-    assert offered("vad draw four-bar --assembly ") == plain("open", "crossed")
+    assert offered("vad draw four-bar --assembly ") == plain("open", "crossed", "parallel")
     assert offered("vad animate four-bar --language d") == plain("de")
     assert offered("vad draw four-bar --paper A") == plain("A4", "A3")
     assert offered("vad solve four-bar --length-unit f") == plain("ft")
