@@ -73,12 +73,13 @@ class _Incremental:
             for region in regions:
                 box = union(box, self._pixels_of(self._board.regions[region]))
             top = self._split(regions, moment.beat)
-        box = union(box, self._reach(top, moment.share))
+        now = self._at(top, moment.share)
+        box = union(box, self._reach(now))
         before = self._cut(box).copy()
         if moment.beat != self._beat:
             self._commit(regions, top, moment.beat)
             self._beat, self._top = moment.beat, top
-        self._lay(moment.share)
+        self._lay(now)
         if first:
             return 0, 0, self.pixels.shape[1], self.pixels.shape[0]
         return difference(before, self._cut(box), box)
@@ -123,35 +124,40 @@ class _Incremental:
             if spot is not None:
                 self._painter.paint(mark.shape, self._looks(mark))
 
-    def _lay(self, share: float) -> None:
+    def _at(self, top: list[tuple[Mark, Box | None]], share: float) -> list[tuple[Mark, Box, bool]]:
+        """Return the top as it is at a share: marks, their boxes, and whether they grow."""
+        now: list[tuple[Mark, Box, bool]] = []
+        for mark, spot in top:
+            if spot is not None:
+                now.append((mark, spot, False))
+            elif grown := mark.at(share):
+                now.append((grown, self._box(grown), True))
+        return now
+
+    def _lay(self, now: list[tuple[Mark, Box, bool]]) -> None:
         """Paint what grows on the base, and whatever of the rest it touches."""
         if not self._top:
             return
-        box = self._reach(self._top, share)
+        box = self._reach(now)
         self._cut(box)[:] = self._base[window(box)]
-        for mark, spot in self._top:
-            if spot is None:
-                grown = mark.at(share)
-                if grown:
-                    self._painter.paint(grown.shape, self._looks(grown))
-            elif touching(spot, box):
+        for mark, spot, grows in now:
+            if grows or touching(spot, box):
                 self._painter.paint(mark.shape, self._looks(mark))
         self._dirty = box
 
-    def _reach(self, top: list[tuple[Mark, Box | None]], share: float) -> Box:
+    def _reach(self, now: list[tuple[Mark, Box, bool]]) -> Box:
         """Return the box that painting the top touches.
 
         It holds what grows, what the frame before has painted, and in turn what lies above.
         """
         box = self._dirty
-        for mark, spot in top:
-            grown = mark.at(share) if spot is None else None
-            if grown:
-                box = union(box, self._box(grown))
+        for _, spot, grows in now:
+            if grows:
+                box = union(box, spot)
         while True:
             wider = box
-            for _, spot in top:
-                if spot and touching(spot, wider):
+            for _, spot, grows in now:
+                if not grows and touching(spot, wider):
                     wider = union(wider, spot)
             if wider == box:
                 return box
