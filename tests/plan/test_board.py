@@ -215,7 +215,7 @@ def test_the_arrow_of_omega_turns_with_the_driver(scene: str):
         cell.value
         for row in shown.sheet.rows
         for cell in row.cells["velocity"]
-        if cell.given and cell.symbol == "ω"
+        if cell.given and cell.symbol == "ω₂"
     ]
     arcs = [m for i in shown.items if i.region == "position" for m in i.marks if m.role == "sense"]
     assert len(arcs) == len(given)

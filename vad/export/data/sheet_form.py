@@ -10,6 +10,7 @@ from functools import partial
 from typing import get_args
 
 from vad.export.data.records import (
+    COUNT,
     FLAG,
     NUMBER,
     POINT,
@@ -27,6 +28,7 @@ from vad.export.data.records import (
     variants,
 )
 from vad.strokes.language import languages
+from vad.strokes.notation import Notation
 from vad.strokes.sheet import (
     Arc,
     Arrow,
@@ -99,6 +101,12 @@ PANEL = record(
 )
 CELL = record(Cell, symbol=TEXT, value=NUMBER, unit=UNIT, given=optional(FLAG, False))
 ROW = record(Row, key=TEXT, title=TEXT, letters=TEXT, cells=by_name(many(CELL)))
+NOTATION = record(
+    Notation,
+    point=one_of((".", ",")),
+    metres=optional(FLAG, False),
+    digits=optional(by_name(COUNT), {}),
+)
 SHEET = record(
     Sheet,
     mechanism=TEXT,
@@ -106,5 +114,6 @@ SHEET = record(
     language=one_of(languages()),
     parameters=many(row(TEXT, NUMBER, UNIT)),
     rows=many(ROW),
+    notation=optional(NOTATION, Notation()),
     panels=by_attribute("name", PANEL),
 )
