@@ -15,17 +15,19 @@ def title(sheet: Sheet) -> str:
         f"{name} {sheet.notation.quantity(value, unit, given=True)}"
         for name, value, unit in sheet.parameters
     )
-    return f"{sheet.title}: {parameters}" if parameters else sheet.title
+    colon = Language(sheet.language).say("colon")
+    return f"{sheet.title}{colon}{parameters}" if parameters else sheet.title
 
 
 def describe(sheet: Sheet) -> str:
     """Return what the panels show, step by step, and what was measured."""
     say = Language(sheet.language).say
     lines = [
-        f"{panel.title}: " + " ".join(_ended(s.caption) for s in panel.strokes)
+        panel.title + say("colon") + " ".join(_ended(s.caption) for s in panel.strokes)
         for panel in sheet.panels
     ]
-    lines.append(f"{say('results')}: " + "; ".join(_row(row, sheet) for row in sheet.rows) + ".")
+    rows = "; ".join(_row(row, sheet) for row in sheet.rows)
+    lines.append(f"{say('results')}{say('colon')}{rows}.")
     return "\n".join(lines)
 
 

@@ -4,6 +4,7 @@ PHRASES = {
     # Seite
     "results": "Ergebnisse",
     "given": "gegeben",
+    "colon": ": ",
     "coriolis rule": "Coriolis: v um 90° mit ω gedreht",
     # Lageplan
     "fixed": "{letter} ist ein festes Gelenk.",
