@@ -147,3 +147,19 @@ def test_letters_are_the_same_where_a_coupler_does_not_turn() -> None:
     parallel = vad.FourBar(ground=100, crank=40, coupler=100, rocker=40, assembly="parallel")
     panel = vad.draw(vad.solve(parallel, alpha=5.0)).panel("acceleration")
     assert {s.name: s.label for s in panel.strokes}["DC.normal"] == "d′c″ₙ"
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "angle", "stroke", "sentence"),
+    [
+        (vad.SliderCrank(), 90.0, "C", "c is where the two lines cross: at b, so ω₃ is zero."),
+        (vad.SliderCrank(), 0.0, "C", "c is where the two lines cross: at d, so v is zero."),
+        (vad.ScotchYoke(), 90.0, "C", "c is where the two lines cross: at b, so v is zero."),
+        (vad.FourBar(), 60.0, "C", "c is where the two lines cross."),
+    ],
+)
+def test_what_vanishes_is_said_where_the_lines_cross(
+    mechanism: Mechanism, angle: float, stroke: str, sentence: str
+) -> None:
+    captions = said(vad.draw(vad.solve(mechanism, angle=angle), panels="velocity"))
+    assert captions[f"velocity:{stroke}.crossing"] == sentence

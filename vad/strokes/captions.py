@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from vad.kinematics.linkage import Bar, Slide, length_of
+from vad.kinematics.linkage import Bar, Slide, Step, length_of
 from vad.strokes.chains import Part
 from vad.strokes.figures import Figure, Unit
 from vad.strokes.scene import Scene, image_letter
@@ -101,10 +101,15 @@ class Captions:
             meeting=meeting,
         )
 
-    def crossing(self, letter: str, pole: bool) -> str:
-        """Say what lies where the two lines cross."""
-        still = letter[0].upper()
-        return self._say("pole crossing" if pole else "crossing", letter=letter, point=still)
+    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part, str]]) -> str:
+        """Say what lies where the two lines cross, and which results are zero there."""
+        if pole:
+            return self._say("pole crossing", letter=letter, point=letter[0].upper())
+        found = "; ".join(
+            self._say("zero", point=vertex, symbol=self._rate_symbol(part.step))
+            for part, vertex in zeros
+        )
+        return self._say("crossing zero" if found else "crossing", letter=letter, found=found)
 
     def measured(self, label: str, part: Part) -> str:
         """Measure a result off the polygon."""
@@ -117,7 +122,7 @@ class Captions:
                 head=self._sliding_point(step),
                 line=scene.line(step),
                 way=self._way(part.vector),
-                symbol="va"[self._order - 1],
+                symbol=self._rate_symbol(step),
                 rate=Figure(scene.speed(step.name, self._order), self._unit),
                 **common,
             )
@@ -180,6 +185,12 @@ class Captions:
             unit=Unit(self._unit),
             found=self._say("image whole" if part == label else "image other", **common),
         )
+
+    def _rate_symbol(self, step: Step) -> str:
+        """Return the symbol of what a step's unknown part measures: ω₃, α₃, v or a."""
+        if isinstance(step, Slide):
+            return "va"[self._order - 1]
+        return self._scene.symbol("ωα"[self._order - 1], step.link)
 
     def _size(self, part: Part) -> Figure:
         return Figure(abs(part.vector), self._unit)

@@ -142,15 +142,16 @@ class Pencil:
         name = f"{part.step.ends}.line"
         self.add(Stroke("construction", label, line, caption, owner(part.step), name=name))
 
-    def crossing(self, end: str, reveals: tuple[str, ...]) -> None:
-        """Mark the point where two lines cross; ``reveals`` are results that are zero."""
+    def crossing(self, end: str, zeros: list[tuple[Part, str]]) -> None:
+        """Mark the point where two lines cross; ``zeros`` vanish there, each at its vertex."""
         letter, at = self.letter(end), self.place(end)
         self.vertices[letter] = at
         fixed = end in self.scene.motion.frame.fixed
         name = POLE if fixed and not self._from_pole else f"{end}.crossing"
         if self.resting and name == POLE:
             return  # it is drawn already
-        caption = self.say.crossing(letter, fixed)
+        caption = self.say.crossing(letter, fixed, zeros)
+        reveals = tuple(owner(part.step) for part, _ in zeros)
         self.add(Stroke("intersection", letter, Dot(at), caption, reveals=reveals, name=name))
 
     def result(self, part: Part, tip: Tip, end: str) -> Stroke:

@@ -163,7 +163,7 @@ class _Polygon:
         seen = [(part, trace) for part, trace in found if self.pencil.shows(part.vector)]
         zero = [(part, trace) for part, trace in found if (part, trace) not in seen]
         end = traces[0].chain.end
-        self.pencil.crossing(end, tuple(owner(part.step) for part, _ in zero))
+        self.pencil.crossing(end, [(part, trace.tip.name) for part, trace in zero])
         # Forward parts first: the lever's point is reached before the block slides on from it.
         seen.sort(key=lambda pair: pair[0].reverse)
         sums = [part for part, trace in seen if trace.side.has(part.step)]

@@ -115,6 +115,8 @@ PHRASES = {
         "{meeting} auf dieser Geraden."
     ),
     "crossing": "{letter} liegt, wo sich die beiden Geraden schneiden.",
+    "crossing zero": "{letter} liegt, wo sich die beiden Geraden schneiden: {found}.",
+    "zero": "bei {point}, also ist {symbol} null",
     "pole crossing": (
         "Der Pol {letter} liegt, wo sich die beiden Geraden schneiden: {point} steht still."
     ),

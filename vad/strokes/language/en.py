@@ -106,6 +106,8 @@ PHRASES = {
         "lies on this line."
     ),
     "crossing": "{letter} is where the two lines cross.",
+    "crossing zero": "{letter} is where the two lines cross: {found}.",
+    "zero": "at {point}, so {symbol} is zero",
     "pole crossing": "The pole {letter} is where the two lines cross: {point} stands still.",
     "measured omega": (
         "{label} = {value} {unit}, so {omega} = {label}/{bar} = {value}/{size} = {rate} rad/s, "

@@ -111,6 +111,8 @@ _PHRASES = {
         "connue, donc {meeting} est sur cette droite."
     ),
     "crossing": "{letter} est à l’intersection des deux droites.",
+    "crossing zero": "{letter} est à l’intersection des deux droites : {found}.",
+    "zero": "en {point}, donc {symbol} vaut zéro",
     "pole crossing": (
         "Le pôle {letter} est à l’intersection des deux droites : {point} est immobile."
     ),
