@@ -216,7 +216,8 @@ def test_a_vector_belongs_to_the_points_that_are_said(name: str, code: str) -> N
             assert abs(vector(stroke) - truth) <= 1e-9 * abs(truth)
             whole = WORDING[code].whose.search(stroke.caption)
             # What is no component of a link's vector is said to be somebody's.
-            bare = slide_of(motion, stroke) is None or stroke.image
+            against = WORDING[code].other_side in stroke.caption
+            bare = (slide_of(motion, stroke) is None or stroke.image) and not against
             seen = WORDING[code].seen.search(stroke.caption)
             assert not (order and bare) or (whole is None) == (seen is not None), stroke
             if whole and whole["tail"]:

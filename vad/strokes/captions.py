@@ -167,8 +167,11 @@ class Captions:
             "".join(image_letter(letter, self._order) for letter in each.ends)
             for each in (bar, base)
         )
-        whose = self._say(f"{self._panel} of", head=bar.ends[1])
-        common = {"value": found, "unit": Unit(self._unit), "label": label, "whose": whose}
+        common = {"value": found, "unit": Unit(self._unit), "label": label}
+        also = "" if part == label else self._say("image other", **common)
+        if not bar.against:  # else it would take three lines
+            whose = self._say(f"{self._panel} of", head=bar.ends[1])
+            also += self._say("image whose", whose=whose)
         return self._say(
             "image against" if bar.against else "image",
             letter=image_letter(bar.ends[1], self._order),
@@ -183,7 +186,7 @@ class Captions:
             length=length,
             own=own,
             unit=Unit(self._unit),
-            found=self._say("image whole" if part == label else "image other", **common),
+            also=also,
         )
 
     def _rate_symbol(self, step: Step) -> str:

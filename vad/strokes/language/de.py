@@ -149,14 +149,14 @@ PHRASES = {
     "image acceleration": "dem Beschleunigungsbild",
     "image": (
         "{letter} aus {image} {link:des}: {part} = {whole}·{bar}/{base} = "
-        "{known} × {size}/{length} = {own} {unit}{found}"
+        "{known} × {size}/{length} = {own} {unit}{also}"
     ),
     "image against": (
         "{letter} aus {image} {link:des}, auf der anderen Seite: {part} = {whole}·{bar}/{base} = "
-        "{known} × {size}/{length} = {own} {unit}{found}"
+        "{known} × {size}/{length} = {own} {unit}{also}"
     ),
-    "image whole": ", {whose}",
-    "image other": "; {label} = {value} {unit}, {whose}",
+    "image whose": ", {whose}",
+    "image other": "; {label} = {value} {unit}",
     # Wörter
     "the pole": "den Pol",
     "of point": "von {head}",

@@ -138,14 +138,14 @@ PHRASES = {
     "image acceleration": "the acceleration image",
     "image": (
         "{letter} by {image} of the {link}: {part} = {whole}·{bar}/{base} = "
-        "{known} × {size}/{length} = {own} {unit}{found}"
+        "{known} × {size}/{length} = {own} {unit}{also}"
     ),
     "image against": (
         "{letter} by {image} of the {link}, on the other side: {part} = {whole}·{bar}/{base} = "
-        "{known} × {size}/{length} = {own} {unit}{found}"
+        "{known} × {size}/{length} = {own} {unit}{also}"
     ),
-    "image whole": ", {whose}",
-    "image other": "; {label} = {value} {unit}, {whose}",
+    "image whose": ", {whose}",
+    "image other": "; {label} = {value} {unit}",
     # words
     "the pole": "the pole",
     "of point": "of {head}",

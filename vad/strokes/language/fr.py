@@ -145,14 +145,14 @@ _PHRASES = {
     "image acceleration": "l’image des accélérations",
     "image": (
         "{letter} par {image} {link:du} : {part} = {whole}·{bar}/{base} = "
-        "{known} × {size}/{length} = {own} {unit}{found}"
+        "{known} × {size}/{length} = {own} {unit}{also}"
     ),
     "image against": (
         "{letter} par {image} {link:du}, de l’autre côté : {part} = {whole}·{bar}/{base} = "
-        "{known} × {size}/{length} = {own} {unit}{found}"
+        "{known} × {size}/{length} = {own} {unit}{also}"
     ),
-    "image whole": ", {whose}",
-    "image other": " ; {label} = {value} {unit}, {whose}",
+    "image whose": ", {whose}",
+    "image other": " ; {label} = {value} {unit}",
     # mots
     "the pole": "le pôle",
     "of point": "de {head}",
