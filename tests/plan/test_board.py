@@ -281,7 +281,10 @@ def test_vectors_run_from_their_first_letter_to_their_second(scene: str):
             ]
             start, end = scale(stroke.shape.start), scale(stroke.shape.end)
             for tip, left, _, right in heads[:1]:
-                assert abs(tip - end) <= min(0.0061, 0.16 * abs(end - start))
+                # Beside another vector it ends beside its vertex.
+                short = (end - tip) * ((end - start) / abs(end - start)).conjugate()
+                assert 0 < short.real <= min(0.0061, 0.16 * abs(end - start))
+                assert abs(short.imag) < 0.0101
                 along = ((left + right) / 2 - tip) * (end - start).conjugate()
                 assert along.real < 0
 
