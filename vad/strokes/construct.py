@@ -96,7 +96,8 @@ class _Construction:
         origin = self.at(slide.ends[0]) + self.scene.outward(self.frame.shift(slide))
         guide = Guide(origin, line, self._away(slide.ends[1], line))
         name, parts = f"{slide.ends}.guide", {"head": slide.ends[1]}
-        self._draw(name, "guide", "", guide, "guide", parts, link=slide.name)
+        label = "" if slide.ends[0] in self.motion.points else slide.ends[0]
+        self._draw(name, "guide", label, guide, "guide", parts, link=slide.name)
 
     def _away(self, letter: str, line: complex) -> complex:
         """Return the unit vector across a guide, on the side away from the rod."""
@@ -216,13 +217,14 @@ class _Construction:
 
     def _bar(self, bar: Bar, kind: str, phrase: str, image: bool = False) -> None:
         letters = self.scene.letters(bar)
-        arrow = Arrow(self.at(letters[0]), self.at(letters[1]), letters[0], letters[1])
+        tail, head = letters[0], letters[1]
+        arrow = Arrow(self.at(tail), self.at(head), tail, head, self.scene.cylinder(bar))
         angle = self.motion.link(bar.link).angle
         driven = angle_of(bar.link) == self.scene.driver
         parts: dict[str, object] = {"link": bar.link, "bar": letters, "unit": self.scene.unit}
         parts["size"] = self.scene.write_size(bar)
         parts |= {"angle": quantity(angle, "°", driven)}
-        parts |= {"letter": letters[1], "tail": letters[0]}
+        parts |= {"letter": head, "tail": tail}
         reveals = () if driven or image else (bar.link,)
         self._draw(
             f"{bar.ends}.bar",
@@ -241,26 +243,24 @@ class _Construction:
         letter = slide.ends[1]
         line = self.scene.heading(self.frame.line(slide, self.motion.pose))
         on = slide.along if isinstance(slide.along, str) else None
-        value = self.motion.slide(slide.name).position
         driven = scalar_of(slide) == self.scene.driver
         parts: dict[str, object] = {
             "slide": slide.name.split("_")[0],
             "head": letter,
             "symbol": slide_symbol(self.scene, slide.name),
-            "value": number(value, given=driven),
+            "value": number(self.motion.slide(slide.name).position, given=driven),
             "unit": self.scene.unit,
         }
-        reveals = () if driven else (slide.name,)
         self._draw(
             f"{slide.ends}.block",
             kind,
             letter,
-            Block(self.at(letter), line, on),
+            Block(self.at(letter), line, on, self.scene.travel(slide.name)),
             phrase,
             parts,
             link=slide.name,
             component="link",
-            reveals=reveals,
+            reveals=() if driven else (slide.name,),
         )
 
     # --- the equation -------------------------------------------------------------------------

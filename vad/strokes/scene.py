@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, TypeGuard
 
 from vad.kinematics.linkage import Bar, Scalar, Slide, Step, length_of, scalar_of
+from vad.kinematics.reach import travels
 from vad.strokes.language import Language
 from vad.written import PRIME, number, per_second, subscript
 
@@ -40,6 +41,19 @@ class Scene:
         """Return the length of a bar in the user's unit, without its sign."""
         frame = self.motion.frame
         return abs(float(frame.size(bar, self.motion.pose))) * frame.scale
+
+    def travel(self, slide: str) -> tuple[float, float]:
+        """Return how far a slide gets from where it is, back (negative) and ahead."""
+        here = float(self.motion.slide(slide).position)
+        least, most = travels(self.motion.mechanism)[slide]
+        return min(0.0, least - here), max(0.0, most - here)  # which passes over NaN
+
+    def cylinder(self, bar: Bar) -> float:
+        """Return the length of a strut's cylinder, which has room for its rod; else 0."""
+        if not self.is_strut(bar):
+            return 0.0
+        longest = travels(self.motion.mechanism)[str(bar.length)][1]
+        return min(0.9 * self.size(bar), longest / 2)  # which passes over NaN
 
     def letters(self, step: Step) -> str:
         """Return the letters of a step as a reader knows them: a strut's own ends for its parts."""
