@@ -21,6 +21,7 @@ from vad.plan.sketch import Sketch, Tag
 from vad.strokes.sheet import Arrow, Block
 
 LENGTH = 0.072
+CLEAR = 0.009  # to either side of the arrow
 #: How far aside from the edge of what moves, and how far along it, the nearest first.
 PLACES = sorted(
     product((0.016, 0.026, 0.040, 0.056), [0.015 * step for step in range(-10, 11)]),
@@ -54,8 +55,8 @@ def add_speed(sketch: Sketch, key: str, speed: float, size: float) -> None:
         at = middle + (half + aside) * side + along * ahead
         start, end = at - LENGTH / 2 * ahead, at + LENGTH / 2 * ahead
         line = [start + (end - start) * step / 8 for step in range(9)]
-        spot = beside(at, side, 0.010, wide, high)
-        if not obstacles.free(line, 0.0, 0.0, 0.010).all():
+        spot = beside(at, side, CLEAR + CLEARANCE, wide, high)
+        if not obstacles.free(line, 0.0, 0.0, CLEAR).all():
             continue
         if obstacles.free([spot], wide, high, CLEARANCE)[0]:
             arrow = vector(start, end, row, "speed", whole=True)
@@ -65,5 +66,5 @@ def add_speed(sketch: Sketch, key: str, speed: float, size: float) -> None:
             placed = Placed(spot, wide, high)
             sketch.tags.append(Tag("v", placed.box))
             obstacles.box(placed.box)
-            obstacles.line([start, end], 0.010)
+            obstacles.line([start, end], CLEAR)
             return
