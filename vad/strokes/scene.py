@@ -7,7 +7,6 @@ from functools import cached_property
 from typing import TYPE_CHECKING, TypeGuard
 
 from vad.kinematics.linkage import Bar, Scalar, Slide, Step, length_of, scalar_of
-from vad.kinematics.reach import travels
 from vad.strokes.language import Language
 from vad.written import PRIME, number, per_second, subscript
 
@@ -42,17 +41,17 @@ class Scene:
         frame = self.motion.frame
         return abs(float(frame.size(bar, self.motion.pose))) * frame.scale
 
-    def travel(self, slide: str) -> tuple[float, float]:
+    def travel(self, name: str) -> tuple[float, float]:
         """Return how far a slide gets from where it is, back (negative) and ahead."""
-        here = float(self.motion.slide(slide).position)
-        least, most = travels(self.motion.mechanism)[slide]
-        return min(0.0, least - here), max(0.0, most - here)  # which passes over NaN
+        slide = self.motion.slide(name)
+        least, most = (end - slide.position for end in slide.travel)
+        return min(0.0, least), max(0.0, most)  # which passes over NaN
 
     def cylinder(self, bar: Bar) -> float:
         """Return the length of a strut's cylinder, which has room for its rod; else 0."""
         if not self.is_strut(bar):
             return 0.0
-        longest = travels(self.motion.mechanism)[str(bar.length)][1]
+        _, longest = self.motion.slide(str(bar.length)).travel
         return min(0.9 * self.size(bar), longest / 2)  # which passes over NaN
 
     def letters(self, step: Step) -> str:

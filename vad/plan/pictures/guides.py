@@ -15,15 +15,17 @@ from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.vertices import Vertex
 from vad.plan.marks import Mark
 from vad.plan.pictures import machine
+from vad.plan.pictures.sizes import part_size
 from vad.plan.pictures.yoke import yoke_of
 from vad.plan.roles import AXIS, BLOCK_RIM
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Block, Dot, Guide
 
 
-def add_guide(sketch: Sketch, index: int, shape: Guide, size: float) -> None:
+def add_guide(sketch: Sketch, index: int, shape: Guide) -> None:
     """Add a guide of the frame, or the slot of a moving link."""
     setting = sketch.setting
+    size = part_size(setting.panel, sketch.scale)
     stroke, during, after = (
         setting.panel.strokes[index],
         setting.during(index),

@@ -9,7 +9,7 @@ from vad.plan.carriers import carries_block, is_yoke
 from vad.plan.growth import Fading, Trimming
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.labels.vertices import corners, find_vertices, label_vertices
+from vad.plan.labels.vertices import Vertex, corners, find_vertices, label_vertices
 from vad.plan.marks import Bow, Mark, area
 from vad.plan.pictures import machine
 from vad.plan.pictures.bars import bar_of, slit_of
@@ -43,11 +43,9 @@ def draw(setting: Setting) -> Sketch:
     for index, stroke in enumerate(panel.strokes):
         own = isinstance(stroke.shape, Guide) and name_guide(sketch, index, stroke.shape, size)
         vertices += [own] if own else []
-    held = pins(panel)
     for vertex in vertices:
-        part = machine.joint if held.intersection(vertex.letters) else machine.point
         index = min(vertex.since)
-        mark = part(vertex.at, size=size)
+        mark = joint_of(sketch, vertex)
         sketch.add(panel.strokes[index], Level.DOT, setting.after(index), [mark])
         sketch.obstacles.disc(vertex.at, machine.JOINT_REACH * size)
     add_axes(sketch, vertices)
@@ -75,6 +73,13 @@ def painting_order(panel: Panel) -> list[int]:
         return abs(shape.end - shape.start) if isinstance(shape, Arrow) else 0.0
 
     return sorted(range(len(panel.strokes)), key=length, reverse=True)
+
+
+def joint_of(sketch: Sketch, vertex: Vertex) -> Mark:
+    """Return the pin at a vertex, or its dot where no two bodies meet."""
+    panel = sketch.setting.panel
+    part = machine.joint if pins(panel).intersection(vertex.letters) else machine.point
+    return part(vertex.at, size=part_size(panel, sketch.scale))
 
 
 def pins(panel: Panel) -> set[str]:
@@ -114,8 +119,7 @@ def add_stroke(sketch: Sketch, index: int, points: list[complex]) -> None:
         case Block():
             add_block(sketch, index, stroke.shape)
         case Guide():
-            size = part_size(sketch.setting.panel, sketch.scale)
-            add_guide(sketch, index, stroke.shape, size)
+            add_guide(sketch, index, stroke.shape)
         case Dot(at):
             panel, spot = sketch.setting.panel, sketch.scale(at)
             part = machine.joint if stroke.label in pins(panel) else machine.point
