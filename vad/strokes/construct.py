@@ -101,9 +101,11 @@ class _Construction:
         origin = self.at(slide.ends[0]) + self.scene.outward(self.frame.shift(slide))
         guide = Guide(origin, line, self._away(slide.ends[1], line))
         head, tail = slide.ends[1], slide.ends[0]
-        phrase = "guide" if tail in self.motion.points else "guide point"
+        known = tail in self.motion.points
+        label, phrase = ("", "guide") if known else (tail, "guide point")
         parts = {"head": head, "tail": tail, "pivot": self.linkage.pivot}
-        self._draw(f"{slide.ends}.guide", "guide", "", guide, phrase, parts, link=slide.name)
+        name = f"{slide.ends}.guide"
+        self._draw(name, "guide", label, guide, phrase, parts, link=slide.name)
 
     def _away(self, letter: str, line: complex) -> complex:
         """Return the unit vector across a guide, on the side away from the rod."""
@@ -231,13 +233,14 @@ class _Construction:
 
     def _bar(self, bar: Bar, kind: str, phrase: str, image: bool = False) -> None:
         letters = self.scene.letters(bar)
-        arrow = Arrow(self.at(letters[0]), self.at(letters[1]), letters[0], letters[1])
+        tail, head = letters[0], letters[1]
+        arrow = Arrow(self.at(tail), self.at(head), tail, head, self.scene.cylinder(bar))
         angle = self.motion.link(bar.link).angle
         driven = angle_of(bar.link) == self.scene.driver
         parts: dict[str, object] = {"link": bar.link, "bar": letters}
         parts |= {"size": self.scene.length(bar, self.scene.unit), "unit": Unit(self.scene.unit)}
         parts |= {"angle": Figure(angle, "°", driven), "symbol": self.scene.symbol("θ", bar.link)}
-        parts |= {"letter": letters[1], "tail": letters[0]}
+        parts |= {"letter": head, "tail": tail}
         reveals = () if driven or image else (bar.link,)
         self._draw(
             f"{bar.ends}.bar",
@@ -256,30 +259,28 @@ class _Construction:
         letter = slide.ends[1]
         line = self.scene.heading(self.frame.line(slide, self.motion.pose))
         on = slide.along if isinstance(slide.along, str) else None
-        value = self.motion.slide(slide.name).position
         driven = scalar_of(slide) == self.scene.driver
         symbol = self.scene.slide_symbol(slide.name)
         parts: dict[str, object] = {
             "slide": slide.name.split("_")[0],
             "head": letter,
             "symbol": symbol,
-            "value": Figure(value, self.scene.unit, driven),
+            "value": Figure(self.motion.slide(slide.name).position, self.scene.unit, driven),
             "unit": Unit(self.scene.unit),
             "tail": self._measured_from(slide),
         }
         if symbol == "s":
             phrase += " from"
-        reveals = () if driven else (slide.name,)
         self._draw(
             f"{slide.ends}.block",
             kind,
             letter,
-            Block(self.at(letter), line, on),
+            Block(self.at(letter), line, on, self.scene.travel(slide.name)),
             phrase,
             parts,
             link=slide.name,
             component="link",
-            reveals=reveals,
+            reveals=() if driven else (slide.name,),
         )
 
     def _measured_from(self, slide: Slide) -> str:

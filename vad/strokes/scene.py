@@ -48,6 +48,19 @@ class Scene:
         steps = (step for loop in self.motion.linkage.loops for _, step in loop.steps())
         return next(s for s in steps if isinstance(s, Bar) and s.link == image.link)
 
+    def travel(self, name: str) -> tuple[float, float]:
+        """Return how far a slide gets from where it is, back (negative) and ahead."""
+        slide = self.motion.slide(name)
+        least, most = (end - slide.position for end in slide.travel)
+        return min(0.0, least), max(0.0, most)  # which passes over NaN
+
+    def cylinder(self, bar: Bar) -> float:
+        """Return the length of a strut's cylinder, which has room for its rod; else 0."""
+        if not self.is_strut(bar):
+            return 0.0
+        _, longest = self.motion.slide(str(bar.length)).travel
+        return min(0.9 * self.size(bar), longest / 2)  # which passes over NaN
+
     def letters(self, step: Step) -> str:
         """Return the letters of a step as a reader knows them: a strut's own ends for its parts."""
         return self.motion.mechanism.links[step.link] if self.is_strut(step) else step.ends

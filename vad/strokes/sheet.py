@@ -51,13 +51,15 @@ class Dot:
 class Arrow:
     """A vector from ``start`` to ``end``; in the position panel, the bar of a link.
 
-    ``tail`` and ``head`` are the letters of its two ends.
+    ``tail`` and ``head`` are the letters of its two ends.  ``cylinder`` is the length from
+    ``start`` of the cylinder of a strut, out of which its rod comes; 0 for every other bar.
     """
 
     start: complex
     end: complex
     tail: str
     head: str
+    cylinder: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,11 +111,14 @@ class Block:
     """A sliding block at ``at``, its long side along ``direction``.
 
     ``on`` is the turning link that it slides on, or None on a guide of the frame or of a yoke.
+    ``travel`` is how far it gets from here along its line, back (negative) and ahead, over all
+    poses of the mechanism.
     """
 
     at: complex
     direction: complex
     on: str | None = None
+    travel: tuple[float, float] = (0.0, 0.0)
 
 
 Shape = Dot | Arrow | Line | Arc | Guide | Block

@@ -57,13 +57,26 @@ UNIT = Form(
 SHAPE = variants(
     "shape",
     dot=record(Dot, at=POINT),
-    arrow=record(Arrow, start=Key(POINT, "from"), end=Key(POINT, "to"), tail=TEXT, head=TEXT),
+    arrow=record(
+        Arrow,
+        start=Key(POINT, "from"),
+        end=Key(POINT, "to"),
+        tail=TEXT,
+        head=TEXT,
+        cylinder=optional(NUMBER, 0.0),
+    ),
     line=record(Line, through=POINT, direction=WAY, until=POINT, square_to=optional(TEXT)),
     arc=record(
         Arc, centre=POINT, radius=NUMBER, start=NUMBER, sweep=NUMBER, through=optional(POINT)
     ),
     guide=record(Guide, through=POINT, direction=WAY, side=optional(WAY)),
-    block=record(Block, at=POINT, direction=WAY, on=optional(TEXT)),
+    block=record(
+        Block,
+        at=POINT,
+        direction=WAY,
+        on=optional(TEXT),
+        travel=optional(row(NUMBER, NUMBER), (0.0, 0.0)),
+    ),
 )
 STROKE = record(
     Stroke,
