@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from vad.lecture.moment import done
+from vad.lecture.moment import finished
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import Item, Level
@@ -72,8 +72,8 @@ class Plan:
 
     @property
     def finished(self) -> int:
-        """The beat at which all strokes are done."""
-        return done(sum(len(panel.strokes) for panel in self.sheet.panels))
+        """The beat at which all strokes are done and the tools put away."""
+        return finished(sum(len(panel.strokes) for panel in self.sheet.panels))
 
 
 def plan(sheet: Sheet, form: Format, key: float, lesson: bool = False) -> Plan:
