@@ -105,7 +105,7 @@ def add_vector(sketch: Sketch, index: int) -> None:
     """Add one vector and the light beneath it."""
     placed, setting = vector_of(sketch, index), sketch.setting
     stroke, during = setting.panel.strokes[index], setting.during(index)
-    sketch.add(stroke, Level.STROKE, during, [placed.light()], setting.after(index))
+    sketch.add(stroke, Level.STROKE, during, [placed.light()], setting.over(index))
     sketch.add(stroke, Level.STROKE, during, placed.marks())
     placed.block(sketch.obstacles, during)
 

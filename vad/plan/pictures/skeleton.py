@@ -12,10 +12,9 @@ from vad.plan.labels.vertices import corners, find_vertices, label_vertices
 from vad.plan.marks import Bow, Mark, area, line
 from vad.plan.pictures import machine
 from vad.plan.pictures.arrows import visible_start
-from vad.plan.pictures.constructions import PlacedLine, add_drawn_line
+from vad.plan.pictures.constructions import add_drawn_line, add_square, inked_by
 from vad.plan.pictures.guides import add_guide, poles
 from vad.plan.pictures.rotation import add_angle, add_sense, angle_arc, block_arc, visible_part
-from vad.plan.pictures.straight import construction_end
 from vad.plan.pictures.supports import add_axes, add_pivots
 from vad.plan.pictures.tools import compass
 from vad.plan.pictures.vectors import swelling
@@ -33,9 +32,8 @@ def draw(setting: Setting) -> Sketch:
     scale = fill(corners(panel), setting.room, position=True, centimetre=setting.centimetre)
     sketch = Sketch(setting, scale, Obstacles(setting.room))
     vertices = find_vertices(panel, scale)
-    points = [vertex.at for vertex in vertices]
     for index in range(len(panel.strokes)):
-        add_stroke(sketch, index, points)
+        add_stroke(sketch, index)
     loose = poles(sketch)
     for vertex in vertices:
         pin = all(abs(vertex.at - pole) > PIXEL for pole in loose)
@@ -56,6 +54,9 @@ def draw(setting: Setting) -> Sketch:
     for index, shape in angles:
         add_angle(sketch, index, shape)
         add_sense(sketch, driven(panel), shape, given_sense(setting.sheet))
+    for index, stroke in enumerate(panel.strokes):
+        if isinstance(stroke.shape, Line):
+            add_square(sketch, index)
     return sketch
 
 
@@ -71,8 +72,8 @@ def driven(panel: Panel) -> int | None:
     return next(numbers, None)
 
 
-def add_stroke(sketch: Sketch, index: int, points: list[complex]) -> None:
-    """Add one stroke as it is drawn and as it stays; tools keep clear of ``points``."""
+def add_stroke(sketch: Sketch, index: int) -> None:
+    """Add one stroke as it is drawn and as it stays."""
     stroke = sketch.setting.panel.strokes[index]
     match stroke.shape:
         case Arrow():
@@ -84,18 +85,20 @@ def add_stroke(sketch: Sketch, index: int, points: list[complex]) -> None:
         case Dot(at):
             spot = sketch.scale(at)
             part = machine.point if stroke.kind == "pole" else machine.joint
-            _passing(sketch, index, Level.DOT, [part(spot, swelling(spot))])
+            setting = sketch.setting
+            during, after = setting.during(index), setting.after(index)
+            sketch.add(stroke, Level.DOT, during, [part(spot, swelling(spot))], after)
         case Arc() if stroke.kind == "construction":
             _add_compass_arc(sketch, index, stroke.shape)
         case Line():
-            _add_line(sketch, index, stroke.shape, points)
+            add_drawn_line(sketch, index)
 
 
 def _passing(sketch: Sketch, index: int, level: Level, marks: list[Mark]) -> None:
-    """Add what shows only while a stroke is drawn."""
+    """Add what shows until the next stroke is begun."""
     setting = sketch.setting
     stroke = setting.panel.strokes[index]
-    sketch.add(stroke, level, setting.during(index), marks, setting.after(index))
+    sketch.add(stroke, level, setting.during(index), marks, setting.over(index))
 
 
 def carries_block(panel: Panel, stroke: Stroke) -> bool:
@@ -127,7 +130,8 @@ def add_block(sketch: Sketch, index: int, shape: Block) -> None:
     stroke = setting.panel.strokes[index]
     row = setting.row(stroke.link)
     outline = machine.block_corners(sketch.scale(shape.at), shape.direction, shape.on is not None)
-    block = area(outline, "block", row, Fading())
+    light, block = (area(outline, role, row, Fading()) for role in ("block light", "block"))
+    _passing(sketch, index, Level.BLOCK, [light])
     sketch.add(stroke, Level.BLOCK, setting.during(index), [block])
     sketch.obstacles.line([*outline, outline[0], outline[2]], BLOCK_RIM / 2)
     sketch.obstacles.line([outline[1], outline[3]], BLOCK_RIM / 2)
@@ -142,16 +146,6 @@ def _add_compass_arc(sketch: Sketch, index: int, shape: Arc) -> None:
     radius = shape.radius * scale.factor
     arc = visible_part(Bow(scale(shape.centre), radius, shape.start, shape.sweep), setting.room)
     mark = Mark(arc, "compass arc", row, Trimming())
-    sketch.add(stroke, Level.CONSTRUCTION, setting.during(index), [mark], setting.end)
-    _passing(sketch, index, Level.CONSTRUCTION, compass(arc, row))
-
-
-def _add_line(sketch: Sketch, index: int, shape: Line, points: list[complex]) -> None:
-    """Add a construction line, which goes when the mechanism is finished."""
-    setting, scale = sketch.setting, sketch.scale
-    stroke = setting.panel.strokes[index]
-    start = scale(shape.through)
-    end = construction_end(start, shape.direction, scale(shape.until), setting.room)
-    span = setting.during(index), setting.end
-    placed = PlacedLine(start, end, shape.direction, setting.row(stroke.link), span)
-    add_drawn_line(sketch, index, placed, points)
+    until = setting.after(inked_by(setting.panel, index))
+    sketch.add(stroke, Level.CONSTRUCTION, setting.during(index), [mark], until)
+    _passing(sketch, index, Level.CONSTRUCTION, compass(arc, row, setting.room))

@@ -48,12 +48,11 @@ def _sketch(setting: Setting, room: Rect) -> Sketch:
     scale = fill(corners(panel), room, position=False, centimetre=setting.centimetre)
     sketch = Sketch(setting, scale, Obstacles(setting.room))
     vertices = find_vertices(panel, scale)
-    points = [vertex.at for vertex in vertices]
     for index, stroke in enumerate(panel.strokes):
         if isinstance(stroke.shape, Arrow):
             add_vector(sketch, index)
         elif isinstance(stroke.shape, Line):
-            add_construction(sketch, index, points)
+            add_construction(sketch, index)
         elif isinstance(stroke.shape, Dot):
             spot = scale(stroke.shape.at)
             sketch.add(
