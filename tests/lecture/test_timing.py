@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import vad
-from vad.lecture.timeline import CLOSING, GLIDE, OPENING, growth, rest
+from vad.lecture.timeline import CLOSING, GLIDE, OPENING, SETTLE, growth, rest
 from vad.strokes.sheet import Arrow, Dot, Kind, Stroke
 
 # Seconds that a stroke grows; a vector of no length takes the second, between them it is linear.
@@ -22,8 +22,10 @@ GROWS: dict[Kind, tuple[float, float]] = {
 # Seconds that a stroke stands from its beginning to the next one, by the words of its caption, if
 # it grows for a second: at five words a second with a breath of 0.6 s, and half a second at least.
 STANDS = {0: 1.5, 1: 1.5, 5: 1.6, 10: 2.6, 20: 4.6, 30: 6.6}
-# Seconds of the empty and of the finished page, and of the way of the mechanism into its panel.
-OPENS, CLOSES, GLIDES = 0.8, 4.0, 1.0
+# Seconds of the empty and of the finished page.
+OPENS, CLOSES = 0.8, 4.0
+# Seconds of the way of the mechanism into its panel, and of its rest there.
+GLIDES, SETTLES = 1.0, 0.8
 
 
 def stroke(kind: Kind, length: float = 1.0, words: int = 3) -> Stroke:
@@ -44,7 +46,8 @@ def test_how_long_a_stroke_stands(words: int, seconds: float):
 
 
 def test_how_long_the_page_stands_before_and_after():
-    assert (OPENING, CLOSING, GLIDE) == (OPENS, CLOSES, GLIDES)
+    assert (OPENING, CLOSING) == (OPENS, CLOSES)
+    assert (GLIDE, SETTLE) == (GLIDES, SETTLES)
 
 
 @pytest.mark.parametrize("fps", [10.0, 30.0, 60.0])
@@ -61,8 +64,9 @@ def test_the_frames_of_a_lesson_follow_the_table(name: str, fps: float, speed: f
     for step in lesson.steps:
         grows = _grows(step.stroke, [each.shape for each in step.panel.strokes])
         rests = max(len(step.stroke.caption.split()) / 5 + 0.6 - grows, 0.5)
-        glides = GLIDES if step is opening else 0.0
-        for part, time in ((step.grow, grows), (step.hold, rests), (step.glide, glides)):
+        glides, settles = (GLIDES, SETTLES) if step is opening else (0.0, 0.0)
+        parts = step.grow, step.hold, step.glide, step.settle
+        for part, time in zip(parts, (grows, rests, glides, settles), strict=True):
             seconds += time
             frames += part
             assert frames == pytest.approx(seconds / speed * fps, abs=0.5 + 1e-6)

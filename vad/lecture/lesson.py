@@ -14,7 +14,8 @@ from vad.strokes.sheet import Panel, Sheet, Stroke
 class Step:
     """One stroke in time: it grows for ``grow`` frames and then rests for ``hold``.
 
-    After the last stroke of a panel that stood large, this glides into its place for ``glide``.
+    After the last stroke of a panel that stood large, this glides into its place for ``glide``, and
+    the page that comes with it rests for ``settle``.
     """
 
     panel: Panel
@@ -22,11 +23,12 @@ class Step:
     grow: int
     hold: int
     glide: int = 0
+    settle: int = 0
 
     @property
     def frames(self) -> int:
         """The number of frames."""
-        return self.grow + self.hold + self.glide
+        return self.grow + self.hold + self.glide + self.settle
 
     @property
     def stroke(self) -> Stroke:

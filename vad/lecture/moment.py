@@ -66,6 +66,8 @@ def moments(lesson: Lesson, most: float = math.inf) -> Iterator[tuple[Moment, in
             near = 1.0 - share
             yield Moment(done(number + 1), near=near), repeats
         near = 0.0 if step.glide else near
+        if step.settle:
+            yield Moment(done(number + 1), near=near), step.settle
     yield Moment(finished(len(lesson.steps))), lesson.closing
 
 

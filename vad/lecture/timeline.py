@@ -28,7 +28,8 @@ SHORT = 0.75  # of the time, for a vector of no length
 WORDS_PER_SECOND = 5.0
 BREATH = 0.6  # after a caption has been read
 LEAST_REST = 0.5
-GLIDE = 1.0
+GLIDE = 0.8
+SETTLE = 0.8
 OPENING = 0.8
 CLOSING = 4.0
 
@@ -79,7 +80,8 @@ def animate(
         for index, stroke in enumerate(panel.strokes):
             last = index + 1 == len(panel.strokes)
             grow = growth(stroke, longest)
-            times = grow, rest(stroke, grow), GLIDE if last and opens(sheet, panel) else 0.0
+            glide, settle = (GLIDE, SETTLE) if last and opens(sheet, panel) else (0.0, 0.0)
+            times = grow, rest(stroke, grow), glide, settle
             # Whole frames are counted from the start, so that roundings do not add up.
             ends = [round(time / speed * fps) for time in accumulate(times, initial=clock)]
             steps.append(Step(panel, index, *(end - start for start, end in pairwise(ends))))
