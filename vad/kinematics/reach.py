@@ -85,10 +85,7 @@ def _steepness(frame: ReferenceFrame) -> float:
 
 
 def _closes(solver: Solver, values: NDArray[np.float64]) -> NDArray[np.bool_]:
-    with np.errstate(all="ignore"):
-        pose = solver.positions(values)
-    closes: NDArray[np.bool_] = ~np.isnan(sum(pose.sine))
-    return closes
+    return solver.poses(values)[0]
 
 
 def _edge(
