@@ -7,7 +7,8 @@ back.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,10 +21,15 @@ if TYPE_CHECKING:
     from vad.kinematics.program import Program
 
 BLOCK = 8192
+# For so many poses it pays to write the moves out as a function.
+LONG = 30 * BLOCK
+
+# An operation, the places of its operands, and the place of what it makes.
+Move = tuple[str, list[int], int]
 
 
 class Blocks:
-    """The text of a program for numpy, and the rows on which it writes.
+    """The operations of a program, and the rows on which it writes.
 
     Every number of a block has a place: first inputs, constants and outputs, then rows for the
     rest.  A number that is no longer needed leaves its row to another, for the fewer there are the
@@ -42,32 +48,45 @@ class Blocks:
         self._place: dict[Any, int] = {}
         for place, key in enumerate(standing):
             self._place.setdefault(key, place)
-        lines = self._written(steps)
+        self._moves = self._arranged(steps)
         for place, key in enumerate(standing):  # an input or constant that is wanted, too
             if self._place[key] != place:
-                lines.append(f"positive(c{self._place[key]}, out=c{place})")
-        cells = [f"c{place}" for place in range(self._first_row + len(self._kinds))]
-        names = {name: operation.on_blocks for name, operation in OPERATIONS.items()}
-        self._function = function_of(cells, [*lines, "return"], names | {"positive": np.positive})
+                self._moves.append(("copy", [self._place[key]], place))
 
     def play(self, inputs: Sequence[NDArray[Any] | float], outputs: Sequence[NDArray[Any]]) -> None:
         """Write the outputs, block by block."""
         size = len(outputs[0])
+        play = self._play_fast if size > LONG else self._play_block
         rows: list[NDArray[Any]] = [np.empty(min(size, BLOCK), kind) for kind in self._kinds]
         with np.errstate(all="ignore"):  # what does not exist is NaN
             for start in range(0, size, BLOCK):
                 part = slice(start, min(start + BLOCK, size))
-                self._function(
+                play(
                     *(x[part] if isinstance(x, np.ndarray) else x for x in inputs),
                     *self._constants,
                     *(x[part] for x in outputs),
                     *(row[: part.stop - part.start] for row in rows),
                 )
 
-    def _written(self, steps: list[Recorded]) -> list[str]:
-        """Give every step its place, and return it as a line."""
+    def _play_block(self, *cells: NDArray[Any] | float) -> None:
+        for operation, places, place in self._moves:
+            OPERATIONS[operation].on_blocks(*[cells[i] for i in places], out=cells[place])
+
+    @cached_property
+    def _play_fast(self) -> Callable[..., None]:
+        """What `_play_block` does, written out."""
+        names = [f"c{place}" for place in range(self._first_row + len(self._kinds))]
+        lines = [
+            f"{operation}({', '.join(names[i] for i in places)}, out={names[place]})"
+            for operation, places, place in self._moves
+        ]
+        operations = {name: operation.on_blocks for name, operation in OPERATIONS.items()}
+        return function_of(names, lines or ["pass"], operations)
+
+    def _arranged(self, steps: list[Recorded]) -> list[Move]:
+        """Return every step with the places of its operands and its own."""
         last = {_key(x): step for step in steps for x in step.operands}
-        lines = []
+        moves: list[Move] = []
         for step in steps:
             places = [self._place[_key(x)] for x in step.operands]
             pairs = zip(step.operands, places, strict=True)
@@ -78,9 +97,8 @@ class Blocks:
             if step.name not in self._place:
                 self._place[step.name] = self._row(OPERATIONS[step.operation].kind)
             self._leave(done - early)
-            given = ", ".join(f"c{place}" for place in places)
-            lines.append(f"{step.operation}({given}, out=c{self._place[step.name]})")
-        return lines
+            moves.append((step.operation, places, self._place[step.name]))
+        return moves
 
     def _leave(self, places: set[int]) -> None:
         for place in places:

@@ -63,6 +63,7 @@ OPERATIONS = {
     "divide": Operation("{} / {}", operator.truediv, np.divide),
     "negative": Operation("-{}", operator.neg, np.negative),
     "absolute": Operation("abs({})", abs, np.absolute),
+    "copy": Operation("{}", float, np.positive),
     "minimum": Operation("{0} if {0} < {1} else {1}", min, np.minimum),
     "maximum": Operation("{0} if {0} > {1} else {1}", lambda x, y: x if x > y else y, np.fmax),
     "sqrt": Operation("sqrt({})", math.sqrt, np.sqrt),

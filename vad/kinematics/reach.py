@@ -85,7 +85,7 @@ def _steepness(frame: ReferenceFrame) -> float:
 
 
 def _closes(solver: Solver, values: NDArray[np.float64]) -> NDArray[np.bool_]:
-    return solver.poses(values)[0]
+    return solver.closes(values)
 
 
 def _edge(

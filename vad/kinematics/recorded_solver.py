@@ -26,45 +26,47 @@ class RecordedSolver:
         tape = Tape()
         self._inputs = tuple(map(tape.input, ("place", "rate", "second_rate")))
         self._evaluation = Evaluation(solver, self._inputs)
-        self._kept: list[dict[str, Recorded]] = []
         self._orders: list[Program] = []
         self._results: dict[Result, Program] = {}
 
     def order(self, order: int) -> Program:
-        """Return what leads from the orders below and the inputs to the numbers of an order.
+        """Return what leads from all that is known of the orders below, and one input, to an order.
 
         The first number of the pose tells whether the links close.
         """
         while len(self._orders) <= order:
-            numbers = self._numbers(len(self._orders))
-            self._orders.append(Program(self._given(len(self._orders)), list(numbers.values())))
-            self._kept.append(numbers)
+            below = len(self._orders)
+            given = (*self._known(below - 1), self._inputs[below])
+            names = {number.name for number in given}
+            new = {
+                x.name: x
+                for x in _parts(self._numbers(below))
+                if isinstance(x, Recorded) and x.name not in names
+            }
+            self._orders.append(Program(given, tuple(new.values())))
         return self._orders[order]
 
     def result(self, result: Result) -> Program:
-        """Return what leads from its order, those below and the inputs to a number, or x and y."""
+        """Return what leads from all that is known in its order to a number, or to x and y."""
         if result not in self._results:
-            self.order(order_of(result))
             value = evaluate(result, self._evaluation)
             outputs = [_without_sign(x) for x in _parts([value])]
-            self._results[result] = Program(self._given(order_of(result)), outputs)
+            self._results[result] = Program(self._known(order_of(result)), outputs)
         return self._results[result]
 
-    def _given(self, order: int) -> list[Recorded]:
-        kept = [x for numbers in self._kept[: order + 1] for x in numbers.values()]
-        return kept + list(self._inputs[: order + 1])
+    def _known(self, order: int) -> tuple[Recorded, ...]:
+        """Return the inputs and the numbers of an order and of those below."""
+        if order < 0:
+            return ()
+        program = self.order(order)
+        return (*program.inputs, *program.outputs)
 
-    def _numbers(self, order: int) -> dict[str, Recorded]:
-        """Return what is new in an order, by its name on the tape."""
+    def _numbers(self, order: int) -> list[Number]:
         if order:
-            values = self._evaluation.rates(order)[-1].all()
-        else:
-            pose = self._evaluation.pose
-            sum_of_all = self._inputs[0] + sum(pose.sine)  # NaN where the links do not close
-            values = [sum_of_all == sum_of_all, *pose.all()]
-        given = {number.name for number in self._given(order)}
-        new = (x for x in _parts(values) if isinstance(x, Recorded) and x.name not in given)
-        return {number.name: number for number in new}
+            return self._evaluation.rates(order)[-1].all()
+        pose = self._evaluation.pose
+        sum_of_all = self._inputs[0] + sum(pose.sine)  # NaN where the links do not close
+        return [sum_of_all == sum_of_all, *pose.all()]
 
 
 def _parts(values: Iterable[Number]) -> Iterator[Number]:

@@ -22,6 +22,9 @@ from vad.kinematics.state import Pose, Rates
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
 
+# Where in them stands whether the links close: after the first input.
+_CLOSES = 1
+
 
 class Solution(Generic[Truth]):
     """The motion of a mechanism: one pose, or an array of them.
@@ -46,7 +49,7 @@ class Solution(Generic[Truth]):
         self.many = any(map(is_array, values))
         self.shape = _broadcast(inputs) if self.many else ()
         self._evaluation = Evaluation(solver, values)
-        # The numbers of the orders that were asked for, each with those below.
+        # Inputs and numbers of the orders that were asked for, each with those below.
         self._known: list[tuple[Any, ...]] = []
 
     @property
@@ -102,7 +105,7 @@ class Solution(Generic[Truth]):
         """Whether the links close: a bool, or an array of them; a dead centre counts as closed."""
         closed: Any
         if self.many:
-            closed = self._numbers(0)[0].reshape(self.shape).copy()
+            closed = self._find(0)[_CLOSES].reshape(self.shape).copy()
         else:
             try:
                 closed = bool(self._evaluation.pose)
@@ -123,9 +126,13 @@ class Solution(Generic[Truth]):
         return self._read_many(result) if self.many else self._read_one(result)
 
     def _read_one(self, result: Result) -> Number:
-        if self.solver.is_often(result):
-            value = self._play_one(result)
-            if value - value == 0:
+        player = self.solver.player(result)
+        if player:
+            order, function = player
+            known = self._find(order)
+            parts = function(*known)
+            value = parts[0] if len(parts) == 1 else complex(*parts)
+            if known[_CLOSES] and value - value == 0:
                 return value
         self.pose  # noqa: B018  # raises where the links do not close
         value = evaluate(result, self._evaluation)
@@ -135,55 +142,42 @@ class Solution(Generic[Truth]):
             raise InputError("the result leaves the range of double precision")
         return value + 0.0  # no zero is negative
 
-    def _play_one(self, result: Result) -> Number:
-        """Return a result by its program; NaN if there is more to be said."""
-        recorded, inputs, order = self.solver.recorded, self._evaluation.inputs, order_of(result)
-        known = self._known
-        while len(known) <= order:
-            below = known[-1] if known else ()
-            number = len(known)
-            known.append((*below, *recorded.order(number).one(*below, *inputs[: number + 1])))
-        parts = recorded.result(result).one(*known[order], *inputs[: order + 1])
-        if not known[0][0]:
-            return math.nan
-        return parts[0] if len(parts) == 1 else complex(*parts)
-
     def _read_many(self, result: Result) -> NDArray[Any]:
-        program, order = self.solver.recorded.result(result), order_of(result)
-        known = self._numbers(order)
-        found = np.empty((math.prod(self.shape), len(program.outputs)))
-        program.play((*known, *self._given(order)), list(found.T))
+        program, known = self.solver.recorded.result(result), self._find(order_of(result))
+        found: NDArray[Any] = np.empty((math.prod(self.shape), len(program.outputs)))
+        program.play(known, list(found.T))
         nothing: Number = math.nan
         if len(program.outputs) == 2:
             found, nothing = found.view(complex), NAN_VECTOR
         found = found.reshape(self.shape)
-        closes = known[0].reshape(self.shape)
+        closes = known[_CLOSES].reshape(self.shape)
         with np.errstate(all="ignore"):
             whole = bool(closes.all()) and math.isfinite(abs(found.sum()))
         if not whole:
             found[~(np.isfinite(found) & closes)] = nothing
         return found
 
-    def _numbers(self, order: int) -> tuple[NDArray[Any], ...]:
-        """Return the numbers of an order and those below, each as a flat array of all poses."""
+    def _find(self, order: int) -> tuple[Any, ...]:
+        """Return the inputs and the numbers of an order and those below, of many as flat arrays."""
         while len(self._known) <= order:
-            if self._known:
-                program = self.solver.recorded.order(len(self._known))
-                given = (*self._known[-1], *self._given(len(self._known)))
-                new = program.many(given, math.prod(self.shape))
-                self._known.append((*self._known[-1], *new))
-            else:  # only once for each place of the driver
-                place = np.asarray(self._evaluation.inputs[0])
-                pose = [x.reshape(place.shape) for x in self.solver.poses(place.ravel())]
-                self._known.append(tuple(np.broadcast_to(x, self.shape).ravel() for x in pose))
+            number = len(self._known)
+            below = self._known[-1] if number else ()
+            program, given = self.solver.recorded.order(number), self._evaluation.inputs[number]
+            new: tuple[Any, ...]
+            if not self.many:
+                new = program.one(*below, given)
+            elif not number:  # once for each place of the driver
+                place = np.asarray(given)
+                pose = program.many([place.ravel()], place.size)
+                new = tuple(self._spread(x.reshape(place.shape)) for x in pose)
+            else:
+                new = tuple(program.many([*below, self._spread(given)], math.prod(self.shape)))
+            self._known.append((*below, self._spread(given), *new))
         return self._known[order]
 
-    def _given(self, order: int) -> list[Number]:
-        """Return the first inputs, arrays in the shape of all of them."""
-        return [
-            np.broadcast_to(x, self.shape).ravel() if is_array(x) else x
-            for x in self._evaluation.inputs[: order + 1]
-        ]
+    def _spread(self, value: Number) -> Number:
+        """Return an array in the shape of all inputs, and flat."""
+        return np.broadcast_to(value, self.shape).ravel() if is_array(value) else value
 
 
 def _broadcast(inputs: dict[str, Number]) -> tuple[int, ...]:

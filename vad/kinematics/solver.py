@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
+from collections.abc import Callable
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,12 +18,15 @@ from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Linkage
 from vad.kinematics.numbers import Number, difference, direction, fold
 from vad.kinematics.recorded_solver import RecordedSolver
-from vad.kinematics.results.formulas import Result
+from vad.kinematics.results.formulas import Result, order_of
 from vad.kinematics.routes import Routes
 from vad.kinematics.state import GROUND, Pose, Rates
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
+
+# The order of a result, and what it is of all that is known in this order.
+Player = tuple[int, Callable[..., tuple[float, ...]]]
 
 # The square of a smaller sine would leave the range, and with it ω at a change point.
 LEAST_SINE = 1e-100
@@ -65,7 +70,8 @@ class Solver:
             loop_solver(self.frame, side, loop, unknowns)
             for loop, unknowns in zip(linkage.loops, linkage.unknowns, strict=True)
         ]
-        self._asked: dict[Result, int] = {}
+        self._asked: Counter[Result] = Counter()
+        self._players: dict[Result, Player] = {}
         self.two_assemblies = any(loop.two_ways for loop in self.loops)
 
     @cached_property
@@ -73,14 +79,19 @@ class Solver:
         """The programs that play what this solver does."""
         return RecordedSolver(self)
 
-    def is_often(self, result: Result) -> bool:
-        """Tell whether a result is asked for so often that it pays to make its program."""
-        asked = self._asked[result] = self._asked.get(result, 0) + 1
-        return asked > OFTEN
+    def player(self, result: Result) -> Player | None:
+        """Return the order and the function of a result that is asked for often."""
+        player = self._players.get(result)
+        if player is None:
+            self._asked[result] += 1
+            if self._asked[result] > OFTEN:
+                player = order_of(result), self.recorded.result(result).one
+                self._players[result] = player
+        return player
 
-    def poses(self, places: NDArray[np.float64]) -> list[NDArray[Any]]:
-        """Return the numbers of many poses; the first tells whether the links close."""
-        return self.recorded.order(0).many([places], places.size)
+    def closes(self, places: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Tell for many places of the driver whether the links close."""
+        return self.recorded.order(0).many([places], places.size)[0]
 
     @cached_property
     def routes(self) -> Routes:
