@@ -23,7 +23,7 @@ from vad.mechanisms import Mechanism
 
 POSES = 1_000_000
 SINGLES = 100
-ROUNDS = 2
+ROUNDS = 15
 #: What is read: of a four-bar C's position, the rocker's ω, the coupler's α, C's acceleration.
 READ = {
     "crank-slotted-lever": ("C", "lever.omega", "lever.alpha"),
