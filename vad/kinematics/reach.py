@@ -75,15 +75,15 @@ def travels(mechanism: Mechanism, samples: int = 721) -> Mapping[str, tuple[floa
     >>> travels(ScotchYoke(crank=50))["block"]
     (-50.0, 50.0)
     """
-    solver = solver_of(mechanism)
+    recorded = solver_of(mechanism).recorded
     ranges = [np.linspace(low, high, samples) for low, high in closing_range(mechanism)]
-    with np.errstate(all="ignore"):
-        lengths = solver.positions(np.concatenate([*ranges, [math.nan]])).length
-    scale = solver.frame.scale
-    return {
-        name: (float(np.fmin.reduce(length)) * scale, float(np.fmax.reduce(length)) * scale)
-        for name, length in lengths.items()
-    }
+    places = np.concatenate([*ranges, [math.nan]])
+    known = [places, *recorded.order(0).many([places], places.size)]
+    found = {}
+    for name in mechanism.slides:
+        (slid,) = recorded.result(("slide", name, "position")).many(known, places.size)
+        found[name] = float(np.fmin.reduce(slid)), float(np.fmax.reduce(slid))
+    return found
 
 
 def _limits(solver: Solver, turns: bool) -> NDArray[np.float64]:
@@ -112,10 +112,7 @@ def _steepness(frame: ReferenceFrame) -> float:
 
 
 def _closes(solver: Solver, values: NDArray[np.float64]) -> NDArray[np.bool_]:
-    with np.errstate(all="ignore"):
-        pose = solver.positions(values)
-    closes: NDArray[np.bool_] = ~np.isnan(sum(pose.sine))
-    return closes
+    return solver.closes(values)
 
 
 def _edge(
