@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Generic
 
 import numpy as np
@@ -32,8 +33,6 @@ class Solution(Generic[Truth]):
     ----------
     mechanism
         The mechanism.
-    inputs
-        The motion of its driver, by name.
     shape
         The broadcast shape of the inputs; () for one pose.
     many
@@ -43,7 +42,7 @@ class Solution(Generic[Truth]):
     def __init__(self, mechanism: Mechanism, solver: Solver, inputs: dict[str, Number]) -> None:
         self.mechanism = mechanism
         self.solver = solver
-        self.inputs = inputs
+        self._inputs = inputs
         self.many = any(is_array(value) for value in inputs.values())
         self.shape = _broadcast(inputs) if self.many else ()
         first = next(iter(inputs.values()))
@@ -53,6 +52,11 @@ class Solution(Generic[Truth]):
         self._closed: NDArray[np.bool_] | None = None
         self._whole_pose: Pose | None = None
         self._found: tuple[Rates, ...] = ()
+
+    @property
+    def inputs(self) -> Mapping[str, Number]:
+        """The motion of the driver, by name; read-only."""
+        return MappingProxyType(self._inputs)
 
     @property
     def frame(self) -> ReferenceFrame:
@@ -132,7 +136,7 @@ class Solution(Generic[Truth]):
         return self._found[:orders]
 
     def _rates(self, lower: tuple[Rates, ...]) -> Rates:
-        value = list(self.inputs.values())[len(lower) + 1]
+        value = list(self._inputs.values())[len(lower) + 1]
         pose = self.whole_pose
         if not self.many:
             return self.solver.rates(pose, lower, value)
