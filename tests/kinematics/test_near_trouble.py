@@ -48,9 +48,22 @@ CASES = {
         {"angle": 60, **TURNING},
         "open",
     ),
+    "a ram level with a pivot at many turns": Case(
+        "whitworth",
+        {"ground": 10, "crank": 103.47, "arm": 24.6, "rod": 108.937, "ground_angle": 79913.93},
+        {"angle": 383.93, **TURNING},
+        "crossed",
+    ),
     "a long rod on a ram with a turned ground": Case(
         "whitworth",
-        {"ground": 40, "crank": 90, "arm": 60, "rod": 1e9, "ground_angle": 37.3},
+        {
+            "ground": 40,
+            "crank": 90,
+            "arm": 60,
+            "rod": 1e9,
+            "ram_height": 500,  # the rod is almost level, and its angle has few digits to lose
+            "ground_angle": 37.3,
+        },
         {"angle": 12, **TURNING},
         "open",
     ),
