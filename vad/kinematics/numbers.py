@@ -168,6 +168,13 @@ def sign(value: Number) -> Number:
     return np.copysign(1.0, value) if is_array(value) else math.copysign(1.0, value)
 
 
+def settled(value: Number, least: Number) -> Number:
+    """Return a value, or zero where it is less than ``least`` on either side."""
+    if is_array(value):
+        return np.where(np.abs(value) < least, 0.0, value)
+    return 0.0 if abs(value) < least else value
+
+
 def nearest(x: Number, other: Number) -> tuple[Number, Number]:
     """Write a sine or cosine as x = centre - short, with centre -1, 0 or 1.
 

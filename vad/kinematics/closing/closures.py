@@ -25,6 +25,7 @@ from vad.kinematics.numbers import (
     is_array,
     nearest,
     over,
+    settled,
     sqrt,
     times,
     vector,
@@ -199,7 +200,9 @@ class AngleAndLength:
             below, above, height = below + sunk, above - sunk, height - sunk
         else:
             height = cross(self.g, gap)
-            below, above = r - height, r + height
+            # A height that is a sum of lengths is rounded: what is left of it may be nothing.
+            least = 4.0 * EPSILON * (r + abs(height))
+            below, above = settled(r - height, least), settled(r + height, least)
         spread = r + abs(height)
         root = _root(below, above, 2.0 * r, spread, spread)
         if not is_array(root) and math.isnan(root):
