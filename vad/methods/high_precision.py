@@ -43,7 +43,10 @@ def solve(problem: Problem) -> Found:
 
 def _rounded(problem: Problem, scalar: Scalar, jet: Jet) -> Jet:
     """Return the results with zero for what is nothing but the rounding of the last digits."""
-    least, pace = problem.unit(scalar) * mpf(10) ** -DIGITS, mpf(problem.pace)
+    lengths = [v.length for equation in problem.equations for v in equation.vectors]
+    smallest = min(abs(length) for length in lengths if isinstance(length, float))
+    least = problem.unit(scalar) * mpf(10) ** -DIGITS * smallest / problem.size
+    pace = mpf(problem.pace)
     return Jet(*(x if abs(x) > least * pace**order else mpf(0) for order, x in enumerate(jet)))
 
 
