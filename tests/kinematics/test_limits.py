@@ -101,6 +101,21 @@ def test_a_tiny_ground_does_not_hide_the_rates_against_the_crank() -> None:
     assert motion.slide("block").velocity == pytest.approx(1e-8, rel=1e-15)
 
 
+@pytest.mark.parametrize(
+    "mechanism",
+    [
+        vad.FourBar(crank=1e-199, rocker=1e140),
+        vad.FourBar(ground=1e-199, rocker=1e140),
+        vad.SliderCrank(crank=1e-199, rod=1.0, offset=1e140),
+    ],
+    ids=str,
+)
+def test_links_that_are_nothing_beside_others_close_nowhere(mechanism: Any) -> None:
+    with pytest.raises(vad.AssemblyError, match="close at no angle"):
+        vad.solve(mechanism).point("C").position  # noqa: B018
+    assert closing_range(mechanism) == []
+
+
 @pytest.mark.parametrize("length", [1e201, 1e-201, float("inf"), float("nan"), 0.0, -3.0])
 def test_lengths_beyond_the_range_are_refused_by_name(length: float) -> None:
     with pytest.raises(vad.InputError, match=r"^crank: must be"):

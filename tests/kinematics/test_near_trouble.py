@@ -24,6 +24,12 @@ CASES = {
         {"angle": 33.3, **TURNING},
         "crossed",
     ),
+    "guides half a turn apart, but for a little": Case(
+        "double-slider",
+        {"link": 105, "guide_a": 0, "guide_b": 180.86695614691936},
+        {"position": -100.60294393526083, "velocity": -1.0, "acceleration": -0.1},
+        "crossed",
+    ),
     "angles of a guide that would be rounded before they are folded": Case(
         "double-slider",
         {"link": 1000, "guide_a": 360e6 + 0.1, "guide_b": 60.3},

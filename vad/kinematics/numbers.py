@@ -208,6 +208,8 @@ def degrees_of(value: Number, base: float = 0.0) -> Number:
     >>> degrees_of(-1j), degrees_of(complex(1, -1e-300)), degrees_of(1j, 45.0)
     (270.0, 0.0, 135.0)
     """
+    if abs(base) > 90.0:  # half a turn less of both: a small angle from no large ones
+        value, base = -value, base - math.copysign(180.0, base)
     # numpy's for one pose too: its last bit is not always that of the C library.
     radians = np.arctan2(value.imag, value.real)
     degrees = np.degrees(radians) if is_array(value) else math.degrees(float(radians))

@@ -174,10 +174,22 @@ class TwoAngles:
 
 
 class AngleAndLength:
-    """A bar r from the gap onto a line along g: z = E + s·g (angle and length unknown)."""
+    """A bar r from the gap onto a line along g: z = E + s·g (angle and length unknown).
 
-    def __init__(self, side: float, crank: GroundedCrank | None, r: float, g: complex) -> None:
+    Where the gap is ``rounded``, being found from other loops, what is left of a bar that stands
+    across the line may be rounding alone.
+    """
+
+    def __init__(
+        self,
+        side: float,
+        crank: GroundedCrank | None,
+        r: float,
+        g: complex,
+        rounded: bool = False,
+    ) -> None:
         self.side = side
+        self._noise = 4.0 * EPSILON if rounded else 0.0
         self.r = r
         self.g = g
         # Only for a guide along the frame's own axis does the crank's sine give the height.
@@ -200,8 +212,7 @@ class AngleAndLength:
             below, above, height = below + sunk, above - sunk, height - sunk
         else:
             height = cross(self.g, gap)
-            # A height that is a sum of lengths is rounded: what is left of it may be nothing.
-            least = 4.0 * EPSILON * (r + abs(height))
+            least = self._noise * (r + abs(height))
             below, above = settled(r - height, least), settled(r + height, least)
         spread = r + abs(height)
         root = _root(below, above, 2.0 * r, spread, spread)
