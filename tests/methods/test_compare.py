@@ -48,6 +48,14 @@ def test_a_method_without_an_answer_is_explained_below(capsys):
     assert "converge" in rows["Newton"]["problem"]
 
 
+def test_a_method_whose_numbers_leave_the_range_has_no_answer(capsys):
+    assert run(["compare", "slider-crank", "--rod", "1.25e181", "--offset", "180", "--json"]) == 0
+    data = json.loads(capsys.readouterr().out, parse_constant=pytest.fail)
+    rows = {row["method"]: row for row in data["methods"]}
+    assert rows["loop closure"]["problem"] == "a number leaves the range of double precision"
+    assert rows["closed form"]["error"] < 1e-12
+
+
 def test_a_pose_that_cannot_be_is_one_line(capsys):
     assert run(["compare", "four-bar", "--crank", "130", "--angle", "0"]) == 1
     out, err = capsys.readouterr()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import cycle
+
 import numpy as np
 import pytest
 
@@ -73,8 +75,9 @@ def test_the_same_lesson_gives_the_same_bytes():
         assert np.array_equal(one.pixels, other.pixels)
 
 
-@pytest.mark.parametrize("style", style_names())
-@pytest.mark.parametrize("name", sorted(vad.MECHANISMS))
+@pytest.mark.parametrize(
+    ("name", "style"), list(zip(sorted(vad.MECHANISMS), cycle(style_names()), strict=False))
+)
 def test_films_of_every_mechanism_equal_full_redraws(name: str, style: str):
     mechanism = vad.MECHANISMS[name]
     sheet = vad.draw(vad.solve(mechanism(), **mechanism.inputs))

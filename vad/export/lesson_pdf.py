@@ -24,6 +24,6 @@ def write(lesson: Lesson, target: BinaryIO, *, progress: Progress | None = None)
         frames += step.frames
         if progress is not None:
             progress(frames, lesson.frames)
-    painter.write(target)
+    painter.write(target, [step.stroke.caption for step in lesson.steps])
     if progress is not None:
         progress(lesson.frames, lesson.frames)

@@ -34,4 +34,4 @@ def write(
     shown = posed(thing, size, style, paper)
     painter = PdfPainter(shown.title, shown.sheet.language)
     shown.play(painter)
-    painter.write(target)
+    painter.write(target, [shown.description])

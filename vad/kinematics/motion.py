@@ -64,7 +64,7 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
     # Beyond this, squares of rates times lengths would leave the range of double precision.
     largest = 1e60 * (1.0 if turns else solver.frame.scale)
     # What is left out is the mechanism's own default, which is never refused.
-    given = mechanism.inputs | {
+    given = dict(mechanism.inputs) | {
         name: checked(name, value, math.inf if name == "angle" else largest)
         for name, value in inputs.items()
     }

@@ -179,6 +179,11 @@ def over(a: Number, length: Number) -> Number:
     return vector(a.real / length, a.imag / length)
 
 
+def settled(value: Number, least: Number) -> Number:
+    """Return a value, or zero where it is less than ``least`` on either side."""
+    return select(abs(value) < least, 0.0, value)
+
+
 def nearest(x: Number, other: Number) -> tuple[Number, Number]:
     """Write a sine or cosine as x = centre - short, with centre -1, 0 or 1.
 
@@ -205,6 +210,8 @@ def degrees_of(value: Number, base: float = 0.0) -> Number:
     >>> degrees_of(-1j), degrees_of(complex(1, -1e-300)), degrees_of(1j, 45.0)
     (270.0, 0.0, 135.0)
     """
+    if abs(base) > 90.0:  # half a turn less of both: a small angle from no large ones
+        value, base = -value, base - math.copysign(180.0, base)
     degrees = _done("arctan2", value.imag, value.real) * _DEGREE
     return positive(difference(degrees, -base) if base else degrees)
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Generic
 
 import numpy as np
@@ -33,8 +35,6 @@ class Solution(Generic[Truth]):
     ----------
     mechanism
         The mechanism.
-    inputs
-        The motion of its driver, by name.
     shape
         The broadcast shape of the inputs; () for one pose.
     many
@@ -44,13 +44,18 @@ class Solution(Generic[Truth]):
     def __init__(self, mechanism: Mechanism, solver: Solver, inputs: dict[str, Number]) -> None:
         self.mechanism = mechanism
         self.solver = solver
-        self.inputs = inputs
+        self._inputs = inputs
         values = tuple(inputs.values())
         self.many = any(map(is_array, values))
         self.shape = _broadcast(inputs) if self.many else ()
         self._evaluation = Evaluation(solver, values)
         # Inputs and numbers of the orders that were asked for, each with those below.
         self._known: list[tuple[Any, ...]] = []
+
+    @property
+    def inputs(self) -> Mapping[str, Number]:
+        """The motion of the driver, by name; read-only."""
+        return MappingProxyType(self._inputs)
 
     @property
     def frame(self) -> ReferenceFrame:

@@ -44,13 +44,7 @@ def fill(
 
     Where the length of a ``centimetre`` is given, it stands for a round number.
     """
-    pad = BOTTOM_PADDING_POSITION if position else BOTTOM_PADDING
-    inner = Rect(
-        drawing.left + SIDE_PADDING,
-        drawing.bottom + pad,
-        drawing.right - SIDE_PADDING,
-        drawing.top - TOP_PADDING,
-    )
+    inner = _padded(drawing, position)
     all_points = list(points) or [0j]
     xs = [p.real for p in all_points]
     ys = [p.imag for p in all_points]
@@ -64,6 +58,19 @@ def fill(
         factor = centimetre / round_up(centimetre / factor)
     middle = complex(min(xs) + wide / 2, min(ys) + high / 2)
     return Scale(inner.centre - factor * middle, factor)
+
+
+def _padded(drawing: Rect, position: bool) -> Rect:
+    """Return the drawing less its padding, which takes no more than half of a small one."""
+    bottom = BOTTOM_PADDING_POSITION if position else BOTTOM_PADDING
+    across = min(1.0, drawing.width / (4 * SIDE_PADDING))
+    upright = min(1.0, drawing.height / (2 * (bottom + TOP_PADDING)))
+    return Rect(
+        drawing.left + across * SIDE_PADDING,
+        drawing.bottom + upright * bottom,
+        drawing.right - across * SIDE_PADDING,
+        drawing.top - upright * TOP_PADDING,
+    )
 
 
 def round_up(value: float) -> float:

@@ -6,6 +6,7 @@ the right, over the input; the driver itself is left out, for its motion is give
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Sequence
 from dataclasses import fields
@@ -38,6 +39,7 @@ _LINE = 110  # characters of the smallest type on one line
 _TAIL, _PEAK = 4.0, 6.0
 _NOTHING = 1e-9
 _ORDERS = 3
+_RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 _HARD_SPACE = "\N{NO-BREAK SPACE}"
 
 
@@ -83,7 +85,7 @@ def _head(figure: Figure, motion: Motions, style: Style) -> None:
     figure.text(
         0.03,
         0.915,
-        textwrap.fill(joined, _LINE),
+        _powers(textwrap.fill(joined, _LINE)),
         color=style.grey,
         verticalalignment="top",
     )
@@ -200,6 +202,12 @@ def _points(share: float) -> float:
 def _name(row: Curves) -> str:
     """Return a row's name with its letters: rod BC, slider B."""
     return f"{_words(row.name).removesuffix(' ' + row.letters.lower())} {row.letters}"
+
+
+def _powers(text: str) -> str:
+    """Return a text with its powers as mathematics, whose font has all of their digits."""
+    plain = str.maketrans(_RAISED, "-0123456789")
+    return re.sub(f"[{_RAISED}]+", lambda power: f"$^{{{power[0].translate(plain)}}}$", text)
 
 
 def _words(name: str) -> str:

@@ -25,6 +25,7 @@ from vad.kinematics.numbers import (
     not_below,
     over,
     select,
+    settled,
     sqrt,
     times,
     vector,
@@ -155,10 +156,22 @@ class TwoAngles:
 
 
 class AngleAndLength:
-    """A bar r from the gap onto a line along g: z = E + s·g (angle and length unknown)."""
+    """A bar r from the gap onto a line along g: z = E + s·g (angle and length unknown).
 
-    def __init__(self, side: float, crank: GroundedCrank | None, r: float, g: complex) -> None:
+    Where the gap is ``rounded``, being found from other loops, what is left of a bar that stands
+    across the line may be rounding alone.
+    """
+
+    def __init__(
+        self,
+        side: float,
+        crank: GroundedCrank | None,
+        r: float,
+        g: complex,
+        rounded: bool = False,
+    ) -> None:
         self.side = side
+        self._noise = 4.0 * EPSILON if rounded else 0.0
         self.r = r
         self.g = g
         # Only for a guide along the frame's own axis does the crank's sine give the height.
@@ -185,7 +198,11 @@ class AngleAndLength:
         """Return r - h, r + h and h, the height to which the bar rises from the line."""
         if self.crank is None:
             height = cross(self.g, gap)
-            return self.r - height, self.r + height, height
+            below, above = self.r - height, self.r + height
+            if self._noise:
+                least = self._noise * (self.r + abs(height))
+                below, above = settled(below, least), settled(above, least)
+            return below, above, height
         centre, short = nearest(u.imag, u.real)
         sunk = self.crank.t * short
         return (

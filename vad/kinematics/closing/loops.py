@@ -190,7 +190,8 @@ class AngleAndLengthLoop(LoopSolver):
         guide = way * self.other_way * frame.line(self.other, None)
         size = frame.size(self.step)
         frame.guides[self.step.link] = fold(float(self.other.along))
-        self._closure = AngleAndLength(self.side, crank, size, guide)
+        rounded = any(scalar_of(step) != frame.linkage.driver for _, step in self.known)
+        self._closure = AngleAndLength(self.side, crank, size, guide, rounded)
         self._advance = frame.advance(self.other) if self.other.through_tail else 0.0
         if crank:
             driver, rod = frame.linkage.driver.name, (self.step.link, size)
