@@ -92,7 +92,7 @@ def slit_of(sketch: Sketch, index: int, size: float) -> Mark | None:
     back = sketch.scale(ends_of_travel(block)[0])
     nearest = 2.0 * machine.JOINT_REACH * size
     first = max(((back - pivot) * way.conjugate()).real - half, nearest)
-    corners = machine.bar_corners(pivot + first * way, end, machine.SLIT)
+    corners = machine.bar_corners(pivot + first * way, end + BAR / 2 * way, machine.SLIT)
     return area(corners, "slit", sketch.setting.row(lever.link), Fading())
 
 
@@ -103,7 +103,7 @@ def _ends(sketch: Sketch, index: int, size: float) -> tuple[complex, complex]:
     assert isinstance(stroke.shape, Arrow)
     start, end, block = scale(stroke.shape.start), scale(stroke.shape.end), block_on(panel, stroke)
     if block:
-        past = machine.LEVER_BLOCK[0] / 2 * size
+        past = machine.LEVER_BLOCK[0] / 2 * size - BAR / 2  # its cap is under the slit
         end = scale(ends_of_travel(block)[1]) + past * block.direction
     return start, end
 

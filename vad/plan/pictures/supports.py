@@ -22,6 +22,7 @@ from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arc, Arrow, Block, Dot, Panel
 
 REFERENCE = 0.164
+REFERENCE_IN_CRANKS = 2.0
 PAST_JOINT = 0.016  # from a pivot's apex; what is nearer lies under the joint
 CROWDED = 0.75  # of a pivot's size, where no side is clear
 WAYS = (-1j, -1 + 0j, 1 + 0j, 1j)
@@ -53,7 +54,8 @@ def add_axes(sketch: Sketch, vertices: list[Vertex]) -> None:
                 if abs(near - at) < PIXEL
             )
             if not along:
-                seen = obstacles.edge.clipped(at, at + REFERENCE * way)
+                length = min(REFERENCE, REFERENCE_IN_CRANKS * stroke.shape.radius * scale.factor)
+                seen = obstacles.edge.clipped(at, at + length * way)
                 lines += [(index, *seen)] if seen else []
     for index, start, end in lines:
         since = sketch.setting.after(index)
