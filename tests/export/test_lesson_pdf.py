@@ -74,7 +74,7 @@ class TestStill:
     def test_shows_what_the_film_shows(self, lesson: Lesson, tmp_path: Path) -> None:
         still = vad.still(lesson, "velocity:2")
         before = lesson.steps[: still.step]
-        frame = lesson.opening + sum(step.grow + step.hold for step in before) - 1
+        frame = lesson.opening + sum(step.frames for step in before) - 1
         pixels = Image.open(io.BytesIO(saved(still, tmp_path / "step.png")))
         expected = redraw(board_of(lesson), moment(lesson, frame), load_style(lesson.style))
         assert np.array_equal(np.asarray(pixels), expected[..., :3])

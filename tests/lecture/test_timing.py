@@ -20,12 +20,12 @@ GROWS: dict[Kind, tuple[float, float]] = {
     "result": (1.2, 0.9),
 }
 # Seconds that a stroke stands from its beginning to the next one, by the words of its caption, if
-# it grows for a second: at five words a second with a breath of 0.6 s, and half a second at least.
-STANDS = {0: 1.5, 1: 1.5, 5: 1.6, 10: 2.6, 20: 4.6, 30: 6.6}
+# it grows for a second: at five words a second with a breath of 0.3 s, and half a second at least.
+STANDS = {0: 1.5, 1: 1.5, 5: 1.5, 10: 2.3, 20: 4.3, 30: 6.3}
 # Seconds of the empty and of the finished page.
 OPENS, CLOSES = 0.8, 4.0
 # Seconds of the way of the mechanism into its panel, and of its rest there.
-GLIDES, SETTLES = 1.0, 0.8
+GLIDES, SETTLES = 0.8, 0.8
 
 
 def stroke(kind: Kind, length: float = 1.0, words: int = 3) -> Stroke:
@@ -63,7 +63,7 @@ def test_the_frames_of_a_lesson_follow_the_table(name: str, fps: float, speed: f
     opening = lesson.steps[len(sheet.panels[0].strokes) - 1]
     for step in lesson.steps:
         grows = _grows(step.stroke, [each.shape for each in step.panel.strokes])
-        rests = max(len(step.stroke.caption.split()) / 5 + 0.6 - grows, 0.5)
+        rests = max(len(step.stroke.caption.split()) / 5 + 0.3 - grows, 0.5)
         glides, settles = (GLIDES, SETTLES) if step is opening else (0.0, 0.0)
         parts = step.grow, step.hold, step.glide, step.settle
         for part, time in zip(parts, (grows, rests, glides, settles), strict=True):

@@ -52,18 +52,18 @@ def finished(strokes: int) -> int:
 def moments(lesson: Lesson, most: float = math.inf) -> Iterator[tuple[Moment, int]]:
     """Yield every different state of a lesson, and for how many frames it stands.
 
-    What moves has ``most`` states a second.
+    What moves has at most ``most`` states a second.
     """
-    stride = max(1, math.ceil(lesson.fps / most))
+    pace = max(1.0, lesson.fps / most)
     near = 1.0 if any(step.glide for step in lesson.steps) else 0.0
     yield Moment(done(0), near=near), lesson.opening
     for number, step in enumerate(lesson.steps):
-        for share, repeats in _passage(step.grow, stride):
-            yield Moment(drawing(number), share, near), repeats
+        for share, repeats in _passage(step.grow, pace):
+            yield Moment(drawing(number), smooth(share), near), repeats
         if step.hold:
             yield Moment(done(number + 1), near=near), step.hold
-        for share, repeats in _passage(step.glide, stride):
-            near = 1.0 - share
+        for share, repeats in _passage(step.glide, pace):
+            near = 1.0 - smooth(share)
             yield Moment(done(number + 1), near=near), repeats
         near = 0.0 if step.glide else near
         if step.settle:
@@ -71,11 +71,12 @@ def moments(lesson: Lesson, most: float = math.inf) -> Iterator[tuple[Moment, in
     yield Moment(finished(len(lesson.steps))), lesson.closing
 
 
-def _passage(frames: int, stride: int) -> Iterator[tuple[float, int]]:
-    """Yield how far a movement has come, eased, and for how many of its frames."""
-    for before in range(0, frames, stride):
-        after = min(before + stride, frames)
-        yield smooth(after / (frames + 1)), after - before
+def _passage(frames: int, pace: float) -> Iterator[tuple[float, int]]:
+    """Yield how far a movement has come, and for how many of its frames: ``pace`` or more."""
+    states = min(frames, max(1, int(frames / pace + 1e-9)))
+    for number in range(states):
+        before, after = (round(frames * end / states) for end in (number, number + 1))
+        yield after / (frames + 1), after - before
 
 
 def moment(lesson: Lesson, frame: int) -> Moment:

@@ -26,7 +26,7 @@ GROWTH = {
 }
 SHORT = 0.75  # of the time, for a vector of no length
 WORDS_PER_SECOND = 5.0
-BREATH = 0.6  # after a caption has been read
+BREATH = 0.3  # after a caption has been read
 LEAST_REST = 0.5
 GLIDE = 0.8
 SETTLE = 0.8
@@ -83,9 +83,10 @@ def animate(
             glide, settle = (GLIDE, SETTLE) if last and opens(sheet, panel) else (0.0, 0.0)
             times = grow, rest(stroke, grow), glide, settle
             # Whole frames are counted from the start, so that roundings do not add up.
-            ends = [round(time / speed * fps) for time in accumulate(times, initial=clock)]
+            seconds = list(accumulate(times, initial=clock))
+            ends = [round(second / speed * fps) for second in seconds]
             steps.append(Step(panel, index, *(end - start for start, end in pairwise(ends))))
-            clock += sum(times)
+            clock = seconds[-1]
     return Lesson(sheet, tuple(steps), count(OPENING), count(CLOSING), fps, size, style)
 
 

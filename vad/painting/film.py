@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from vad.lecture.moment import Moment
 from vad.painting.agg_painter import AggPainter
-from vad.painting.outlines import outline
 from vad.painting.painter import Looks, play
 from vad.painting.picture import EMPTY, Box, Frame, Words, difference, touching, union, window
 from vad.plan.board import Board, seen
@@ -171,7 +170,7 @@ class _Incremental:
 
     def _box(self, mark: Mark) -> Box:
         """Return the pixels that a mark can touch."""
-        vertices, _ = outline(mark.shape)
+        vertices = self._painter.path(mark.shape).vertices
         if not len(vertices):
             return EMPTY
         look, unit = self._looks(mark), self._board.form.unit

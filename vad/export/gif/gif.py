@@ -21,8 +21,8 @@ from vad.painting.picture import EMPTY, Box, Frame, union
 
 Bytes = NDArray[np.uint8]
 
-#: Pictures a second of what moves in a lesson: half as many again make a quarter more of the file.
-MOST = 10.0
+#: Pictures a second of what moves in a lesson: each costs a kilobyte while a tool moves.
+MOST = 9.0
 #: Many players take a delay of less than 2 hundredths of a second for a tenth.
 _SHORTEST = 2
 _LONGEST = 0xFFFF
