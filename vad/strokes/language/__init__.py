@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from functools import cache
 from importlib import import_module
-from pkgutil import iter_modules
 from typing import Any
 
 from vad.errors import one_of
+from vad.found import names_in
 
 
-@cache
 def languages() -> tuple[str, ...]:
     """Return the codes of the languages that there are."""
-    return tuple(sorted(module.name for module in iter_modules(__path__)))
+    return names_in("strokes", "language")
 
 
 class Language:
