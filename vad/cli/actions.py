@@ -34,7 +34,11 @@ def draw(mechanism: Mechanism, inputs: Inputs, output: str, **options: Any) -> N
     kind = format_of(Sheet, output)  # before anything is worked out
     if "paper" in options and kind != ".pdf":
         raise UsageError(f"--paper is for PDF, not for '{output}'", hint="as in -o sheet.pdf")
-    look = _pop(options, "style", "size", "paper")
+    if "blank" in options and kind == ".json":
+        raise UsageError(
+            f"--blank is for pictures, not for '{output}'", hint="as in -o problem.pdf"
+        )
+    look = _pop(options, "style", "size", "paper", "blank")
     sheet = vad.draw(vad.solve(mechanism, **inputs), **options)
     vad.save(sheet, output, **look)
     written(output)

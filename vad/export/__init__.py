@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from importlib import import_module
 from inspect import signature
@@ -78,6 +78,7 @@ class Options(TypedDict, total=False):
     size: tuple[int, int] | None
     style: str | None
     paper: str | None
+    blank: Sequence[str] | str
     text: Literal["glyphs", "letters"]
 
 
@@ -104,7 +105,9 @@ def save(
         appears unless all are complete.
     **options
         Those of `Options` that the format has.  Every format of a lesson takes ``progress``, which
-        is called with the number of frames that are done and their total.
+        is called with the number of frames that are done and their total.  Every picture of a sheet
+        takes ``blank``, the names of panels that are left to be drawn: saved with them it is the
+        problem, without them the key, at the same places and scales.
 
     Raises
     ------

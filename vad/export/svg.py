@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import BinaryIO
 
 from vad.lecture.still import Still
@@ -16,13 +17,15 @@ def write(
     size: tuple[int, int] | None = None,
     style: str | None = None,
     text: Text = "glyphs",
+    blank: Sequence[str] | str = (),
 ) -> None:
     """Write the picture; ``size`` is that of the same picture in pixels.
 
     ``text`` is ``"glyphs"`` for shapes that look alike in every program, or ``"letters"`` for text
-    in an embedded font, which a browser selects and searches.
+    in an embedded font, which a browser selects and searches.  Panels named in ``blank`` are left
+    to be drawn.
     """
-    shown = posed(thing, size, style)
+    shown = posed(thing, size, style, blank=blank)
     painter = SvgPainter(shown.sheet, text)
     shown.play(painter)
     target.write(b'<?xml version="1.0" encoding="UTF-8"?>\n' + painter.svg.encode())

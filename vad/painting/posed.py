@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from vad.errors import UsageError
 from vad.lecture.lesson import Lesson
 from vad.lecture.moment import Moment
-from vad.lecture.still import Still
+from vad.lecture.still import Still, part
 from vad.lecture.timeline import check_size
 from vad.painting.agg_painter import AggPainter
 from vad.painting.painter import Painter, play
 from vad.plan.board import Plan, plan
 from vad.plan.format import paper as paper_format
 from vad.plan.format import screen
+from vad.plan.problem import blank_panels, problem
 from vad.strokes.sheet import Sheet
 from vad.strokes.words import describe, title
 from vad.style import Style, load_style
@@ -56,11 +59,15 @@ def posed(
     size: tuple[int, int] | None = None,
     style: str | None = None,
     paper: str | None = None,
+    blank: Sequence[str] | str = (),
 ) -> Posed:
     """Return a picture on its page; a step of a lesson has a size and a style already.
 
-    ``paper`` is the name of a size of paper, whose format and true scale the page takes.
+    ``paper`` is the name of a size of paper, whose format and true scale the page takes; ``blank``
+    names panels of a sheet that are left to be drawn.
     """
+    if blank and isinstance(thing, Still):
+        raise UsageError("blank: not for a step of a lesson", hint="for a whole sheet")
     if isinstance(thing, Still):
         lesson = thing.lesson
         return Posed(board_of(lesson), thing.moment, load_style(lesson.style), thing.drawn)
@@ -68,8 +75,12 @@ def posed(
     if paper is not None:
         form = paper_format(paper)
     look = load_style(STYLE if style is None else style)
+    left = blank_panels(thing, blank)
     board = plan(thing, form, look.key)
-    return Posed(board, Moment(board.finished), look, thing)
+    if left:
+        board = problem(board, left, look.key)
+    strokes = {**{panel.name: panel.strokes for panel in thing.panels}, **left}
+    return Posed(board, Moment(board.finished), look, part(thing, strokes))
 
 
 def board_of(lesson: Lesson) -> Plan:
