@@ -15,6 +15,7 @@ from vad.plan.page.captioning import caption_marks, setter
 from vad.plan.page.entries import Entry
 from vad.plan.page.foot import Foot, placed
 from vad.plan.page.heads import head, pale
+from vad.plan.page.measured import measured
 from vad.plan.page.table import table
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Panel, Sheet
@@ -48,6 +49,14 @@ def equations(
             pending = (Mark(text, "pending term", row),)
             yield Item(name, region, Level.LABEL, pending, begun, inked)
             yield Item(name, region, Level.LABEL, (Mark(text, "term", row),), inked)
+
+
+def readings(
+    page: Page, feet: Mapping[str, Foot], sketches: Mapping[str, Sketch]
+) -> Iterator[Item]:
+    """Yield what a ruler finds on paper, below the equations."""
+    for name, sketch in sketches.items():
+        yield from measured(sketch, page.panels[name], len(feet[name].lines))
 
 
 def results(
