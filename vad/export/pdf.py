@@ -9,11 +9,12 @@ from vad.errors import UsageError
 from vad.lecture.still import Still
 from vad.painting.pdf_painter import PdfPainter
 from vad.painting.posed import posed
+from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 
 
 def write(
-    thing: Sheet | Still,
+    thing: Sheet | Still | Multiples,
     target: BinaryIO,
     size: tuple[int, int] | None = None,
     style: str | None = None,

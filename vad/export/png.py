@@ -8,11 +8,12 @@ from typing import BinaryIO
 from vad.lecture.still import Still
 from vad.painting.agg_painter import AggPainter
 from vad.painting.posed import posed
+from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 
 
 def write(
-    thing: Sheet | Still,
+    thing: Sheet | Still | Multiples,
     target: BinaryIO,
     size: tuple[int, int] | None = None,
     style: str | None = None,

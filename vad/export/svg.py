@@ -8,11 +8,12 @@ from typing import BinaryIO
 from vad.lecture.still import Still
 from vad.painting.posed import posed
 from vad.painting.svg_painter import SvgPainter, Text
+from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 
 
 def write(
-    thing: Sheet | Still,
+    thing: Sheet | Still | Multiples,
     target: BinaryIO,
     size: tuple[int, int] | None = None,
     style: str | None = None,
@@ -26,6 +27,6 @@ def write(
     to be drawn.
     """
     shown = posed(thing, size, style, blank=blank)
-    painter = SvgPainter(shown.sheet, text)
+    painter = SvgPainter(shown.sheet, text, shown.description)
     shown.play(painter)
     target.write(b'<?xml version="1.0" encoding="UTF-8"?>\n' + painter.svg.encode())

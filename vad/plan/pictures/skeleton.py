@@ -30,7 +30,9 @@ NEAR = (0.014, 0.020, 0.028, 0.036)
 def draw(setting: Setting) -> Sketch:
     """Return the sketch of a mechanism."""
     panel = setting.panel
-    scale = fill(corners(panel), setting.room, position=True, centimetre=setting.centimetre)
+    scale = setting.scale or fill(
+        corners(panel), setting.room, position=True, centimetre=setting.centimetre
+    )
     sketch = Sketch(setting, scale, Obstacles(setting.room))
     vertices = find_vertices(panel, scale)
     points = [vertex.at for vertex in vertices]
