@@ -19,7 +19,7 @@ from vad.plan.board import Board, Plan, plan
 from vad.plan.format import paper as paper_format
 from vad.plan.format import screen
 from vad.plan.multiples_board import MultiplesBoard
-from vad.plan.problem import blank_panels, problem
+from vad.plan.problem_sheet import blank_panels, problem
 from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 from vad.strokes.words import describe, title
