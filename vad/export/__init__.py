@@ -85,7 +85,7 @@ class Options(TypedDict, total=False):
     size: tuple[int, int] | None
     style: str | None
     paper: str | None
-    blank: Sequence[str] | str
+    blank: Sequence[str] | str | None
     text: Literal["glyphs", "letters"]
 
 

@@ -19,7 +19,7 @@ def write(
     size: tuple[int, int] | None = None,
     style: str | None = None,
     paper: str | None = None,
-    blank: Sequence[str] | str = (),
+    blank: Sequence[str] | str | None = None,
 ) -> None:
     """Write one page; a pixel of the same picture, which has ``size``, becomes a point.
 

@@ -17,7 +17,7 @@ def write(
     target: BinaryIO,
     size: tuple[int, int] | None = None,
     style: str | None = None,
-    blank: Sequence[str] | str = (),
+    blank: Sequence[str] | str | None = None,
 ) -> None:
     """Write the picture, ``size`` in pixels; panels named in ``blank`` are left to be drawn."""
     from PIL import Image

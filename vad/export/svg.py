@@ -18,7 +18,7 @@ def write(
     size: tuple[int, int] | None = None,
     style: str | None = None,
     text: Text = "glyphs",
-    blank: Sequence[str] | str = (),
+    blank: Sequence[str] | str | None = None,
 ) -> None:
     """Write the picture; ``size`` is that of the same picture in pixels.
 

@@ -63,14 +63,14 @@ def posed(
     size: tuple[int, int] | None = None,
     style: str | None = None,
     paper: str | None = None,
-    blank: Sequence[str] | str = (),
+    blank: Sequence[str] | str | None = None,
 ) -> Posed:
     """Return a picture on its page; a step of a lesson has a size and a style already.
 
     ``paper`` is the name of a size of paper, whose format and true scale the page takes; ``blank``
     names panels of a sheet that are left to be drawn.
     """
-    if blank and not isinstance(thing, Sheet):
+    if blank is not None and not isinstance(thing, Sheet):
         what = "a step of a lesson" if isinstance(thing, Still) else "several poses"
         raise UsageError(f"blank: not for {what}", hint="for a whole sheet")
     if isinstance(thing, Still):
@@ -83,7 +83,7 @@ def posed(
     if isinstance(thing, Multiples):
         several = MultiplesBoard(thing, form)
         return Posed(several, Moment(0), look, thing.sheets[0], thing.sheets[1:])
-    left = blank_panels(thing, blank)
+    left = {} if blank is None else blank_panels(thing, blank)
     board = plan(thing, form, look.key)
     if left:
         board = problem(board, left, look.key)
