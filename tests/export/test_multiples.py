@@ -68,9 +68,9 @@ def test_a_mechanism_stands_at_the_same_place_of_every_cell() -> None:
 
 
 def test_titles_are_the_places_of_the_driver_as_given() -> None:
-    assert words(board("turn"), "title")[2:] == [f"θ = {each}°" for each in range(0, 360, 60)]
-    assert words(board("slide"), "title")[2:] == ["s = 3.3 ft", "s = 3.8 ft", "s = 4.2 ft"]
-    assert "θ = −30°" in words(
+    assert words(board("turn"), "title")[2:] == [f"θ2 = {each}°" for each in range(0, 360, 60)]
+    assert words(board("slide"), "title")[2:] == ["l = 3.3 ft", "l = 3.8 ft", "l = 4.2 ft"]
+    assert "θ2 = −30°" in words(
         MultiplesBoard(vad.multiples(vad.FourBar(), (-30, 390), "position"), screen((640, 480))),
         "title",
     )
@@ -78,7 +78,7 @@ def test_titles_are_the_places_of_the_driver_as_given() -> None:
 
 def test_a_row_says_its_scale_and_the_given_rate_once() -> None:
     head = words(board("turn"), "velocity")[:3]
-    assert head[0] == "Velocity" and head[1].endswith(" mm/s") and head[2] == "ω = 10 rad/s"
+    assert head[0] == "Velocity" and head[1].endswith(" mm/s") and head[2] == "ω2 = 10 rad/s"
     assert not any("=" in word for word in words(board("turn"), "position"))
 
 
@@ -113,7 +113,7 @@ def test_what_stands_still_has_no_scale() -> None:
     page = MultiplesBoard(
         vad.multiples(vad.solve(vad.FourBar(), omega=0), (60, 90)), screen((640, 480))
     )
-    assert words(page, "velocity")[:2] == ["Velocity", "ω = 0 rad/s"]
+    assert words(page, "velocity")[:2] == ["Velocity", "ω2 = 0 rad/s"]
 
 
 @pytest.mark.parametrize("at", [(), (30,), range(7), 30, "30,60", None])

@@ -23,7 +23,6 @@ from vad.plan.items import Item, Level
 from vad.plan.marks import Disc
 from vad.strokes.sheet import Sheet
 from vad.style import Look, load_style
-from vad.written import quantity
 
 
 def written(sheet: Sheet, **options: object) -> bytes:
@@ -66,7 +65,7 @@ def test_text_can_be_searched(name: str) -> None:
     assert plain(sheet.title) in text
     for row in sheet.rows:
         for cell in (cell for cells in row.cells.values() for cell in cells):
-            value = quantity(cell.value, cell.unit, cell.given)
+            value = sheet.notation.quantity(cell.value, cell.unit, cell.given)
             assert plain(f"{cell.symbol} = {value}") in text
 
 

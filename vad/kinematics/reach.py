@@ -1,4 +1,4 @@
-"""Where a mechanism can be assembled: the range of its driver.
+"""Where a mechanism can be assembled: the range of its driver, and how far its slides get.
 
 The limits have closed forms where the driver alone moves a loop; the solver is asked between them,
 and on a grid for what later loops allow.
@@ -6,6 +6,9 @@ and on a grid for what later loops allow.
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
+from functools import lru_cache
 from itertools import combinations
 from typing import TYPE_CHECKING
 
@@ -57,6 +60,30 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
     if turns and closes[0]:  # the last interval runs on through 0°
         ends = [ends[-2] - 360.0, *ends[1:-2]]
     return list(zip(ends[::2], ends[1::2], strict=True))
+
+
+@lru_cache(maxsize=64)
+def travels(mechanism: Mechanism, samples: int = 721) -> Mapping[str, tuple[float, float]]:
+    """Return the least and the greatest position of every slide over all poses that close.
+
+    They are found on a grid of the driver's range, as finely as they are drawn; NaN where the
+    links close nowhere on it.
+
+    Examples
+    --------
+    >>> from vad.mechanisms.scotch_yoke import ScotchYoke
+    >>> travels(ScotchYoke(crank=50))["block"]
+    (-50.0, 50.0)
+    """
+    solver = solver_of(mechanism)
+    ranges = [np.linspace(low, high, samples) for low, high in closing_range(mechanism)]
+    with np.errstate(all="ignore"):
+        lengths = solver.positions(np.concatenate([*ranges, [math.nan]])).length
+    scale = solver.frame.scale
+    return {
+        name: (float(np.fmin.reduce(length)) * scale, float(np.fmax.reduce(length)) * scale)
+        for name, length in lengths.items()
+    }
 
 
 def _limits(solver: Solver, turns: bool) -> NDArray[np.float64]:

@@ -18,15 +18,14 @@ from vad.plan.layout import FLOOR, GUTTER, MARGIN, Page, PanelPlace
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark
-from vad.plan.page.entries import figures
 from vad.plan.page.heads import SCALE, TITLE, head
 from vad.plan.page.title import title_marks
 from vad.plan.pictures.kinds import sketched
 from vad.plan.scale import Scale, fill
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.multiples import Multiples
+from vad.strokes.notation import Notation
 from vad.strokes.sheet import Cell, Panel
-from vad.written import with_unit
 
 #: The least room of a picture, for which all type on the page shrinks.
 NARROWEST, LOWEST = 0.43, 0.40
@@ -126,7 +125,7 @@ class MultiplesBoard:
         sheet = self._multiples.sheets[0]
         yield from title_marks(sheet, self._page)
         for number, cell in enumerate(self._multiples.places):
-            runs = bold(self._reading(cell))
+            runs = bold(_reading(cell, sheet.notation))
             middle = MARGIN + number * (self._room + GUTTER) + self._room / 2
             at = complex(middle - width(runs, PLACE_SIZE) / 2, self.form.height - PLACES)
             yield Mark(Lettering(runs, at, PLACE_SIZE), "words")
@@ -137,18 +136,21 @@ class MultiplesBoard:
         panel = sheets[0].panel(name)
         scales = [found[name].scale for found in self.sketches]
         scale = min(scales, key=lambda scale: scale.bare)
-        yield from head(panel, place, scale, self.form.centimetre)
+        yield from head(panel, place, scale, self.form.centimetre, sheets[0].notation)
         title = bold(roman(panel.title))
         x = place.drawing.left + width(title, TITLE) + GIVEN_GAP
         for index, row in enumerate(sheets[0].rows):
             for cell in row.cells.get(name, ()):
                 if cell.given and all(cell in each.rows[index].cells[name] for each in sheets):
                     at = complex(x, place.title)
-                    yield Mark(Lettering(self._reading(cell), at, SCALE), "notes")
+                    reading = _reading(cell, sheets[0].notation)
+                    yield Mark(Lettering(reading, at, SCALE), "notes")
 
-    def _reading(self, cell: Cell) -> Runs:
-        value = figures(replace(cell, given=True))
-        return symbols(cell.symbol) + roman(" = ") + value + roman(with_unit("", cell.unit))
+
+def _reading(cell: Cell, notation: Notation) -> Runs:
+    return symbols(f"{cell.symbol} = ") + roman(
+        notation.quantity(cell.value, cell.unit, given=True)
+    )
 
 
 def _with_room(form: Format, columns: int, rows: int) -> Format:

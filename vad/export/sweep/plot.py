@@ -22,7 +22,6 @@ from vad.export.sweep.ends import Ending, name_ends
 from vad.export.sweep.ranges import largest, limits, unwrapped
 from vad.export.sweep.results import Column, Curves, Results
 from vad.kinematics.motion import Motions, solve
-from vad.strokes.construct import slide_symbol
 from vad.strokes.language import Language
 from vad.strokes.scene import Scene
 from vad.style import Style, load_style
@@ -54,7 +53,7 @@ def plot(motion: Motions, results: Results, file: IO[bytes]) -> None:
         figure = Figure((_SIZE[0] / _DPI, _SIZE[1] / _DPI), dpi=_DPI, facecolor=style.background)
         _head(figure, motion, style)
         scene = Scene(solve(motion.mechanism), Language("en"))  # any pose tells what slides where
-        symbols = {row.name: slide_symbol(scene, row.name) for row in results.slides}
+        symbols = {row.name: scene.slide_symbol(row.name) for row in results.slides}
         _curves(figure, results, symbols, style)
         title = f"{motion.mechanism.title}: a sweep of its {results.place.quantity}"
         figure.savefig(file, format="png", metadata={"Title": title})

@@ -21,6 +21,7 @@ from vad.kinematics.numbers import (
     positive,
     times,
 )
+from vad.kinematics.reach import travels
 
 if TYPE_CHECKING:
     from vad.kinematics.solution import Solution
@@ -149,6 +150,11 @@ class Slider(Generic[Real]):
         """Its acceleration along the line."""
         motion = self._motion
         return motion.shaped(motion.rates(2)[-1].sliding[self._name], motion.frame.scale)
+
+    @property
+    def travel(self) -> tuple[float, float]:
+        """The least and the greatest position over all poses of the mechanism that close."""
+        return travels(self._motion.mechanism)[self._name]
 
     @property
     def coriolis(self) -> Real | None:

@@ -26,7 +26,7 @@ def heads(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[
     for panel in sheet.panels:
         sketch, place = sketches[panel.name], page.panels[panel.name]
         begun, region = drawing(sketch.setting.first), f"{panel.name} head"
-        full = head(panel, place, sketch.scale, sketch.setting.centimetre)
+        full = head(panel, place, sketch.scale, sketch.setting.centimetre, sheet.notation)
         yield Item("", region, Level.GROUND, tuple(pale(full)), 0, begun)
         yield Item("", region, Level.GROUND, tuple(full), begun)
 

@@ -14,8 +14,9 @@ from vad.plan.lettering.glyphs import fitted
 from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.marks import Lettering, Mark
 from vad.plan.sketch import Sketch
+from vad.strokes.notation import Notation
 from vad.strokes.sheet import Arrow, Panel
-from vad.written import given, typeset, with_unit
+from vad.written import typeset
 
 SIZE = 0.030
 LEAST = 0.022
@@ -37,7 +38,7 @@ def measured(sketch: Sketch, place: PanelPlace, first: int) -> Iterator[Item]:
     for count, (index, arrow) in enumerate(_measured(panel)):
         stroke = panel.strokes[index]
         length = abs(arrow.end - arrow.start) / value
-        runs = symbols(stroke.label) + _reading(length, value, panel.unit)
+        runs = symbols(stroke.label) + _reading(length, value, panel.unit, setting.sheet.notation)
         size = fitted(runs, SIZE, LEAST, room.width / columns - SIZE)
         left = room.left + count % columns * room.width / columns
         at = complex(left, place.equations[first + count // columns])
@@ -59,8 +60,9 @@ def _columns(room: float) -> int:
     return max(1, int(room / COLUMN))
 
 
-def _reading(length: float, value: float, unit: str) -> Runs:
+def _reading(length: float, value: float, unit: str, notation: Notation) -> Runs:
     """Return a length in centimetres, each of which stands for a value, and what that makes."""
     read = f"{length:.2f}"
-    result = with_unit(given(float(read) * value), unit)
-    return roman(f" = {typeset(read)} cm × {given(value)} = {result}")
+    result = notation.quantity(float(read) * value, unit, given=True)
+    scale = notation.number(value, unit, given=True)
+    return roman(f" = {typeset(read, notation.point)} cm × {scale} = {result}")

@@ -5,6 +5,7 @@ In come a panel's strokes and its scale, out go lines that live until a result i
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from vad.plan.growth import Trimming
@@ -12,6 +13,7 @@ from vad.plan.items import FOREVER, Level, Span
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.tags import SIZE, SMALL_SIZE, add_tag
 from vad.plan.marks import Mark, line
+from vad.plan.pictures.arrows import PlacedVector
 from vad.plan.pictures.straight import construction_end
 from vad.plan.pictures.tools import SQUARE, STUB, pencil, place_square, right_angle
 from vad.plan.roles import CONSTRUCTION
@@ -30,26 +32,32 @@ class PlacedLine:
     span: Span
 
 
-def line_of(sketch: Sketch, index: int) -> PlacedLine:
-    """Return the construction line of one stroke, which must be a line."""
+def line_of(sketch: Sketch, index: int, vectors: Mapping[int, PlacedVector]) -> PlacedLine:
+    """Return the construction line of one stroke, which must be a line.
+
+    It runs in the lane of the vector that is inked over it.
+    """
     setting, scale = sketch.setting, sketch.scale
     stroke = setting.panel.strokes[index]
     shape = stroke.shape
     assert isinstance(shape, Line)
-    start = scale(shape.through)
-    end = construction_end(start, shape.direction, scale(shape.until), setting.room)
-    span = setting.during(index), setting.after(inked_by(setting.panel, index))
+    result = inked_by(setting.panel, index)
+    aside = 0j if result is None else vectors[result].lane.aside
+    start, until = scale(shape.through) + aside, scale(shape.until) + aside
+    end = construction_end(start, shape.direction, until, setting.room)
+    gone = setting.after(len(setting.panel.strokes) - 1 if result is None else result)
+    span = setting.during(index), gone
     return PlacedLine(start, end, shape.direction, setting.row(stroke.link), span)
 
 
-def inked_by(panel: Panel, index: int) -> int:
-    """Return the stroke that inks over construction ``index``, else the last one."""
+def inked_by(panel: Panel, index: int) -> int | None:
+    """Return the stroke that inks over construction ``index``, if any does."""
     link = panel.strokes[index].link
     for later in range(index + 1, len(panel.strokes)):
         stroke = panel.strokes[later]
         if stroke.kind == "result" and stroke.link == link:
             return later
-    return len(panel.strokes) - 1
+    return None
 
 
 def drawn_line(start: complex, end: complex, row: int | None) -> tuple[Mark, Mark, Mark]:
@@ -78,9 +86,8 @@ def add_drawn_line(sketch: Sketch, index: int, placed: PlacedLine, points: list[
     sketch.add(stroke, Level.CONSTRUCTION, during, [tip], after)
 
 
-def add_construction(sketch: Sketch, index: int, points: list[complex]) -> None:
+def add_construction(sketch: Sketch, index: int, placed: PlacedLine, points: list[complex]) -> None:
     """Add one construction line, heavy until it is inked over, faint from then on."""
-    placed = line_of(sketch, index)
     stroke = sketch.setting.panel.strokes[index]
     faint = line([placed.start, placed.end], "construction done", placed.row)
     sketch.add(stroke, Level.CONSTRUCTION, placed.span[1], [faint])
@@ -89,9 +96,11 @@ def add_construction(sketch: Sketch, index: int, points: list[complex]) -> None:
     sketch.obstacles.line([placed.start, placed.end], CONSTRUCTION / 2, span)
 
 
-def name_construction(sketch: Sketch, index: int, points: list[complex]) -> None:
+def name_construction(
+    sketch: Sketch, index: int, placed: PlacedLine, points: list[complex]
+) -> None:
     """Write a line's name and right angle, which go when it is inked over."""
-    stroke, placed = sketch.setting.panel.strokes[index], line_of(sketch, index)
+    stroke = sketch.setting.panel.strokes[index]
     shape, after = stroke.shape, sketch.setting.after(index)
     assert isinstance(shape, Line)
     start, span = placed.start, placed.span
