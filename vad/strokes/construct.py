@@ -103,7 +103,7 @@ class _Construction:
         head, tail = slide.ends[1], slide.ends[0]
         known = tail in self.motion.points
         label, phrase = ("", "guide") if known else (tail, "guide point")
-        parts = {"head": head, "tail": tail, "pivot": self.linkage.pivot}
+        parts = {"head": head, "tail": tail}
         name = f"{slide.ends}.guide"
         self._draw(name, "guide", label, guide, phrase, parts, link=slide.name)
 

@@ -102,7 +102,7 @@ def captions(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterat
         for index, stroke in enumerate(panel.strokes):
             marks = caption_marks(panel, index, write, page)
             since, name = setting.during(index), panel.full(stroke.name)
-            yield Item(name, "caption", Level.LABEL, tuple(marks), since, since + 2)
+            yield Item(name, "caption", Level.LABEL, tuple(marks), since, setting.over(index))
 
 
 def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
@@ -115,6 +115,6 @@ def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
                 if marks:
                     name, span = (
                         setting.panel.full(stroke.name),
-                        (setting.during(index), setting.after(index)),
+                        (setting.during(index), setting.over(index)),
                     )
                     yield Item(name, home, Level.GLOW, tuple(marks), *span)

@@ -123,7 +123,7 @@ def add_vector(sketch: Sketch, index: int, placed: PlacedVector) -> None:
     """Add one vector and the light beneath it."""
     setting = sketch.setting
     stroke, during = setting.panel.strokes[index], setting.during(index)
-    sketch.add(stroke, Level.STROKE, during, [placed.light()], setting.after(index))
+    sketch.add(stroke, Level.STROKE, during, [placed.light()], setting.over(index))
     sketch.add(stroke, Level.STROKE, during, placed.marks())
     placed.block(sketch.obstacles, during)
 

@@ -13,12 +13,11 @@ from vad.plan.labels.vertices import Vertex, corners, find_vertices, label_verti
 from vad.plan.marks import Bow, Mark, area
 from vad.plan.pictures import machine
 from vad.plan.pictures.bars import bar_of, slit_of
-from vad.plan.pictures.constructions import PlacedLine, add_drawn_line
+from vad.plan.pictures.constructions import add_drawn_line, add_square, line_of
 from vad.plan.pictures.guides import add_guide, name_guide
 from vad.plan.pictures.rotation import add_angle, add_sense, angle_arc, block_arc, visible_part
 from vad.plan.pictures.sizes import part_size
 from vad.plan.pictures.speed import add_speed
-from vad.plan.pictures.straight import construction_end
 from vad.plan.pictures.supports import add_axes, add_pivots
 from vad.plan.pictures.tools import compass
 from vad.plan.pictures.vectors import swelling
@@ -39,9 +38,8 @@ def draw(setting: Setting) -> Sketch:
     )
     sketch, size = Sketch(setting, scale, Obstacles(setting.room)), part_size(panel, scale)
     vertices = find_vertices(panel, scale)
-    points = [vertex.at for vertex in vertices]
     for index in painting_order(panel):
-        add_stroke(sketch, index, points)
+        add_stroke(sketch, index)
     for index, stroke in enumerate(panel.strokes):
         own = isinstance(stroke.shape, Guide) and name_guide(sketch, index, stroke.shape, size)
         vertices += [own] if own else []
@@ -64,6 +62,9 @@ def draw(setting: Setting) -> Sketch:
         add_angle(sketch, index, shape)
         add_sense(sketch, driven(panel), shape, given_rate(setting.sheet, "ω")[1])
     add_speed(sketch, *given_rate(setting.sheet, "v"), size)
+    for index, stroke in enumerate(panel.strokes):
+        if isinstance(stroke.shape, Line):
+            add_square(sketch, index, line_of(sketch, index, {}))
     return sketch
 
 
@@ -112,8 +113,8 @@ def driven(panel: Panel) -> int | None:
     return next(numbers, None)
 
 
-def add_stroke(sketch: Sketch, index: int, points: list[complex]) -> None:
-    """Add one stroke as it is drawn and as it stays; tools keep clear of ``points``."""
+def add_stroke(sketch: Sketch, index: int) -> None:
+    """Add one stroke as it is drawn and as it stays."""
     stroke = sketch.setting.panel.strokes[index]
     match stroke.shape:
         case Arrow():
@@ -126,18 +127,20 @@ def add_stroke(sketch: Sketch, index: int, points: list[complex]) -> None:
             panel, spot = sketch.setting.panel, sketch.scale(at)
             part = machine.joint if stroke.label in pins(panel) else machine.point
             mark = part(spot, swelling(spot), part_size(panel, sketch.scale))
-            _passing(sketch, index, Level.DOT, [mark])
+            setting = sketch.setting
+            during, after = setting.during(index), setting.after(index)
+            sketch.add(stroke, Level.DOT, during, [mark], after)
         case Arc() if stroke.kind == "construction":
             _add_compass_arc(sketch, index, stroke.shape)
         case Line():
-            _add_line(sketch, index, stroke.shape, points)
+            add_drawn_line(sketch, index, line_of(sketch, index, {}))
 
 
 def _passing(sketch: Sketch, index: int, level: Level, marks: list[Mark]) -> None:
-    """Add what shows only while a stroke is drawn."""
+    """Add what shows until the next stroke is begun."""
     setting = sketch.setting
     stroke = setting.panel.strokes[index]
-    sketch.add(stroke, level, setting.during(index), marks, setting.after(index))
+    sketch.add(stroke, level, setting.during(index), marks, setting.over(index))
 
 
 def add_bar(sketch: Sketch, index: int, shape: Arrow) -> None:
@@ -164,7 +167,8 @@ def add_block(sketch: Sketch, index: int, shape: Block) -> None:
     else:
         at, on_lever = sketch.scale(shape.at), shape.on is not None
         outline = machine.block_corners(at, shape.direction, on_lever, size)
-    block = area(outline, "block", row, Fading())
+    light, block = (area(outline, role, row, Fading()) for role in ("block light", "block"))
+    _passing(sketch, index, Level.BLOCK, [light])
     sketch.add(stroke, Level.BLOCK, setting.during(index), [block])
     sketch.obstacles.line([*outline, outline[0], outline[2]], BLOCK_RIM / 2)
     sketch.obstacles.line([outline[1], outline[3]], BLOCK_RIM / 2)
@@ -180,15 +184,4 @@ def _add_compass_arc(sketch: Sketch, index: int, shape: Arc) -> None:
     arc = visible_part(Bow(scale(shape.centre), radius, shape.start, shape.sweep), setting.room)
     mark = Mark(arc, "compass arc", row, Trimming())
     sketch.add(stroke, Level.CONSTRUCTION, setting.during(index), [mark], setting.end)
-    _passing(sketch, index, Level.CONSTRUCTION, compass(arc, row))
-
-
-def _add_line(sketch: Sketch, index: int, shape: Line, points: list[complex]) -> None:
-    """Add a construction line, which goes when the mechanism is finished."""
-    setting, scale = sketch.setting, sketch.scale
-    stroke = setting.panel.strokes[index]
-    start = scale(shape.through)
-    end = construction_end(start, shape.direction, scale(shape.until), setting.room)
-    span = setting.during(index), setting.end
-    placed = PlacedLine(start, end, shape.direction, setting.row(stroke.link), span)
-    add_drawn_line(sketch, index, placed, points)
+    _passing(sketch, index, Level.CONSTRUCTION, compass(arc, row, setting.room))

@@ -9,7 +9,7 @@ from vad.plan.geometry import SHORTEST, Rect, direction_of
 from vad.plan.growth import Sliding, Trimming
 from vad.plan.marks import Mark, area, line
 from vad.plan.pictures.lanes import ALONE, Lane
-from vad.plan.roles import CONSTRUCTION
+from vad.plan.pictures.tools import PENCIL
 
 HEAD = 0.026
 HEAD_WHOLE = 0.75
@@ -67,7 +67,7 @@ def head_of(start: complex, end: complex, whole: bool, lane: Lane = ALONE) -> li
 def construction_end(through: complex, direction: complex, until: complex, room: Rect) -> complex:
     """Return where a construction line ends: past its crossing, but inside the panel."""
     length = abs(until - through) + OVERSHOOT
-    inner = room.inside(CONSTRUCTION)  # the line's own width stays inside, too
+    inner = room.inside(PENCIL)  # the pencil at its end stays inside, too
     for ahead, low, high, at in (
         (direction.real, inner.left, inner.right, through.real),
         (direction.imag, inner.bottom, inner.top, through.imag),

@@ -51,13 +51,12 @@ def _sketch(setting: Setting, room: Rect) -> Sketch:
     )
     sketch = Sketch(setting, scale, Obstacles(setting.room))
     vertices = find_vertices(panel, scale)
-    points = [vertex.at for vertex in vertices]
     placed = place_vectors(sketch)
     for index, stroke in enumerate(panel.strokes):
         if isinstance(stroke.shape, Arrow):
             add_vector(sketch, index, placed[index])
         elif isinstance(stroke.shape, Line):
-            add_construction(sketch, index, line_of(sketch, index, placed), points)
+            add_construction(sketch, index, line_of(sketch, index, placed))
         elif isinstance(stroke.shape, Dot):
             spot = scale(stroke.shape.at)
             sketch.add(

@@ -12,7 +12,8 @@ PHRASES = {
     "guides cross": "{letter}, wo sich die Führungen schneiden, ist fest.",
     "guide": "{head} kann sich nur längs seiner Führung bewegen.",
     "guide point": (
-        "{head} kann sich nur längs seiner Führung bewegen; {tail} ist ihr Punkt bei {pivot}."
+        "{head} kann sich nur längs seiner Führung bewegen; {tail} ist ein fester Punkt "
+        "der Führung."
     ),
     "slot": "{head} gleitet im Schlitz {link:des}.",
     "driven bar": "{link:Der} {bar} = {size} {unit} steht bei {angle}°.",

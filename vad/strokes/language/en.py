@@ -11,9 +11,7 @@ PHRASES = {
     "fixed point": "{letter} is a fixed point.",
     "guides cross": "{letter}, where the guides cross, is fixed.",
     "guide": "{head} can only move along its guide.",
-    "guide point": (
-        "{head} can only move along its guide; {tail} is the guide's point next to {pivot}."
-    ),
+    "guide point": "{head} can only move along its guide; {tail} is a fixed point of the guide.",
     "slot": "{head} slides in the slot of the {link}.",
     "driven bar": "The {link} {bar} = {size} {unit} stands at {angle}°.",
     "driven slide": "The {slide} {head} stands at {symbol} = {value} {unit} on its guide.",

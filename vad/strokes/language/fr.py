@@ -12,8 +12,8 @@ _PHRASES = {
     "guides cross": "{letter}, où se croisent les glissières, est fixe.",
     "guide": "{head} ne peut se déplacer que le long de sa glissière.",
     "guide point": (
-        "{head} ne peut se déplacer que le long de sa glissière ; {tail} en est le point voisin de "
-        "{pivot}."
+        "{head} ne peut se déplacer que le long de sa glissière ; {tail} est un point fixe de la "
+        "glissière."
     ),
     "slot": "{head} glisse dans la rainure {link:du}.",
     "driven bar": "{link:Le} {bar} = {size} {unit} fait un angle de {angle}° avec l’axe x.",
