@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
+from functools import partial
 from itertools import pairwise
 
 import pytest
@@ -12,6 +14,8 @@ from vad.errors import UsageError
 from vad.lecture.easing import smooth
 from vad.lecture.moment import Moment, done, drawing, finished, moment, moments
 from vad.lecture.timeline import animate, rest
+from vad.lecture.turn import turn
+from vad.mechanisms.four_bar import FourBar
 
 
 def test_every_caption_stands_long_enough_to_be_read():
@@ -122,3 +126,13 @@ def test_what_cannot_be_is_refused_by_name_with_a_hint(name: str, options: dict)
 def test_what_is_no_number_is_refused_by_name(options: dict):
     with pytest.raises(UsageError, match=f"^{next(iter(options))}: must be"):
         animate(slider_crank(), **options)
+
+
+@pytest.mark.parametrize("style", ["chlak", None, 3])
+@pytest.mark.parametrize(
+    "film", [lambda **o: animate(slider_crank(), **o), partial(turn, FourBar())]
+)
+def test_an_unknown_style_is_refused_before_anything_is_painted(film: Callable, style: object):
+    with pytest.raises(UsageError, match=r"^unknown style ") as refusal:
+        film(style=style)
+    assert "chalk" in str(refusal.value.hint)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 import pytest
 
@@ -25,6 +26,17 @@ def test_the_table_has_a_row_for_every_method(capsys):
     for row in rows:
         assert "2.3094011" in row and "-1.154700" in row and "4.2339" in row and "-6.7357" in row
     assert note.startswith("error: ")
+
+
+@pytest.mark.parametrize("name", ["double-slider", "four-bar"])
+def test_decimal_points_stand_in_one_column(capsys, name):
+    assert run(["compare", name]) == 0
+    head, _, *rows = capsys.readouterr().out.split("\n\n")[1].splitlines()
+    ends = [head.index(sign) + len(sign) for sign in re.findall(r"[ωvαa] \w+", head)]
+    assert len(ends) == 4
+    for end in ends:
+        column = [row[:end][-12:] for row in rows]
+        assert len({cell.rindex(".") for cell in column if "." in cell}) == 1
 
 
 @pytest.mark.parametrize("name", MECHANISMS)

@@ -9,12 +9,13 @@ import click
 
 import vad
 from vad.cli.progress import progress, written
-from vad.errors import UsageError
+from vad.errors import UsageError, VadError
 from vad.export import FOLDER, format_of
 from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
 from vad.lecture.turn import Turn
 from vad.mechanisms import Mechanism
+from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 
 Inputs = dict[str, Any]
@@ -30,14 +31,34 @@ def solve(mechanism: Mechanism, inputs: Inputs, as_json: bool = False) -> None:
 
 
 def draw(mechanism: Mechanism, inputs: Inputs, output: str, **options: Any) -> None:
-    """Write one pose as a picture, or its strokes as data."""
-    kind = format_of(Sheet, output)  # before anything is worked out
+    """Write a pose as a picture, or its strokes as data, or a few poses side by side."""
+    at = options.pop("at", None)
+    kind = format_of(Sheet if at is None else Multiples, output)  # before anything is worked out
     if "paper" in options and kind != ".pdf":
         raise UsageError(f"--paper is for PDF, not for '{output}'", hint="as in -o sheet.pdf")
-    look = _pop(options, "style", "size", "paper")
-    sheet = vad.draw(vad.solve(mechanism, **inputs), **options)
-    vad.save(sheet, output, **look)
+    if "blank" in options and kind == ".json":
+        raise UsageError(
+            f"--blank is for pictures, not for '{output}'", hint="as in -o problem.pdf"
+        )
+    look = _pop(options, "style", "size", "paper", "blank")
+    drawn: Sheet | Multiples
+    if at is None:
+        drawn = vad.draw(vad.solve(mechanism, **inputs), **options)
+    else:
+        drawn = _multiples(mechanism, inputs, at, **options)
+    vad.save(drawn, output, **look)
     written(output)
+
+
+def _multiples(mechanism: Mechanism, inputs: Inputs, at: list[float], **options: Any) -> Multiples:
+    """Draw a few poses; what is wrong with their places is said of the option."""
+    driven = next(iter(mechanism.inputs))
+    if driven in inputs:
+        raise UsageError(f"--at: takes the place of --{driven}", hint=f"leave out --{driven}")
+    try:
+        return vad.multiples(vad.solve(mechanism, **inputs), at, **options)
+    except VadError as error:
+        raise type(error)(f"--at: {str(error).removeprefix('at: ')}", error.hint) from None
 
 
 def animate(

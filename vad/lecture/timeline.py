@@ -9,7 +9,8 @@ import contextlib
 from itertools import accumulate, pairwise
 from numbers import Real
 
-from vad.errors import UsageError, shown
+from vad.errors import UsageError, one_of, shown
+from vad.found import names_in
 from vad.lecture.lesson import Lesson, Step
 from vad.strokes.sheet import Arrow, Panel, Sheet, Stroke
 
@@ -64,7 +65,7 @@ def animate(
     Raises
     ------
     vad.errors.UsageError
-        If a value is out of its range.
+        If a value is out of its range, or the style unknown.
     """
     if not isinstance(sheet, Sheet):
         raise UsageError(f"sheet: must be what vad.draw returns, got {shown(sheet)}")
@@ -126,10 +127,9 @@ def checked(
     Raises
     ------
     vad.errors.UsageError
-        For a film that cannot be; what styles there are is known only where it is painted.
+        For a film that cannot be, or an unknown style.
     """
-    if not isinstance(style, str):
-        raise UsageError(f"style: must be the name of a style, got {shown(style)}")
+    one_of("style", style, names_in("style"))
     return (
         _number("fps", fps, FPS, "try --fps 30"),
         check_size(size),

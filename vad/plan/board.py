@@ -18,8 +18,9 @@ from vad.plan.items import Item, Level
 from vad.plan.layout import MARGIN, Page, lay_out
 from vad.plan.opening import REGION, Opening, opening
 from vad.plan.page.captioning import caption_lines
-from vad.plan.page.changing import captions, equations, heads, lights, results
+from vad.plan.page.changing import captions, equations, heads, lights, readings, results
 from vad.plan.page.foot import Foot, compose
+from vad.plan.page.measured import lines_of
 from vad.plan.page.title import title_marks
 from vad.plan.pictures.kinds import sketched
 from vad.plan.sketch import Setting, Sketch
@@ -120,6 +121,7 @@ def plan(sheet: Sheet, form: Format, key: float, lesson: bool = False) -> Plan:
         Item("", "title", Level.GROUND, tuple(title_marks(sheet, page))),
         *heads(sheet, page, sketches),
         *equations(sheet, page, feet, sketches),
+        *(readings(page, feet, sketches) if form.centimetre else ()),
         *results(sheet, page, sketches, key, lesson),
         *(captions(sheet, page, sketches) if lesson else ()),
         *(item for sketch in sketches.values() for item in sketch.items),
@@ -131,7 +133,10 @@ def plan(sheet: Sheet, form: Format, key: float, lesson: bool = False) -> Plan:
 
 
 def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[str, Foot]]:
-    """Return the page of a sheet, and the equations at the feet of its panels."""
+    """Return the page of a sheet, and the equations at the feet of its panels.
+
+    On paper there is room below them for what is measured.
+    """
     names, rows = [panel.name for panel in sheet.panels], len(sheet.rows)
     # A first layout tells the panels' width, the second knows how many lines they need.
     first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines)
@@ -139,6 +144,9 @@ def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[
         panel.name: compose(panel, first.panels[panel.name].drawing.width) for panel in sheet.panels
     }
     lines = {name: len(foot.lines) for name, foot in feet.items()}
+    if form.centimetre:
+        for panel in sheet.panels:
+            lines[panel.name] += lines_of(panel, first.panels[panel.name].drawing.width)
     return lay_out(form, lines, rows, caption_lines), feet
 
 

@@ -78,6 +78,7 @@ ROLES: dict[str, Role] = {
     "rule": Role(line="text", width=0.0020),
     "pale rule": Role(line="hairline", width=0.0020),
     "hairline": Role(line="hairline", width=0.0015),
+    "writing line": Role(line="grey", width=0.0015),
     "scale bar": Role(line="grey", width=0.0028),
     "key": Role(line="row", width=0.85 * BAR, linked=True),
     # the mechanism

@@ -39,10 +39,12 @@ def fill(
     drawing: Rect,
     position: bool,
     centimetre: float | None = None,
+    factor: float | None = None,
 ) -> Scale:
     """Return the scale at which ``points`` fill the drawing less its padding, centred.
 
-    Where the length of a ``centimetre`` is given, it stands for a round number.
+    Where the length of a ``centimetre`` is given, it stands for a round number; a ``factor`` that
+    is given is kept.
     """
     inner = _padded(drawing, position)
     all_points = list(points) or [0j]
@@ -51,11 +53,12 @@ def fill(
     wide, high = max(xs) - min(xs), max(ys) - min(ys)
     if not wide and not high:
         return Scale(inner.centre, 1.0, bare=True)
-    factor = min(
-        inner.width / wide if wide else math.inf, inner.height / high if high else math.inf
-    )
-    if centimetre:
-        factor = centimetre / round_up(centimetre / factor)
+    if factor is None:
+        factor = min(
+            inner.width / wide if wide else math.inf, inner.height / high if high else math.inf
+        )
+        if centimetre:
+            factor = centimetre / round_up(centimetre / factor)
     middle = complex(min(xs) + wide / 2, min(ys) + high / 2)
     return Scale(inner.centre - factor * middle, factor)
 

@@ -42,6 +42,8 @@ class Setting:
         The number of the panel's first stroke in the lesson.
     centimetre
         Its length on paper, where scales are round; None on a screen.
+    scale
+        That of a picture beside others; None where it fills its room.
     """
 
     sheet: Sheet
@@ -50,6 +52,7 @@ class Setting:
     rows: Mapping[str, int]
     first: int = 0
     centimetre: float | None = None
+    scale: Scale | None = None
 
     def row(self, link: str | None) -> int | None:
         """Return the row of a link or slide; None for the frame of the mechanism."""

@@ -15,6 +15,7 @@ SIZE = 0.0335
 NAME_GAP = 0.0125
 KEY_RISE = 0.0068
 GIVEN_SIZE = 0.028
+DROP = 0.006  # of a line to write on, below the baseline
 
 #: Sets a cell's number in type.
 Figures = Callable[[Cell], Runs]
@@ -23,6 +24,28 @@ Figures = Callable[[Cell], Runs]
 def figures(sheet: Sheet) -> Figures:
     """Return what sets the numbers of a sheet in type."""
     return lambda cell: roman(sheet.notation.number(cell.value, cell.unit, cell.given))
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A cell on the page: its symbol, its number, and the room in which that may be written."""
+
+    symbol: tuple[Mark, ...]
+    number: Mark
+    left: float
+    right: float
+
+    @property
+    def marks(self) -> list[Mark]:
+        """The symbol and the number."""
+        return [*self.symbol, self.number]
+
+    @property
+    def blank(self) -> list[Mark]:
+        """The symbol, and a line to write the number on."""
+        assert isinstance(self.number.shape, Lettering)
+        y = 1j * (self.number.shape.at.imag - DROP)
+        return [*self.symbol, line([self.left + y, self.right + y], "writing line")]
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from vad.plan.layout import Page
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
-from vad.plan.page.entries import GIVEN_SIZE, NAME_GAP, SIZE, Entries
+from vad.plan.page.entries import GIVEN_SIZE, NAME_GAP, SIZE, Entries, Entry
 from vad.strokes.language import Language
 from vad.strokes.sheet import Row
 from vad.written import numbered
@@ -90,18 +90,29 @@ class Quarter:
             marks += self._entries.name(row, at, fit.key, size, fit.type, fit.words)
         return [mark for mark in marks if not isinstance(mark.shape, Lettering) or mark.shape.runs]
 
-    def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Mark]:
+    def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Entry]:
         """Return the numbers of a row in a panel's column, one below the other."""
         right, size = self._fit.rights[self._names.index(panel)], SIZE * self._fit.type
-        marks: list[Mark] = []
+        found: list[Entry] = []
         for depth, cell in enumerate(row.cells.get(panel, ())):
             baseline = self._baselines[index] - depth * ROW_PITCH * self._squeeze
-            runs = self._entries.figures(cell)
+            dressed, role = self._entries.dressed, self._entries.role(cell)
+            value = dressed(cell, new, self._entries.figures(cell))
+            number = _right(value, complex(right, baseline), size, role)
+            left, symbol = self._left(panel), []
             if depth:
-                runs = symbols(cell.symbol) + roman(" = ") + runs
-            runs = self._entries.dressed(cell, new, runs)
-            marks.append(_right(runs, complex(right, baseline), size, self._entries.role(cell)))
-        return marks
+                left = right - width(value, size)
+                sign = dressed(cell, new, symbols(cell.symbol) + roman(" = "))
+                symbol.append(_right(sign, complex(left, baseline), size, role))
+            found.append(Entry(tuple(symbol), number, left, right))
+        return found
+
+    def _left(self, name: str) -> float:
+        """Return where the column of a panel begins."""
+        number, fit = self._names.index(name), self._fit
+        if number:
+            return fit.rights[number - 1] + COLUMN_GAP * fit.type
+        return fit.rights[0] - self._widest(name) * fit.type
 
     def _fitted(self, most: float) -> _Fit:
         """Return columns that never touch, whatever the numbers.

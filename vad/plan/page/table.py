@@ -10,7 +10,7 @@ from typing import Protocol
 from vad.plan.layout import Page
 from vad.plan.marks import Mark
 from vad.plan.page.columns import Columns
-from vad.plan.page.entries import Entries, Figures, figures
+from vad.plan.page.entries import Entries, Entry, Figures, figures
 from vad.plan.page.quarter import Quarter
 from vad.strokes.sheet import Row, Sheet
 
@@ -21,7 +21,7 @@ class Table(Protocol):
     def frame(self) -> list[Mark]:
         """Return names, keys, heads and rules, which are there from the beginning."""
 
-    def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Mark]:
+    def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Entry]:
         """Return what row number ``index`` shows for a panel; in bold where it is ``new``."""
 
 

@@ -33,7 +33,9 @@ NEAR = (0.014, 0.020, 0.028, 0.036)
 def draw(setting: Setting) -> Sketch:
     """Return the sketch of a mechanism."""
     panel = setting.panel
-    scale = fill(corners(panel), setting.room, position=True, centimetre=setting.centimetre)
+    scale = setting.scale or fill(
+        corners(panel), setting.room, position=True, centimetre=setting.centimetre
+    )
     sketch, size = Sketch(setting, scale, Obstacles(setting.room)), part_size(panel, scale)
     vertices = find_vertices(panel, scale)
     for index in painting_order(panel):

@@ -46,7 +46,9 @@ def draw(setting: Setting) -> Sketch:
 def _sketch(setting: Setting, room: Rect) -> Sketch:
     """Return a panel without what comes and goes, at the scale at which it fills ``room``."""
     panel = setting.panel
-    scale = fill(corners(panel), room, position=False, centimetre=setting.centimetre)
+    scale = setting.scale or fill(
+        corners(panel), room, position=False, centimetre=setting.centimetre
+    )
     sketch = Sketch(setting, scale, Obstacles(setting.room))
     vertices = find_vertices(panel, scale)
     placed = place_vectors(sketch)

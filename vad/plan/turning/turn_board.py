@@ -78,7 +78,8 @@ class TurnBoard:
     def _cells(self, sheet: Sheet) -> Iterator[Mark]:
         for panel in sheet.panels:
             for index, row in enumerate(sheet.rows):
-                yield from self._table.cells(index, row, panel.name, False)
+                for entry in self._table.cells(index, row, panel.name, False):
+                    yield from entry.marks
 
     def _still(
         self, sheet: Sheet, feet: Mapping[str, Foot], rows: Mapping[str, int]

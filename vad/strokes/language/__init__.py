@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cache
 from importlib import import_module
-from pkgutil import iter_modules
 from typing import Any
 
 from vad.errors import one_of
+from vad.found import names_in
 
 #: The parts of a phrase that are names, and what each is where a language knows no more of it.
 _GENERIC = {"link": "link", "slide": "slider"}
 
 
-@cache
 def languages() -> tuple[str, ...]:
     """Return the codes of the languages that there are."""
-    return tuple(sorted(module.name for module in iter_modules(__path__)))
+    return names_in("strokes", "language")
 
 
 class Noun:
