@@ -12,7 +12,7 @@ from tests.plan.sheets import slider_crank
 from vad.plan.format import screen
 from vad.plan.geometry import Rect
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.labels.placing import beside, fan, outward, place
+from vad.plan.labels.placing import Wish, beside, fan, outward, place
 from vad.plan.labels.vertices import corners, find_vertices
 from vad.plan.layout import Page, grid_columns, lay_out
 from vad.plan.scale import fill, scale_bar
@@ -103,7 +103,7 @@ def test_placed_labels_never_overlap_however_many_there_are():
     edge = Rect(0, 0, 1, 1)
     obstacles = Obstacles(edge)
     obstacles.line([0.07 + 0.5j, 0.93 + 0.5j], 0.01)
-    boxes = [place(obstacles, 0.5 + 0.5j, 1j, 0.10, 0.053).box for _ in range(20)]
+    boxes = [place(obstacles, Wish(0.5 + 0.5j, 1j, 0.10, 0.053)).box for _ in range(20)]
     for number, box in enumerate(boxes):
         assert edge.holds(complex(box.left, box.bottom))
         assert edge.holds(complex(box.right, box.top))

@@ -62,8 +62,8 @@ def drawn_line(start: complex, end: complex, row: int | None) -> tuple[Mark, Mar
     )
 
 
-def add_drawn_line(sketch: Sketch, index: int, placed: PlacedLine, points: list[complex]) -> None:
-    """Add a construction line as it is drawn along a set square, clear of ``points``."""
+def add_drawn_line(sketch: Sketch, index: int, placed: PlacedLine) -> None:
+    """Add a construction line as it is drawn."""
     setting = sketch.setting
     stroke, during, after = (
         setting.panel.strokes[index],
@@ -71,26 +71,35 @@ def add_drawn_line(sketch: Sketch, index: int, placed: PlacedLine, points: list[
         setting.after(index),
     )
     light, heavy, tip = drawn_line(placed.start, placed.end, placed.row)
-    square = place_square(placed.start, placed.end, placed.way, points, setting.room)
-    tools = square.marks(abs(placed.end - placed.start)) if square else []
-    sketch.add(stroke, Level.CONSTRUCTION, during, [*tools, light], after)
+    sketch.add(stroke, Level.CONSTRUCTION, during, [light], after)
     sketch.add(stroke, Level.CONSTRUCTION, during, [heavy], placed.span[1])
     sketch.add(stroke, Level.CONSTRUCTION, during, [tip], after)
 
 
-def add_construction(sketch: Sketch, index: int, points: list[complex]) -> None:
+def add_square(sketch: Sketch, index: int, placed: PlacedLine, points: list[complex]) -> None:
+    """Add the set square along which a line is drawn, clear of ``points`` and labels."""
+    setting = sketch.setting
+    during, after = setting.during(index), setting.after(index)
+    labels = sketch.obstacles.during((during, after + 1))
+    square = place_square(placed.start, placed.end, placed.way, points, labels)
+    if square:
+        tools = square.marks(abs(placed.end - placed.start))
+        sketch.add(setting.panel.strokes[index], Level.GLOW, during, tools, after)
+
+
+def add_construction(sketch: Sketch, index: int) -> None:
     """Add one construction line, heavy until it is inked over, faint from then on."""
     placed = line_of(sketch, index)
     stroke = sketch.setting.panel.strokes[index]
     faint = line([placed.start, placed.end], "construction done", placed.row)
     sketch.add(stroke, Level.CONSTRUCTION, placed.span[1], [faint])
-    add_drawn_line(sketch, index, placed, points)
+    add_drawn_line(sketch, index, placed)
     span = placed.span[0], FOREVER
     sketch.obstacles.line([placed.start, placed.end], CONSTRUCTION / 2, span)
 
 
 def name_construction(sketch: Sketch, index: int, points: list[complex]) -> None:
-    """Write a line's name and right angle, which go when it is inked over."""
+    """Write a line's name and right angle, which go when it is inked over, and lay the square."""
     stroke, placed = sketch.setting.panel.strokes[index], line_of(sketch, index)
     shape, after = stroke.shape, sketch.setting.after(index)
     assert isinstance(shape, Line)
@@ -106,6 +115,7 @@ def name_construction(sketch: Sketch, index: int, points: list[complex]) -> None
             foot = start + 0.6 * (tip - start)
             add_tag(sketch, stroke, shape.square_to, (foot, tip), SMALL_SIZE, span, after)
     add_tag(sketch, stroke, stroke.label, (start, placed.end), SIZE, span, after)
+    add_square(sketch, index, placed, points)
 
 
 def _stub(

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from vad.plan.geometry import Rect
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.labels.placing import Placed, beside
+from vad.plan.labels.placing import APART, Placed, beside
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import Runs, roman, symbols
@@ -25,8 +25,8 @@ from vad.strokes.sheet import CoriolisInset
 
 NAME_SIZE = 0.030
 CAPTION_SIZE = 0.028
-CAPTION_ABOVE = 0.006
-CAPTION_BELOW = 0.010
+CAPTION_AWAY = 0.006  # from the picture
+CAPTION_OFF = 0.030  # the edge of the panel, to its middle
 CAPTION_CLEAR = 0.008  # of strokes and the panel's edge
 DEEP, WIDE = 0.24, 0.19  # what it takes at most, below or beside a polygon
 STEP = 0.02
@@ -66,28 +66,29 @@ def draw_inset(inset: CoriolisInset, caption: str, setting: Setting, size: float
 def find_corner(obstacles: Obstacles, drawing: Rect, inset: Inset) -> Corner | None:
     """Return the emptiest corner for picture and caption, None where strokes fill them all."""
     box, (wide, high) = inset.box, inset.caption_box
-    below = high + CAPTION_ABOVE + CAPTION_BELOW
     half_x, half_y = box.width / 2, box.height / 2
-    low, top = drawing.bottom + below + half_y, drawing.top - half_y
+    low, top = drawing.bottom + half_y, drawing.top - half_y
     left, right = drawing.left + half_x, drawing.right - half_x
     aside = wide / 2 + CAPTION_CLEAR
     if low > top or left > right or 2 * aside > drawing.width:
         return None
     centres: list[complex] = []
     captions: list[complex] = []
+    away = half_y + CAPTION_AWAY + high / 2
     for depth in range(int((top - low) / STEP) + 1):
         for inward in range(min(6, int((right - left) / STEP) + 1)):
-            away = complex(inward, depth) * STEP
-            for x in (left + away.real, right - away.real):
-                for y in (low + away.imag, top - away.imag):
-                    middle = min(max(x, drawing.left + aside), drawing.right - aside)
-                    centres.append(complex(x, y))
-                    drop = half_y + CAPTION_ABOVE + high / 2
-                    captions.append(complex(middle, y - drop))
+            inside = complex(inward, depth) * STEP
+            for x in (left + inside.real, right - inside.real):
+                middle = min(max(x, drawing.left + aside), drawing.right - aside)
+                # The caption is turned to the panel: never towards its equation or its head.
+                for y, up in ((low + inside.imag, away), (top - inside.imag, -away)):
+                    if drawing.inside(CAPTION_OFF).holds(complex(middle, y + up)):
+                        centres.append(complex(x, y))
+                        captions.append(complex(middle, y + up))
     edge = 1e-9  # a box that just fits its corner is inside
-    free = obstacles.free(centres, box.width - edge, box.height - edge, 0.0)
+    free = obstacles.free(centres, box.width - edge, box.height - edge, 0.0, APART)
     clear = CAPTION_CLEAR
-    free &= obstacles.free(captions, wide - edge, high - clear, clear)
+    free &= obstacles.free(captions, wide - edge, high - edge, clear, APART)
     if not free.any():
         return None
     best = int(free.argmax())

@@ -12,14 +12,21 @@ from vad.plan.labels.vertices import corners, find_vertices, label_vertices
 from vad.plan.marks import Bow, Mark, area, line
 from vad.plan.pictures import machine
 from vad.plan.pictures.arrows import visible_start
-from vad.plan.pictures.constructions import PlacedLine, add_drawn_line
+from vad.plan.pictures.constructions import PlacedLine, add_drawn_line, add_square
 from vad.plan.pictures.guides import add_guide, poles
-from vad.plan.pictures.rotation import add_angle, add_sense, angle_arc, block_arc, visible_part
+from vad.plan.pictures.rotation import (
+    add_angle,
+    add_sense,
+    angle_arc,
+    arc_line,
+    block_arc,
+    visible_part,
+)
 from vad.plan.pictures.straight import construction_end
 from vad.plan.pictures.supports import add_axes, add_pivots
 from vad.plan.pictures.tools import compass
 from vad.plan.pictures.vectors import swelling
-from vad.plan.roles import BAR, BLOCK_RIM
+from vad.plan.roles import BAR, BLOCK_RIM, CONSTRUCTION
 from vad.plan.scale import fill
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Sheet, Stroke
@@ -33,14 +40,13 @@ def draw(setting: Setting) -> Sketch:
     scale = fill(corners(panel), setting.room, position=True, centimetre=setting.centimetre)
     sketch = Sketch(setting, scale, Obstacles(setting.room))
     vertices = find_vertices(panel, scale)
-    points = [vertex.at for vertex in vertices]
     for index in range(len(panel.strokes)):
-        add_stroke(sketch, index, points)
+        add_stroke(sketch, index)
     loose = poles(sketch)
     for vertex in vertices:
         pin = all(abs(vertex.at - pole) > PIXEL for pole in loose)
         mark = machine.joint(vertex.at) if pin else machine.point(vertex.at)
-        index = min(vertex.since)
+        index = vertex.since
         sketch.add(panel.strokes[index], Level.DOT, setting.after(index), [mark])
         sketch.obstacles.disc(vertex.at, machine.JOINT_REACH)
     add_axes(sketch, vertices)
@@ -52,10 +58,15 @@ def draw(setting: Setting) -> Sketch:
     for _, shape in angles:
         block_arc(sketch.obstacles, angle_arc(sketch, shape))
     add_pivots(sketch, vertices)
+    _block_constructions(sketch)
     label_vertices(sketch, vertices, machine.JOINT_REACH, NEAR)
     for index, shape in angles:
         add_angle(sketch, index, shape)
         add_sense(sketch, driven(panel), shape, given_sense(setting.sheet))
+    points = [vertex.at for vertex in vertices]
+    for index, stroke in enumerate(panel.strokes):
+        if isinstance(stroke.shape, Line):
+            add_square(sketch, index, _line_of(sketch, index, stroke.shape), points)
     return sketch
 
 
@@ -71,8 +82,8 @@ def driven(panel: Panel) -> int | None:
     return next(numbers, None)
 
 
-def add_stroke(sketch: Sketch, index: int, points: list[complex]) -> None:
-    """Add one stroke as it is drawn and as it stays; tools keep clear of ``points``."""
+def add_stroke(sketch: Sketch, index: int) -> None:
+    """Add one stroke as it is drawn and as it stays."""
     stroke = sketch.setting.panel.strokes[index]
     match stroke.shape:
         case Arrow():
@@ -88,7 +99,7 @@ def add_stroke(sketch: Sketch, index: int, points: list[complex]) -> None:
         case Arc() if stroke.kind == "construction":
             _add_compass_arc(sketch, index, stroke.shape)
         case Line():
-            _add_line(sketch, index, stroke.shape, points)
+            add_drawn_line(sketch, index, _line_of(sketch, index, stroke.shape))
 
 
 def _passing(sketch: Sketch, index: int, level: Level, marks: list[Mark]) -> None:
@@ -136,22 +147,39 @@ def add_block(sketch: Sketch, index: int, shape: Block) -> None:
 
 def _add_compass_arc(sketch: Sketch, index: int, shape: Arc) -> None:
     """Add a compass arc, which goes when the mechanism is finished, and the compass."""
-    setting, scale = sketch.setting, sketch.scale
+    setting, arc = sketch.setting, _compass_arc(sketch, shape)
     stroke = setting.panel.strokes[index]
     row = setting.row(stroke.link)
-    radius = shape.radius * scale.factor
-    arc = visible_part(Bow(scale(shape.centre), radius, shape.start, shape.sweep), setting.room)
     mark = Mark(arc, "compass arc", row, Trimming())
     sketch.add(stroke, Level.CONSTRUCTION, setting.during(index), [mark], setting.end)
     _passing(sketch, index, Level.CONSTRUCTION, compass(arc, row))
 
 
-def _add_line(sketch: Sketch, index: int, shape: Line, points: list[complex]) -> None:
-    """Add a construction line, which goes when the mechanism is finished."""
+def _line_of(sketch: Sketch, index: int, shape: Line) -> PlacedLine:
+    """Return a construction line, which goes when the mechanism is finished."""
     setting, scale = sketch.setting, sketch.scale
-    stroke = setting.panel.strokes[index]
     start = scale(shape.through)
     end = construction_end(start, shape.direction, scale(shape.until), setting.room)
-    span = setting.during(index), setting.end
-    placed = PlacedLine(start, end, shape.direction, setting.row(stroke.link), span)
-    add_drawn_line(sketch, index, placed, points)
+    row = setting.row(setting.panel.strokes[index].link)
+    return PlacedLine(start, end, shape.direction, row, (setting.during(index), setting.end))
+
+
+def _block_constructions(sketch: Sketch) -> None:
+    """Add what is drawn in passing to what labels keep clear of."""
+    setting = sketch.setting
+    for index, stroke in enumerate(setting.panel.strokes):
+        span, shape = (setting.during(index), setting.end), stroke.shape
+        if isinstance(shape, Arc) and stroke.kind == "construction":
+            arc = _compass_arc(sketch, shape)
+            curve = arc_line(arc.centre, arc.radius, arc.start, arc.sweep)
+            sketch.obstacles.line(curve, CONSTRUCTION / 2, span)
+        elif isinstance(shape, Line):
+            placed = _line_of(sketch, index, shape)
+            sketch.obstacles.line([placed.start, placed.end], CONSTRUCTION / 2, span)
+
+
+def _compass_arc(sketch: Sketch, shape: Arc) -> Bow:
+    """Return what shows of a compass arc."""
+    scale, radius = sketch.scale, shape.radius * sketch.scale.factor
+    arc = Bow(scale(shape.centre), radius, shape.start, shape.sweep)
+    return visible_part(arc, sketch.setting.room)

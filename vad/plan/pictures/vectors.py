@@ -22,7 +22,7 @@ from vad.strokes.language import Language
 from vad.strokes.sheet import Arrow, Dot, Line
 
 DOT = 0.0068
-NEAR = (0.014, 0.020, 0.027)
+NEAR = (0.014, 0.020, 0.027, 0.034)
 INSET_SIZES = (1.0, 0.8, 0.64)
 SMALLEST = 0.05  # of a dot, as it begins to swell
 
@@ -48,12 +48,11 @@ def _sketch(setting: Setting, room: Rect) -> Sketch:
     scale = fill(corners(panel), room, position=False, centimetre=setting.centimetre)
     sketch = Sketch(setting, scale, Obstacles(setting.room))
     vertices = find_vertices(panel, scale)
-    points = [vertex.at for vertex in vertices]
     for index, stroke in enumerate(panel.strokes):
         if isinstance(stroke.shape, Arrow):
             add_vector(sketch, index)
         elif isinstance(stroke.shape, Line):
-            add_construction(sketch, index, points)
+            add_construction(sketch, index)
         elif isinstance(stroke.shape, Dot):
             spot = scale(stroke.shape.at)
             sketch.add(
@@ -64,7 +63,7 @@ def _sketch(setting: Setting, room: Rect) -> Sketch:
                 setting.after(index),
             )
     for vertex in vertices:
-        index = min(vertex.since)
+        index = vertex.since
         sketch.add(panel.strokes[index], Level.DOT, setting.after(index), [dot(vertex.at)])
         sketch.obstacles.disc(vertex.at, DOT + DOT_RIM, (setting.after(index), FOREVER))
     label_vertices(sketch, vertices, 0.0, NEAR)
