@@ -14,7 +14,7 @@ from vad.plan.geometry import Rect
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import Wish, beside, fan, outward, place
 from vad.plan.labels.vertices import corners, find_vertices
-from vad.plan.layout import Page, grid_columns, lay_out
+from vad.plan.layout import GUTTER_GRID, Page, grid_columns, lay_out
 from vad.plan.scale import fill, scale_bar
 
 PANELS = {"position": 1, "velocity": 1, "acceleration": 1}
@@ -66,6 +66,20 @@ def test_four_panels_and_the_results_stand_in_three_columns():
     assert len({place.drawing.left for place in page.panels.values()}) == 3
     assert page.results.left == page.panels["a"].drawing.left
     assert page.results.top < page.panels["a"].drawing.bottom
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1024, 768)])
+def test_no_cell_of_a_grid_stays_empty(size: tuple[int, int]):
+    for count in range(2, 9):
+        page = laid_out(size, dict.fromkeys("abcdefgh"[:count], 1))
+        if page.results:
+            last = [p.drawing for p in page.panels.values() if p.rule == page.results.top]
+            assert page.results.left == pytest.approx(page.left)
+            right = max([page.results.right, *(each.right for each in last)])
+            assert right == pytest.approx(page.right)
+            assert page.results.width + sum(each.width for each in last) == pytest.approx(
+                page.right - page.left - len(last) * GUTTER_GRID
+            )
 
 
 def test_a_page_is_the_same_at_every_size():

@@ -151,8 +151,10 @@ def _grid(form: Format, equations: dict[str, int], caption_lines: int) -> Page:
     rules = [first - row * pitch for row in range(down)]
     lefts = [MARGIN + index * (room + GUTTER_GRID) for index in range(across)]
     cells = [(row, column) for row in range(down) for column in range(across)]
-    home = (down - 1, 0)
-    cells.remove(home)
+    # The results have all that is left over, from the last row's first cell on.
+    spare = len(cells) - len(equations)
+    home = (down - 1) * across
+    del cells[home : home + spare]
     panels: dict[str, PanelPlace] = {}
     for (name, lines), (row, column) in zip(equations.items(), cells, strict=False):
         lowest = rules[row + 1] + 0.040 if row + 1 < down else floor
@@ -166,7 +168,7 @@ def _grid(form: Format, equations: dict[str, int], caption_lines: int) -> Page:
         panels=panels,
         rows=(),
         hairline=0.0,
-        results=Rect(lefts[0], floor, lefts[0] + room, rules[-1]),
+        results=Rect(lefts[0], floor, lefts[spare - 1] + room, rules[-1]),
         captions=_captions(caption_lines),
     )
 
