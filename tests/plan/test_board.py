@@ -343,7 +343,7 @@ def test_the_page_speaks_one_language(code: str, size: tuple[int, int]):
         if hasattr(mark.shape, "runs")
     }
     assert {panel.title for panel in sheet.panels} | {sheet.title} <= written
-    keys = ["given", "coriolis rule", *(["results"] if size == (1024, 768) else [])]
+    keys = ["legend", "coriolis rule", *(["results"] if size == (1024, 768) else [])]
     for key in keys:
         assert Language(code).say(key) in written, key
         for other in set(languages()) - {code}:

@@ -6,8 +6,7 @@ from vad.plan.layout import Page
 from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
-from vad.plan.page.entries import GIVEN_SIZE, SIZE, Entries, heading
-from vad.strokes.language import Language
+from vad.plan.page.entries import SIZE, Entries, heading
 from vad.strokes.sheet import Cell, Row
 from vad.written import with_unit
 
@@ -24,7 +23,7 @@ class Columns:
         self._entries, self._page = entries, page
 
     def frame(self) -> list[Mark]:
-        """Return rules, keys and names, and the word "given" beside one given value."""
+        """Return rules, keys and names, and what grey means."""
         marks: list[Mark] = []
         rows = self._entries.sheet.rows
         for place in self._page.panels.values():
@@ -36,20 +35,9 @@ class Columns:
         size = min((fitted(heading(row), SIZE, LEAST, room) for row in rows), default=0.0)
         for row, baseline in zip(rows, self._page.rows, strict=True):
             marks += self._entries.name(row, complex(left, baseline), key, size)
-        return [*marks, *self._given()]
-
-    def _given(self) -> list[Mark]:
-        """Return the word "given" beside a cell with room for it, far right and high."""
-        sheet = self._entries.sheet
-        note = roman(Language(sheet.language).say("given"))
-        for name in reversed(list(self._page.panels)):
-            for row, baseline in zip(sheet.rows, self._page.rows, strict=True):
-                cells = row.cells.get(name, ())
-                if len(cells) == 1 and cells[0].given:
-                    right = self._page.panels[name].drawing.right
-                    at = complex(right - width(note, GIVEN_SIZE), baseline)
-                    return [Mark(Lettering(note, at, GIVEN_SIZE), "notes")]
-        return []
+        for baseline in self._page.rows[:1]:
+            marks += self._entries.legend(complex(self._page.right, baseline))
+        return marks
 
     def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Mark]:
         """Return the first cell at the column's left and a second one at its right."""

@@ -6,8 +6,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
+from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
+from vad.strokes.language import Language
 from vad.strokes.sheet import Cell, Row, Sheet
 from vad.written import number
 
@@ -50,6 +52,14 @@ class Entries:
             line([start, start + key], "key", number),
             Mark(Lettering(name, at + key + NAME_GAP * shrink, size), "words"),
         ]
+
+    def legend(self, end: complex) -> list[Mark]:
+        """Return what grey means, once for all that is given; it ends at ``end``."""
+        cells = (cell for row in self.sheet.rows for each in row.cells.values() for cell in each)
+        if not any(cell.given for cell in cells):
+            return []
+        runs = roman(Language(self.sheet.language).say("legend"))
+        return [Mark(Lettering(runs, end - width(runs, GIVEN_SIZE), GIVEN_SIZE), "notes")]
 
     def role(self, cell: Cell) -> Literal["notes", "words"]:
         """Return the role of a cell's type: given values are grey."""

@@ -4,6 +4,7 @@ PHRASES = {
     # Seite
     "results": "Ergebnisse",
     "given": "gegeben",
+    "legend": "grau: gegeben",
     "coriolis rule": "Coriolis: v um 90° mit ω gedreht",
     # Lageplan
     "fixed": "{letter} ist ein festes Gelenk.",

@@ -4,6 +4,7 @@ PHRASES = {
     # the page
     "results": "Results",
     "given": "given",
+    "legend": "grey: given",
     "coriolis rule": "Coriolis: v turned 90° with ω",
     # position
     "fixed": "{letter} is a fixed pivot.",
