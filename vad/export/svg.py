@@ -20,7 +20,7 @@ def write(
     """Write the picture; ``size`` is that of the same picture in pixels.
 
     ``text`` is ``"glyphs"`` for shapes that look alike in every program, or ``"letters"`` for text
-    in an embedded font, which a browser selects and searches.
+    in an embedded font.  Either way a browser selects and searches it.
     """
     shown = posed(thing, size, style)
     painter = SvgPainter(shown.sheet, text)
