@@ -14,12 +14,14 @@ from vad.lecture.moment import done
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import Item, Level
+from vad.plan.labels.vertices import corners
 from vad.plan.layout import MARGIN, Page, lay_out
 from vad.plan.page.captioning import caption_lines
 from vad.plan.page.changing import captions, equations, heads, lights, results
 from vad.plan.page.foot import Foot, compose
 from vad.plan.page.title import title_marks
 from vad.plan.pictures.kinds import sketched
+from vad.plan.scale import is_tall
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Sheet
 
@@ -117,13 +119,16 @@ def plan(sheet: Sheet, form: Format, key: float, lesson: bool = False) -> Plan:
 def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[str, Foot]]:
     """Return the page of a sheet, and the equations at the feet of its panels."""
     names, rows = [panel.name for panel in sheet.panels], len(sheet.rows)
+    tall = next(
+        (p.name for p in sheet.panels if p.picture == "skeleton" and is_tall(corners(p))), ""
+    )
     # A first layout tells the panels' width, the second knows how many lines they need.
-    first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines)
+    first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines, tall)
     feet = {
         panel.name: compose(panel, first.panels[panel.name].drawing.width) for panel in sheet.panels
     }
     lines = {name: len(foot.lines) for name, foot in feet.items()}
-    return lay_out(form, lines, rows, caption_lines), feet
+    return lay_out(form, lines, rows, caption_lines, tall), feet
 
 
 def rows_of(sheet: Sheet) -> dict[str, int]:

@@ -15,6 +15,8 @@ MARGIN = 0.05
 GUTTER = 0.045
 GUTTER_GRID = 0.05
 NARROWEST_COLUMN = 0.436  # three columns from W/H = 1.5 on
+SLENDER_COLUMN = 0.30  # of a tall picture, beside columns that are at least
+BESIDE_SLENDER = 0.40
 ROW_PITCH = 0.040
 EQUATION_PITCH = 0.043
 CAPTION_PITCH = 0.046
@@ -77,17 +79,22 @@ class Page:
         return self.width - MARGIN
 
 
-def lay_out(form: Format, equations: dict[str, int], rows: int, caption_lines: int) -> Page:
+def lay_out(
+    form: Format, equations: dict[str, int], rows: int, caption_lines: int, tall: str = ""
+) -> Page:
     """Return the page for the panels named in ``equations`` (their numbers of foot lines).
+
+    Panels stand side by side if that leaves them wide enough, else in a grid.  One that is
+    ``tall`` needs little width, and so stands beside the others on a narrower page, too.
 
     Raises
     ------
     vad.errors.UsageError
         If they have no room.
     """
-    gaps = 2 * MARGIN + (len(equations) - 1) * GUTTER
-    if (form.width - gaps * form.whole) / len(equations) >= NARROWEST_COLUMN * form.whole:
-        page = _side_by_side(form, equations, rows, caption_lines)
+    widths = _columns(form, list(equations), tall)
+    if widths:
+        page = _side_by_side(form, equations, widths, rows, caption_lines)
     else:
         page = _grid(form, equations, caption_lines)
     drawings = [place.drawing for place in page.panels.values()]
@@ -98,6 +105,18 @@ def lay_out(form: Format, equations: dict[str, int], rows: int, caption_lines: i
             hint="draw fewer panels",
         )
     return page
+
+
+def _columns(form: Format, names: list[str], tall: str) -> list[float]:
+    """Return the widths of columns side by side, none where they would be too narrow."""
+    count, gaps = len(names), 2 * MARGIN + (len(names) - 1) * GUTTER
+    if (form.width - gaps * form.whole) / count >= NARROWEST_COLUMN * form.whole:
+        return [(form.width - gaps) / count] * count
+    landscape = form.height <= 1.0 and tall in names and count > 1
+    rest = (form.width - gaps - SLENDER_COLUMN) / (count - 1) if landscape else 0.0
+    if rest < BESIDE_SLENDER:
+        return []
+    return [SLENDER_COLUMN if name == tall else rest for name in names]
 
 
 def _captions(lines: int) -> tuple[float, ...]:
@@ -115,17 +134,17 @@ def _place(
     return PanelPlace(rule, title, drawing, foot, region)
 
 
-def _side_by_side(form: Format, equations: dict[str, int], rows: int, caption_lines: int) -> Page:
-    count = len(equations)
-    room = (form.width - 2 * MARGIN - (count - 1) * GUTTER) / count
+def _side_by_side(
+    form: Format, equations: dict[str, int], widths: list[float], rows: int, caption_lines: int
+) -> Page:
     last = FLOOR if not caption_lines else 0.111 + CAPTION_PITCH * (caption_lines - 1)
     baselines = tuple(last + ROW_PITCH * (rows - 1 - i) for i in range(rows))
     hairline = (baselines[0] if rows else last) + 0.034
     panels: dict[str, PanelPlace] = {}
-    for index, (name, lines) in enumerate(equations.items()):
-        left = MARGIN + index * (room + GUTTER)
-        rule = form.height - TOP_RULE
+    left, rule = MARGIN, form.height - TOP_RULE
+    for (name, lines), room in zip(equations.items(), widths, strict=True):
         panels[name] = _place(left, left + room, rule, hairline + 0.030, max(lines, 1), GUTTER)
+        left += room + GUTTER
     return Page(
         form.width,
         form.height,

@@ -16,6 +16,7 @@ SIDE_PADDING = 0.075
 TOP_PADDING = 0.055
 BOTTOM_PADDING = 0.060
 BOTTOM_PADDING_POSITION = 0.090
+TALL = 1.5  # height over width
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +65,13 @@ def fill(
         factor = centimetre / round_up(centimetre / factor)
     middle = complex(min(xs) + wide / 2, min(ys) + high / 2)
     return Scale(inner.centre - factor * middle, factor)
+
+
+def is_tall(points: Iterable[complex]) -> bool:
+    """Tell whether ``points`` need clearly more height than width."""
+    all_points = list(points) or [0j]
+    xs, ys = [p.real for p in all_points], [p.imag for p in all_points]
+    return max(ys) - min(ys) > TALL * (max(xs) - min(xs))
 
 
 def round_up(value: float) -> float:
