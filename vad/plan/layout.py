@@ -129,7 +129,7 @@ def _place(
     """Return the place of a panel whose last equation line stands at ``lowest``."""
     foot = tuple(lowest + EQUATION_PITCH * (lines - 1 - i) for i in range(lines))
     title = rule - 0.040
-    drawing = Rect(left, max(foot) + 0.028, right, title - 0.015)
+    drawing = Rect(left, max(foot) + 0.034, right, title - 0.015)
     region = Rect(left - gap / 2, min(foot) - 0.012, right + gap / 2, rule + 0.006)
     return PanelPlace(rule, title, drawing, foot, region)
 
