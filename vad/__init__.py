@@ -107,7 +107,8 @@ if not TYPE_CHECKING:  # for a type checker, a name that is not imported above i
         from importlib import import_module
 
         if name in _HOMES:
-            return getattr(import_module(_HOMES[name]), name)
+            value = globals()[name] = getattr(import_module(_HOMES[name]), name)
+            return value
         message = f"module 'vad' has no attribute {name!r}"
         if name.startswith("_"):
             raise AttributeError(message, name=name)

@@ -11,7 +11,7 @@ from mpmath import mp
 
 import vad
 from tests.kinematics.test_traps import crank
-from vad.kinematics.reach import closing_range
+from vad.kinematics.reach import closing_range, travels
 
 
 @pytest.mark.filterwarnings("error")
@@ -208,3 +208,18 @@ def test_a_narrow_range_is_exact() -> None:
     [(low, high)] = closing_range(vad.SliderCrank(2, 4, 5.99999999))
     assert low == pytest.approx(wanted, abs=3e-14)
     assert high == pytest.approx(180 - wanted, abs=3e-14)
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "slide", "ends"),
+    [
+        (vad.ScotchYoke(crank=30), "block", (-30.0, 30.0)),
+        (vad.SliderCrank(crank=60, rod=140), "slider", (80.0, 200.0)),
+        (vad.SliderCrank(crank=60, rod=140, assembly="crossed"), "slider", (-200.0, -80.0)),
+        (vad.Whitworth(ground=40, crank=90), "block", (50.0, 130.0)),
+        (vad.GateActuator(ground=1.0, arm=4.0), "actuator", (3.0, 5.0)),
+        (vad.DoubleSlider(link=10), "slider_b", (0.0, 10.0)),
+    ],
+)
+def test_how_far_slides_get(mechanism: Any, slide: str, ends: tuple[float, float]) -> None:
+    assert travels(mechanism)[slide] == pytest.approx(ends, abs=1e-9)

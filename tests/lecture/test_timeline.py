@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections import Counter
 from itertools import pairwise
 
 import pytest
@@ -9,7 +11,7 @@ import pytest
 from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
 from vad.lecture.easing import smooth
-from vad.lecture.moment import Moment, done, moment, moments
+from vad.lecture.moment import Moment, done, drawing, finished, moment, moments
 from vad.lecture.timeline import animate, rest
 
 
@@ -17,7 +19,7 @@ def test_every_caption_stands_long_enough_to_be_read():
     lesson = animate(slider_crank())
     for step in lesson.steps:
         words = len(step.stroke.caption.split())
-        assert (step.grow + step.hold) / lesson.fps > words / 5.5
+        assert (step.grow + step.hold) / lesson.fps > words / 5
     assert lesson.frames == round(lesson.duration * 30)
 
 
@@ -34,24 +36,53 @@ def test_a_long_caption_rests_longer():
         (stroke for panel in slider_crank().panels for stroke in panel.strokes),
         key=lambda stroke: len(stroke.caption),
     )[:: len(slider_crank().panels[0].strokes) * 3 - 1]
-    assert rest(long) > rest(short)
+    assert rest(long, 1.0) > rest(short, 1.0)
 
 
 def test_every_frame_has_one_state_and_strokes_only_grow():
     lesson = animate(slider_crank(), fps=10)
     states = [moment(lesson, number) for number in range(lesson.frames)]
     assert sum(repeats for _, repeats in moments(lesson)) == lesson.frames
-    assert states[0] == Moment(done(0))
-    assert states[-1] == Moment(done(sum(len(p.strokes) for p in lesson.sheet.panels)))
+    assert states[0] == Moment(done(0), near=1.0)
+    assert states[-1] == Moment(finished(len(lesson.steps)))
     for before, after in pairwise(states):
         assert after.beat - before.beat in (0, 1, 2)
-        assert (after.share < 1.0) == (after.beat % 2 == 1)
+        assert after.share == 1.0 or after.beat % 2 == 1
         if before.beat == after.beat and after.share < 1.0:
             assert after.share > before.share
     with pytest.raises(IndexError):
         moment(lesson, lesson.frames)
     with pytest.raises(IndexError):
         moment(lesson, -1)
+
+
+def test_the_first_panel_stands_large_until_it_is_done_and_glides_into_its_place():
+    lesson = animate(slider_crank(), fps=10)
+    first = len(lesson.sheet.panels[0].strokes)
+    gliding = [state for state, _ in moments(lesson) if 0.0 < state.near < 1.0]
+    assert {state.beat for state in gliding} == {done(first)}
+    assert len(gliding) == sum(step.glide for step in lesson.steps) == 10
+    for before, after in pairwise(state for state, _ in moments(lesson)):
+        assert after.near <= before.near
+        if after.beat != done(first):
+            assert after.near == (1.0 if after.beat < done(first) else 0.0)
+
+
+@pytest.mark.parametrize(("most", "stride"), [(30, 1), (15, 2), (12, 3), (10, 3)])
+def test_what_moves_may_have_fewer_states_in_the_same_time(most: float, stride: int):
+    lesson = animate(slider_crank(), fps=30)
+    states = list(moments(lesson, most))
+    assert sum(repeats for _, repeats in states) == lesson.frames
+    begun = Counter[Moment]()
+    at = 0
+    for state, repeats in states:
+        if state.share < 1.0 or 0.0 < state.near < 1.0:
+            assert repeats <= stride
+            assert state == moment(lesson, at + repeats - 1)
+            begun[Moment(state.beat)] += 1
+        at += repeats
+    for number, step in enumerate(lesson.steps):
+        assert begun[Moment(drawing(number))] == math.ceil(step.grow / stride)
 
 
 def test_easing_runs_from_nought_to_one_and_never_back():

@@ -24,7 +24,6 @@ from vad.plan.marks import Disc
 from vad.strokes.sheet import Sheet
 from vad.strokes.words import describe
 from vad.style import Look, load_style
-from vad.written import quantity
 
 
 def written(sheet: Sheet, **options: object) -> bytes:
@@ -96,7 +95,7 @@ def test_text_can_be_searched(name: str) -> None:
     assert plain(sheet.title) in text
     for row in sheet.rows:
         for cell in (cell for cells in row.cells.values() for cell in cells):
-            value = quantity(cell.value, cell.unit, cell.given)
+            value = sheet.notation.quantity(cell.value, cell.unit, cell.given)
             assert plain(f"{cell.symbol} = {value}") in text
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from vad.plan.lettering.glyphs import width
 from vad.plan.turning.fixed_width import Figures
 from vad.strokes.sheet import Cell
 from vad.written import number
@@ -13,7 +14,7 @@ from vad.written import number
     ("unit", "values"),
     [
         ("mm/s", (1234.5, -2.0)),
-        ("mm/s", (57549.8, 12.0)),
+        ("mm/s", (57543.2, 12.0)),
         ("mm/s", (9999.7,)),
         ("mm/s", (0.00123, 0.001)),
         ("mm/s²", (1234567.0, 3.0)),
@@ -27,3 +28,9 @@ def test_the_largest_number_of_a_column_is_written_as_everywhere(
     cells = [Cell("v", value, unit) for value in values]
     shown = "".join(run.text for run in Figures(cells)(cells[0]) if run.shown)
     assert shown == number(values[0], unit).replace("⁶", "6")  # raised, as a run
+
+
+def test_thousands_are_parted_alike_in_all_of_a_column():
+    cells = [Cell("v", value, "mm/s") for value in (57543.2, -2345.0, 12.0)]
+    figures = Figures(cells, ",")
+    assert len({width(figures(cell), 1.0) for cell in cells}) == 1

@@ -1,4 +1,4 @@
-"""Where a mechanism can be assembled: the range of its driver.
+"""Where a mechanism can be assembled: the range of its driver, and how far its slides get.
 
 The limits have closed forms where the driver alone moves a loop.  What other loops allow is asked
 of the solver on a grid; between its points it is searched for where it comes nearest to a limit,
@@ -7,6 +7,9 @@ so that no range is too narrow to be found.
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
+from functools import lru_cache
 from itertools import combinations
 from typing import TYPE_CHECKING
 
@@ -70,6 +73,30 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
     return list(zip(ends[::2], ends[1::2], strict=True))
 
 
+@lru_cache(maxsize=64)
+def travels(mechanism: Mechanism, samples: int = 721) -> Mapping[str, tuple[float, float]]:
+    """Return the least and the greatest position of every slide over all poses that close.
+
+    They are found on a grid of the driver's range, as finely as they are drawn; NaN where the
+    links close nowhere on it.
+
+    Examples
+    --------
+    >>> from vad.mechanisms.scotch_yoke import ScotchYoke
+    >>> travels(ScotchYoke(crank=50))["block"]
+    (-50.0, 50.0)
+    """
+    solver = solver_of(mechanism)
+    ranges = [np.linspace(low, high, samples) for low, high in closing_range(mechanism)]
+    places = np.concatenate([*ranges, [math.nan]])
+    known = [places, *solver.recorded.order(0).many([places], places.size)]
+    found = {}
+    for name in solver.slides:
+        (slid,) = solver.recorded.result(("slide", name, "position")).many(known, places.size)
+        found[name] = float(np.fmin.reduce(slid)), float(np.fmax.reduce(slid))
+    return found
+
+
 def _limits(solver: Solver, turns: bool) -> NDArray[np.float64]:
     """Return all limits in closed form, of an angle within [0, 360), sorted."""
     frame = solver.frame
@@ -96,10 +123,7 @@ def _steepness(frame: ReferenceFrame) -> float:
 
 
 def _closes(solver: Solver, values: NDArray[np.float64]) -> NDArray[np.bool_]:
-    with np.errstate(all="ignore"):
-        pose = solver.positions(values)
-    closes: NDArray[np.bool_] = ~np.isnan(sum(pose.sine))
-    return closes
+    return solver.closes(values)
 
 
 def _hidden(solver: Solver, grid: NDArray[np.float64]) -> list[float]:

@@ -1,4 +1,4 @@
-"""A lesson that stands still: the page at the end of one of its steps.
+"""A lesson that stands still: the page at one of its steps.
 
 In come a lesson and the number of a step, out goes a `Still`.
 """
@@ -11,16 +11,21 @@ from typing import Any
 
 from vad.errors import UsageError, one_of, shown
 from vad.lecture.lesson import Lesson
-from vad.lecture.moment import Moment, done
+from vad.lecture.moment import Moment, done, drawing
 from vad.strokes.sheet import Sheet
 
+#: How much of a construction is drawn while it stands still.
+AT_WORK = 0.7
 #: More of them are too many steps, and with very many Python makes no number of them.
 _DIGITS = 9
 
 
 @dataclass(frozen=True, slots=True)
 class Still:
-    """The page of a lesson at the end of a step, which is counted from 1."""
+    """The page of a lesson at a step, which is counted from 1.
+
+    A construction is shown while it is drawn, so that its tool is seen at work; all else is done.
+    """
 
     lesson: Lesson
     step: int
@@ -28,6 +33,8 @@ class Still:
     @property
     def moment(self) -> Moment:
         """The state of the board."""
+        if self.lesson.steps[self.step - 1].stroke.kind == "construction":
+            return Moment(drawing(self.step - 1), AT_WORK)
         return Moment(done(self.step))
 
     @property
@@ -57,7 +64,7 @@ class Still:
 
 
 def still(lesson: Lesson, step: int | str) -> Still:
-    """Return the page of a lesson at the end of one step.
+    """Return the page of a lesson at one step.
 
     Parameters
     ----------

@@ -8,13 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
-from vad.lecture.moment import done
+from vad.lecture.moment import Moment, finished
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import Item, Level
 from vad.plan.layout import MARGIN, Page, lay_out
+from vad.plan.opening import REGION, Opening, opening
 from vad.plan.page.captioning import caption_lines
 from vad.plan.page.changing import captions, equations, heads, lights, results
 from vad.plan.page.foot import Foot, compose
@@ -70,10 +72,24 @@ class Plan:
         """Return the items that show at a beat, in painting order."""
         return [item for item in self.items if item.since <= beat < item.until]
 
+    @cached_property
+    def opening(self) -> Opening:
+        """The first panel as it stands large at the beginning of a lesson."""
+        return opening(self.items, self.sheet.panels[0].name, self.regions[REGION])
+
     @property
     def finished(self) -> int:
-        """The beat at which all strokes are done."""
-        return done(sum(len(panel.strokes) for panel in self.sheet.panels))
+        """The beat at which all strokes are done and the tools put away."""
+        return finished(sum(len(panel.strokes) for panel in self.sheet.panels))
+
+
+def seen(board: Board, moment: Moment) -> Sequence[Item]:
+    """Return the items that show at a moment, in painting order."""
+    items = board.shown(moment.beat)
+    if not moment.near:
+        return items
+    assert isinstance(board, Plan)  # a turn has no opening
+    return board.opening.shown(items, moment.near)
 
 
 def plan(sheet: Sheet, form: Format, key: float, lesson: bool = False) -> Plan:
@@ -135,8 +151,15 @@ def rows_of(sheet: Sheet) -> dict[str, int]:
 
 
 def regions_of(page: Page) -> dict[str, Rect]:
-    """Return the parts of a page that change on their own, in painting order."""
-    regions = {"title": Rect(0.0, page.title - 0.02, page.width, page.height)}
+    """Return the parts of a page that change on their own, in painting order.
+
+    The first is what lies between title and caption, while one panel has it to itself.
+    """
+    top, low = page.title - 0.02, page.captions[0] + 0.038 if page.captions else 0.0
+    regions = {
+        REGION: Rect(0.0, low, page.width, top),
+        "title": Rect(0.0, top, page.width, page.height),
+    }
     for name, place in page.panels.items():
         whole, drawing = place.region, place.drawing
         regions[f"{name} head"] = Rect(whole.left, drawing.top, whole.right, whole.top)
@@ -147,10 +170,11 @@ def regions_of(page: Page) -> dict[str, Rect]:
             area.left - 0.002, area.bottom - 0.012, area.right + 0.002, area.top - 0.006
         )
     else:
-        low = page.rows[-1] - 0.012 if page.rows else page.hairline
-        regions["results"] = Rect(page.left - 0.002, low, page.right + 0.002, page.hairline + 0.003)
-    top = page.captions[0] + 0.038 if page.captions else 0.0
-    regions["caption"] = Rect(0.0, 0.0, page.width, top)
+        last = page.rows[-1] - 0.012 if page.rows else page.hairline
+        regions["results"] = Rect(
+            page.left - 0.002, last, page.right + 0.002, page.hairline + 0.003
+        )
+    regions["caption"] = Rect(0.0, 0.0, page.width, low)
     for name, place in page.panels.items():
         whole, drawing = place.region, place.drawing
         regions[name] = Rect(whole.left, drawing.bottom, whole.right, drawing.top)

@@ -63,10 +63,14 @@ class Setting:
         """Return the beat at which stroke ``index`` of the panel is done."""
         return done(self.first + index + 1)
 
+    def over(self, index: int) -> int:
+        """Return the beat that takes tools and lights of stroke ``index`` away: the next one."""
+        return drawing(self.first + index + 1)
+
     @property
     def end(self) -> int:
-        """The beat at which all strokes of the panel are done."""
-        return done(self.first + len(self.panel.strokes))
+        """The beat at which the panel is finished: only what stays is there."""
+        return self.over(len(self.panel.strokes) - 1)
 
 
 @dataclass

@@ -24,7 +24,7 @@ def heads(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[
     for panel in sheet.panels:
         sketch, place = sketches[panel.name], page.panels[panel.name]
         begun, region = drawing(sketch.setting.first), f"{panel.name} head"
-        full = head(panel, place, sketch.scale, sketch.setting.centimetre)
+        full = head(panel, place, sketch.scale, sketch.setting.centimetre, sheet.notation)
         yield Item("", region, Level.GROUND, tuple(pale(full)), 0, begun)
         yield Item("", region, Level.GROUND, tuple(full), begun)
 
@@ -88,7 +88,7 @@ def captions(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterat
         for index, stroke in enumerate(panel.strokes):
             marks = caption_marks(panel, index, write, page)
             since, name = setting.during(index), panel.full(stroke.name)
-            yield Item(name, "caption", Level.LABEL, tuple(marks), since, since + 2)
+            yield Item(name, "caption", Level.LABEL, tuple(marks), since, setting.over(index))
 
 
 def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
@@ -101,6 +101,6 @@ def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
                 if marks:
                     name, span = (
                         setting.panel.full(stroke.name),
-                        (setting.during(index), setting.after(index)),
+                        (setting.during(index), setting.over(index)),
                     )
                     yield Item(name, home, Level.GLOW, tuple(marks), *span)

@@ -6,15 +6,15 @@ from vad.plan.layout import Page
 from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
-from vad.plan.page.entries import GIVEN_SIZE, SIZE, Entries, heading
+from vad.plan.page.entries import GIVEN_SIZE, SIZE, Entries
 from vad.strokes.language import Language
 from vad.strokes.sheet import Cell, Row
 from vad.written import with_unit
 
 LEAST = 0.024
 VALUES = 0.2986  # from the margin to the symbols of the first column
-EQUALS = 0.0315
-NUMBERS = 0.0620
+EQUALS = 0.0400
+NUMBERS = 0.0705
 
 
 class Columns:
@@ -33,7 +33,9 @@ class Columns:
             marks.append(line(ends, "hairline"))
         left, key = self._page.left, self._entries.key
         room = VALUES - 0.02 - key
-        size = min((fitted(heading(row), SIZE, LEAST, room) for row in rows), default=0.0)
+        size = min(
+            (fitted(self._entries.heading(row), SIZE, LEAST, room) for row in rows), default=0.0
+        )
         for row, baseline in zip(rows, self._page.rows, strict=True):
             marks += self._entries.name(row, complex(left, baseline), key, size)
         return [*marks, *self._given()]
@@ -83,4 +85,4 @@ class Columns:
         return marks
 
     def _reading(self, cell: Cell) -> Runs:
-        return self._entries.figures(cell) + roman(with_unit("", cell.unit))
+        return self._entries.figures(cell) + roman(with_unit("", self._entries.unit(cell)))

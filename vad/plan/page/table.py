@@ -25,10 +25,11 @@ class Table(Protocol):
         """Return what row number ``index`` shows for a panel; in bold where it is ``new``."""
 
 
-def table(sheet: Sheet, page: Page, key: float, setting: Figures = figures) -> Table:
+def table(sheet: Sheet, page: Page, key: float, setting: Figures | None = None) -> Table:
     """Return the results of a sheet, laid out as the page has room for them.
 
-    ``key`` is the length of the line before a row's name, ``setting`` sets its numbers in type.
+    ``key`` is the length of the line before a row's name; ``setting`` sets its numbers in type, if
+    the sheet's own notation does not.
     """
     kind = Columns if page.columns else Quarter
-    return kind(Entries(sheet, key, setting), page)
+    return kind(Entries(sheet, key, setting or figures(sheet), kind is Quarter), page)

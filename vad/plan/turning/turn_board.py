@@ -6,6 +6,7 @@ In comes a turn, out goes a board like that of a sheet, on which a beat is a fra
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 from vad.lecture.turn import Turn
 from vad.plan.board import arrange, regions_of, rows_of
@@ -36,6 +37,8 @@ class TurnBoard:
         poses = [turn.at(phase) for phase in phases]
         # The equations name all vectors, though one may vanish in the pose that is given.
         sheet = max([turn.sheet, *poses], key=lambda p: sum(len(q.strokes) for q in p.panels))
+        # Units that change from pose to pose could not be followed.
+        sheet = replace(sheet, notation=replace(sheet.notation, metres=False))
         rates = [turn.course.share(phase) for phase in phases]
         self.page, feet = arrange(sheet, self.form, 0)
         self.regions: Mapping[str, Rect] = regions_of(self.page)
@@ -48,13 +51,14 @@ class TurnBoard:
             )
             for index, panel in enumerate(sheet.panels)
         }
-        figures = Figures(
+        cells = (
             cell
             for pose in poses
             for row in pose.rows
             for cells in row.cells.values()
             for cell in cells
         )
+        figures = Figures(cells, sheet.notation.point)
         self._table = table(sheet, self.page, key, figures)
         self._order = {name: number for number, name in enumerate(self.regions)}
         marks = self._still(sheet, feet, rows)
@@ -85,7 +89,7 @@ class TurnBoard:
         for panel in sheet.panels:
             place = self.page.panels[panel.name]
             scale = self.panels[panel.name].scale
-            yield f"{panel.name} head", head(panel, place, scale, None)
+            yield f"{panel.name} head", head(panel, place, scale, None, sheet.notation)
             terms = placed(feet[panel.name], place.equations, place.drawing.centre.real)
             yield (
                 f"{panel.name} foot",
