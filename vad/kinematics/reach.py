@@ -134,10 +134,8 @@ def _hidden(solver: Solver, grid: NDArray[np.float64]) -> list[float]:
     loops = [k for k, loop in enumerate(solver.loops) if loop.two_ways and not loop.limits()]
     if not loops:
         return []
-    with np.errstate(all="ignore"):
-        pose = solver.positions(grid)
-        crossing = np.abs([pose.sine[k] + 0.0 * sum(pose.sine) for k in loops]).min(axis=0)
-    closes = ~np.isnan(crossing)
+    closes = solver.closes(grid)
+    crossing = np.abs(solver.sines(grid)[loops]).min(axis=0)
     near = [
         s if c else _nearness(solver, x, loops)[1]
         for x, s, c in zip(grid, crossing, closes, strict=True)
