@@ -29,14 +29,18 @@ def solve(mechanism: Mechanism, inputs: Inputs, as_json: bool = False) -> None:
     click.echo(json.dumps(motion.to_dict(), ensure_ascii=False) if as_json else motion.table())
 
 
-def draw(mechanism: Mechanism, inputs: Inputs, output: str, **options: Any) -> None:
-    """Write one pose as a picture, or its strokes as data."""
+def draw(
+    mechanism: Mechanism, inputs: Inputs, output: str, turn: bool = False, **options: Any
+) -> None:
+    """Write one pose as a picture or its strokes as data, or a turn with numbered positions."""
     kind = format_of(Sheet, output)  # before anything is worked out
+    if turn:
+        format_of(Turn, output)
     if "paper" in options and kind != ".pdf":
         raise UsageError(f"--paper is for PDF, not for '{output}'", hint="as in -o sheet.pdf")
     look = _pop(options, "style", "size", "paper")
-    sheet = vad.draw(vad.solve(mechanism, **inputs), **options)
-    vad.save(sheet, output, **look)
+    motion = vad.solve(mechanism, **inputs)
+    vad.save((vad.turn if turn else vad.draw)(motion, **options), output, **look)
     written(output)
 
 

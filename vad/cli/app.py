@@ -113,6 +113,9 @@ _SIZE = click.Option(
     ["--size"], callback=values.size(), metavar="WxH", help="in pixels  [1280x720]"
 )
 _PAPER = named_option("paper", "paper", paper_names(), "a PDF in true scale, to be measured")
+_POSITIONS = click.Option(
+    ["--turn"], is_flag=True, help="a full turn: the ways of all points, in twelve positions"
+)
 _FILM = [
     click.Option(["--fps"], type=float, help="frames per second  [30]"),
     click.Option(["--speed"], type=float, help="2 is twice as fast  [1]"),
@@ -150,7 +153,7 @@ for verb in (
         "draw",
         "Draw the polygons of one pose.",
         actions.draw,
-        [_output(FORMATS[Sheet]), *_SHEET, _SIZE, _PAPER],
+        [_output(FORMATS[Sheet]), *_SHEET, _SIZE, _PAPER, _POSITIONS],
     ),
     MechanismGroup(
         "animate",

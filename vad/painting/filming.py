@@ -21,4 +21,4 @@ def filmed(film: Lesson | Turn) -> Iterator[Frame]:
     from vad.plan.turning.turn_board import TurnBoard
 
     states = ((Moment(number), 1) for number in range(film.frames))
-    return frames(TurnBoard(film, style.key), states, style)
+    return frames(TurnBoard(film), states, style)

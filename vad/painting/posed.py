@@ -11,9 +11,10 @@ from vad.lecture.lesson import Lesson
 from vad.lecture.moment import Moment
 from vad.lecture.still import Still
 from vad.lecture.timeline import check_size
+from vad.lecture.turn import Turn
 from vad.painting.agg_painter import AggPainter
 from vad.painting.painter import Painter, play
-from vad.plan.board import Plan, plan
+from vad.plan.board import Board, Plan, plan
 from vad.plan.format import paper as paper_format
 from vad.plan.format import screen
 from vad.strokes.sheet import Sheet
@@ -31,7 +32,7 @@ class Posed:
     ``sheet`` is what shows of it, for words: of a step of a lesson, as far as it is drawn.
     """
 
-    board: Plan
+    board: Board
     moment: Moment
     style: Style
     sheet: Sheet
@@ -52,22 +53,30 @@ class Posed:
 
 
 def posed(
-    thing: Sheet | Still,
+    thing: Sheet | Still | Turn,
     size: tuple[int, int] | None = None,
     style: str | None = None,
     paper: str | None = None,
 ) -> Posed:
     """Return a picture on its page; a step of a lesson has a size and a style already.
 
+    A turn stands still, with twelve numbered positions; it has its own size and style unless
+    others are given.
+
     ``paper`` is the name of a size of paper, whose format and true scale the page takes.
     """
     if isinstance(thing, Still):
         lesson = thing.lesson
         return Posed(board_of(lesson), thing.moment, load_style(lesson.style), thing.drawn)
-    form = screen(SIZE if size is None else check_size(size))
+    usual = (thing.size, thing.style) if isinstance(thing, Turn) else (SIZE, STYLE)
+    form = screen(usual[0] if size is None else check_size(size))
     if paper is not None:
         form = paper_format(paper)
-    look = load_style(STYLE if style is None else style)
+    look = load_style(usual[1] if style is None else style)
+    if isinstance(thing, Turn):
+        from vad.plan.turning.numbered_turn import NumberedTurn
+
+        return Posed(NumberedTurn(thing, form), Moment(0), look, thing.sheet)
     board = plan(thing, form, look.key)
     return Posed(board, Moment(board.finished), look, thing)
 

@@ -5,6 +5,13 @@ PHRASES = {
     "results": "Ergebnisse",
     "given": "gegeben",
     "coriolis rule": "Coriolis: v um 90° mit ω gedreht",
+    # Umlauf
+    "stroke": "Hub",
+    "forward": "Hinlauf",
+    "return": "Rücklauf",
+    "ratio": "Verhältnis",
+    "swings": "{part} schwingt zwischen {low} und {high}",
+    "slides": "{part} läuft zwischen {low} und {high}",
     # Lageplan
     "fixed": "{letter} ist ein festes Gelenk.",
     "fixed point": "{letter}, wo sich die Führungen schneiden, ist fest.",
