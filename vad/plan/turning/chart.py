@@ -20,12 +20,13 @@ from vad.plan.marks import Lettering, Mark, area, disc, line, lines
 from vad.plan.pictures.vectors import dot
 from vad.plan.turning.clock import written_end
 from vad.plan.turning.fixed_width import fixed_width
+from vad.plan.turning.thinning import thinned
 from vad.strokes.sheet import Row
 from vad.written import with_unit
 
 VALUE = 0.0335
 LEAST_VALUE = 0.020
-NAMED = 0.88  # of the size of its type, to which a line shrinks to keep a name
+NAMED = 0.68  # of the size of its type, to which a line shrinks to keep a name
 VALUE_BASELINE = 0.030  # below the upper edge
 TICK = 0.028
 TICK_BASELINE = 0.032  # below the curve
@@ -94,6 +95,9 @@ class Chart:
             place.right - BESIDE,
             place.top - ABOVE,
         )
+        each = zip(cycle.shares.tolist(), output.curve.values.tolist(), strict=True)
+        self._points = [self.at(*place) for place in each]
+        self._kept: list[int] = thinned(np.array(self._points)).tolist()
 
     def at(self, share: float, value: float) -> complex:
         """Return where a value stands at a share of the cycle."""
@@ -181,9 +185,8 @@ class Chart:
 
     def _pieces(self, share: float) -> list[list[complex]]:
         """Return the curve up to a share, in pieces where there is no value."""
-        shares, values = self._cycle.shares, self._output.curve.values
-        until = int(share * (len(shares) - 1))
-        points = [self.at(*each) for each in zip(shares[: until + 1], values, strict=False)]
+        last = share * (len(self._cycle.shares) - 1)
+        points = [self._points[number] for number in self._kept if number < last]
         points.append(self.at(share, self.value(share)))
         pieces: list[list[complex]] = [[]]
         for point in points:

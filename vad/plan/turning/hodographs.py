@@ -15,6 +15,7 @@ from vad.plan.geometry import SHORTEST, Rect
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.marks import Mark, lines
 from vad.plan.scale import Scale
+from vad.plan.turning.thinning import Ints, thinned
 
 Complexes = NDArray[np.complex128]
 
@@ -49,12 +50,14 @@ class Hodographs:
         self.drawn: list[str] = []
         self.straight: list[str] = []
         self._rows, self._room = rows, room.inside(INSET)
+        self._kept: dict[str, Ints] = {}
         for letter, way in self.tracks.items():
             if not np.isfinite(way).all() or np.ptp(way.real) + np.ptp(way.imag) < 2 * PIXEL:
                 continue
             if any(np.abs(way - self.tracks[other]).max() < PIXEL for other in self.drawn):
                 continue
             self.drawn.append(letter)
+            self._kept[letter] = thinned(way)
             if _extent(way)[1] < PIXEL:
                 self.straight.append(letter)
 
@@ -77,7 +80,7 @@ class Hodographs:
             if letter in self.straight:
                 marks.append(lines(self._straight(way), "hodograph", row))
             else:
-                marks.append(lines(self._seen(way), "hodograph", row))
+                marks.append(lines(self._seen(way[self._kept[letter]]), "hodograph", row))
         return [mark for mark in marks if mark.shape.pieces]  # type: ignore[union-attr]
 
     def tails(self, letters: Sequence[str], share: float) -> list[Mark]:
@@ -98,7 +101,9 @@ class Hodographs:
     def stretch(self, letter: str, start: float, end: float) -> Complexes:
         """Return the points of a way between two shares of the cycle."""
         count = len(self.tracks[letter]) - 1
-        between = np.arange(np.ceil(start * count), np.floor(end * count) + 1).astype(int)
+        turns = np.arange(np.floor(start), np.floor(end) + 1)
+        places = (turns[:, None] * count + self._kept[letter][:-1]).ravel()
+        between = places[(places > start * count) & (places < end * count)].astype(int)
         middle = self.tracks[letter][between % count]
         return np.concatenate([[self.at(letter, start)], middle, [self.at(letter, end)]])
 
