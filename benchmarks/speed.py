@@ -1,33 +1,62 @@
-"""How long poses take: a million of each mechanism and a single one, as multiples of the floor.
+"""How long what a user reads takes: of a million poses and of one, as multiples of the floor.
 
-``python -m benchmarks.speed`` prints the ratios and writes benchmarks/results/speed.csv.
+``python -m benchmarks.speed`` prints the ratios and writes benchmarks/results/speed.csv.  Floor
+and poses are measured in turn, many times, and the best of each is taken.  Where numba is
+installed, the compiled loops are measured too, once they are made.
 """
 
 from __future__ import annotations
 
+import importlib.util
+import math
+import time
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 import vad
-from benchmarks.common import RESULTS, floor, three, write_csv
+from benchmarks.common import RESULTS, four_functions, three, write_csv
+from vad.kinematics import program
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
-from vad.methods.comparison import seconds
 
 POSES = 1_000_000
+SINGLES = 100
+ROUNDS = 15
+#: What is read: of a four-bar C's position, the rocker's ω, the coupler's α, C's acceleration.
+READ = {
+    "crank-slotted-lever": ("C", "lever.omega", "lever.alpha"),
+    "double-slider": ("B", "link.omega", "link.alpha"),
+    "elliptical-trammel": ("P", "slider_a.velocity", "slider_b.acceleration"),
+    "four-bar": ("C", "rocker.omega", "coupler.alpha"),
+    "gate-actuator": ("B", "arm.omega", "actuator.alpha"),
+    "scotch-yoke": ("C", "yoke.velocity", "block.acceleration"),
+    "slider-crank": ("C", "rod.omega", "rod.alpha"),
+    "whitworth": ("C", "lever.omega", "lever.alpha"),
+    "crank-slotted-lever with ram": ("E", "lever.omega", "rod.alpha"),
+    "whitworth with ram": ("E", "lever.omega", "rod.alpha"),
+}
 MECHANISMS = {
     **{name: kind() for name, kind in vad.MECHANISMS.items()},
     "crank-slotted-lever with ram": vad.CrankSlottedLever(rod=120, ram_height=140),
     "whitworth with ram": vad.Whitworth(rod=200),
 }
-ORDERS: dict[str, Callable[[vad.Motion], Any]] = {
-    "position": lambda motion: motion.pose,
-    "and velocity": lambda motion: motion.velocity,
-    "and acceleration": lambda motion: motion.acceleration,
-}
-HEAD = ["mechanism", *ORDERS, "share of position", "one pose"]
+HEAD = ["mechanism", "position", "four results", "four results compiled", "one pose"]
+
+
+def reader(name: str) -> Callable[[vad.Motion], Any]:
+    """Return what reads a point's position and acceleration, and two results between."""
+    letter, *others = READ[name]
+
+    def read(motion: Any) -> None:
+        motion.point(letter).position  # noqa: B018
+        for other in others:
+            part, quantity = other.split(".")
+            getattr((motion.link if part in motion.links else motion.slide)(part), quantity)
+        motion.point(letter).acceleration  # noqa: B018
+
+    return read
 
 
 def places(mechanism: Mechanism) -> np.ndarray:
@@ -36,30 +65,53 @@ def places(mechanism: Mechanism) -> np.ndarray:
     return np.random.default_rng(1).uniform(low, high, POSES)
 
 
-def ratios(mechanism: Mechanism, unit: float) -> list[float]:
-    """Return a pose's time for each order, the share of the positions, and a single pose's time."""
+def ratios(name: str, mechanism: Mechanism) -> list[float]:
+    """Return a pose's time in floors, for every column."""
     driven, rate, _ = mechanism.inputs
     values = places(mechanism)
     inputs = {driven: values, rate: mechanism.inputs[rate]}
-    sweep = [
-        seconds(lambda read=read: read(vad.solve(mechanism, **inputs))) / POSES / unit
-        for read in ORDERS.values()
-    ]
-    value = float(values[0])
-    single = seconds(lambda: vad.solve(mechanism, **{driven: value}).acceleration)
-    return [*sweep, sweep[0] / sweep[-1], single / unit]
+    letter, read = READ[name][0], reader(name)
+
+    def position() -> None:
+        vad.solve(mechanism, **inputs).point(letter).position  # noqa: B018
+
+    def four() -> None:
+        read(vad.solve(mechanism, **inputs))
+
+    def singles() -> None:
+        for value in values[:SINGLES].tolist():
+            read(vad.solve(mechanism, **{driven: value}))
+
+    angles = np.deg2rad(np.random.default_rng(1).uniform(0.0, 360.0, POSES))
+    program.OFTEN = math.inf
+    floor, *times = in_turn([lambda: four_functions(angles), position, four, singles])
+    compiled = math.nan
+    if importlib.util.find_spec("numba"):
+        program.OFTEN = 0
+        other_floor, found = in_turn([lambda: four_functions(angles), four])
+        compiled = found / other_floor
+    return [times[0] / floor, times[1] / floor, compiled, times[2] * POSES / SINGLES / floor]
+
+
+def in_turn(calls: list[Callable[[], None]]) -> list[float]:
+    """Return the best time of each call, of several rounds of all."""
+    best = [math.inf] * len(calls)
+    for _ in range(ROUNDS + 1):
+        for number, call in enumerate(calls):
+            start = time.perf_counter()
+            call()
+            best[number] = min(best[number], time.perf_counter() - start)
+    return best
 
 
 def main() -> None:
     """Measure, print and write."""
-    unit = floor()
     rows = []
-    print(f"floor {unit * 1e9:.1f} ns a pose")
-    print(f"{HEAD[0]:30}" + "".join(f"{name:>18}" for name in HEAD[1:]))
+    print(f"{HEAD[0]:30}" + "".join(f"{name:>24}" for name in HEAD[1:]))
     for name, mechanism in MECHANISMS.items():
-        found = [three(number) for number in ratios(mechanism, unit)]
+        found = [three(number) for number in ratios(name, mechanism)]
         rows.append([name, *found])
-        print(f"{name:30}" + "".join(f"{number:>18}" for number in found))
+        print(f"{name:30}" + "".join(f"{number:>24}" for number in found))
     write_csv(RESULTS / "speed.csv", HEAD, rows)
 
 

@@ -209,12 +209,22 @@ def turn(dice: random.Random) -> None:
     film.pose(0)
 
 
+def multiples(dice: random.Random) -> None:
+    """Draw a few poses."""
+    given = anything(dice) if dice.random() < 0.2 else dice.choice(MOTIONS)
+    places = anything(dice) if dice.random() < 0.5 else [anything(dice), anything(dice)]
+    vad.multiples(given, places, **some(dice, "panels", "language"))
+
+
 def save(dice: random.Random) -> None:
     """Save something, where there is a working folder for it."""
-    things = [SHEET, LESSON, vad.still(LESSON, 1), vad.turn(vad.FourBar())]
+    poses = vad.multiples(vad.FourBar(), (30, 60))
+    things = [SHEET, LESSON, vad.still(LESSON, 1), vad.turn(vad.FourBar()), poses]
     thing = anything(dice) if dice.random() < 0.2 else dice.choice(things)
     path = dice.choice([anything(dice), dice.choice(PATHS), "a.svg", Path("a.json"), "a.srt"])
-    options = some(dice, "beside", "style", "size", "paper", "text", "progress", "subtitles")
+    options = some(
+        dice, "beside", "style", "size", "paper", "text", "progress", "subtitles", "blank"
+    )
     if not isinstance(path, str) or "." in path:  # not a folder of a film's 2400 frames
         vad.save(thing, path, **options)
 
@@ -224,4 +234,14 @@ def read(dice: random.Random) -> None:
     vad.sheet_from_json(anything(dice))
 
 
-VERBS: list[Callable[[random.Random], Any]] = [make, solve, ask, draw, animate, turn, save, read]
+VERBS: list[Callable[[random.Random], Any]] = [
+    make,
+    solve,
+    ask,
+    draw,
+    animate,
+    turn,
+    multiples,
+    save,
+    read,
+]

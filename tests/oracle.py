@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from types import SimpleNamespace
 from typing import Any
 
@@ -36,7 +37,7 @@ class UnassemblableError(Exception):
 # --- power series in time ---------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)  # mpmath asks for its text in every product
 class Series:
     """c0 + c1·t + c2·t², real or complex, cut off there."""
 
@@ -354,6 +355,7 @@ class Problem:
     mechanism: Mechanism
     numbers: Mapping[str, Any]
 
+    @cached_property
     def drive(self) -> Series:
         n = self.numbers
         if self.mechanism.driven:
@@ -364,32 +366,36 @@ class Problem:
         return self.mechanism.pose(SimpleNamespace(**self.numbers), drive, unknowns)
 
     def start(self, side: int) -> list[Any]:
-        return self.mechanism.start(SimpleNamespace(**self.numbers), self.drive().c0, side)
+        return self.mechanism.start(SimpleNamespace(**self.numbers), self.drive.c0, side)
 
     def jacobian(self, unknowns: list[Any]) -> list[list[Any]]:
         """∂(equation)/∂(unknown), as the first coefficient when one unknown grows like t."""
         columns = []
         for k in range(len(unknowns)):
             moved = [Series(value, int(i == k)) for i, value in enumerate(unknowns)]
-            columns.append([eq.c1 for eq in self.pose(self.drive().c0, moved).equations])
+            columns.append([eq.c1 for eq in self.pose(self.drive.c0, moved).equations])
         return [list(row) for row in zip(*columns, strict=True)]
 
+    def nearer(self, unknowns: list[Any]) -> list[Any]:
+        """Return what one step of Newton's method makes of a near start: it doubles the digits."""
+        misses = [eq.c0 for eq in self.pose(self.drive.c0, unknowns).equations]
+        steps = solve_linear(self.jacobian(unknowns), misses)
+        return [value - step for value, step in zip(unknowns, steps, strict=True)]
+
     def position(self, unknowns: list[Any]) -> list[Any]:
-        """Newton's method from a near start: each step doubles the digits of a start 1e-45 away."""
+        """Return the root next to a near start, to all digits."""
         for _ in range(3):
-            misses = [eq.c0 for eq in self.pose(self.drive().c0, unknowns).equations]
-            steps = solve_linear(self.jacobian(unknowns), misses)
-            unknowns = [value - step for value, step in zip(unknowns, steps, strict=True)]
-        points = self.pose(self.drive().c0, unknowns).points.values()
+            before, unknowns = unknowns, self.nearer(unknowns)
+        points = self.pose(self.drive.c0, unknowns).points.values()
         noise = max(abs(series(point).c0) for point in points) * mpf(10) ** (25 - DIGITS)
-        for value, step in zip(unknowns, steps, strict=True):
-            if abs(step) > max(abs(value) * mpf(10) ** -50, noise):
+        for value, last in zip(unknowns, before, strict=True):
+            if abs(value - last) > max(abs(value) * mpf(10) ** -50, noise):
                 raise ArithmeticError("Newton's method has not converged")
         return unknowns
 
     def motion(self, unknowns: list[Any]) -> list[Series]:
         """Solve the equations order by order in time, from the position on."""
-        jacobian, drive = self.jacobian(unknowns), self.drive()
+        jacobian, drive = self.jacobian(unknowns), self.drive
         found = [Series(value, mpf(0), mpf(0)) for value in unknowns]
         firsts = solve_linear(jacobian, [-eq.c1 for eq in self.pose(drive, found).equations])
         found = [Series(q.c0, first, mpf(0)) for q, first in zip(found, firsts, strict=True)]
@@ -397,7 +403,7 @@ class Problem:
         return [Series(q.c0, q.c1, second) for q, second in zip(found, seconds, strict=True)]
 
     def quantities(self, unknowns: list[Any]) -> dict[Key, Any]:
-        pose = self.pose(self.drive(), self.motion(unknowns))
+        pose = self.pose(self.drive, self.motion(unknowns))
         found: dict[Key, Any] = {}
         for name, vector in pose.links.items():
             omega, alpha = turning_rates(series(vector))
@@ -473,14 +479,14 @@ def reference(
         values = problem.quantities(unknowns)
         terms: dict[Key, dict[str, Any]] = {key: {} for key in values}
         for number, moved, step in neighbours(problem) if conditions else ():
-            for key, value in moved.quantities(moved.position(unknowns)).items():
+            for key, value in moved.quantities(moved.nearer(unknowns)).items():
                 terms[key][number] = difference(key, value, values[key]) / step
         return {key: Quantity(value, terms[key]) for key, value in values.items()}
 
 
 def check_side(problem: Problem, unknowns: list[Any], side: int) -> None:
     """Refuse a root on the wrong side: the start was to be near the right one."""
-    for area in problem.pose(problem.drive().c0, unknowns).sides:
+    for area in problem.pose(problem.drive.c0, unknowns).sides:
         if area.c0 * side < 0:
             raise ArithmeticError("Newton's method has left its assembly")
 

@@ -1,8 +1,8 @@
 """Velocity and acceleration polygons, drawn stroke by stroke as at the board.
 
 Four verbs: `solve` a mechanism, `draw` its sheet, `animate` it as a lesson, `save` either one;
-`turn` is a film of a whole turn, `still` one step of a lesson, `sheet_from_json` a sheet that was
-saved.
+`turn` is a film of a whole turn, `multiples` a few poses side by side, `still` one step of a
+lesson, `sheet_from_json` a sheet that was saved.
 Each part is loaded when it is first used.
 
 >>> import vad
@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from vad.mechanisms.slider_crank import SliderCrank
     from vad.mechanisms.whitworth import Whitworth
     from vad.strokes.draw import draw
+    from vad.strokes.multiples import Multiples, multiples
     from vad.strokes.sheet import Sheet
 
 __version__ = "0.1.0"
@@ -58,6 +59,7 @@ __all__ = [
     "Mechanism",
     "Motion",
     "Motions",
+    "Multiples",
     "ScotchYoke",
     "Sheet",
     "SliderCrank",
@@ -68,6 +70,7 @@ __all__ = [
     "Whitworth",
     "animate",
     "draw",
+    "multiples",
     "save",
     "sheet_from_json",
     "solve",
@@ -82,6 +85,8 @@ _HOMES = {
     "Motions": "vad.kinematics.motion",
     "draw": "vad.strokes.draw",
     "Sheet": "vad.strokes.sheet",
+    "multiples": "vad.strokes.multiples",
+    "Multiples": "vad.strokes.multiples",
     "animate": "vad.lecture.timeline",
     "Lesson": "vad.lecture.lesson",
     "turn": "vad.lecture.turn",
@@ -107,7 +112,8 @@ if not TYPE_CHECKING:  # for a type checker, a name that is not imported above i
         from importlib import import_module
 
         if name in _HOMES:
-            return getattr(import_module(_HOMES[name]), name)
+            value = globals()[name] = getattr(import_module(_HOMES[name]), name)
+            return value
         message = f"module 'vad' has no attribute {name!r}"
         if name.startswith("_"):
             raise AttributeError(message, name=name)

@@ -1,25 +1,31 @@
 """Numbers and quantities as they are written: one rule, wherever they stand.
 
 In come values, units and whether they were given; out go strings for captions, tables, titles,
-scale bars and axes.  A measured value has four significant digits, a given one is as it was given,
-an angle has one decimal.  `typed` is for the terminal, from which numbers are copied; files for
-machines hold them in full.
+scale bars and axes.  A measured value has four significant digits, or those before the point if
+they are more; a given one is as it was given, an angle has one decimal.  `typed` is for the
+terminal, from which numbers are copied; files for machines hold them in full.
 """
 
 from __future__ import annotations
 
 import math
+import re
 
 MINUS = "\N{MINUS SIGN}"
 PRIME = "\N{PRIME}"
+THIN_SPACE = "\N{NARROW NO-BREAK SPACE}"
 #: Significant digits of a measured value, and the most that a given one shows.
 MEASURED, GIVEN = 4, 6
 #: Powers of ten whose digits are written out: the first of them, and the first that is not.
 WRITTEN_OUT = (-4, 6)
 
+#: Whole numbers of so many digits are parted in thousands.
+_PARTED = 5
+_THOUSANDS = re.compile(r"(?<=\d)(?=(?:\d{3})+$)")
 _DEGREE = "°"
 _FULL_TURN = 360.0
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_LEVEL = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _SIGNS = {"deg": _DEGREE, "^2": "²"}
 
@@ -57,29 +63,51 @@ def number(value: float, unit: str = "", given: bool = False) -> str:
     >>> number(359.97, "°"), number(359.97, "°", given=True), number(359.97, "mm")
     ('0.0', '359.97', '360.0')
     """
-    if not math.isfinite(value):
-        return "–"
-    if given:
-        return typeset(typed(value, unit))
-    return typeset(f"{in_turn(value):.1f}") if unit == _DEGREE else measured(value)
+    return typeset(plain(value, unit, given))
 
 
-def measured(value: float) -> str:
-    """Write a measured value: four significant digits, and a power of ten only from a million on.
+def plain(value: float, unit: str = "", given: bool = False, digits: int = 0) -> str:
+    """Write a value as `number` does, but in the notation of programs.
+
+    Parameters
+    ----------
+    value, unit, given
+        As for `quantity`.
+    digits
+        The significant digits that it has at least, where those of its kind are too few.
 
     Examples
     --------
-    >>> [measured(x) for x in (490.0281, -3005.2, 57549.8, 1234567.0, 0.0588235, 2e-5, 0.0)]
-    ['490.0', '−3005', '57550', '1.235×10⁶', '0.05882', '2.000×10⁻⁵', '0']
+    >>> plain(-1234567.0), plain(2.30769), plain(2.30769, digits=5), plain(60.0, given=True)
+    ('-1.235e+06', '2.308', '2.3077', '60')
     """
-    if value == 0.0 or not math.isfinite(value):
-        return "0" if value == 0.0 else "–"
-    rounded = f"{value:.{MEASURED - 1}e}"
-    power = int(rounded.partition("e")[2])
+    if not math.isfinite(value):
+        return "–"
+    if given:
+        return typed(value, unit, max(GIVEN, digits))
+    return f"{in_turn(value):.1f}" if unit == _DEGREE else _rounded(value, max(MEASURED, digits))
+
+
+def _rounded(value: float, digits: int) -> str:
+    """Round to significant digits; of a number that is written out, none before the point."""
+    if value == 0.0:
+        return "0"
+    rounded = f"{value:.{digits - 1}e}"
+    power = int(rounded.partition("e")[2])  # of the rounded one: 9999.7 reads 10000
     if WRITTEN_OUT[0] <= power < WRITTEN_OUT[1]:
-        # Rounded to the digits first: 57549.8 reads 57550.
-        rounded = f"{float(rounded):.{max(MEASURED - 1 - power, 0)}f}"
-    return typeset(rounded)
+        return f"{value:.{max(digits - 1 - power, 0)}f}"
+    return rounded
+
+
+def measured(value: float) -> str:
+    """Write a measured value: a power of ten only from a million on.
+
+    Examples
+    --------
+    >>> [measured(x) for x in (490.0281, -3005.2, 1234567.0, 0.0588235, 2e-5, 0.0)]
+    ['490.0', '−3005', '1.235×10⁶', '0.05882', '2.000×10⁻⁵', '0']
+    """
+    return number(value)
 
 
 def given(value: float) -> str:
@@ -126,18 +154,23 @@ def typed(value: float, unit: str = "", digits: int = GIVEN) -> str:
     return "0" if is_angle and abs(value) < _FULL_TURN <= abs(float(text)) else text
 
 
-def typeset(text: str) -> str:
-    """Turn a number in the notation of programs into print: the minus, the power of ten.
+def typeset(text: str, point: str = ".") -> str:
+    """Turn a number in the notation of programs into print.
 
-    Every number of the page passes here, and so will a decimal comma.
+    That is the minus, the power of ten, thousands parted from five digits on, and the decimal
+    ``point`` of a language.  Every number of the page passes here.
 
     Examples
     --------
-    >>> typeset("-1.235e+06")
-    '−1.235×10⁶'
+    >>> typeset("-1.235e+06"), typeset("57549.8", ",").replace(THIN_SPACE, " "), typeset("5754")
+    ('−1.235×10⁶', '57 549,8', '5754')
     """
     mantissa, exponent, power = text.partition("e")
-    return mantissa.replace("-", MINUS) + (power_of_ten(int(power)) if exponent else "")
+    whole, dot, decimals = mantissa.replace("-", MINUS).partition(".")
+    if len(whole.removeprefix(MINUS)) >= _PARTED:
+        whole = _THOUSANDS.sub(THIN_SPACE, whole)
+    tail = power_of_ten(int(power)) if exponent else ""
+    return whole + (point if dot else "") + decimals + tail
 
 
 def power_of_ten(power: int) -> str:
@@ -200,3 +233,15 @@ def subscript(number: int) -> str:
     'ω₃'
     """
     return str(number).translate(_SUBSCRIPTS)
+
+
+def numbered(symbol: str) -> tuple[str, str]:
+    """Return a symbol without its body's number, and that number, empty where it has none.
+
+    Examples
+    --------
+    >>> numbered("ω₃"), numbered("v")
+    (('ω', '3'), ('v', ''))
+    """
+    bare = symbol.rstrip("₀₁₂₃₄₅₆₇₈₉")
+    return bare, symbol[len(bare) :].translate(_LEVEL)

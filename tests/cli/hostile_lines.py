@@ -11,13 +11,24 @@ OPTIONS = [
     *("--ground", "--crank", "--coupler", "--rod", "--ram-height", "--offset", "--link"),
     *("--angle", "--omega", "--alpha", "--position", "--ground-angle", "--assembly"),
     *("--length-unit", "--panels", "--style", "--language", "--size", "--paper", "--fps"),
+    *("--blank", "--at"),
     *("--speed", "--still", "--steps", "--from", "--to", "--crnak", "--o", "-x", "-crank", "--"),
 ]
 FLAGS = ["--json", "--subtitles", "--help", "-h", "--turn", "--json=1", "-"]
 VALUES = [
     *("60", "0", "-1", "-4e-05", "1e400", "1e-320", "nan", "inf", "6 cm", "120 rpm", "6kg", "٣"),
     *("", " ", "open", "crossed", "paper", "chalk", "de", "A4", "ft", "velocity", "velocity:2"),
-    *("position,velocity", ",", "640x360", "0x0", "1e5x3", "two\nlines", "\x1b[31m", "\udc80"),
+    *(
+        "30,60",
+        "position,velocity",
+        ",",
+        "640x360",
+        "0x0",
+        "1e5x3",
+        "two\nlines",
+        "\x1b[31m",
+        "\udc80",
+    ),
     *("[red]x[/nope]", "%s{0}", "9" * 6000, "x" * 130_000, "--", "--json", "NaN deg", "1/0"),
 ]
 FILES = [

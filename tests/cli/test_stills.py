@@ -65,6 +65,52 @@ def test_a_size_that_cannot_be(vad, tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+def test_a_problem_sheet(vad, tmp_path):
+    path = tmp_path / "problem.svg"
+    made(vad, "draw", "scotch-yoke", "--blank", "velocity,acceleration", "-o", str(path))
+    svg = path.read_text("utf-8")
+    assert "velocity:pole" in svg and "velocity:CB.line" not in svg
+
+
+@pytest.mark.parametrize(
+    "words",
+    ["scotch-yoke --at 30,0.25turn,2rad", "gate-actuator --at 3.5,46in", "four-bar --at=-60,60"],
+)
+def test_poses_side_by_side(vad, tmp_path, words):
+    path = tmp_path / "poses.svg"
+    made(vad, "draw", *words.split(), "--panels", "position", "-o", str(path))
+    count = words.count(",") + 1
+    assert path.read_text("utf-8").count("Position: ") == count
+
+
+@pytest.mark.parametrize(
+    ("words", "part"),
+    [
+        ("--blank velocty -o a.png", "--blank: unknown panel 'velocty'"),
+        ("--blank velocity -o a.json", "--blank is for pictures, not for 'a.json'"),
+        ("--panels position --blank velocity -o a.png", "unknown panel 'velocity'"),
+        ("--at 30 -o a.png", "--at: must be 2 to 6 places of the driver, got 1"),
+        ("--at 30,x -o a.png", "--at: 'x' is not a number"),
+        ("--at 30,4mm -o a.png", "--at: 'mm' is not a unit of angle"),
+        ("--at 30,60 --angle 20 -o a.png", "--at: takes the place of --angle"),
+        ("--at 30,60 -o a.json", "several poses cannot be saved as"),
+        ("--at 30,60 --blank velocity -o a.png", "blank: not for several poses"),
+    ],
+)
+def test_problems_and_poses_that_cannot_be(vad, tmp_path, monkeypatch, words, part):
+    monkeypatch.chdir(tmp_path)
+    result = vad("draw", "slider-crank", *words.split())
+    assert result.code == 2
+    assert part in result.err and len(result.err.splitlines()) <= 2
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_pose_that_does_not_close_is_said_of_its_option(vad, tmp_path):
+    result = vad("draw", "four-bar", "--crank", "130", "--at", "30,10", "-o", f"{tmp_path}/a.png")
+    assert result.code == 1
+    assert result.err.startswith("error: --at: angle 10°: the links miss")
+
+
 def test_true_scale(vad, tmp_path):
     path = tmp_path / "sheet.pdf"
     made(vad, "draw", "slider-crank", "--paper", "A4", "-o", str(path))

@@ -93,6 +93,12 @@ def test_a_plot_of_every_mechanism(vad, tmp_path, name):
         assert len(picture.convert("RGB").getcolors(100_000)) > 10
 
 
+def test_a_plot_has_the_digits_of_every_power(vad, tmp_path):
+    words = ("--crank", "1.234e-150", "--omega", "5.67e45", "--alpha", "1e50")
+    result = vad("sweep", "scotch-yoke", *words, "-o", str(tmp_path / "sweep.png"))
+    assert (result.code, result.out, result.err) == (0, "", "")
+
+
 def test_a_plot_with_gaps_and_peaks(vad, tmp_path):
     path = tmp_path / "sweep.png"
     assert vad("sweep", "four-bar", "--crank", "130", "-o", str(path)).code == 0

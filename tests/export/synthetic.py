@@ -114,7 +114,7 @@ def pictures(lesson: Lesson) -> list[Bytes]:
 def as_filming_module(source: Any = frames) -> ModuleType:
     """Return a module that stands for ``vad.painting.filming``."""
     module = ModuleType("vad.painting.filming")
-    module.__dict__["filmed"] = source
+    module.__dict__["filmed"] = lambda film, most=math.inf: source(film)
     return module
 
 

@@ -13,7 +13,7 @@ from tests.painting.readers import media_box, operations, page_count, pdf_text
 from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
 from vad.lecture.lesson import Lesson
-from vad.lecture.moment import moment, moments
+from vad.lecture.moment import done, drawing, moment, moments
 from vad.painting.film import redraw
 from vad.painting.posed import board_of
 from vad.style import load_style
@@ -57,18 +57,24 @@ class TestLesson:
         assert page_count(data) == 0
 
 
-def test_the_board_at_the_end_of_each_step_is_that_of_the_film(lesson: Lesson) -> None:
-    stills = [vad.still(lesson, number).moment for number in range(1, len(lesson.steps) + 1)]
-    opening, *rests = [state for state, _ in moments(lesson) if state.share == 1.0]
-    assert opening.beat == 0
-    assert stills == rests
+def test_a_still_is_the_board_of_the_film_with_the_mechanism_in_its_panel(lesson: Lesson) -> None:
+    """At the end of its step; a construction is shown while its tool is at work."""
+    rests = {done(number) for number in range(len(lesson.steps) + 1)}
+    assert rests <= {state.beat for state, _ in moments(lesson)}
+    for number, step in enumerate(lesson.steps, 1):
+        shown = vad.still(lesson, number).moment
+        assert shown.near == 0.0
+        if step.stroke.kind == "construction":
+            assert (shown.beat, shown.share) == (drawing(number - 1), 0.7)
+        else:
+            assert (shown.beat, shown.share) == (done(number), 1.0)
 
 
 class TestStill:
     def test_shows_what_the_film_shows(self, lesson: Lesson, tmp_path: Path) -> None:
         still = vad.still(lesson, "velocity:2")
         before = lesson.steps[: still.step]
-        frame = lesson.opening + sum(step.grow + step.hold for step in before) - 1
+        frame = lesson.opening + sum(step.frames for step in before) - 1
         pixels = Image.open(io.BytesIO(saved(still, tmp_path / "step.png")))
         expected = redraw(board_of(lesson), moment(lesson, frame), load_style(lesson.style))
         assert np.array_equal(np.asarray(pixels), expected[..., :3])

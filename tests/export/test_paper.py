@@ -120,3 +120,31 @@ def test_a_step_of_a_lesson_has_no_scale(folder: Path) -> None:
     still = vad.still(vad.animate(sheet_of("scotch-yoke")), 3)
     with pytest.raises(UsageError, match="paper: not for a step of a lesson"):
         vad.save(still, "step.pdf", paper="A4")
+
+
+@pytest.mark.parametrize("name", ["slider-crank", "crank-slotted-lever", "gate-actuator"])
+def test_measured_lengths_are_those_of_the_drawing(folder: Path, name: str) -> None:
+    sheet = sheet_of(name)
+    vad.save(sheet, "sheet.pdf", paper="A4")
+    data = Path("sheet.pdf").read_bytes()
+    found = re.findall(r"(\d+\.\d\d) cm × ([\d.]+) = ([\d.]+) (\w+/s2?)", pdf_text(data))
+    drawn = [stroke for panel in sheet.panels[1:] for stroke in panel.strokes]
+    vectors = [stroke.shape for stroke in drawn if stroke.reveals]
+    assert len(found) == len(vectors) > 1
+    dots = centres(data)
+    for (read, scale, result, _), vector in zip(found, vectors, strict=True):
+        assert float(read) * float(scale) == pytest.approx(float(result), rel=1e-9)
+        length = abs(vector.end - vector.start)
+        assert float(read) * float(scale) == pytest.approx(length, abs=0.0051 * float(scale))
+        apart = [abs(a - b) / (10 * MILLIMETRE) for a in dots for b in dots]
+        assert min(abs(each - float(read)) for each in apart) < 0.006
+
+
+def test_on_a_screen_nothing_is_measured_with_a_ruler(folder: Path) -> None:
+    vad.save(sheet_of("slider-crank"), "sheet.pdf")
+    assert " cm ×" not in pdf_text(Path("sheet.pdf").read_bytes())
+
+
+def test_a_problem_does_not_say_what_was_measured(folder: Path) -> None:
+    vad.save(sheet_of("slider-crank"), "problem.pdf", paper="A4", blank="velocity")
+    assert pdf_text(Path("problem.pdf").read_bytes()).count(" cm ×") == 2

@@ -204,7 +204,7 @@ def scaled(numbers: dict[str, float], factor: float) -> dict[str, float]:
 
 
 def samples(
-    variant: str, family: str, count: int, seed: int = 1
+    variant: str, family: str, count: int, seed: int = 1, conditions: bool = True
 ) -> Iterator[tuple[Case, dict[Key, Quantity]]]:
     """Yield poses of a family with the truth about them, half of them crossed."""
     draw = Draw(f"{variant} {family} {seed}")
@@ -220,7 +220,7 @@ def samples(
             draw.choice(("open", "crossed")),
         )
         try:
-            truth = reference(name, case.parameters, case.inputs, case.assembly)
+            truth = reference(name, case.parameters, case.inputs, case.assembly, conditions)
         except (
             UnassemblableError,
             ZeroDivisionError,

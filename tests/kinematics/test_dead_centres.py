@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
 from fractions import Fraction
 from itertools import product
 from typing import Any
@@ -53,6 +55,49 @@ def test_every_whole_dead_centre_of_a_slider_crank_is_found(complement: int) -> 
         motion = vad.solve(vad.SliderCrank(*lengths), angle=angle, omega=1.0)
         with pytest.raises(vad.DeadCentreError):
             motion.slide("slider").velocity  # noqa: B018
+
+
+#: Twice the sine of every multiple of 30°, as a + b·√3.
+SINES = [(0, 0), (1, 0), (0, 1), (2, 0), (0, 1), (1, 0)]
+SINES += [(-a, -b) for a, b in SINES]
+
+
+def dead_rams(ground_angle: int, sign: int) -> Iterator[tuple[tuple[int, ...], float, int]]:
+    """Yield whole lengths, the ram's height and the crank's angle of rods that stand upright.
+
+    The lengths are ground, crank, tip and rod.  The pin's distance from the lever's pivot is whole
+    too, so that the height of the lever's tip is exact: sign · tip · rise / distance above D.
+    """
+    turned = ground_angle // 30
+    for step, ground, crank in product(range(12), (1, 2, 3, 8), (1, 2, 3, 8)):
+        cosine, irrational = SINES[(3 - step + turned) % 12]
+        square = ground**2 + crank**2 - ground * crank * cosine
+        distance = math.isqrt(square)
+        if irrational or not square or distance**2 != square:
+            continue
+        pin, pivot = SINES[step], SINES[turned % 12]
+        for tip, rod, side in product((1, 3), (1, 2), (1, -1)):
+            height, irrational = (
+                Fraction(ground * d, 2)
+                + Fraction(sign * tip * (crank * b - ground * d), 2 * distance)
+                for b, d in zip(pin, pivot, strict=True)
+            )
+            if irrational == 0 and float(height) == height:
+                yield (ground, crank, tip, rod), float(height + side * rod), 30 * step
+
+
+@pytest.mark.parametrize("ground_angle", [-90, 0, 30])
+@pytest.mark.parametrize(("kind", "sign"), [(vad.CrankSlottedLever, 1), (vad.Whitworth, -1)])
+def test_every_whole_dead_centre_of_a_ram_is_found(kind: Any, sign: int, ground_angle: int) -> None:
+    rams = list(dead_rams(ground_angle, sign))
+    assert len(rams) > 100
+    for (*lengths, rod), height, angle in rams:
+        lever = kind(*lengths, rod=rod, ram_height=height, ground_angle=ground_angle)
+        motion = vad.solve(lever, angle=angle, omega=1.0)
+        assert motion.assembled
+        with pytest.raises(vad.DeadCentreError):
+            motion.slide("ram").velocity  # noqa: B018
+        assert np.isnan(vad.solve(lever, angle=[angle], omega=1.0).slide("ram").velocity[0])
 
 
 def test_a_pose_next_to_a_dead_centre_is_none() -> None:

@@ -128,3 +128,18 @@ def test_what_is_asked_for_by_no_name_is_refused(ask, name):
 def test_what_is_no_mechanism_is_refused(mechanism):
     with pytest.raises(vad.InputError, match=r"^mechanism: must be a mechanism"):
         vad.solve(mechanism)
+
+
+def test_what_was_solved_keeps_its_inputs():
+    motion = vad.solve(vad.FourBar(), angle=[60.0, 90.0])
+    with pytest.raises(TypeError):
+        motion.inputs["angle"] = 30.0  # type: ignore[index]
+    with pytest.raises(ValueError, match="read-only"):
+        motion.inputs["angle"][0] = 30.0
+
+
+@pytest.mark.parametrize("kind", vad.MECHANISMS.values())
+def test_defaults_belong_to_nobody(kind):
+    with pytest.raises(TypeError):
+        kind.inputs["angle"] = 30.0
+    assert vad.solve(kind()).inputs == dict(kind.inputs)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,7 @@ from mpmath import mp
 
 import vad
 from tests.kinematics.test_traps import crank
-from vad.kinematics.reach import closing_range
+from vad.kinematics.reach import closing_range, travels
 
 
 @pytest.mark.filterwarnings("error")
@@ -100,6 +101,21 @@ def test_a_tiny_ground_does_not_hide_the_rates_against_the_crank() -> None:
     assert motion.slide("block").velocity == pytest.approx(1e-8, rel=1e-15)
 
 
+@pytest.mark.parametrize(
+    "mechanism",
+    [
+        vad.FourBar(crank=1e-199, rocker=1e140),
+        vad.FourBar(ground=1e-199, rocker=1e140),
+        vad.SliderCrank(crank=1e-199, rod=1.0, offset=1e140),
+    ],
+    ids=str,
+)
+def test_links_that_are_nothing_beside_others_close_nowhere(mechanism: Any) -> None:
+    with pytest.raises(vad.AssemblyError, match="close at no angle"):
+        vad.solve(mechanism).point("C").position  # noqa: B018
+    assert closing_range(mechanism) == []
+
+
 @pytest.mark.parametrize("length", [1e201, 1e-201, float("inf"), float("nan"), 0.0, -3.0])
 def test_lengths_beyond_the_range_are_refused_by_name(length: float) -> None:
     with pytest.raises(vad.InputError, match=r"^crank: must be"):
@@ -145,6 +161,45 @@ def test_the_hint_always_works(mechanism: Any, place: float) -> None:
     assert vad.solve(mechanism, **{first: works}).assembled
 
 
+def lever(reach: float, highest: bool) -> tuple[Any, list[float]]:
+    """Return a lever whose ram closes by ``reach`` where its tip is highest or lowest, and where.
+
+    The lever stands upright with the crank; or it is at the end of its swing, across the crank.
+    """
+    ground, crank, tip, rod = 120.0, 50.0, 250.0, 10.0
+    upright, swing = tip - ground, tip * math.sqrt(1 - (crank / ground) ** 2) - ground
+    height = upright + rod - reach if highest else swing - rod + reach
+    across = math.degrees(math.asin(crank / ground))
+    where = [90.0, 270.0] if highest else [180.0 + across, 360.0 - across]
+    return vad.CrankSlottedLever(ground, crank, tip, rod=rod, ram_height=height), where
+
+
+@pytest.mark.parametrize("reach", [1e-3, 1e-6, 1e-9])
+@pytest.mark.parametrize("highest", [True, False])
+def test_no_range_of_a_ram_is_too_narrow_to_be_found(reach: float, highest: bool) -> None:
+    mechanism, where = lever(reach, highest)
+    ranges = closing_range(mechanism)
+    assert len(ranges) == 2
+    for (low, high), middle in zip(ranges, where, strict=True):
+        assert low < middle < high < low + 80 * math.sqrt(reach)
+        assert vad.solve(mechanism, angle=[low, high]).assembled.all()
+        assert not vad.solve(mechanism, angle=[low - 1e-6, high + 1e-6]).assembled.any()
+    with pytest.raises(vad.AssemblyError) as caught:
+        vad.solve(mechanism, angle=0.0).point("E").position  # noqa: B018
+    works = float(str(caught.value.hint).rsplit(" ", 1)[1])
+    assert vad.solve(mechanism, angle=works).assembled
+
+
+def test_no_gap_of_a_ram_is_too_narrow_to_be_found() -> None:
+    """The rod is a hundred-millionth too short where the lever is at the ends of its swing."""
+    swing = 250 * math.sqrt(1 - (50 / 120) ** 2) - 120
+    mechanism = vad.CrankSlottedLever(120, 50, 250, rod=140 - swing - 1e-8, ram_height=140.0)
+    (_, first), (second, third) = closing_range(mechanism)
+    across = math.degrees(math.asin(50 / 120))
+    assert first < 180 + across < second < first + 0.01
+    assert third < 360 - across < third + 0.01
+
+
 def test_a_narrow_range_is_exact() -> None:
     """sin θ = (h − rod)/crank, to the last digits however narrow the range."""
     with mp.workdps(40):
@@ -153,3 +208,18 @@ def test_a_narrow_range_is_exact() -> None:
     [(low, high)] = closing_range(vad.SliderCrank(2, 4, 5.99999999))
     assert low == pytest.approx(wanted, abs=3e-14)
     assert high == pytest.approx(180 - wanted, abs=3e-14)
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "slide", "ends"),
+    [
+        (vad.ScotchYoke(crank=30), "block", (-30.0, 30.0)),
+        (vad.SliderCrank(crank=60, rod=140), "slider", (80.0, 200.0)),
+        (vad.SliderCrank(crank=60, rod=140, assembly="crossed"), "slider", (-200.0, -80.0)),
+        (vad.Whitworth(ground=40, crank=90), "block", (50.0, 130.0)),
+        (vad.GateActuator(ground=1.0, arm=4.0), "actuator", (3.0, 5.0)),
+        (vad.DoubleSlider(link=10), "slider_b", (0.0, 10.0)),
+    ],
+)
+def test_how_far_slides_get(mechanism: Any, slide: str, ends: tuple[float, float]) -> None:
+    assert travels(mechanism)[slide] == pytest.approx(ends, abs=1e-9)

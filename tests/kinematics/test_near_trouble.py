@@ -24,6 +24,12 @@ CASES = {
         {"angle": 33.3, **TURNING},
         "crossed",
     ),
+    "guides half a turn apart, but for a little": Case(
+        "double-slider",
+        {"link": 105, "guide_a": 0, "guide_b": 180.86695614691936},
+        {"position": -100.60294393526083, "velocity": -1.0, "acceleration": -0.1},
+        "crossed",
+    ),
     "angles of a guide that would be rounded before they are folded": Case(
         "double-slider",
         {"link": 1000, "guide_a": 360e6 + 0.1, "guide_b": 60.3},
@@ -48,9 +54,22 @@ CASES = {
         {"angle": 60, **TURNING},
         "open",
     ),
+    "a ram level with a pivot at many turns": Case(
+        "whitworth",
+        {"ground": 10, "crank": 103.47, "arm": 24.6, "rod": 108.937, "ground_angle": 79913.93},
+        {"angle": 383.93, **TURNING},
+        "crossed",
+    ),
     "a long rod on a ram with a turned ground": Case(
         "whitworth",
-        {"ground": 40, "crank": 90, "arm": 60, "rod": 1e9, "ground_angle": 37.3},
+        {
+            "ground": 40,
+            "crank": 90,
+            "arm": 60,
+            "rod": 1e9,
+            "ram_height": 500,  # the rod is almost level, and its angle has few digits to lose
+            "ground_angle": 37.3,
+        },
         {"angle": 12, **TURNING},
         "open",
     ),

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Callable
+from functools import partial
 from itertools import pairwise
 
 import pytest
@@ -9,15 +12,17 @@ import pytest
 from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
 from vad.lecture.easing import smooth
-from vad.lecture.moment import Moment, done, moment, moments
+from vad.lecture.moment import Moment, done, drawing, finished, moment, moments
 from vad.lecture.timeline import animate, rest
+from vad.lecture.turn import turn
+from vad.mechanisms.four_bar import FourBar
 
 
 def test_every_caption_stands_long_enough_to_be_read():
     lesson = animate(slider_crank())
     for step in lesson.steps:
         words = len(step.stroke.caption.split())
-        assert (step.grow + step.hold) / lesson.fps > words / 5.5
+        assert (step.grow + step.hold) / lesson.fps > words / 5
     assert lesson.frames == round(lesson.duration * 30)
 
 
@@ -34,24 +39,53 @@ def test_a_long_caption_rests_longer():
         (stroke for panel in slider_crank().panels for stroke in panel.strokes),
         key=lambda stroke: len(stroke.caption),
     )[:: len(slider_crank().panels[0].strokes) * 3 - 1]
-    assert rest(long) > rest(short)
+    assert rest(long, 1.0) > rest(short, 1.0)
 
 
 def test_every_frame_has_one_state_and_strokes_only_grow():
     lesson = animate(slider_crank(), fps=10)
     states = [moment(lesson, number) for number in range(lesson.frames)]
     assert sum(repeats for _, repeats in moments(lesson)) == lesson.frames
-    assert states[0] == Moment(done(0))
-    assert states[-1] == Moment(done(sum(len(p.strokes) for p in lesson.sheet.panels)))
+    assert states[0] == Moment(done(0), near=1.0)
+    assert states[-1] == Moment(finished(len(lesson.steps)))
     for before, after in pairwise(states):
         assert after.beat - before.beat in (0, 1, 2)
-        assert (after.share < 1.0) == (after.beat % 2 == 1)
+        assert after.share == 1.0 or after.beat % 2 == 1
         if before.beat == after.beat and after.share < 1.0:
             assert after.share > before.share
     with pytest.raises(IndexError):
         moment(lesson, lesson.frames)
     with pytest.raises(IndexError):
         moment(lesson, -1)
+
+
+def test_the_first_panel_stands_large_until_it_is_done_and_glides_into_its_place():
+    lesson = animate(slider_crank(), fps=10)
+    first = len(lesson.sheet.panels[0].strokes)
+    gliding = [state for state, _ in moments(lesson) if 0.0 < state.near < 1.0]
+    assert {state.beat for state in gliding} == {done(first)}
+    assert len(gliding) == sum(step.glide for step in lesson.steps) == 8
+    for before, after in pairwise(state for state, _ in moments(lesson)):
+        assert after.near <= before.near
+        if after.beat != done(first):
+            assert after.near == (1.0 if after.beat < done(first) else 0.0)
+
+
+@pytest.mark.parametrize("most", [30.0, 15.0, 12.0, 9.0, 0.1])
+def test_what_moves_may_have_fewer_states_in_the_same_time(most: float):
+    lesson = animate(slider_crank(), fps=30)
+    states = list(moments(lesson, most))
+    assert sum(repeats for _, repeats in states) == lesson.frames
+    moving: Counter[int] = Counter()
+    at = 0
+    for state, repeats in states:
+        at += repeats
+        if state.share < 1.0:
+            assert state == moment(lesson, at - 1)
+            moving[state.beat] += 1
+    for number, step in enumerate(lesson.steps):
+        most_of_it = step.grow / 30 * most
+        assert max(1.0, most_of_it - 1) <= moving[drawing(number)] <= max(1.0, most_of_it)
 
 
 def test_easing_runs_from_nought_to_one_and_never_back():
@@ -92,3 +126,13 @@ def test_what_cannot_be_is_refused_by_name_with_a_hint(name: str, options: dict)
 def test_what_is_no_number_is_refused_by_name(options: dict):
     with pytest.raises(UsageError, match=f"^{next(iter(options))}: must be"):
         animate(slider_crank(), **options)
+
+
+@pytest.mark.parametrize("style", ["chlak", None, 3])
+@pytest.mark.parametrize(
+    "film", [lambda **o: animate(slider_crank(), **o), partial(turn, FourBar())]
+)
+def test_an_unknown_style_is_refused_before_anything_is_painted(film: Callable, style: object):
+    with pytest.raises(UsageError, match=r"^unknown style ") as refusal:
+        film(style=style)
+    assert "chalk" in str(refusal.value.hint)

@@ -9,6 +9,7 @@ from mpmath import mp
 
 import vad
 from tests.oracle import reference
+from vad.kinematics.linkage import angle_of
 from vad.methods import METHODS, finite_differences, high_precision, newton, problem_of
 from vad.methods.comparison import compare, largest_error
 
@@ -76,6 +77,18 @@ def test_high_precision_agrees_with_the_tests_own_oracle(name, assembly, dimensi
                 if attribute == "angle":
                     miss -= 2 * mp.pi * mp.nint(miss / (2 * mp.pi))
                 assert abs(miss) <= abs(expected) * mp.mpf(10) ** -digits
+
+
+@pytest.mark.parametrize("angle", [60.0, 250.0])
+@pytest.mark.parametrize("ground_angle", [0.0, 37.0])
+def test_every_method_keeps_a_parallelogram_one(angle: float, ground_angle: float):
+    """Its coupler does not turn: what is zero is measured by what is not."""
+    mechanism = vad.FourBar(100, 40, 100, 40, ground_angle=ground_angle, assembly="parallel")
+    comparison = compare(mechanism, {"angle": angle, "omega": 1.0, "alpha": 3.0})
+    for row in comparison.rows:
+        assert row.error < TOLERANCES[row.method], row.method
+    coupler = comparison.truth[angle_of("coupler")]
+    assert (coupler.rate, coupler.second) == (0, 0)
 
 
 def test_table_1_of_the_paper():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 import pytest
 
@@ -27,6 +28,17 @@ def test_the_table_has_a_row_for_every_method(capsys):
     assert note.startswith("error: ")
 
 
+@pytest.mark.parametrize("name", ["double-slider", "four-bar"])
+def test_decimal_points_stand_in_one_column(capsys, name):
+    assert run(["compare", name]) == 0
+    head, _, *rows = capsys.readouterr().out.split("\n\n")[1].splitlines()
+    ends = [head.index(sign) + len(sign) for sign in re.findall(r"[ωvαa] \w+", head)]
+    assert len(ends) == 4
+    for end in ends:
+        column = [row[:end][-12:] for row in rows]
+        assert len({cell.rindex(".") for cell in column if "." in cell}) == 1
+
+
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_json_for_every_mechanism(capsys, name):
     assert run(["compare", name, "--json"]) == 0
@@ -46,6 +58,14 @@ def test_a_method_without_an_answer_is_explained_below(capsys):
     assert run(["compare", "four-bar", *near, "--angle", "89.9999999", "--json"]) == 0
     rows = {row["method"]: row for row in json.loads(capsys.readouterr().out)["methods"]}
     assert "converge" in rows["Newton"]["problem"]
+
+
+def test_a_method_whose_numbers_leave_the_range_has_no_answer(capsys):
+    assert run(["compare", "slider-crank", "--rod", "1.25e181", "--offset", "180", "--json"]) == 0
+    data = json.loads(capsys.readouterr().out, parse_constant=pytest.fail)
+    rows = {row["method"]: row for row in data["methods"]}
+    assert rows["loop closure"]["problem"] == "a number leaves the range of double precision"
+    assert rows["closed form"]["error"] < 1e-12
 
 
 def test_a_pose_that_cannot_be_is_one_line(capsys):

@@ -82,10 +82,10 @@ def fonts(svg: str) -> list[TTFont]:
     ]
 
 
-def pdf_bytes(painter: PdfPainter) -> bytes:
+def pdf_bytes(painter: PdfPainter, words: Sequence[str] = ("a picture",)) -> bytes:
     """Return the file of all that a painter has painted."""
     target = io.BytesIO()
-    painter.write(target)
+    painter.write(target, words)
     return target.getvalue()
 
 

@@ -22,8 +22,8 @@ from vad.plan.format import Format
 from vad.plan.items import Item, Level
 from vad.plan.marks import Disc
 from vad.strokes.sheet import Sheet
+from vad.strokes.words import describe
 from vad.style import Look, load_style
-from vad.written import quantity
 
 
 def written(sheet: Sheet, **options: object) -> bytes:
@@ -50,6 +50,35 @@ def test_a_strict_reader_has_nothing_to_repair() -> None:
     assert len(data) < 80_000
 
 
+def figures(data: bytes) -> list[str]:
+    """Return the words of each page, found from the page and from the document alike."""
+    reader = pypdf.PdfReader(io.BytesIO(data))
+    root = reader.trailer["/Root"]["/StructTreeRoot"]
+    listed = [kid.get_object() for kid in root["/K"]["/K"]]
+    numbers = root["/ParentTree"]["/Nums"]
+    for page, figure in zip(reader.pages, listed, strict=True):
+        place = numbers.index(page["/StructParents"])
+        assert numbers[place + 1][figure["/K"]].get_object() == figure
+        assert figure["/Pg"] == page and figure["/S"] == "/Figure" and figure["/P"] == root["/K"]
+        operators = pypdf.generic.ContentStream(page.get_contents(), reader).operations
+        assert operators[0] == (["/Figure", {"/MCID": 0}], b"BDC")
+        assert operators[-1][1] == b"EMC"
+    return [figure["/Alt"] for figure in listed]
+
+
+def test_a_screen_reader_meets_a_figure_in_words() -> None:
+    sheet = sheet_of("four-bar")
+    data = written(sheet)
+    assert pypdf.PdfReader(io.BytesIO(data)).trailer["/Root"]["/MarkInfo"]["/Marked"]
+    assert figures(data) == [describe(sheet)]
+
+
+def test_a_page_of_a_lesson_says_its_step() -> None:
+    lesson, target = vad.animate(sheet_of("slider-crank")), io.BytesIO()
+    lesson_pdf.write(lesson, target)
+    assert figures(target.getvalue()) == [step.stroke.caption for step in lesson.steps]
+
+
 @pytest.mark.parametrize("code", ["en", "de"])
 def test_it_says_what_it_shows(code: str) -> None:
     sheet = vad.draw(vad.solve(vad.SliderCrank()), language=code)
@@ -66,7 +95,7 @@ def test_text_can_be_searched(name: str) -> None:
     assert plain(sheet.title) in text
     for row in sheet.rows:
         for cell in (cell for cells in row.cells.values() for cell in cells):
-            value = quantity(cell.value, cell.unit, cell.given)
+            value = sheet.notation.quantity(cell.value, cell.unit, cell.given)
             assert plain(f"{cell.symbol} = {value}") in text
 
 
@@ -95,7 +124,7 @@ def painted(*pages: tuple[complex, ...]) -> bytes:
             painter.group(Item("", "page", Level.DOT, ()))
             painter.paint(Disc(spot, 0.05), Look("#000000"))
         painter.end()
-    return pdf_bytes(painter)
+    return pdf_bytes(painter, [str(page) for page in pages])
 
 
 def test_what_pages_share_is_written_once() -> None:

@@ -14,9 +14,9 @@ from vad.strokes.sheet import Sheet
 
 PARTS = {"crank-slotted-lever": {"rod": 120, "ram_height": 140}, "whitworth": {"rod": 300}}
 PICTURES = [
-    *((name, "paper", (1280, 720)) for name in vad.MECHANISMS),
-    ("crank-slotted-lever", "print", (1280, 720)),
-    ("crank-slotted-lever", "chalk", (1280, 720)),
+    *((name, "paper", (960, 540)) for name in vad.MECHANISMS),
+    ("crank-slotted-lever", "print", (960, 540)),
+    ("crank-slotted-lever", "chalk", (960, 540)),
     ("four-bar", "print", (640, 480)),
 ]
 

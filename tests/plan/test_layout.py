@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import cmath
 import math
+from dataclasses import replace
+from itertools import cycle, islice
 
 import pytest
 
 from tests.plan.overlaps import planned
 from tests.plan.sheets import slider_crank
+from vad.errors import UsageError
 from vad.plan.format import screen
 from vad.plan.geometry import Rect
 from vad.plan.labels.obstacles import Obstacles
@@ -83,6 +86,27 @@ def test_fill_scale_holds_all_points_inside_the_padding_and_centred():
     assert min(xs) >= 0.075 - 1e-9
 
 
+def test_padding_takes_no_more_than_half_of_a_small_drawing():
+    for position in (False, True):
+        small = Rect(0, 0, 0.06, 0.05)
+        scale = fill([0j, 1 + 0j, 1j], small, position)
+        assert scale.factor >= 0.025 * (1 - 1e-9)
+        assert all(small.holds(scale(point)) for point in (0j, 1 + 0j, 1j))
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1024, 768), (600, 900)])
+def test_however_many_rows_there_are_a_sheet_is_drawn_or_refused(size: tuple[int, int]):
+    sheet, refused = slider_crank(), []
+    for count in range(1, 25):
+        many = replace(sheet, rows=tuple(islice(cycle(sheet.rows), count)))
+        try:
+            assert planned(many, size).items
+        except UsageError as error:
+            refused.append(count)
+            assert f"{count} rows" in str(error)
+    assert refused == list(range(25 - len(refused), 25))  # those that are too many
+
+
 @pytest.mark.parametrize("factor", [1e-7, 0.013, 0.5, 1.0, 86.4, 3e9])
 def test_scale_bar_is_a_round_number_not_longer_than_its_room(factor: float):
     value = scale_bar(factor, 0.12)
@@ -117,5 +141,5 @@ def test_coincident_points_share_a_dot_and_a_label():
     sheet = slider_crank()
     panel, sketch = sheet.panel("velocity"), planned(sheet).sketches["velocity"]
     assert [v.label for v in find_vertices(panel, sketch.scale)] == ["a, d", "b", "c"]
-    tiny = fill(corners(panel), Rect(0, 0, 0.162, 0.128), position=False)
+    tiny = fill(corners(panel), Rect(0, 0, 0.024, 0.026), position=False)
     assert any("," in v.label[4:] or v.label.count(",") > 1 for v in find_vertices(panel, tiny))

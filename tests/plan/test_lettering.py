@@ -7,6 +7,8 @@ from vad.plan.lettering.glyphs import fitted, typeset, width
 from vad.plan.lettering.runs import Run, roman, sentence, symbols
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Lettering
+from vad.strokes.language import Language
+from vad.written import THIN_SPACE
 
 
 def italics(runs: tuple[Run, ...]) -> str:
@@ -29,9 +31,23 @@ def test_subscripts_and_superscripts_become_scripts():
 
 def test_a_caption_tells_the_point_a_from_the_article_and_seconds_from_the_point_s():
     names = {"a", "s", "ab", "AB"}
-    assert italics(sentence("a line through a, perpendicular to AB", names, "a")) == "a AB"
+    words = Language("en").upright
+    assert italics(sentence("a line through a, perpendicular to AB", names, words)) == "a AB"
+    assert italics(sentence("the fixed point a has zero velocity", names, words)) == "a"
     assert italics(sentence("ab = 600 mm/s along s", names)) == "ab s"
     assert italics(sentence("Durch a parallel", names)) == "a"
+
+
+def test_a_vector_in_an_equation_is_no_french_word():
+    names, words = {"d", "de", "C"}, Language("fr").upright
+    assert italics(sentence("de C vers le bas, de = 630,4 mm/s", names, words)) == "C de"
+    assert italics(sentence("l’image d’un point", names, words)) == ""
+
+
+def test_thousands_are_parted_by_less_than_a_letter():
+    parted, plain = (typeset(roman(text)).advance for text in (f"12{THIN_SPACE}345", "12345"))
+    space = typeset(roman("12 345")).advance - plain
+    assert 0 < parted - plain < space
 
 
 def test_ink_box_bounds_the_marks():

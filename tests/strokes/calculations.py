@@ -9,10 +9,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 
-FIGURE = re.compile(r"−?\d+(?:\.\d+)?(?:×10[⁻⁰¹²³⁴-⁹]+)?")
+THIN = "\N{NARROW NO-BREAK SPACE}"
+FIGURE = re.compile(rf"−?\d+(?:{THIN}\d{{3}})*(?:[.,]\d+)?(?:×10[⁻⁰¹²³⁴-⁹]+)?")
 RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+PLAIN = str.maketrans({"−": "-", ",": ".", THIN: ""})
 FLOATS = 1e-9  # what is left of double precision
 
 
@@ -31,22 +34,27 @@ class Figure:
     def half_a_unit(self) -> float:
         """Half a unit of the last place: the most that rounding has taken or added.
 
-        A measured number has four digits, then zeros; an angle has one decimal.  Less than that
+        A measured number has four digits at least; an angle has one decimal.  Less than that
         is a given number, which is written in full up to six digits.
         """
+        digits = len(re.sub(r"e.*|\D", "", self._plain).lstrip("0"))
+        is_given = digits < 4 and not (self.unit == "°" and "." in self._plain)
+        return float(self.last_place / 2) * (10.0 ** (digits - 6) if is_given else 1.0)
+
+    @cached_property
+    def exact(self) -> Fraction:
+        """The number that a calculator is given."""
+        return Fraction(self._plain)
+
+    @cached_property
+    def last_place(self) -> Fraction:
+        """One unit of the last digit that is written."""
         mantissa, _, power = self._plain.partition("e")
-        whole, _, decimals = mantissa.lstrip("-").partition(".")
-        place = -len(decimals)
-        digits = len((whole + decimals).lstrip("0"))
-        if not decimals and digits > 4:
-            place = digits - 4
-        elif digits < 4 and not (self.unit == "°" and place == -1):
-            place = digits - 6 - len(decimals)
-        return 0.5 * 10.0 ** (place + int(power or 0))
+        return Fraction(10) ** (int(power or 0) - len(mantissa.partition(".")[2]))
 
     @cached_property
     def _plain(self) -> str:
-        mantissa, _, power = self.text.replace("−", "-").partition("×10")
+        mantissa, _, power = self.text.translate(PLAIN).partition("×10")
         return mantissa + (f"e{power.translate(RAISED)}" if power else "")
 
     def agrees(self, truth: float) -> bool:

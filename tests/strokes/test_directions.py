@@ -117,6 +117,10 @@ def test_a_point_moves_the_way_that_is_said(name: str, code: str) -> None:
             across = 1j * bar / abs(bar)
             velocity = between(motion, sideways["bar"], 1)
             velocity = across * (across.conjugate() * velocity).real
+        elif bar_of(stroke.caption)[0] in motion.frame.fixed:
+            own = clause(wording.own, stroke.caption)
+            assert bar_of(stroke.caption)[1] == own["head"]
+            velocity = rate(motion, own["head"], 1)
         else:
             seen = clause(wording.seen, stroke.caption)
             assert bar_of(stroke.caption) == seen["tail"] + seen["head"]
@@ -146,9 +150,10 @@ def test_what_is_square_to_a_bar_is_so(name: str, code: str) -> None:
         elif stroke.kind == "known" and stroke.component == "tangential":
             bar = between(motion, clause(square, stroke.caption)["bar"])
             link = motion.link(str(stroke.link))
-            assert same_way(
-                vector(stroke), 1j * bar * (link.omega if panel.name == "velocity" else link.alpha)
-            )
+            letter = clause(WORDING[code].with_it, stroke.caption)["rate"]
+            assert letter == ("ω" if panel.name == "velocity" else "α")
+            turning = link.omega if letter == "ω" else link.alpha
+            assert same_way(vector(stroke), 1j * bar * turning)
         else:
             assert "⟂" not in stroke.label + stroke.caption
 
@@ -210,6 +215,11 @@ def test_a_vector_belongs_to_the_points_that_are_said(name: str, code: str) -> N
             truth = between(motion, letters, order)
             assert abs(vector(stroke) - truth) <= 1e-9 * abs(truth)
             whole = WORDING[code].whose.search(stroke.caption)
+            # What is no component of a link's vector is said to be somebody's.
+            against = WORDING[code].other_side in stroke.caption
+            bare = (slide_of(motion, stroke) is None or stroke.image) and not against
+            seen = WORDING[code].seen.search(stroke.caption)
+            assert not (order and bare) or (whole is None) == (seen is not None), stroke
             if whole and whole["tail"]:
                 assert letters == whole["tail"] + whole["head"]
             elif whole:
@@ -258,9 +268,9 @@ def test_sides_of_a_link_and_of_a_slot(name: str, code: str) -> None:
             tip = between(motion, base[0] + stroke.label.replace("′", "")[1].upper())
             with_it = (between(motion, base).conjugate() * tip).real > 0
             assert (wording.other_side in stroke.caption) == (not with_it)
-        upright = wording.upright.search(stroke.caption)
-        if upright:
-            apart = between(motion, upright["tail"] + upright["head"])
+        slotted = wording.slotted.search(stroke.caption)
+        if slotted:
+            apart = between(motion, slotted["tail"] + slotted["head"])
             assert abs(apart.real) < 1e-9 * abs(apart)
 
 

@@ -16,21 +16,24 @@ class Wording:
     """The words of one language, and the clauses in which they stand.
 
     ``ways`` and ``senses`` are words with what they mean.  Of the clauses, ``towards`` names the
-    points between which a normal part runs, ``seen`` and ``sideways`` a point that moves some
-    way, as seen from another one or across a bar, ``square`` a bar, ``turned`` says Coriolis'
-    rule, ``upright`` names two points one above the other, ``whose`` the points of a whole
-    vector, ``bound`` who can move no other way relative to whom, and ``carried`` the lever or slot
-    on which a block can move no other way.
+    points between which a normal part runs, ``seen``, ``own`` and ``sideways`` a point that moves
+    some way, as seen from another one, by itself or across a bar, ``square`` a bar, ``with_it``
+    the rate in whose sense a vector points, ``turned`` says Coriolis' rule, ``slotted`` names two
+    points on a line along the slot, ``whose`` the points of a whole vector, ``bound`` who can
+    move no other way relative to whom, and ``carried`` the lever or slot on which a block can
+    move no other way.
     """
 
     ways: Mapping[str, complex]
     senses: Mapping[str, int]
     towards: Pattern[str]
     seen: Pattern[str]
+    own: Pattern[str]
     sideways: Pattern[str]
     square: Pattern[str]
+    with_it: Pattern[str]
     turned: Pattern[str]
-    upright: Pattern[str]
+    slotted: Pattern[str]
     whose: Pattern[str]
     bound: Pattern[str]
     carried: Pattern[str]
@@ -64,13 +67,17 @@ WORDING = {
         senses={"counter-clockwise": 1, "clockwise": -1},
         towards=re.compile("from (?P<tail>[A-Z]) towards (?P<head>[A-Z])"),
         seen=re.compile("(?P<head>[A-Z]) moves (?P<way>.+) as seen from (?P<tail>[A-Z])"),
+        own=re.compile("is the velocity of (?P<head>[A-Z]), (?P<way>.+)[.]"),
         sideways=re.compile("across (?P<bar>[A-Z]{2}), (?P<head>[A-Z]) moves (?P<way>.+)[.]"),
         square=re.compile("(?:perpendicular to|⟂) (?P<bar>[A-Z]{2})"),
+        with_it=re.compile("in the sense of (?P<rate>[ωα])"),
         turned=re.compile("v turned 90° with (?P<omega>ω.)"),
-        upright=re.compile("(?P<head>[A-Z]) lies below or above (?P<tail>[A-Z])"),
-        whose=re.compile("the acceleration of (?P<head>[A-Z])(?: relative to (?P<tail>[A-Z]))?[.]"),
+        slotted=re.compile("(?P<head>[A-Z]) lies on the line through (?P<tail>[A-Z])"),
+        whose=re.compile(
+            "the (?:velocity|acceleration) of (?P<head>[A-Z])(?: relative to (?P<tail>[A-Z]))?"
+        ),
         bound=re.compile("relative to (?P<tail>[A-Z]), (?P<head>[A-Z]) can move no other way"),
-        carried=re.compile(r"(?:on|in) the (?P<carrier>\w+) the \w+ can move no other way"),
+        carried=re.compile(r"(?:on|in) the (?P<carrier>\w+) the \w+ [A-Z] can move no other way"),
         guide=re.compile("guide(?: of (?P<head>[A-Z]))?$"),
         slot="slot",
         other_side="on the other side",
@@ -80,17 +87,48 @@ WORDING = {
         senses={"gegen den Uhrzeigersinn": 1, "im Uhrzeigersinn": -1},
         towards=re.compile("von (?P<tail>[A-Z]) nach (?P<head>[A-Z])"),
         seen=re.compile("von (?P<tail>[A-Z]) aus gesehen läuft (?P<head>[A-Z]) (?P<way>.+)[.]"),
+        own=re.compile("ist die Geschwindigkeit von (?P<head>[A-Z]), (?P<way>.+)[.]"),
         sideways=re.compile("quer zu (?P<bar>[A-Z]{2}) läuft (?P<head>[A-Z]) (?P<way>.+)[.]"),
         square=re.compile("(?:senkrecht zu|⟂) (?P<bar>[A-Z]{2})"),
+        with_it=re.compile("im Sinn von (?P<rate>[ωα])"),
         turned=re.compile("v um 90° mit (?P<omega>ω.) gedreht"),
-        upright=re.compile("(?P<head>[A-Z]) liegt .* unter oder über (?P<tail>[A-Z])"),
+        slotted=re.compile("(?P<head>[A-Z]) liegt auf der Geraden durch (?P<tail>[A-Z])"),
         whose=re.compile(
-            "die Beschleunigung von (?P<head>[A-Z])(?: gegenüber (?P<tail>[A-Z]))?[.]"
+            "die (?:Geschwindigkeit|Beschleunigung) von (?P<head>[A-Z])"
+            "(?: gegenüber (?P<tail>[A-Z]))?"
         ),
         bound=re.compile("gegenüber (?P<tail>[A-Z]) kann sich (?P<head>[A-Z]) nur so bewegen"),
-        carried=re.compile(r"(?:auf der|im) (?P<carrier>\w+) kann sich der \w+ nur so bewegen"),
+        carried=re.compile(
+            r"(?:auf der|im) (?P<carrier>\w+) kann sich der \w+ [A-Z] nur so bewegen"
+        ),
         guide=re.compile("Führung(?: von (?P<head>[A-Z]))?$"),
         slot="Schlitz",
         other_side="auf der anderen Seite",
+    ),
+    "fr": Wording(
+        ways={"vers la droite": 1, "vers la gauche": -1, "vers le haut": 1j, "vers le bas": -1j},
+        senses={"dans le sens trigonométrique": 1, "dans le sens horaire": -1},
+        towards=re.compile("de (?P<tail>[A-Z]) vers (?P<head>[A-Z])"),
+        seen=re.compile("vu de (?P<tail>[A-Z]), (?P<head>[A-Z]) se déplace (?P<way>.+)[.]"),
+        own=re.compile("est la vitesse de (?P<head>[A-Z]), (?P<way>.+)[.]"),
+        sideways=re.compile(
+            "en travers de (?P<bar>[A-Z]{2}), (?P<head>[A-Z]) se déplace (?P<way>.+)[.]"
+        ),
+        square=re.compile("(?:perpendiculairement à|⟂) (?P<bar>[A-Z]{2})"),
+        with_it=re.compile("dans le sens de (?P<rate>[ωα])"),
+        turned=re.compile("v tournée de 90° avec (?P<omega>ω.)"),
+        slotted=re.compile("(?P<head>[A-Z]) est sur la droite qui passe par (?P<tail>[A-Z])"),
+        whose=re.compile(
+            "(?:la vitesse|l’accélération) de (?P<head>[A-Z])(?: par rapport à (?P<tail>[A-Z]))?"
+        ),
+        bound=re.compile(
+            "par rapport à (?P<tail>[A-Z]), (?P<head>[A-Z]) ne peut pas se déplacer autrement"
+        ),
+        carried=re.compile(
+            r"(?:sur|dans) la (?P<carrier>\w+), le \w+ [A-Z] ne peut pas se déplacer autrement"
+        ),
+        guide=re.compile("glissière(?: de (?P<head>[A-Z]))?$"),
+        slot="rainure",
+        other_side="de l’autre côté",
     ),
 }

@@ -9,12 +9,13 @@ import click
 
 import vad
 from vad.cli.progress import progress, written
-from vad.errors import UsageError
+from vad.errors import UsageError, VadError
 from vad.export import FOLDER, format_of
 from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
 from vad.lecture.turn import Turn
 from vad.mechanisms import Mechanism
+from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 
 Inputs = dict[str, Any]
@@ -32,16 +33,41 @@ def solve(mechanism: Mechanism, inputs: Inputs, as_json: bool = False) -> None:
 def draw(
     mechanism: Mechanism, inputs: Inputs, output: str, turn: bool = False, **options: Any
 ) -> None:
-    """Write one pose as a picture or its strokes as data, or a turn with numbered positions."""
+    """Write a pose as a picture, or its strokes as data; or a few poses, or a whole turn."""
+    at = options.pop("at", None)
+    if turn and at is not None:
+        raise UsageError("--turn and --at: choose one of them")
+    if turn and "blank" in options:
+        raise UsageError("--blank is for one pose, not for a turn")
+    made = Turn if turn else Sheet if at is None else Multiples
     kind = format_of(Sheet, output)  # before anything is worked out
-    if turn:
-        format_of(Turn, output)
+    format_of(made, output)
     if "paper" in options and kind != ".pdf":
         raise UsageError(f"--paper is for PDF, not for '{output}'", hint="as in -o sheet.pdf")
-    look = _pop(options, "style", "size", "paper")
-    motion = vad.solve(mechanism, **inputs)
-    vad.save((vad.turn if turn else vad.draw)(motion, **options), output, **look)
+    if "blank" in options and kind == ".json":
+        raise UsageError(
+            f"--blank is for pictures, not for '{output}'", hint="as in -o problem.pdf"
+        )
+    look = _pop(options, "style", "size", "paper", "blank")
+    drawn: Sheet | Multiples | Turn
+    if at is not None:
+        drawn = _multiples(mechanism, inputs, at, **options)
+    else:
+        motion = vad.solve(mechanism, **inputs)
+        drawn = (vad.turn if turn else vad.draw)(motion, **options)
+    vad.save(drawn, output, **look)
     written(output)
+
+
+def _multiples(mechanism: Mechanism, inputs: Inputs, at: list[float], **options: Any) -> Multiples:
+    """Draw a few poses; what is wrong with their places is said of the option."""
+    driven = next(iter(mechanism.inputs))
+    if driven in inputs:
+        raise UsageError(f"--at: takes the place of --{driven}", hint=f"leave out --{driven}")
+    try:
+        return vad.multiples(vad.solve(mechanism, **inputs), at, **options)
+    except VadError as error:
+        raise type(error)(f"--at: {str(error).removeprefix('at: ')}", error.hint) from None
 
 
 def animate(

@@ -116,6 +116,20 @@ _PAPER = named_option("paper", "paper", paper_names(), "a PDF in true scale, to 
 _POSITIONS = click.Option(
     ["--turn"], is_flag=True, help="a full turn: the ways of all points, in twelve positions"
 )
+_AT = click.Option(
+    ["--at"],
+    callback=values.places(),
+    metavar="PLACE,PLACE",
+    help="two to six poses side by side, at these places of the driver  [one pose]",
+)
+_BLANK = click.Option(
+    ["--blank"],
+    callback=values.several("panel", DIAGRAMS),
+    shell_complete=completion.several(DIAGRAMS),
+    multiple=True,
+    metavar="NAME,NAME",
+    help="a problem sheet: these panels are left to be drawn  [none]",
+)
 _FILM = [
     click.Option(["--fps"], type=float, help="frames per second  [30]"),
     click.Option(["--speed"], type=float, help="2 is twice as fast  [1]"),
@@ -153,7 +167,7 @@ for verb in (
         "draw",
         "Draw the polygons of one pose.",
         actions.draw,
-        [_output(FORMATS[Sheet]), *_SHEET, _SIZE, _PAPER, _POSITIONS],
+        [_output(FORMATS[Sheet]), *_SHEET, _SIZE, _PAPER, _BLANK, _AT, _POSITIONS],
     ),
     MechanismGroup(
         "animate",

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 _REFERENCE = "50 digits"
 _DIGITS = 8  # of every result
+_NONE = "–"  # where a method has no answer
 # What a scalar's two derivatives are called: for the table, for JSON, and as a quantity.
 _SIGNS = {"angle": ("ω", "α"), "length": ("v", "a")}
 _NAMES = {"angle": ("omega", "alpha"), "length": ("velocity", "acceleration")}
@@ -40,31 +41,29 @@ def compare(mechanism: Mechanism, inputs: dict[str, Any], as_json: bool = False)
 
 
 def _table(mechanism: Mechanism, inputs: dict[str, Any], comparison: Comparison) -> str:
-    columns = [(scalar, order) for order in (1, 2) for scalar in comparison.truth]
-    signs = [f"{_SIGNS[scalar.kind][order - 1]} {scalar.name}" for scalar, order in columns]
-    names = [_NAMES[scalar.kind][order - 1] for scalar, order in columns]
-    units = [scene_unit(name, mechanism.length_unit) for name in names]
-    lines = [["method", *signs, "error", "time"], ["", *units, "", "µs"]]
+    rows = comparison.rows
+    columns = [["method", "", *(row.method for row in rows), _REFERENCE]]
+    for order in (1, 2):
+        for scalar, exact in comparison.truth.items():
+            unit = scene_unit(_NAMES[scalar.kind][order - 1], mechanism.length_unit)
+            found = [None if row.found is None else row.found[scalar][order] for row in rows]
+            numbers = [_number(value) for value in (*found, exact[order])]
+            sign = f"{_SIGNS[scalar.kind][order - 1]} {scalar.name}"
+            columns.append([sign, unit, *_at_points(numbers)])
+    errors = [_NONE if row.found is None else _power(row.error) for row in rows]
+    times = [_NONE if row.found is None else f"{row.seconds * 1e6:.0f}" for row in rows]
+    columns += [["error", "", *errors, ""], ["time", "µs", *times, ""]]
     notes = ["error: the largest of all, positions too; relative, an angle's in radians"]
-    for row in comparison.rows:
-        numbers, ends = ["–"] * len(columns), ["–", "–"]
-        if row.found is None:
-            notes.append(f"{row.method}: {row.problem}")
-        else:
-            numbers = [
-                typed(float(row.found[scalar][order]), digits=_DIGITS) for scalar, order in columns
-            ]
-            ends = [_power(row.error), f"{row.seconds * 1e6:.0f}"]
-        lines.append([row.method, *numbers, *ends])
-    exact = [
-        typed(float(comparison.truth[scalar][order]), digits=_DIGITS) for scalar, order in columns
-    ]
-    lines.append([_REFERENCE, *exact])
+    notes += [f"{row.method}: {row.problem}" for row in rows if row.found is None]
     given = ", ".join(
         f"{name} {typed(value, digits=12)} {scene_unit(name, mechanism.length_unit)}"
         for name, value in {**mechanism.inputs, **inputs}.items()
     )
-    return "\n\n".join([f"{mechanism.title}  ({given})", _aligned(lines), "\n".join(notes)])
+    return "\n\n".join([f"{mechanism.title}  ({given})", _aligned(columns), "\n".join(notes)])
+
+
+def _number(value: Any) -> str:
+    return _NONE if value is None else typed(float(value), digits=_DIGITS)
 
 
 def _power(error: float) -> str:
@@ -78,18 +77,24 @@ def _power(error: float) -> str:
     return f"{error:.0e}" if error else "0"
 
 
-def _aligned(lines: list[list[str]]) -> str:
-    widths: dict[int, int] = {}
-    for line in lines:
-        for place, cell in enumerate(line):
-            widths[place] = max(widths.get(place, 0), len(cell))
-    return "\n".join(
-        "  ".join(
-            cell.rjust(widths[place]) if place else cell.ljust(widths[place])
-            for place, cell in enumerate(line)
-        ).rstrip()
-        for line in lines
-    )
+def _at_points(numbers: list[str]) -> list[str]:
+    """Return numbers with spaces behind them, so that their points stand in one column.
+
+    Examples
+    --------
+    >>> _at_points(["-6735.75", "2", "1e-09"])
+    ['-6735.75 ', '2    ', '1e-09']
+    """
+    tails = [len(number.lstrip("-0123456789")) for number in numbers]
+    return [number + " " * (max(tails) - tail) for number, tail in zip(numbers, tails, strict=True)]
+
+
+def _aligned(columns: list[list[str]]) -> str:
+    """Return columns as text, the first one flush left and the others flush right."""
+    first, *others = ([(cell, max(map(len, each))) for cell in each] for each in columns)
+    justified = [[cell.ljust(width) for cell, width in first]]
+    justified += [[cell.rjust(width) for cell, width in each] for each in others]
+    return "\n".join("  ".join(line).rstrip() for line in zip(*justified, strict=True))
 
 
 def _data(mechanism: Mechanism, inputs: dict[str, Any], comparison: Comparison) -> dict[str, Any]:

@@ -13,6 +13,7 @@ import click
 
 from vad import errors, units
 from vad.errors import UsageError, shown
+from vad.mechanisms import MECHANISMS
 
 Callback = Callable[[click.Context, click.Parameter, Any], Any]
 
@@ -27,6 +28,18 @@ def quantity(name: str, length_unit: str) -> Callback:
         return units.read(word, name, ctx.params.get("length_unit") or length_unit)
 
     return _callback(value_of)
+
+
+def places() -> Callback:
+    """Read places of the driver with commas between them, for the mechanism that is called."""
+
+    def places_of(words: str, ctx: click.Context) -> list[float]:
+        mechanism = MECHANISMS[str(ctx.info_name)]()
+        unit = ctx.params.get("length_unit") or mechanism.length_unit
+        driven = next(iter(mechanism.inputs))
+        return [units.read(word.strip(), driven, unit) for word in words.split(",")]
+
+    return _callback(places_of)
 
 
 def length_unit() -> Callback:

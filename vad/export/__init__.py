@@ -1,6 +1,6 @@
 """Where a sheet, a lesson or a step goes: one module per format, chosen by the path's extension.
 
-In comes a `Sheet`, a `Lesson` or a `Still` and a path, out goes a file (or a folder of frames) that
+In comes a `Sheet`, a `Lesson`, a `Still` … and a path, out goes a file (or a folder of frames) that
 appears whole or not at all.  A format is a module with one function and one line in `FORMATS`::
 
     def write(thing, target, **options) -> None
@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from importlib import import_module
 from inspect import signature
@@ -26,6 +26,7 @@ from vad.export import files
 from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
 from vad.lecture.turn import Turn
+from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 
 if TYPE_CHECKING:
@@ -63,6 +64,11 @@ FORMATS: dict[type, dict[str, str]] = {
         ".svg": "vad.export.svg",
         ".pdf": "vad.export.pdf",
     },
+    Multiples: {
+        ".png": "vad.export.png",
+        ".svg": "vad.export.svg",
+        ".pdf": "vad.export.pdf",
+    },
 }
 
 _NAMES: dict[type, str] = {
@@ -70,6 +76,7 @@ _NAMES: dict[type, str] = {
     Lesson: "a film",
     Turn: "a turn",
     Still: "one step of a film",
+    Multiples: "several poses",
 }
 
 
@@ -81,11 +88,12 @@ class Options(TypedDict, total=False):
     size: tuple[int, int] | None
     style: str | None
     paper: str | None
+    blank: Sequence[str] | str | None
     text: Literal["glyphs", "letters"]
 
 
 def save(
-    thing: Sheet | Lesson | Turn | Still,
+    thing: Sheet | Lesson | Turn | Still | Multiples,
     path: str | os.PathLike[str],
     *,
     beside: Iterable[str] = (),
@@ -99,7 +107,7 @@ def save(
         A `Sheet` (.png, .svg, .pdf, .json), a `Lesson` (.mp4, .gif, .pdf with a page a step,
         .srt, .vtt, or a folder of PNG frames: a path that ends in ``/``, has no extension, or is
         an existing folder), a `Turn` (.mp4, .gif or a folder; .png, .svg and .pdf with twelve
-        numbered positions), or a `Still` of a lesson (.png, .svg, .pdf).
+        numbered positions), or a `Still` of a lesson or `Multiples` (.png, .svg, .pdf).
     path
         Where to.  What stands there is replaced when the new file is complete, and not before.
     beside
@@ -107,7 +115,9 @@ def save(
         appears unless all are complete.
     **options
         Those of `Options` that the format has.  Every format of a lesson takes ``progress``, which
-        is called with the number of frames that are done and their total.
+        is called with the number of frames that are done and their total.  Every picture of a sheet
+        takes ``blank``, the names of panels that are left to be drawn: saved with them it is the
+        problem, without them the key, at the same places and scales.
 
     Raises
     ------

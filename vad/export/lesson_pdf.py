@@ -1,4 +1,4 @@
-"""A lesson as PDF: in comes a lesson, out goes one page a step, as the film shows it at its end."""
+"""A lesson as PDF: in comes a lesson, out goes one page a step, as its still."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import BinaryIO
 
 from vad.export.source import Progress
 from vad.lecture.lesson import Lesson
-from vad.lecture.moment import Moment, done
+from vad.lecture.still import still
 from vad.painting.painter import play
 from vad.painting.pdf_painter import PdfPainter
 from vad.painting.posed import board_of
@@ -20,10 +20,10 @@ def write(lesson: Lesson, target: BinaryIO, *, progress: Progress | None = None)
     painter = PdfPainter(title(lesson.sheet), lesson.sheet.language)
     frames = lesson.opening
     for number, step in enumerate(lesson.steps, 1):
-        play(board, Moment(done(number)), style, painter)
-        frames += step.grow + step.hold
+        play(board, still(lesson, number).moment, style, painter)
+        frames += step.frames
         if progress is not None:
             progress(frames, lesson.frames)
-    painter.write(target)
+    painter.write(target, [step.stroke.caption for step in lesson.steps])
     if progress is not None:
         progress(lesson.frames, lesson.frames)

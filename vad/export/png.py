@@ -5,26 +5,29 @@ In comes a sheet, a step of a lesson, or a turn with numbered positions.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import BinaryIO
 
 from vad.lecture.still import Still
 from vad.lecture.turn import Turn
 from vad.painting.agg_painter import AggPainter
 from vad.painting.posed import posed
+from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 
 
 def write(
-    thing: Sheet | Still | Turn,
+    thing: Sheet | Still | Turn | Multiples,
     target: BinaryIO,
     size: tuple[int, int] | None = None,
     style: str | None = None,
+    blank: Sequence[str] | str | None = None,
 ) -> None:
-    """Write the picture, ``size`` in pixels."""
+    """Write the picture, ``size`` in pixels; panels named in ``blank`` are left to be drawn."""
     from PIL import Image
     from PIL.PngImagePlugin import PngInfo
 
-    shown = posed(thing, size, style)
+    shown = posed(thing, size, style, blank=blank)
     painter = AggPainter(shown.board.form)
     shown.play(painter)
     words = PngInfo()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 
@@ -14,12 +15,17 @@ Film = Lesson | Turn
 Progress = Callable[[int, int], None]
 
 
-def painted(lesson: Film, progress: Progress | None = None) -> Iterator[Frame]:
-    """Yield the frames of a film; tell ``progress`` whenever one has been consumed."""
+def painted(
+    lesson: Film, progress: Progress | None = None, most: float = math.inf
+) -> Iterator[Frame]:
+    """Yield the frames of a film; tell ``progress`` whenever one has been consumed.
+
+    What moves in a lesson has ``most`` pictures a second.
+    """
     from vad.painting.filming import filmed
 
     done = 0
-    for frame in filmed(lesson):
+    for frame in filmed(lesson, most):
         yield frame
         done += frame.repeats
         if progress is not None:

@@ -5,28 +5,32 @@ In comes a sheet, a step of a lesson, or a turn with numbered positions.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import BinaryIO
 
 from vad.lecture.still import Still
 from vad.lecture.turn import Turn
 from vad.painting.posed import posed
 from vad.painting.svg_painter import SvgPainter, Text
+from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 
 
 def write(
-    thing: Sheet | Still | Turn,
+    thing: Sheet | Still | Turn | Multiples,
     target: BinaryIO,
     size: tuple[int, int] | None = None,
     style: str | None = None,
     text: Text = "glyphs",
+    blank: Sequence[str] | str | None = None,
 ) -> None:
     """Write the picture; ``size`` is that of the same picture in pixels.
 
     ``text`` is ``"glyphs"`` for shapes that look alike in every program, or ``"letters"`` for text
-    in an embedded font, which a browser selects and searches.
+    in an embedded font, which a browser selects and searches.  Panels named in ``blank`` are left
+    to be drawn.
     """
-    shown = posed(thing, size, style)
-    painter = SvgPainter(shown.sheet, text)
+    shown = posed(thing, size, style, blank=blank)
+    painter = SvgPainter(shown.sheet, text, shown.description)
     shown.play(painter)
     target.write(b'<?xml version="1.0" encoding="UTF-8"?>\n' + painter.svg.encode())

@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator
 
 from vad.kinematics.linkage import Bar, Linkage, Slide, Step
-from vad.kinematics.numbers import Number, difference, direction, dot, fold, times
+from vad.kinematics.numbers import Number, across, difference, direction, dot, fold, times
 from vad.kinematics.state import Component, Pose, Rates
 
 
@@ -96,7 +96,7 @@ class ReferenceFrame:
 
     def unknown_direction(self, step: Step, pose: Pose) -> Number:
         """Return the direction of what the driver does not dictate: across a bar, along a slide."""
-        return 1j * pose.unit[step.link] if isinstance(step, Bar) else self.line(step, pose)
+        return across(pose.unit[step.link]) if isinstance(step, Bar) else self.line(step, pose)
 
     def components(self, step: Step, pose: Pose, rates: tuple[Rates, ...]) -> Iterator[Component]:
         """Yield the parts of a step's velocity (one order in ``rates``) or acceleration (two).
@@ -111,12 +111,12 @@ class ReferenceFrame:
                 omega = rates[0].turning[step.link]
                 yield Component("normal", -unit, omega * omega * size)
             rate = last.turning.get(step.link)
-            yield Component("tangential", 1j * unit, None if rate is None else rate * size)
+            yield Component("tangential", across(unit), None if rate is None else rate * size)
             return
         line = self.line(step, pose)
         if len(rates) > 1 and isinstance(step.along, str):
             twist = 2.0 * rates[0].turning[step.along] * rates[0].sliding[step.name]
-            yield Component("coriolis", 1j * line, twist)
+            yield Component("coriolis", across(line), twist)
         yield Component("sliding", line, last.sliding.get(step.name))
 
 

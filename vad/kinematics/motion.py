@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Generic, Unpack, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.errors import InputError, one_of, shown, unknown
+from vad.errors import InputError, shown, unknown
 from vad.kinematics.numbers import Real, Truth, Vector
 from vad.kinematics.results.inputs import ManyPoses, OnePose, checked
 from vad.kinematics.results.report import plain, table, units
@@ -57,13 +57,14 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
             hint="for example vad.FourBar()",
         )
     for name in inputs:
-        one_of("input", name, mechanism.inputs)
+        if name not in mechanism.inputs:
+            raise unknown("input", name, mechanism.inputs)
     solver = solver_of(mechanism)
     turns = solver.linkage.driver.kind == "angle"
     # Beyond this, squares of rates times lengths would leave the range of double precision.
     largest = 1e60 * (1.0 if turns else solver.frame.scale)
     # What is left out is the mechanism's own default, which is never refused.
-    given = mechanism.inputs | {
+    given = dict(mechanism.inputs) | {
         name: checked(name, value, math.inf if name == "angle" else largest)
         for name, value in inputs.items()
     }
@@ -91,7 +92,10 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
 
     def point(self, letter: str) -> Point[Vector]:
         """Return the motion of a point."""
-        return Point(self, one_of("point", letter, self.points))
+        known = isinstance(letter, str) and letter in self.solver.routes.letters
+        if not known or letter not in self.mechanism.points:
+            raise unknown("point", letter, self.points)
+        return Point(self, letter)
 
     def slide(self, name: str) -> Slider[Real]:
         """Return the motion of a slide."""

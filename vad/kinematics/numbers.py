@@ -1,8 +1,8 @@
-"""Arithmetic that reads alike for one pose and for many: floats and arrays in, the same out.
+"""Arithmetic that reads alike for a pose and for a recording: floats in, floats out.
 
-A plane vector is a complex number, an angle is in degrees.  Every function takes Python numbers
-or numpy arrays and performs the same IEEE operations on both, bit for bit.  Products of two vectors
-are therefore written out: numpy's own are fused on some processors, and its quotients differ.
+A plane vector is a complex number, an angle is in degrees.  In a recording every real number is a
+`Recorded`, and a plane vector a `RecordedVector`.  Both see the same IEEE operations, bit for bit:
+products of two vectors are therefore written out, and no branch depends on a number.
 """
 
 from __future__ import annotations
@@ -13,7 +13,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-# A real or complex number, or an array of them.
+from vad.kinematics.operations import OPERATIONS
+from vad.kinematics.recording import Recorded, RecordedVector
+
+# A real or complex number, or a recorded one.
 Number = Any
 
 # What the results of a motion are: numbers of one pose unless said otherwise, or arrays of many.
@@ -32,8 +35,8 @@ EPSILON = 2.0**-52
 NAN_VECTOR = complex(math.nan, math.nan)
 
 _RADIAN = math.pi / 180.0
-# The square of a smaller sine would leave the range, and with it ω at a change point.
-_LEAST = 1e-100
+_DEGREE = 180.0 / math.pi
+_SIXTIETH = 1.0 / 60.0  # of 30, exactly one half
 # Coefficients of x²¹ … x³ in the series of the sine: on ±π/2 what is left out is below 2e-18.
 _SERIES = tuple((-1) ** k / math.factorial(2 * k + 1) for k in range(10, 0, -1))
 
@@ -51,16 +54,51 @@ def fold(degrees: Number) -> Number:
     >>> fold(360e9 + 30.0)
     30.0
     """
-    if not is_array(degrees):
-        return math.remainder(degrees, 360.0)
-    # Beyond 1e15, 360·k is no longer exact; fmod is, and 720 keeps which of ±180 is meant.
-    if degrees.size and not np.abs(degrees).max() <= 1e15:
-        degrees = np.where(np.abs(degrees) > 1e15, np.fmod(degrees, 720.0), degrees)
-    folded = degrees - 360.0 * np.rint(degrees / 360.0)
-    beyond = np.abs(folded) > 180.0  # the quotient was rounded onto one half
-    if beyond.any():
-        folded = np.where(beyond, folded - np.copysign(360.0, folded), folded)
-    return folded
+    return _done("fold", degrees)
+
+
+def select(condition: Number, rare: Number, usual: Number) -> Number:
+    """Return ``rare`` where the condition holds, and ``usual`` elsewhere."""
+    if isinstance(condition, bool):
+        return rare if condition else usual
+    return _done("select", condition, rare, usual)
+
+
+def select_vector(condition: Number, rare: Number, usual: Number) -> Number:
+    """Return the vector ``rare`` where the condition holds, and ``usual`` elsewhere."""
+    return vector(
+        select(condition, rare.real, usual.real), select(condition, rare.imag, usual.imag)
+    )
+
+
+def nonzero(value: Number) -> Number:
+    """Return a divisor: NaN where it is zero, so that no quotient is infinite."""
+    return select(value == 0.0, math.nan, value)
+
+
+def sqrt(value: Number) -> Number:
+    """Return the square root of a value that is not negative."""
+    return _done("sqrt", value)
+
+
+def minimum(a: Number, b: Number) -> Number:
+    """Return the smaller of two numbers."""
+    return _done("minimum", a, b)
+
+
+def not_below(least: float, value: Number) -> Number:
+    """Return ``value``, but ``least`` where it is smaller or NaN."""
+    return _done("maximum", value, least)
+
+
+def copysign(size: Number, sign: Number) -> Number:
+    """Return ``size`` with the sign of another number."""
+    return _done("copysign", size, sign)
+
+
+def wrap(degrees: Number) -> Number:
+    """Return the same angle within ±180°, of one within ±540°."""
+    return degrees - (degrees > 180.0) * 360.0 + (degrees < -180.0) * 360.0
 
 
 def difference(a: Number, b: Number) -> Number:
@@ -74,7 +112,7 @@ def difference(a: Number, b: Number) -> Number:
     whole = a - b
     part = whole - a
     lost = (a - (whole - part)) - (b + part)
-    return fold(fold(whole) + lost)
+    return wrap(wrap(whole) + lost)
 
 
 def sine(degrees: Number) -> Number:
@@ -87,21 +125,14 @@ def sine(degrees: Number) -> Number:
     square = x * x
     value = square * _SERIES[0]
     for coefficient in _SERIES[1:]:
-        value += coefficient
-        value *= square
-    value *= x
-    value += x
-    if is_array(degrees):
-        thirty = np.abs(degrees) == 30.0
-        if thirty.any():
-            value[thirty] = np.copysign(0.5, degrees[thirty])
-    elif abs(degrees) == 30.0:
-        value = math.copysign(0.5, degrees)
-    return value
+        value = (value + coefficient) * square
+    return select(abs(degrees) == 30.0, degrees * _SIXTIETH, value * x + x)
 
 
-def direction(degrees: Number) -> Number:
+def direction(degrees: Number, least: float = 0.0) -> Number:
     """Return the unit vector at an angle within ±180°: exact where its parts are.
+
+    Its sine is zero or not below ``least``.
 
     Examples
     --------
@@ -109,33 +140,23 @@ def direction(degrees: Number) -> Number:
     (-0.5, -1j)
     """
     size = abs(degrees)
-    if is_array(degrees):
-        slope = np.minimum(size, 180.0 - size)
-        return vector(sine(90.0 - size), sine(np.copysign(slope, degrees)))
-    slope = min(size, 180.0 - size)
-    return complex(sine(90.0 - size), sine(math.copysign(slope, degrees)))
-
-
-def off_axis(unit: Number) -> Number:
-    """Return a unit vector that lies on the x axis, or so far off that its sine can be squared."""
-    size = abs(unit.imag)
-    if not is_array(unit):
-        least = math.copysign(_LEAST, unit.imag)
-        return complex(unit.real, least) if 0.0 < size < _LEAST else unit
-    if unit.size and not size.min() >= _LEAST:
-        near = (size > 0.0) & (size < _LEAST)
-        return vector(unit.real, np.where(near, np.copysign(_LEAST, unit.imag), unit.imag))
-    return unit
+    slope = minimum(size, 180.0 - size)
+    height = sine(slope)
+    if least:
+        height = select((height > 0.0) & (height < least), least, height)
+    return vector(sine(90.0 - size), copysign(height, degrees))
 
 
 def vector(x: Number, y: Number) -> Number:
     """Return the plane vector with the parts ``x`` and ``y``."""
-    if not (is_array(x) or is_array(y)):
-        return complex(x, y)
-    result = np.empty(np.broadcast(x, y).shape, complex)
-    result.real = x
-    result.imag = y
-    return result
+    if isinstance(x, Recorded) or isinstance(y, Recorded):
+        return RecordedVector(x, y)
+    return complex(x, y)
+
+
+def across(unit: Number) -> Number:
+    """Return a vector turned by a right angle, counter-clockwise."""
+    return vector(-unit.imag, unit.real)
 
 
 def cross(a: Number, b: Number) -> Number:
@@ -158,14 +179,9 @@ def over(a: Number, length: Number) -> Number:
     return vector(a.real / length, a.imag / length)
 
 
-def sqrt(value: Number) -> Number:
-    """Return the square root of a value that is not negative."""
-    return np.sqrt(value) if is_array(value) else math.sqrt(value)
-
-
-def sign(value: Number) -> Number:
-    """Return +1 or -1; zero has the sign of its bit."""
-    return np.copysign(1.0, value) if is_array(value) else math.copysign(1.0, value)
+def settled(value: Number, least: Number) -> Number:
+    """Return a value, or zero where it is less than ``least`` on either side."""
+    return select(abs(value) < least, 0.0, value)
 
 
 def nearest(x: Number, other: Number) -> tuple[Number, Number]:
@@ -174,23 +190,16 @@ def nearest(x: Number, other: Number) -> tuple[Number, Number]:
     ``other`` is the cosine or sine.  Near ±1 ``short`` keeps its relative accuracy, near 0 it is x
     itself: where that is 0 or ±½ exactly, nothing is rounded.
     """
-    if not is_array(x):
-        centre = round(x)
-        return centre, centre * (other * other / (1.0 + abs(x))) if centre else -x
-    centres = np.rint(x)
-    short = centres * (other * other / (1.0 + np.abs(x)))
-    np.copyto(short, -x, where=centres == 0.0)
-    return centres, short
+    centre = _done("round", x)
+    # One of the two terms is zero: as arithmetic this costs less than a choice at random angles.
+    return centre, centre * (other * other / (1.0 + abs(x))) - (1.0 - abs(centre)) * x
 
 
-def choose(centre: Number, constants: Mapping[int, tuple[float, ...]]) -> tuple[Number, ...]:
-    """Return the constants that belong to ``centre``: those of -1, 0 or 1."""
-    if not is_array(centre):
-        return constants[centre]
-    with np.errstate(invalid="ignore"):
-        place = (centre + 1.0).astype(np.intp)
-    columns = zip(constants[-1], constants[0], constants[1], strict=True)
-    return tuple(np.array(column).take(place, mode="clip") for column in columns)
+def choose(centre: Number, constants: Mapping[int, float]) -> Number:
+    """Return the constant that belongs to -1, 0 or 1."""
+    return _done(
+        "choose", _done("place", centre + 1.0), (constants[-1], constants[0], constants[1])
+    )
 
 
 def degrees_of(value: Number, base: float = 0.0) -> Number:
@@ -201,18 +210,21 @@ def degrees_of(value: Number, base: float = 0.0) -> Number:
     >>> degrees_of(-1j), degrees_of(complex(1, -1e-300)), degrees_of(1j, 45.0)
     (270.0, 0.0, 135.0)
     """
-    # numpy's for one pose too: its last bit is not always that of the C library.
-    radians = np.arctan2(value.imag, value.real)
-    degrees = np.degrees(radians) if is_array(value) else math.degrees(float(radians))
+    if abs(base) > 90.0:  # half a turn less of both: a small angle from no large ones
+        value, base = -value, base - math.copysign(180.0, base)
+    degrees = _done("arctan2", value.imag, value.real) * _DEGREE
     return positive(difference(degrees, -base) if base else degrees)
 
 
 def positive(degrees: Number) -> Number:
-    """Return an angle within ±360° as the same angle within [0, 360); an array changes in place."""
-    if is_array(degrees):
-        degrees[degrees < 0.0] += 360.0
-        degrees[degrees >= 360.0] = 0.0
-        return degrees
-    if degrees < 0.0:
-        degrees += 360.0
-    return degrees if degrees < 360.0 else 0.0
+    """Return an angle within ±360° as the same angle within [0, 360)."""
+    raised = degrees + (degrees < 0.0) * 360.0
+    return select(raised == 360.0, 0.0, raised)
+
+
+def _done(operation: str, *operands: Number) -> Number:
+    """Do an operation on floats; if any operand is recorded, record it."""
+    for operand in operands:
+        if isinstance(operand, Recorded):
+            return operand.tape.note(operation, *operands)
+    return OPERATIONS[operation].on_floats(*operands)

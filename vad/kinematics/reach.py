@@ -1,17 +1,22 @@
-"""Where a mechanism can be assembled: the range of its driver.
+"""Where a mechanism can be assembled: the range of its driver, and how far its slides get.
 
-The limits have closed forms where the driver alone moves a loop; the solver is asked between them,
-and on a grid for what later loops allow.
+The limits have closed forms where the driver alone moves a loop.  What other loops allow is asked
+of the solver on a grid; between its points it is searched for where it comes nearest to a limit,
+so that no range is too narrow to be found.
 """
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
+from functools import lru_cache
 from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from vad.kinematics.closing.closures import OpenLoopError
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Slide
 from vad.kinematics.numbers import cross, fold, positive
@@ -19,6 +24,14 @@ from vad.kinematics.solver import Solver, solver_of
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
+
+
+# Farther than this from a limit nothing is hidden between two points of the grid: as the sine at
+# which construction lines cross, or as a length by which the links miss, of the largest one.
+_NEAR = 0.2
+_STRIDE = 5  # the search takes one point of the grid in so many
+_GOLDEN = 0.5 * (5**0.5 - 1.0)
+_SECTIONS = 80
 
 
 def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float, float]]:
@@ -43,6 +56,7 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
     limits = _limits(solver, turns)
     between = 0.5 * (limits[1:] + limits[:-1])
     grid = np.unique(np.concatenate([grid, limits, between]))
+    grid = np.union1d(grid, _hidden(solver, grid[::_STRIDE]))
     closes = _closes(solver, grid)
     if closes.all():
         return [(float(grid[0]), float(grid[-1]))]
@@ -57,6 +71,30 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
     if turns and closes[0]:  # the last interval runs on through 0°
         ends = [ends[-2] - 360.0, *ends[1:-2]]
     return list(zip(ends[::2], ends[1::2], strict=True))
+
+
+@lru_cache(maxsize=64)
+def travels(mechanism: Mechanism, samples: int = 721) -> Mapping[str, tuple[float, float]]:
+    """Return the least and the greatest position of every slide over all poses that close.
+
+    They are found on a grid of the driver's range, as finely as they are drawn; NaN where the
+    links close nowhere on it.
+
+    Examples
+    --------
+    >>> from vad.mechanisms.scotch_yoke import ScotchYoke
+    >>> travels(ScotchYoke(crank=50))["block"]
+    (-50.0, 50.0)
+    """
+    solver = solver_of(mechanism)
+    ranges = [np.linspace(low, high, samples) for low, high in closing_range(mechanism)]
+    places = np.concatenate([*ranges, [math.nan]])
+    known = [places, *solver.recorded.order(0).many([places], places.size)]
+    found = {}
+    for name in solver.slides:
+        (slid,) = solver.recorded.result(("slide", name, "position")).many(known, places.size)
+        found[name] = float(np.fmin.reduce(slid)), float(np.fmax.reduce(slid))
+    return found
 
 
 def _limits(solver: Solver, turns: bool) -> NDArray[np.float64]:
@@ -85,10 +123,57 @@ def _steepness(frame: ReferenceFrame) -> float:
 
 
 def _closes(solver: Solver, values: NDArray[np.float64]) -> NDArray[np.bool_]:
+    return solver.closes(values)
+
+
+def _hidden(solver: Solver, grid: NDArray[np.float64]) -> list[float]:
+    """Return places on the other side of a limit than both of their neighbours in the grid.
+
+    They are looked for about each place that is nearer to a limit than its neighbours are.
+    """
+    loops = [k for k, loop in enumerate(solver.loops) if loop.two_ways and not loop.limits()]
+    if not loops:
+        return []
     with np.errstate(all="ignore"):
-        pose = solver.positions(values)
-    closes: NDArray[np.bool_] = ~np.isnan(sum(pose.sine))
-    return closes
+        pose = solver.positions(grid)
+        crossing = np.abs([pose.sine[k] + 0.0 * sum(pose.sine) for k in loops]).min(axis=0)
+    closes = ~np.isnan(crossing)
+    near = [
+        s if c else _nearness(solver, x, loops)[1]
+        for x, s, c in zip(grid, crossing, closes, strict=True)
+    ]
+    found = []
+    for i in range(1, len(grid) - 1):
+        alike = closes[i - 1] == closes[i] == closes[i + 1]
+        if alike and near[i - 1] > near[i] <= near[i + 1] and near[i] < _NEAR:
+            found += _beyond(solver, grid[i - 1], grid[i + 1], bool(closes[i]), loops)
+    return found
+
+
+def _nearness(solver: Solver, value: float, loops: list[int]) -> tuple[bool, float]:
+    """Tell whether a place closes, and how near it is to where it just does."""
+    try:
+        pose = solver.positions(float(value))
+    except OpenLoopError as gap:
+        return False, gap.miss
+    return True, min(abs(pose.sine[k]) for k in loops)
+
+
+def _beyond(solver: Solver, low: float, high: float, closed: bool, loops: list[int]) -> list[float]:
+    """Return a place that closes where the ends do not, or the reverse, if there is one.
+
+    It is where a place is nearest to its limit, found by golden section.
+    """
+    for _ in range(_SECTIONS):
+        step = _GOLDEN * (high - low)
+        inner, near = (high - step, low + step), []
+        for place in inner:
+            closes, distance = _nearness(solver, place, loops)
+            if closes != closed:
+                return [place]
+            near.append(distance)
+        low, high = (low, inner[1]) if near[0] < near[1] else (inner[0], high)
+    return []
 
 
 def _edge(

@@ -17,17 +17,19 @@ Costs = tuple[dict[str, float], Callable[[Step], float]]
 
 
 class Routes:
-    """The shortest way from a fixed point to each letter, and the motion summed along it."""
+    """The shortest way from a fixed point to each letter, and the motion summed along it.
+
+    Attributes
+    ----------
+    letters
+        Every letter that can be reached.
+    """
 
     def __init__(self, frame: ReferenceFrame) -> None:
         self._frame = frame
         self._places = _shortest(frame, *_place_costs(frame))
         self._motions = _shortest(frame, *_motion_costs(frame))
-
-    @property
-    def letters(self) -> frozenset[str]:
-        """Every letter that can be reached."""
-        return frozenset(self._places)
+        self.letters = frozenset(self._places)
 
     def guide(self, letter: str) -> Slide | None:
         """Return the line of the frame on which a point slides, if nothing else leads to it."""

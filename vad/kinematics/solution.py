@@ -1,39 +1,40 @@
-"""The solution of a motion, order by order, for one pose or for many."""
+"""The solution of a motion, for one pose or for many: each result found when it is asked for."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Generic
 
 import numpy as np
 from numpy.typing import NDArray
 
 from vad.errors import AssemblyError, DeadCentreError, InputError
-from vad.kinematics import chunks
 from vad.kinematics.closing.closures import OpenLoopError
+from vad.kinematics.evaluation import Evaluation
 from vad.kinematics.frame import ReferenceFrame
-from vad.kinematics.linkage import Linkage, Scalar
-from vad.kinematics.numbers import NAN_VECTOR, Number, Truth, direction, fold, is_array, times
+from vad.kinematics.linkage import Linkage
+from vad.kinematics.numbers import NAN_VECTOR, Number, Truth, is_array
 from vad.kinematics.reach import closing_range
+from vad.kinematics.results.formulas import Result, evaluate, order_of
 from vad.kinematics.solver import Solver, solver_of
 from vad.kinematics.state import Pose, Rates
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
 
-Formula = Callable[[Pose, tuple[Rates, ...]], Number]
+# Where in them stands whether the links close: after the first input.
+_CLOSES = 1
 
 
 class Solution(Generic[Truth]):
-    """Pose, velocities and accelerations in the solver's unit and frame, found when asked for.
+    """The motion of a mechanism: one pose, or an array of them.
 
     Attributes
     ----------
     mechanism
         The mechanism.
-    inputs
-        The motion of its driver, by name.
     shape
         The broadcast shape of the inputs; () for one pose.
     many
@@ -43,16 +44,18 @@ class Solution(Generic[Truth]):
     def __init__(self, mechanism: Mechanism, solver: Solver, inputs: dict[str, Number]) -> None:
         self.mechanism = mechanism
         self.solver = solver
-        self.inputs = inputs
-        self.many = any(is_array(value) for value in inputs.values())
+        self._inputs = inputs
+        values = tuple(inputs.values())
+        self.many = any(map(is_array, values))
         self.shape = _broadcast(inputs) if self.many else ()
-        first = next(iter(inputs.values()))
-        self._driver: Number = np.asarray(first) if self.many else first
-        # Plain attributes: functools.cached_property takes a lock, a tenth of a pose's time.
-        self._pose: Pose | None = None
-        self._closed: NDArray[np.bool_] | None = None
-        self._whole_pose: Pose | None = None
-        self._found: tuple[Rates, ...] = ()
+        self._evaluation = Evaluation(solver, values)
+        # Inputs and numbers of the orders that were asked for, each with those below.
+        self._known: list[tuple[Any, ...]] = []
+
+    @property
+    def inputs(self) -> Mapping[str, Number]:
+        """The motion of the driver, by name; read-only."""
+        return MappingProxyType(self._inputs)
 
     @property
     def frame(self) -> ReferenceFrame:
@@ -60,153 +63,126 @@ class Solution(Generic[Truth]):
         return self.solver.frame
 
     @property
-    def assembly(self) -> str | None:
-        """Which of two assemblies this is; None where there is one."""
-        return self.mechanism.assembly if self.solver.two_assemblies else None
-
-    @property
     def linkage(self) -> Linkage:
         """The loops that are solved."""
         return self.solver.linkage
 
     @property
+    def assembly(self) -> str | None:
+        """Which of two assemblies this is; None where there is one."""
+        return self.mechanism.assembly if self.solver.two_assemblies else None
+
+    @property
     def pose(self) -> Pose:
-        """The position, in the solver's unit and frame; flat arrays of the driver's own shape."""
-        if self._pose is None:
-            self._pose = self._positions()
-        return self._pose
-
-    def _positions(self) -> Pose:
-        if not self.many:
-            try:
-                return self.solver.positions(self._driver)
-            except OpenLoopError as gap:
-                raise _not_assembled(self.mechanism, self._driver, gap.miss) from None
-        flat = self._driver.ravel()
-        found = chunks.gather(flat.size, lambda part: self.solver.positions(flat[part]).flat())
-        return Pose.of(found)
-
-    @property
-    def whole_pose(self) -> Pose:
-        """The pose repeated to the shape of all inputs."""
-        if not self.many or self._driver.shape == self.shape:
-            return self.pose
-        if self._whole_pose is None:
-            self._whole_pose = Pose.of(
-                chunks.expand(self.pose.flat(), self._driver.shape, self.shape)
-            )
-        return self._whole_pose
-
-    @property
-    def crank_direction(self) -> Number:
-        """The driven crank's unit vector in the user's axes, not turned there and back."""
-        if not self.many:
-            self.pose  # noqa: B018  # raises where the links do not close
-            return direction(fold(self._driver))
-        flat = np.broadcast_to(self._driver, self.shape).ravel()
-        return chunks.gather(flat.size, lambda part: {"": direction(fold(flat[part]))})[""]
+        """The position of one pose, in the solver's unit and frame."""
+        try:
+            return self._evaluation.pose
+        except OpenLoopError as gap:
+            place = self._evaluation.inputs[0]
+            raise _not_assembled(self.mechanism, place, gap.miss) from None
 
     @property
     def velocity(self) -> Rates:
-        """First derivatives, in the solver's unit; of one pose all of them, or none."""
+        """First derivatives of one pose, in the solver's unit: all of them, or none."""
         return self._complete(self.rates(1)[0])
 
     @property
     def acceleration(self) -> Rates:
-        """Second derivatives, in the solver's unit; of one pose all of them, or none."""
+        """Second derivatives of one pose, in the solver's unit: all of them, or none."""
         return self._complete(self.rates(2)[1])
 
     def _complete(self, rates: Rates) -> Rates:
-        if not self.many and any(rate != rate for rate in rates.flat().values()):
+        if any(rate != rate for rate in rates.all()):
             raise self.dead_centre()
         return rates
+
+    def rates(self, orders: int) -> tuple[Rates, ...]:
+        """Return the first derivatives of one pose; what has none at a dead centre is NaN."""
+        self.pose  # noqa: B018  # raises where the links do not close
+        return self._evaluation.rates(orders)
 
     def dead_centre(self) -> DeadCentreError:
         """Return the error of a single pose in which what was asked for is undetermined."""
         return DeadCentreError(self.solver.why_dead(self.pose))
-
-    def rates(self, orders: int) -> tuple[Rates, ...]:
-        """Return the rates of the first orders; what has none at a dead centre is NaN."""
-        while len(self._found) < orders:
-            self._found = *self._found, self._rates(self._found)
-        return self._found[:orders]
-
-    def _rates(self, lower: tuple[Rates, ...]) -> Rates:
-        value = list(self.inputs.values())[len(lower) + 1]
-        pose = self.whole_pose
-        if not self.many:
-            return self.solver.rates(pose, lower, value)
-        if is_array(value):
-            value = np.broadcast_to(value, self.shape).ravel()
-
-        def solve_part(part: slice) -> dict[Scalar, Number]:
-            below = tuple(rates.cut(part) for rates in lower)
-            own = value[part] if is_array(value) else value
-            return self.solver.rates(pose.cut(part), below, own).flat()
-
-        return Rates.of(chunks.gather(math.prod(self.shape), solve_part))
 
     @property
     def assembled(self) -> Truth:
         """Whether the links close: a bool, or an array of them; a dead centre counts as closed."""
         closed: Any
         if self.many:
-            closed = self._closes.reshape(self.shape).copy()
+            closed = self._find(0)[_CLOSES].reshape(self.shape).copy()
         else:
             try:
-                self._pose = self._pose or self.solver.positions(self._driver)
-                closed = True
+                closed = bool(self._evaluation.pose)
             except OpenLoopError:
                 closed = False
         return closed
 
-    @property
-    def _closes(self) -> NDArray[np.bool_]:
-        if self._closed is None:
-            driver = np.broadcast_to(self._driver, self.shape).ravel()
-            self._closed = ~np.isnan(driver + sum(self.whole_pose.sine))
-        return self._closed
-
-    def shaped(self, value: Number, *scales: Number) -> Number:
-        """Return a result in the user's shape, times ``scales``; never a view of the solution.
+    def read(self, result: Result) -> Number:
+        """Return a result in the user's units: a number, or a new array.
 
         Of a pose that does not close nothing is known, not even what the driver dictates.
+
+        Raises
+        ------
+        vad.errors.AssemblyError, vad.errors.DeadCentreError, vad.errors.InputError
+            For one pose that does not close, or has no such result, or one too large.
         """
-        if not self.many:
-            for scale in scales:
-                value = _scaled(value, scale)
-            if value != value:
-                raise self.dead_centre()
-            if value - value != 0:
-                raise InputError("the result leaves the range of double precision")
-            return value + 0.0  # no zero is negative
-        result = np.array(np.broadcast_to(value, math.prod(self.shape)))
+        return self._read_many(result) if self.many else self._read_one(result)
+
+    def _read_one(self, result: Result) -> Number:
+        player = self.solver.player(result)
+        if player:
+            order, function = player
+            known = self._find(order)
+            parts = function(*known)
+            value = parts[0] if len(parts) == 1 else complex(*parts)
+            if known[_CLOSES] and value - value == 0:
+                return value
+        self.pose  # noqa: B018  # raises where the links do not close
+        value = evaluate(result, self._evaluation)
+        if value != value:
+            raise self.dead_centre()
+        if value - value != 0:
+            raise InputError("the result leaves the range of double precision")
+        return value + 0.0  # no zero is negative
+
+    def _read_many(self, result: Result) -> NDArray[Any]:
+        program, known = self.solver.recorded.result(result), self._find(order_of(result))
+        found: NDArray[Any] = np.empty((math.prod(self.shape), len(program.outputs)))
+        program.play(known, list(found.T))
+        nothing: Number = math.nan
+        if len(program.outputs) == 2:
+            found, nothing = found.view(complex), NAN_VECTOR
+        found = found.reshape(self.shape)
+        closes = known[_CLOSES].reshape(self.shape)
         with np.errstate(all="ignore"):
-            for scale in scales:
-                if scale != 1.0:
-                    result = _scaled(result, scale)
-            result += 0.0  # no zero is negative
-        nothing = NAN_VECTOR if np.iscomplexobj(result) else math.nan
-        result[np.isinf(result)] = nothing  # beyond the range of double precision
-        if not self._closes.all():
-            result[~self._closes] = nothing
-        return result.reshape(self.shape)
+            whole = bool(closes.all()) and math.isfinite(abs(found.sum()))
+        if not whole:
+            found[~(np.isfinite(found) & closes)] = nothing
+        return found
 
-    def reckon(self, formula: Formula, orders: int) -> Number:
-        """Evaluate ``formula(pose, rates)`` in the solution of up to ``orders`` derivatives."""
-        pose = self.whole_pose
-        rates = self.rates(orders)
-        if not self.many:
-            return formula(pose, rates)
+    def _find(self, order: int) -> tuple[Any, ...]:
+        """Return the inputs and the numbers of an order and those below, of many as flat arrays."""
+        while len(self._known) <= order:
+            number = len(self._known)
+            below = self._known[-1] if number else ()
+            program, given = self.solver.recorded.order(number), self._evaluation.inputs[number]
+            new: tuple[Any, ...]
+            if not self.many:
+                new = program.one(*below, given)
+            elif not number:  # once for each place of the driver
+                place = np.asarray(given)
+                pose = program.many([place.ravel()], place.size)
+                new = tuple(self._spread(x.reshape(place.shape)) for x in pose)
+            else:
+                new = tuple(program.many([*below, self._spread(given)], math.prod(self.shape)))
+            self._known.append((*below, self._spread(given), *new))
+        return self._known[order]
 
-        def part_of(part: slice) -> dict[str, Number]:
-            return {"": formula(pose.cut(part), tuple(rate.cut(part) for rate in rates))}
-
-        return chunks.gather(math.prod(self.shape), part_of)[""]
-
-
-def _scaled(value: Number, scale: Number) -> Number:
-    return times(value, scale) if isinstance(scale, complex) else value * scale
+    def _spread(self, value: Number) -> Number:
+        """Return an array in the shape of all inputs, and flat."""
+        return np.broadcast_to(value, self.shape).ravel() if is_array(value) else value
 
 
 def _broadcast(inputs: dict[str, Number]) -> tuple[int, ...]:

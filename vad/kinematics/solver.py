@@ -2,19 +2,36 @@
 
 from __future__ import annotations
 
+import math
+from collections import Counter
+from collections.abc import Callable
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
+from vad.kinematics.closing.closures import OpenLoopError
 from vad.kinematics.closing.loop import LoopSolver
 from vad.kinematics.closing.loops import loop_solver
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Linkage
-from vad.kinematics.numbers import Number, difference, direction, fold, off_axis
+from vad.kinematics.numbers import Number, difference, direction, fold
+from vad.kinematics.recorded_solver import RecordedSolver
+from vad.kinematics.results.formulas import Result, order_of
 from vad.kinematics.routes import Routes
 from vad.kinematics.state import GROUND, Pose, Rates
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
+
+# The order of a result, and what it is of all that is known in this order.
+Player = tuple[int, Callable[..., tuple[float, ...]]]
+
+# The square of a smaller sine would leave the range, and with it ω at a change point.
+LEAST_SINE = 1e-100
+# Making a program costs about as much as a pose that many times without it.
+OFTEN = 50
 
 
 @lru_cache(maxsize=64)
@@ -53,7 +70,28 @@ class Solver:
             loop_solver(self.frame, side, loop, unknowns)
             for loop, unknowns in zip(linkage.loops, linkage.unknowns, strict=True)
         ]
+        self._asked: Counter[Result] = Counter()
+        self._players: dict[Result, Player] = {}
         self.two_assemblies = any(loop.two_ways for loop in self.loops)
+
+    @cached_property
+    def recorded(self) -> RecordedSolver:
+        """The programs that play what this solver does."""
+        return RecordedSolver(self)
+
+    def player(self, result: Result) -> Player | None:
+        """Return the order and the function of a result that is asked for often."""
+        player = self._players.get(result)
+        if player is None:
+            self._asked[result] += 1
+            if self._asked[result] > OFTEN:
+                player = order_of(result), self.recorded.result(result).one
+                self._players[result] = player
+        return player
+
+    def closes(self, places: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Tell for many places of the driver whether the links close."""
+        return self.recorded.order(0).many([places], places.size)[0]
 
     @cached_property
     def routes(self) -> Routes:
@@ -66,7 +104,7 @@ class Solver:
         Raises
         ------
         vad.kinematics.closing.closures.OpenLoopError
-            For a single pose that does not close; in arrays it is NaN.
+            For a pose that does not close; in a recording it is NaN.
         """
         pose = Pose({GROUND: 1.0 + 0j}, {}, [])
         driver = self.linkage.driver
@@ -74,11 +112,14 @@ class Solver:
             angle = fold(value)
             if self.frame.angle:
                 angle = difference(angle, self.frame.angle)
-            pose.unit[driver.name] = off_axis(direction(angle))
+            pose.unit[driver.name] = direction(angle, LEAST_SINE)
         else:
             pose.length[driver.name] = value / self.frame.scale
         for loop in self.loops:
             loop.place(pose)
+            sine = pose.sine[-1]
+            if isinstance(sine, float) and math.isnan(sine):
+                raise OpenLoopError(loop.miss(pose))
         return pose
 
     def rates(self, pose: Pose, lower: tuple[Rates, ...], value: Number) -> Rates:

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
-from vad.kinematics import chunks
-from vad.kinematics.linkage import Scalar, angle_of, length_of
 from vad.kinematics.numbers import Number
 
 ComponentName = Literal["normal", "tangential", "coriolis", "sliding"]
@@ -42,34 +40,14 @@ class Pose:
     sine: list[Number]
     leaning: dict[str, Number] = field(default_factory=dict)
 
-    def flat(self) -> dict[Any, Number]:
-        """Return all values in one dictionary."""
-        units = {angle_of(name): value for name, value in self.unit.items()}
-        lengths = {length_of(name): value for name, value in self.length.items()}
-        leaning = {Scalar("leaning", name): value for name, value in self.leaning.items()}
-        return units | lengths | leaning | dict(enumerate(self.sine))
-
-    @classmethod
-    def of(cls, values: dict[Any, Number]) -> Pose:
-        """Return the pose whose `flat` is ``values``."""
-        pose = cls({}, {}, [])
-        kinds = {"angle": pose.unit, "length": pose.length, "leaning": pose.leaning}
-        for key, value in values.items():
-            if isinstance(key, Scalar):
-                kinds[key.kind][key.name] = value
-            else:
-                pose.sine.append(value)
-        return pose
-
-    def cut(self, part: slice) -> Pose:
-        """Return the poses in ``part``."""
-        sines = chunks.cut(dict(enumerate(self.sine)), part)
-        return Pose(
-            chunks.cut(self.unit, part),
-            chunks.cut(self.length, part),
-            list(sines.values()),
-            chunks.cut(self.leaning, part),
-        )
+    def all(self) -> list[Number]:
+        """Return all that it holds."""
+        return [
+            *self.unit.values(),
+            *self.length.values(),
+            *self.leaning.values(),
+            *self.sine,
+        ]
 
 
 @dataclass(slots=True)
@@ -85,19 +63,6 @@ class Rates:
         turning = {name: rate - spin for name, rate in self.turning.items() if name != link}
         return Rates({**turning, link: 0.0, GROUND: -spin}, self.sliding)
 
-    def flat(self) -> dict[Scalar, Number]:
-        """Return all values in one dictionary."""
-        turning = {angle_of(name): value for name, value in self.turning.items()}
-        return turning | {length_of(name): value for name, value in self.sliding.items()}
-
-    @classmethod
-    def of(cls, values: dict[Scalar, Number]) -> Rates:
-        """Return the rates whose `flat` is ``values``."""
-        rates = cls({}, {})
-        for key, value in values.items():
-            (rates.turning if key.kind == "angle" else rates.sliding)[key.name] = value
-        return rates
-
-    def cut(self, part: slice) -> Rates:
-        """Return the rates of the poses in ``part``."""
-        return Rates(chunks.cut(self.turning, part), chunks.cut(self.sliding, part))
+    def all(self) -> list[Number]:
+        """Return all that it holds."""
+        return [*self.turning.values(), *self.sliding.values()]

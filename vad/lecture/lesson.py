@@ -12,12 +12,23 @@ from vad.strokes.sheet import Panel, Sheet, Stroke
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One stroke in time: it grows for ``grow`` frames and then rests for ``hold``."""
+    """One stroke in time: it grows for ``grow`` frames and then rests for ``hold``.
+
+    After the last stroke of a panel that stood large, this glides into its place for ``glide``, and
+    the page that comes with it rests for ``settle``.
+    """
 
     panel: Panel
     index: int
     grow: int
     hold: int
+    glide: int = 0
+    settle: int = 0
+
+    @property
+    def frames(self) -> int:
+        """The number of frames."""
+        return self.grow + self.hold + self.glide + self.settle
 
     @property
     def stroke(self) -> Stroke:
@@ -43,7 +54,7 @@ class Lesson:
     @property
     def frames(self) -> int:
         """The number of frames."""
-        return self.opening + self.closing + sum(s.grow + s.hold for s in self.steps)
+        return self.opening + self.closing + sum(step.frames for step in self.steps)
 
     @property
     def duration(self) -> float:

@@ -1,11 +1,13 @@
 """What is on the board at a frame, counted in beats.
 
 Beat 2k is the board with k strokes done, at rest; beat 2k + 1 is the stroke after them being
-drawn.  In comes a lesson, out go `Moment` objects, which every painter follows.
+drawn, and after the last of them the finished board.  In comes a lesson, out go `Moment` objects,
+which every painter follows.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -15,10 +17,21 @@ from vad.lecture.lesson import Lesson
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """A beat, and the ``share`` of its stroke that is drawn: 1 at rest."""
+    """What a frame shows.
+
+    Attributes
+    ----------
+    beat
+        Which strokes are there.
+    share
+        How much of the beat's stroke is drawn: 1 at rest.
+    near
+        How near the first panel stands: 1 while it is large, alone on the page, 0 in its place.
+    """
 
     beat: int
     share: float = 1.0
+    near: float = 0.0
 
 
 def drawing(stroke: int) -> int:
@@ -31,17 +44,39 @@ def done(strokes: int) -> int:
     return 2 * strokes
 
 
-def moments(lesson: Lesson) -> Iterator[tuple[Moment, int]]:
-    """Yield every different state of a lesson, and for how many frames it stands."""
-    before, rest = Moment(done(0)), lesson.opening
+def finished(strokes: int) -> int:
+    """Return the beat at which all of ``strokes`` strokes are done and the tools put away."""
+    return done(strokes) + 1
+
+
+def moments(lesson: Lesson, most: float = math.inf) -> Iterator[tuple[Moment, int]]:
+    """Yield every different state of a lesson, and for how many frames it stands.
+
+    What moves has at most ``most`` states a second.
+    """
+    pace = max(1.0, lesson.fps / most)
+    near = 1.0 if any(step.glide for step in lesson.steps) else 0.0
+    yield Moment(done(0), near=near), lesson.opening
     for number, step in enumerate(lesson.steps):
-        if rest:
-            yield before, rest
-        for count in range(1, step.grow + 1):
-            yield Moment(drawing(number), smooth(count / (step.grow + 1))), 1
-        before, rest = Moment(done(number + 1)), step.hold
-    if rest + lesson.closing:
-        yield before, rest + lesson.closing
+        for share, repeats in _passage(step.grow, pace):
+            yield Moment(drawing(number), smooth(share), near), repeats
+        if step.hold:
+            yield Moment(done(number + 1), near=near), step.hold
+        for share, repeats in _passage(step.glide, pace):
+            near = 1.0 - smooth(share)
+            yield Moment(done(number + 1), near=near), repeats
+        near = 0.0 if step.glide else near
+        if step.settle:
+            yield Moment(done(number + 1), near=near), step.settle
+    yield Moment(finished(len(lesson.steps))), lesson.closing
+
+
+def _passage(frames: int, pace: float) -> Iterator[tuple[float, int]]:
+    """Yield how far a movement has come, and for how many of its frames: ``pace`` or more."""
+    states = min(frames, max(1, int(frames / pace + 1e-9)))
+    for number in range(states):
+        before, after = (round(frames * end / states) for end in (number, number + 1))
+        yield after / (frames + 1), after - before
 
 
 def moment(lesson: Lesson, frame: int) -> Moment:

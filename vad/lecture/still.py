@@ -1,26 +1,32 @@
-"""A lesson that stands still: the page at the end of one of its steps.
+"""A lesson that stands still: the page at one of its steps.
 
 In come a lesson and the number of a step, out goes a `Still`.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from operator import index
 from typing import Any
 
 from vad.errors import UsageError, one_of, shown
 from vad.lecture.lesson import Lesson
-from vad.lecture.moment import Moment, done
-from vad.strokes.sheet import Sheet
+from vad.lecture.moment import Moment, done, drawing
+from vad.strokes.sheet import Sheet, Stroke
 
+#: How much of a construction is drawn while it stands still.
+AT_WORK = 0.7
 #: More of them are too many steps, and with very many Python makes no number of them.
 _DIGITS = 9
 
 
 @dataclass(frozen=True, slots=True)
 class Still:
-    """The page of a lesson at the end of a step, which is counted from 1."""
+    """The page of a lesson at a step, which is counted from 1.
+
+    A construction is shown while it is drawn, so that its tool is seen at work; all else is done.
+    """
 
     lesson: Lesson
     step: int
@@ -28,36 +34,47 @@ class Still:
     @property
     def moment(self) -> Moment:
         """The state of the board."""
+        if self.lesson.steps[self.step - 1].stroke.kind == "construction":
+            return Moment(drawing(self.step - 1), AT_WORK)
         return Moment(done(self.step))
 
     @property
     def drawn(self) -> Sheet:
         """The strokes that are there, and the rows with what is given or has been measured."""
-        sheet = self.lesson.sheet
-        steps = self.lesson.steps[: self.step]
-        panels = tuple(
-            replace(panel, strokes=panel.strokes[:count])
-            for panel in sheet.panels
-            if (count := sum(step.panel is panel for step in steps))
-        )
-        known = {(p.name, key) for p in panels for stroke in p.strokes for key in stroke.reveals}
-        rows = []
-        for row in sheet.rows:
-            cells = {
-                panel.name: tuple(
-                    cell
-                    for cell in row.cells.get(panel.name, ())
-                    if cell.given or (panel.name, row.key) in known
-                )
-                for panel in panels
-            }
-            if any(cells.values()):
-                rows.append(replace(row, cells=cells))
-        return replace(sheet, panels=panels, rows=tuple(rows))
+        strokes: dict[str, tuple[Stroke, ...]] = {}
+        for step in self.lesson.steps[: self.step]:
+            strokes[step.panel.name] = (*strokes.get(step.panel.name, ()), step.stroke)
+        return part(self.lesson.sheet, strokes)
+
+
+def part(sheet: Sheet, strokes: Mapping[str, tuple[Stroke, ...]]) -> Sheet:
+    """Return what there is of a sheet when of each panel some strokes are drawn, by its name.
+
+    Panels without any are left out, and so are values that have not been measured yet.
+    """
+    panels = tuple(
+        replace(panel, strokes=drawn)
+        for panel in sheet.panels
+        if (drawn := strokes.get(panel.name, ()))
+    )
+    known = {(p.name, key) for p in panels for stroke in p.strokes for key in stroke.reveals}
+    rows = []
+    for row in sheet.rows:
+        cells = {
+            panel.name: tuple(
+                cell
+                for cell in row.cells.get(panel.name, ())
+                if cell.given or (panel.name, row.key) in known
+            )
+            for panel in panels
+        }
+        if any(cells.values()):
+            rows.append(replace(row, cells=cells))
+    return replace(sheet, panels=panels, rows=tuple(rows))
 
 
 def still(lesson: Lesson, step: int | str) -> Still:
-    """Return the page of a lesson at the end of one step.
+    """Return the page of a lesson at one step.
 
     Parameters
     ----------

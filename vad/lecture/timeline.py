@@ -6,27 +6,31 @@ In comes a sheet, out goes a `Lesson` in whole frames.
 from __future__ import annotations
 
 import contextlib
-import math
+from itertools import accumulate, pairwise
 from numbers import Real
 
-from vad.errors import UsageError, shown
+from vad.errors import UsageError, one_of, shown
+from vad.found import names_in
 from vad.lecture.lesson import Lesson, Step
-from vad.strokes.sheet import Arc, Arrow, Line, Panel, Sheet, Stroke
+from vad.strokes.sheet import Arrow, Panel, Sheet, Stroke
 
+#: Seconds that a stroke grows; of a vector, if it is the panel's longest.
 GROWTH = {
-    "fixed": 0.20,
-    "guide": 0.35,
-    "pole": 0.20,
-    "angle": 0.40,
-    "known": 0.50,
-    "construction": 0.60,
-    "intersection": 0.15,
-    "result": 0.50,
+    "fixed": 0.4,
+    "guide": 0.8,
+    "pole": 0.3,
+    "angle": 0.8,
+    "known": 1.2,
+    "construction": 1.5,
+    "intersection": 0.3,
+    "result": 1.2,
 }
-SHORT = 0.7  # of the time for a vector under a quarter of the panel's longest
-# With the stroke's growth a caption stands long enough to be read at five words a second.
-REST = 0.50
-REST_PER_WORD = 0.18
+SHORT = 0.75  # of the time, for a vector of no length
+WORDS_PER_SECOND = 5.0
+BREATH = 0.3  # after a caption has been read
+LEAST_REST = 0.5
+GLIDE = 0.8
+SETTLE = 0.8
 OPENING = 0.8
 CLOSING = 4.0
 
@@ -61,7 +65,7 @@ def animate(
     Raises
     ------
     vad.errors.UsageError
-        If a value is out of its range.
+        If a value is out of its range, or the style unknown.
     """
     if not isinstance(sheet, Sheet):
         raise UsageError(f"sheet: must be what vad.draw returns, got {shown(sheet)}")
@@ -73,43 +77,46 @@ def animate(
     steps: list[Step] = []
     clock = 0.0
     for panel in sheet.panels:
-        longest = max((_length(stroke) for stroke in panel.strokes), default=0.0)
+        longest = max(map(_length, panel.strokes), default=0.0)
         for index, stroke in enumerate(panel.strokes):
-            grow, hold = growth(stroke, longest), rest(stroke)
+            last = index + 1 == len(panel.strokes)
+            grow = growth(stroke, longest)
+            glide, settle = (GLIDE, SETTLE) if last and opens(sheet, panel) else (0.0, 0.0)
+            times = grow, rest(stroke, grow), glide, settle
             # Whole frames are counted from the start, so that roundings do not add up.
-            first = round(clock / speed * fps)
-            grown = round((clock + grow) / speed * fps)
-            clock += grow + hold
-            last = round(clock / speed * fps)
-            steps.append(_step(panel, index, first, grown, last))
+            seconds = list(accumulate(times, initial=clock))
+            ends = [round(second / speed * fps) for second in seconds]
+            steps.append(Step(panel, index, *(end - start for start, end in pairwise(ends))))
+            clock = seconds[-1]
     return Lesson(sheet, tuple(steps), count(OPENING), count(CLOSING), fps, size, style)
 
 
-def _step(panel: Panel, index: int, first: int, grown: int, last: int) -> Step:
-    return Step(panel, index, grow=max(grown - first, 0), hold=max(last - grown, 0))
+def opens(sheet: Sheet, panel: Panel) -> bool:
+    """Tell whether a panel stands large while it is drawn: a mechanism before its polygons."""
+    return panel is sheet.panels[0] and panel.picture == "skeleton" and len(sheet.panels) > 1
 
 
 def growth(stroke: Stroke, longest: float) -> float:
-    """Return how many seconds a stroke takes to draw; a short vector takes less."""
+    """Return how many seconds a stroke takes to draw; the ``longest`` vector takes most."""
     seconds = GROWTH[stroke.kind]
-    short = isinstance(stroke.shape, Arrow) and _length(stroke) < 0.25 * longest
-    return seconds * (SHORT if short else 1.0)
+    if not isinstance(stroke.shape, Arrow) or not longest:
+        return seconds
+    return seconds * (SHORT + (1.0 - SHORT) * _length(stroke) / longest)
 
 
-def rest(stroke: Stroke) -> float:
-    """Return how many seconds a stroke rests: the longer its caption, the longer."""
-    return REST + REST_PER_WORD * len(stroke.caption.split())
+def rest(stroke: Stroke, grown: float) -> float:
+    """Return how many seconds a stroke rests that has grown for ``grown``.
+
+    Over both its caption can be read.
+    """
+    reading = len(stroke.caption.split()) / WORDS_PER_SECOND
+    return max(reading + BREATH - grown, LEAST_REST)
 
 
 def _length(stroke: Stroke) -> float:
+    """Return the length of a vector, 0 for what is none."""
     shape = stroke.shape
-    if isinstance(shape, Arrow):
-        return abs(shape.end - shape.start)
-    if isinstance(shape, Line):
-        return abs(shape.until - shape.through)
-    if isinstance(shape, Arc):
-        return abs(math.radians(shape.sweep)) * shape.radius
-    return 0.0
+    return abs(shape.end - shape.start) if isinstance(shape, Arrow) else 0.0
 
 
 def checked(
@@ -120,10 +127,9 @@ def checked(
     Raises
     ------
     vad.errors.UsageError
-        For a film that cannot be; what styles there are is known only where it is painted.
+        For a film that cannot be, or an unknown style.
     """
-    if not isinstance(style, str):
-        raise UsageError(f"style: must be the name of a style, got {shown(style)}")
+    one_of("style", style, names_in("style"))
     return (
         _number("fps", fps, FPS, "try --fps 30"),
         check_size(size),

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import KW_ONLY, dataclass, field, fields
+from types import MappingProxyType
 from typing import Any, ClassVar, TypeVar
 
 from vad.errors import InputError, one_of, shown
@@ -72,13 +74,15 @@ class Mechanism:
     points: ClassVar[str]
     links: ClassVar[dict[str, str]]
     slides: ClassVar[dict[str, str]] = {}
-    inputs: ClassVar[dict[str, float]] = CRANK
+    inputs: ClassVar[Mapping[str, float]] = CRANK
 
     _: KW_ONLY
     assembly: str = way("open", "crossed")
     length_unit: str = unit("mm")
 
     def __init_subclass__(cls) -> None:
+        # Read-only: mechanisms share their defaults.
+        cls.inputs = MappingProxyType(dict(cls.inputs))
         MECHANISMS[cls.name] = cls
 
     def __post_init__(self) -> None:

@@ -78,6 +78,8 @@ def _row(name: str, method: Method, problem: Problem, truth: Found) -> Answer:
         found = method(problem)
     except (ArithmeticError, ValueError, VadError) as error:  # LinAlgError is a ValueError
         return Answer(name, None, problem=str(error))
+    if not all(math.isfinite(number) for jet in found.values() for number in jet):
+        return Answer(name, None, problem="a number leaves the range of double precision")
     return Answer(name, found, largest_error(found, truth), seconds(lambda: method(problem)))
 
 

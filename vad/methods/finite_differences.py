@@ -27,9 +27,7 @@ def solve(problem: Problem, step: float = STEP) -> Found:
     step
         How far the driver moves between two moments: in radians, or beside the largest length.
     """
-    size = 1.0 if problem.driver.kind == "angle" else problem.size
-    fastest = max(abs(problem.drive.rate) / size, math.sqrt(abs(problem.drive.second) / size))
-    time = step / fastest if fastest else 1.0
+    time = step / problem.pace if problem.pace else 1.0
     before, now, after = (closed_form.positions(_at(problem, t)) for t in (-time, 0.0, time))
     results = {}
     for scalar, value in now.items():

@@ -13,7 +13,7 @@ from typing import Any
 from mpmath import mp, mpc, mpf  # type: ignore[import-untyped]
 
 from vad.kinematics.linkage import Scalar
-from vad.methods.problem import Found, LoopEquation, Problem, Values, Vector, found
+from vad.methods.problem import Found, Jet, LoopEquation, Problem, Values, Vector, found
 
 DIGITS = 50
 # Next to a dead centre half the digits are lost, and half of those left again.
@@ -37,7 +37,17 @@ def solve(problem: Problem) -> Found:
             values.update(_polished(equation, values, _start(equation, values, problem.side)))
             rates.update(_rates(equation, values, rates, None))
             seconds.update(_rates(equation, values, rates, seconds))
-        return found(problem, values, rates, seconds)
+        results = found(problem, values, rates, seconds)
+        return {scalar: _rounded(problem, scalar, jet) for scalar, jet in results.items()}
+
+
+def _rounded(problem: Problem, scalar: Scalar, jet: Jet) -> Jet:
+    """Return the results with zero for what is nothing but the rounding of the last digits."""
+    lengths = [v.length for equation in problem.equations for v in equation.vectors]
+    smallest = min(abs(length) for length in lengths if isinstance(length, float))
+    least = problem.unit(scalar) * mpf(10) ** -DIGITS * smallest / problem.size
+    pace = mpf(problem.pace)
+    return Jet(*(x if abs(x) > least * pace**order else mpf(0) for order, x in enumerate(jet)))
 
 
 def _polar(vector: Vector, values: Values) -> tuple[Any, Any]:

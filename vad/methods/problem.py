@@ -104,6 +104,17 @@ class Problem:
         """All scalars that are to be found."""
         return tuple(scalar for equation in self.equations for scalar in equation.unknowns)
 
+    def unit(self, scalar: Scalar) -> float:
+        """Return by what a scalar is measured: 1 rad for an angle, or the largest length."""
+        return 1.0 if scalar.kind == "angle" else self.size
+
+    @property
+    def pace(self) -> float:
+        """How fast the driver moves, in its unit per second."""
+        unit = self.unit(self.driver)
+        rate, second = (abs(float(each)) / unit for each in self.drive[1:])
+        return max(rate, math.sqrt(second))
+
 
 def problem_of(mechanism: Mechanism, inputs: Mapping[str, float]) -> Problem:
     """Return the problem of one pose; inputs that are left out have their defaults.
@@ -127,8 +138,16 @@ def problem_of(mechanism: Mechanism, inputs: Mapping[str, float]) -> Problem:
     drive = Jet(*({**mechanism.inputs, **inputs}[name] for name in mechanism.inputs))
     lengths = [v.length for equation in equations for v in equation.vectors]
     size = max(abs(length) for length in lengths if isinstance(length, float))
-    side = 1 if mechanism.assembly == "open" else -1
+    side = _side(linkage, drive, mechanism.assembly)
     return Problem(mechanism, linkage.driver, drive, equations, side, size)
+
+
+def _side(linkage: Linkage, drive: Jet, assembly: str) -> int:
+    """Return the side on which a pose closes; a parallelogram changes it at its change points."""
+    if linkage.parallel and linkage.ground:
+        turned = math.remainder(drive.value - linkage.ground[2], 360.0)
+        return 1 if turned > 0.0 else -1
+    return 1 if assembly == "open" else -1
 
 
 class _Place(NamedTuple):

@@ -14,6 +14,8 @@ from vad.plan.marks import Outline
 from vad.style import Look, Pen
 
 Colour = tuple[float, float, float, float]
+#: Paths that are kept: all that a film repaints in a frame, and some of what grows.
+KEPT = 400
 
 
 class AggPainter:
@@ -38,6 +40,7 @@ class AggPainter:
         self._scale = Affine2D().scale(form.unit)
         self._contexts: dict[tuple[Pen | None, float], Any] = {}
         self._colours: dict[str, Colour] = {}
+        self._paths: dict[int, tuple[Outline, Any]] = {}
         self.pixels: NDArray[np.uint8] = np.asarray(self._renderer.buffer_rgba())
         self.words: NDArray[np.uint32] = self.pixels.view(np.uint32)[..., 0]
 
@@ -53,15 +56,25 @@ class AggPainter:
 
     def paint(self, shape: Outline, look: Look) -> None:
         """Paint one shape."""
-        vertices, codes = outline(shape)
-        if not len(vertices):
+        path = self.path(shape)
+        if not len(path.vertices):
             return
-        path = self._path(vertices, codes)
-        path.should_simplify = False
         if look.under:
             self._renderer.draw_path(self._context(look.under, 1.0), path, self._scale, None)
         face = self._colour(look.fill) if look.fill else None
         self._renderer.draw_path(self._context(look.pen, look.alpha), path, self._scale, face)
+
+    def path(self, shape: Outline) -> Any:
+        """Return a shape as a path of matplotlib, in page units; the latest ones are kept."""
+        known = self._paths.get(id(shape))
+        if known is None:
+            path = self._path(*outline(shape))
+            path.should_simplify = False
+            if len(self._paths) == KEPT:
+                self._paths.clear()
+            # With its shape, so that no other one can have its id.
+            known = self._paths[id(shape)] = shape, path
+        return known[1]
 
     def word(self, colour: str) -> np.uint32:
         """Return a colour as the word of a pixel."""

@@ -14,10 +14,9 @@ from numpy.typing import NDArray
 
 from vad.lecture.moment import Moment
 from vad.painting.agg_painter import AggPainter
-from vad.painting.outlines import outline
 from vad.painting.painter import Looks, play
 from vad.painting.picture import EMPTY, Box, Frame, Words, difference, touching, union, window
-from vad.plan.board import Board
+from vad.plan.board import Board, seen
 from vad.plan.geometry import Rect
 from vad.plan.items import Item
 from vad.plan.marks import Mark
@@ -59,6 +58,7 @@ class _Incremental:
         #: What is not in the base, in painting order: marks that grow, and marks with their boxes.
         self._top: list[tuple[Mark, Box | None]] = []
         self._beat: int | None = None
+        self._near = 0.0
         self._dirty: Box = EMPTY
         #: Of each region what it showed at first since its last change, painted.
         self._beneath: dict[str, tuple[list[Item], Words]] = {}
@@ -69,8 +69,9 @@ class _Incremental:
         first, box = self._beat is None, EMPTY
         regions: dict[str, list[Item]] = {}
         top = self._top
-        if moment.beat != self._beat:
-            regions = self._changed(moment.beat)
+        turned = (moment.beat, moment.near) != (self._beat, self._near)
+        if turned:
+            regions = self._changed(moment)
             box = self._dirty
             for region in regions:
                 box = union(box, self._pixels_of(self._board.regions[region]))
@@ -78,18 +79,19 @@ class _Incremental:
         now = self._at(top, moment.share)
         box = union(box, self._reach(now))
         before = self._cut(box).copy()
-        if moment.beat != self._beat:
+        if turned:
             self._commit(regions, top, moment.beat)
-            self._beat, self._top = moment.beat, top
+            self._beat, self._near, self._top = moment.beat, moment.near, top
         self._lay(now)
         if first:
             return 0, 0, self.pixels.shape[1], self.pixels.shape[0]
         return difference(before, self._cut(box), box)
 
-    def _changed(self, beat: int) -> dict[str, list[Item]]:
-        """Return the regions that look different at a beat, with what they show."""
+    def _changed(self, moment: Moment) -> dict[str, list[Item]]:
+        """Return the regions that look different at a moment, with what they show."""
+        beat = moment.beat
         shown: dict[str, list[Item]] = {region: [] for region in self._board.regions}
-        for item in self._board.shown(beat):
+        for item in seen(self._board, moment):
             shown[item.region].append(item)
         changed = {
             region: items
@@ -186,7 +188,7 @@ class _Incremental:
 
     def _box(self, mark: Mark) -> Box:
         """Return the pixels that a mark can touch."""
-        vertices, _ = outline(mark.shape)
+        vertices = self._painter.path(mark.shape).vertices
         if not len(vertices):
             return EMPTY
         look, unit = self._looks(mark), self._board.form.unit

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from vad.lecture.lesson import Lesson
@@ -13,11 +14,14 @@ from vad.painting.posed import board_of
 from vad.style import load_style
 
 
-def filmed(film: Lesson | Turn) -> Iterator[Frame]:
-    """Yield the pictures of a film; see `Frame` for what each says about itself."""
+def filmed(film: Lesson | Turn, most: float = math.inf) -> Iterator[Frame]:
+    """Yield the pictures of a film; see `Frame` for what each says about itself.
+
+    What moves in a lesson has ``most`` pictures a second.
+    """
     style = load_style(film.style)
     if isinstance(film, Lesson):
-        return frames(board_of(film), moments(film), style)
+        return frames(board_of(film), moments(film, most), style)
     from vad.plan.turning.turn_board import TurnBoard
 
     states = ((Moment(number), 1) for number in range(film.frames))

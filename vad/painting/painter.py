@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Protocol
 
 from vad.lecture.moment import Moment
-from vad.plan.board import Board
+from vad.plan.board import Board, seen
 from vad.plan.format import Format
 from vad.plan.items import Item
 from vad.plan.marks import Mark, Outline
@@ -50,7 +50,7 @@ def play(board: Board, moment: Moment, style: Style, painter: Painter) -> None:
     """Paint a board at a moment."""
     looks = Looks(style)
     painter.begin(board.form, style.background)
-    for item in board.shown(moment.beat):
+    for item in seen(board, moment):
         marks = shown_marks(item, moment)
         if marks:
             painter.group(item)

@@ -9,9 +9,11 @@ searched.
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 from typing import BinaryIO
 
 from vad.painting.outlines import outline
+from vad.painting.pdf import tags
 from vad.painting.pdf.objects import Objects
 from vad.painting.pdf.operators import Area, box, colour, number, path, string, take
 from vad.painting.pdf.pieces import pieces
@@ -79,8 +81,8 @@ class PdfPainter:
         """End the page."""
         self._finish()
 
-    def write(self, target: BinaryIO) -> None:
-        """Write all pages."""
+    def write(self, target: BinaryIO, words: Sequence[str]) -> None:
+        """Write all pages, each with what it shows in words."""
         objects = Objects(target)
         catalog, tree, resources, info = (objects.reserve() for _ in range(4))
         pages, forms = self._write_pages(objects, tree, resources)
@@ -95,9 +97,10 @@ class PdfPainter:
         )
         kids = " ".join(f"{page} 0 R" for page in pages)
         objects.write(f"<< /Type /Pages /Kids [{kids}] /Count {len(pages)} >>", tree)
+        structure = tags.write(objects, pages, self._areas, words)
         # Printed in true size, unless somebody wants it otherwise.
         objects.write(
-            f"<< /Type /Catalog /Pages {tree} 0 R /Lang ({self._language}) "
+            f"<< /Type /Catalog /Pages {tree} 0 R /Lang ({self._language}) {structure} "
             "/ViewerPreferences << /DisplayDocTitle true /PrintScaling /None >> >>",
             catalog,
         )
@@ -112,7 +115,7 @@ class PdfPainter:
         shows = Counter(piece for page in split for piece in page)
         forms: dict[str, int] = {}
         pages: list[int] = []
-        for page, area in zip(split, self._areas, strict=True):
+        for index, (page, area) in enumerate(zip(split, self._areas, strict=True)):
             frame = f"{box(area)} /Resources {resources} 0 R"
             content: list[str] = []
             for piece in page:
@@ -120,9 +123,13 @@ class PdfPainter:
                     head = f"/Type /XObject /Subtype /Form /BBox {frame}"
                     forms[piece] = objects.stream(piece, head)
                 content.append(f"/F{forms[piece]} Do" if piece in forms else piece)
-            stream = objects.stream("\n".join(content))
-            entry = f"/Type /Page /Parent {tree} 0 R /MediaBox {frame} /Contents {stream} 0 R"
-            pages.append(objects.write(f"<< {entry} >>"))
+            stream = objects.stream(tags.marked("\n".join(content)))
+            pages.append(
+                objects.write(
+                    f"<< /Type /Page /Parent {tree} 0 R /MediaBox {frame} "
+                    f"/Contents {stream} 0 R {tags.entry(index)} >>"
+                )
+            )
         return pages, list(forms.values())
 
     def _path(self, shape: Outline, paint: str) -> None:

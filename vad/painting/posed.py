@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from vad.errors import UsageError
 from vad.lecture.lesson import Lesson
 from vad.lecture.moment import Moment
-from vad.lecture.still import Still
+from vad.lecture.still import Still, part
 from vad.lecture.timeline import check_size
 from vad.lecture.turn import Turn
 from vad.painting.agg_painter import AggPainter
@@ -17,6 +19,9 @@ from vad.painting.painter import Painter, play
 from vad.plan.board import Board, Plan, plan
 from vad.plan.format import paper as paper_format
 from vad.plan.format import screen
+from vad.plan.multiples_board import MultiplesBoard
+from vad.plan.problem_sheet import blank_panels, problem
+from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 from vad.strokes.words import describe, title
 from vad.style import Style, load_style
@@ -29,13 +34,15 @@ STYLE = "paper"
 class Posed:
     """A board at a moment in a style.
 
-    ``sheet`` is what shows of it, for words: of a step of a lesson, as far as it is drawn.
+    ``sheet`` is what shows of it, for words: of a step of a lesson, as far as it is drawn;
+    ``others`` are those of further poses.
     """
 
     board: Board
     moment: Moment
     style: Style
     sheet: Sheet
+    others: tuple[Sheet, ...] = ()
 
     @property
     def title(self) -> str:
@@ -45,7 +52,7 @@ class Posed:
     @property
     def description(self) -> str:
         """What the picture shows, in words."""
-        return describe(self.sheet)
+        return "\n".join(describe(sheet) for sheet in (self.sheet, *self.others))
 
     def play(self, painter: Painter) -> None:
         """Paint the picture."""
@@ -53,18 +60,21 @@ class Posed:
 
 
 def posed(
-    thing: Sheet | Still | Turn,
+    thing: Sheet | Still | Turn | Multiples,
     size: tuple[int, int] | None = None,
     style: str | None = None,
     paper: str | None = None,
+    blank: Sequence[str] | str | None = None,
 ) -> Posed:
     """Return a picture on its page; a step of a lesson has a size and a style already.
 
     A turn stands still, with twelve numbered positions; it has its own size and style unless
-    others are given.
-
-    ``paper`` is the name of a size of paper, whose format and true scale the page takes.
+    others are given.  ``paper`` is the name of a size of paper, whose format and true scale the
+    page takes; ``blank`` names panels of a sheet that are left to be drawn.
     """
+    if blank is not None and not isinstance(thing, Sheet):
+        what = {Still: "a step of a lesson", Turn: "a turn", Multiples: "several poses"}
+        raise UsageError(f"blank: not for {what[type(thing)]}", hint="for a whole sheet")
     if isinstance(thing, Still):
         lesson = thing.lesson
         return Posed(board_of(lesson), thing.moment, load_style(lesson.style), thing.drawn)
@@ -77,8 +87,15 @@ def posed(
         from vad.plan.turning.numbered_turn import NumberedTurn
 
         return Posed(NumberedTurn(thing, form), Moment(0), look, thing.sheet)
+    if isinstance(thing, Multiples):
+        several = MultiplesBoard(thing, form)
+        return Posed(several, Moment(0), look, thing.sheets[0], thing.sheets[1:])
+    left = {} if blank is None else blank_panels(thing, blank)
     board = plan(thing, form, look.key)
-    return Posed(board, Moment(board.finished), look, thing)
+    if left:
+        board = problem(board, left, look.key)
+    strokes = {**{panel.name: panel.strokes for panel in thing.panels}, **left}
+    return Posed(board, Moment(board.finished), look, part(thing, strokes))
 
 
 def board_of(lesson: Lesson) -> Plan:

@@ -38,6 +38,8 @@ class SvgPainter:
     text
         ``"glyphs"`` for a file that looks alike in every program, ``"letters"`` for a page on which
         text is selected and searched.
+    description
+        What the picture shows, where it is more than the sheet.
 
     Attributes
     ----------
@@ -50,8 +52,9 @@ class SvgPainter:
         If there is no such way with text.
     """
 
-    def __init__(self, sheet: Sheet, text: Text = "glyphs") -> None:
+    def __init__(self, sheet: Sheet, text: Text = "glyphs", description: str | None = None) -> None:
         self._sheet = sheet
+        self._description = describe(sheet) if description is None else description
         self._captions = {
             panel.full(stroke.name): stroke.caption
             for panel in sheet.panels
@@ -102,7 +105,7 @@ class SvgPainter:
             f'viewBox="0 0 {width} {height}" role="img" lang="{self._sheet.language}" '
             f'fill="none" stroke-miterlimit="{_MITRE}" xml:space="preserve">\n'
             f"<title>{escape(title(self._sheet))}</title>\n"
-            f"<desc>{escape(describe(self._sheet))}</desc>\n"
+            f"<desc>{escape(self._description)}</desc>\n"
             f"<style>\n{self._text.rules()}{self._classes.sheet()}</style>\n"
             f"{self._text.definitions()}{''.join(self._elements)}</svg>\n"
         )

@@ -8,16 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
-from vad.lecture.moment import done
+from vad.lecture.moment import Moment, finished
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import Item, Level
 from vad.plan.layout import MARGIN, Page, lay_out
+from vad.plan.opening import REGION, Opening, opening
 from vad.plan.page.captioning import caption_lines
-from vad.plan.page.changing import captions, equations, heads, lights, results
+from vad.plan.page.changing import captions, equations, heads, lights, readings, results
 from vad.plan.page.foot import Foot, compose
+from vad.plan.page.measured import lines_of
 from vad.plan.page.title import title_marks
 from vad.plan.pictures.kinds import sketched
 from vad.plan.sketch import Setting, Sketch
@@ -70,10 +73,24 @@ class Plan:
         """Return the items that show at a beat, in painting order."""
         return [item for item in self.items if item.since <= beat < item.until]
 
+    @cached_property
+    def opening(self) -> Opening:
+        """The first panel as it stands large at the beginning of a lesson."""
+        return opening(self.items, self.sheet.panels[0].name, self.regions[REGION])
+
     @property
     def finished(self) -> int:
-        """The beat at which all strokes are done."""
-        return done(sum(len(panel.strokes) for panel in self.sheet.panels))
+        """The beat at which all strokes are done and the tools put away."""
+        return finished(sum(len(panel.strokes) for panel in self.sheet.panels))
+
+
+def seen(board: Board, moment: Moment) -> Sequence[Item]:
+    """Return the items that show at a moment, in painting order."""
+    items = board.shown(moment.beat)
+    if not moment.near:
+        return items
+    assert isinstance(board, Plan)  # a turn has no opening
+    return board.opening.shown(items, moment.near)
 
 
 def plan(sheet: Sheet, form: Format, key: float, lesson: bool = False) -> Plan:
@@ -104,6 +121,7 @@ def plan(sheet: Sheet, form: Format, key: float, lesson: bool = False) -> Plan:
         Item("", "title", Level.GROUND, tuple(title_marks(sheet, page))),
         *heads(sheet, page, sketches),
         *equations(sheet, page, feet, sketches),
+        *(readings(page, feet, sketches) if form.centimetre else ()),
         *results(sheet, page, sketches, key, lesson),
         *(captions(sheet, page, sketches) if lesson else ()),
         *(item for sketch in sketches.values() for item in sketch.items),
@@ -115,7 +133,10 @@ def plan(sheet: Sheet, form: Format, key: float, lesson: bool = False) -> Plan:
 
 
 def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[str, Foot]]:
-    """Return the page of a sheet, and the equations at the feet of its panels."""
+    """Return the page of a sheet, and the equations at the feet of its panels.
+
+    On paper there is room below them for what is measured.
+    """
     names, rows = [panel.name for panel in sheet.panels], len(sheet.rows)
     # A first layout tells the panels' width, the second knows how many lines they need.
     first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines)
@@ -123,6 +144,9 @@ def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[
         panel.name: compose(panel, first.panels[panel.name].drawing.width) for panel in sheet.panels
     }
     lines = {name: len(foot.lines) for name, foot in feet.items()}
+    if form.centimetre:
+        for panel in sheet.panels:
+            lines[panel.name] += lines_of(panel, first.panels[panel.name].drawing.width)
     return lay_out(form, lines, rows, caption_lines), feet
 
 
@@ -135,8 +159,15 @@ def rows_of(sheet: Sheet) -> dict[str, int]:
 
 
 def regions_of(page: Page) -> dict[str, Rect]:
-    """Return the parts of a page that change on their own, in painting order."""
-    regions = {"title": Rect(0.0, page.title - 0.02, page.width, page.height)}
+    """Return the parts of a page that change on their own, in painting order.
+
+    The first is what lies between title and caption, while one panel has it to itself.
+    """
+    top, low = page.title - 0.02, page.captions[0] + 0.038 if page.captions else 0.0
+    regions = {
+        REGION: Rect(0.0, low, page.width, top),
+        "title": Rect(0.0, top, page.width, page.height),
+    }
     for name, place in page.panels.items():
         whole, drawing = place.region, place.drawing
         regions[f"{name} head"] = Rect(whole.left, drawing.top, whole.right, whole.top)
@@ -147,10 +178,11 @@ def regions_of(page: Page) -> dict[str, Rect]:
             area.left - 0.002, area.bottom - 0.012, area.right + 0.002, area.top - 0.006
         )
     else:
-        low = page.rows[-1] - 0.012 if page.rows else page.hairline
-        regions["results"] = Rect(page.left - 0.002, low, page.right + 0.002, page.hairline + 0.003)
-    top = page.captions[0] + 0.038 if page.captions else 0.0
-    regions["caption"] = Rect(0.0, 0.0, page.width, top)
+        last = page.rows[-1] - 0.012 if page.rows else page.hairline
+        regions["results"] = Rect(
+            page.left - 0.002, last, page.right + 0.002, page.hairline + 0.003
+        )
+    regions["caption"] = Rect(0.0, 0.0, page.width, low)
     for name, place in page.panels.items():
         whole, drawing = place.region, place.drawing
         regions[name] = Rect(whole.left, drawing.bottom, whole.right, drawing.top)

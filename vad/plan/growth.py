@@ -42,6 +42,10 @@ class Trimming:
         part = between(self.knots, share).real
         return (shape.trimmed(part) if part > 0.0 else None), 1.0
 
+    def mapped(self, turn: complex, shift: complex) -> Trimming:
+        """Return how the shape's image is drawn; see `Shape.mapped`."""
+        return self
+
 
 @dataclass(frozen=True, slots=True)
 class Sliding:
@@ -52,6 +56,10 @@ class Sliding:
     def of(self, shape: Shape, share: float) -> Grown:
         """Return the shape on its way."""
         return shape.mapped(1.0, between(self.knots, share)), 1.0
+
+    def mapped(self, turn: complex, shift: complex) -> Sliding:
+        """Return how the shape's image is moved; see `Shape.mapped`."""
+        return Sliding(tuple((share, turn * offset) for share, offset in self.knots))
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +74,10 @@ class Turning:
         turn = cmath.exp(1j * math.radians(between(self.knots, share).real))
         return shape.mapped(turn, self.centre * (1.0 - turn)), 1.0
 
+    def mapped(self, turn: complex, shift: complex) -> Turning:
+        """Return how the shape's image turns; see `Shape.mapped`."""
+        return Turning(turn * self.centre + shift, self.knots)
+
 
 @dataclass(frozen=True, slots=True)
 class Scaling:
@@ -79,6 +91,10 @@ class Scaling:
         factor = between(self.knots, share).real
         return shape.mapped(factor, self.centre * (1.0 - factor)), 1.0
 
+    def mapped(self, turn: complex, shift: complex) -> Scaling:
+        """Return how the shape's image swells; see `Shape.mapped`."""
+        return Scaling(turn * self.centre + shift, self.knots)
+
 
 @dataclass(frozen=True, slots=True)
 class Fading:
@@ -89,6 +105,10 @@ class Fading:
     def of(self, shape: Shape, share: float) -> Grown:
         """Return the shape with as much ink as it has."""
         return shape, between(self.knots, share).real
+
+    def mapped(self, turn: complex, shift: complex) -> Fading:
+        """Return how the shape's image comes out; see `Shape.mapped`."""
+        return self
 
 
 Growth = Trimming | Sliding | Turning | Scaling | Fading

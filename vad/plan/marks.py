@@ -158,6 +158,15 @@ class Mark:
             shape, alpha = self.growth.of(self.shape, share)
         return replace(self, shape=shape, alpha=self.alpha * alpha) if shape else None
 
+    def mapped(self, factor: float, shift: complex) -> Mark:
+        """Return the mark ``factor`` times as large, every point z at ``factor * z + shift``."""
+        return replace(
+            self,
+            shape=self.shape.mapped(factor, shift),
+            growth=self.growth and self.growth.mapped(factor, shift),
+            width=factor * self.width,
+        )
+
     def moved(self, by: complex) -> Mark:
         """Return the mark shifted; it must not grow."""
         return replace(self, shape=self.shape.mapped(1.0, by))

@@ -78,11 +78,14 @@ ROLES: dict[str, Role] = {
     "rule": Role(line="text", width=0.0020),
     "pale rule": Role(line="hairline", width=0.0020),
     "hairline": Role(line="hairline", width=0.0015),
+    "writing line": Role(line="grey", width=0.0015),
     "scale bar": Role(line="grey", width=0.0028),
     "key": Role(line="row", width=0.85 * BAR, linked=True),
     # the mechanism
     "bar": Role(line="row", width=BAR, cap="round", linked=True),
     "bar light": _light(BAR),
+    "piston rod": Role(line="row", width=0.0052, linked=True),
+    "slit": Role(fill="ground", line="row", width=0.0030, join="round"),
     "block": Role(fill="tint", line="row", width=BLOCK_RIM),
     "block light": Role(line="row", width=LIGHT * 1.3 * BLOCK_RIM, join="round", alpha=0.20),
     "slot": Role(line="row", width=BLOCK_RIM, join="round"),
@@ -95,6 +98,7 @@ ROLES: dict[str, Role] = {
     "gap": Role(line="ground", width=3 * AXIS),
     "angle": Role(line="grey", width=0.0024),
     "sense": Role(line="row", width=0.0032),
+    "speed": Role(line="row", width=0.0032),
     # the polygons
     "vector": Role(line="row", width=VECTOR, linked=True),
     "vector light": _light(VECTOR),

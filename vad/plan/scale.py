@@ -39,31 +39,41 @@ def fill(
     drawing: Rect,
     position: bool,
     centimetre: float | None = None,
+    factor: float | None = None,
 ) -> Scale:
     """Return the scale at which ``points`` fill the drawing less its padding, centred.
 
-    Where the length of a ``centimetre`` is given, it stands for a round number.
+    Where the length of a ``centimetre`` is given, it stands for a round number; a ``factor`` that
+    is given is kept.
     """
-    pad = BOTTOM_PADDING_POSITION if position else BOTTOM_PADDING
-    inner = Rect(
-        drawing.left + SIDE_PADDING,
-        drawing.bottom + pad,
-        drawing.right - SIDE_PADDING,
-        drawing.top - TOP_PADDING,
-    )
+    inner = _padded(drawing, position)
     all_points = list(points) or [0j]
     xs = [p.real for p in all_points]
     ys = [p.imag for p in all_points]
     wide, high = max(xs) - min(xs), max(ys) - min(ys)
     if not wide and not high:
         return Scale(inner.centre, 1.0, bare=True)
-    factor = min(
-        inner.width / wide if wide else math.inf, inner.height / high if high else math.inf
-    )
-    if centimetre:
-        factor = centimetre / round_up(centimetre / factor)
+    if factor is None:
+        factor = min(
+            inner.width / wide if wide else math.inf, inner.height / high if high else math.inf
+        )
+        if centimetre:
+            factor = centimetre / round_up(centimetre / factor)
     middle = complex(min(xs) + wide / 2, min(ys) + high / 2)
     return Scale(inner.centre - factor * middle, factor)
+
+
+def _padded(drawing: Rect, position: bool) -> Rect:
+    """Return the drawing less its padding, which takes no more than half of a small one."""
+    bottom = BOTTOM_PADDING_POSITION if position else BOTTOM_PADDING
+    across = min(1.0, drawing.width / (4 * SIDE_PADDING))
+    upright = min(1.0, drawing.height / (2 * (bottom + TOP_PADDING)))
+    return Rect(
+        drawing.left + across * SIDE_PADDING,
+        drawing.bottom + upright * bottom,
+        drawing.right - across * SIDE_PADDING,
+        drawing.top - upright * TOP_PADDING,
+    )
 
 
 def round_up(value: float) -> float:

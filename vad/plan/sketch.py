@@ -42,6 +42,8 @@ class Setting:
         The number of the panel's first stroke in the lesson.
     centimetre
         Its length on paper, where scales are round; None on a screen.
+    scale
+        That of a picture beside others; None where it fills its room.
     """
 
     sheet: Sheet
@@ -50,6 +52,7 @@ class Setting:
     rows: Mapping[str, int]
     first: int = 0
     centimetre: float | None = None
+    scale: Scale | None = None
 
     def row(self, link: str | None) -> int | None:
         """Return the row of a link or slide; None for the frame of the mechanism."""
@@ -63,10 +66,14 @@ class Setting:
         """Return the beat at which stroke ``index`` of the panel is done."""
         return done(self.first + index + 1)
 
+    def over(self, index: int) -> int:
+        """Return the beat that takes tools and lights of stroke ``index`` away: the next one."""
+        return drawing(self.first + index + 1)
+
     @property
     def end(self) -> int:
-        """The beat at which all strokes of the panel are done."""
-        return done(self.first + len(self.panel.strokes))
+        """The beat at which the panel is finished: only what stays is there."""
+        return self.over(len(self.panel.strokes) - 1)
 
 
 @dataclass

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from vad.kinematics.linkage import Bar, Slide, Step, angle_of, length_of
+from vad.kinematics.linkage import Bar, Slide, Step, length_of
 from vad.strokes.chains import Part
+from vad.strokes.figures import Figure, Unit
 from vad.strokes.scene import Scene, image_letter
-from vad.written import measured, squared
 
 
 class Captions:
@@ -15,13 +15,20 @@ class Captions:
         self._scene = scene
         self._order = order
         self._panel = "velocity" if order == 1 else "acceleration"
-        self._say = scene.language.say
+        self._say = scene.say
         self._unit = scene.rate_unit(order)
 
     def pole(self, letters: list[str]) -> str:
         """Say which points lie at the pole."""
         one = "" if len(letters) > 1 else " one"
-        return self._say(f"pole {self._panel}{one}", letters=", ".join(letters))
+        points = self._scene.motion.points
+        named = [
+            letter
+            if letter[0].upper() in points
+            else self._say("on the guide", letter=letter, point=letter[0].upper())
+            for letter in letters
+        ]
+        return self._say(f"pole {self._panel}{one}", letters=", ".join(named))
 
     def still(self) -> str:
         """Say that nothing moves."""
@@ -29,43 +36,44 @@ class Captions:
 
     def known(self, label: str, part: Part) -> str:
         """Work out a component that is known before the crossing."""
-        scene, step = self._scene, part.step
-        value = measured(abs(part.vector))
-        common = {"label": label, "value": value, "unit": self._unit}
-        if isinstance(step, Slide):
-            if part.name == "coriolis":
-                link = str(step.along)
-                return self._say(
-                    "coriolis",
-                    omega=scene.symbol("ω", link),
-                    rate=scene.write(angle_of(link), abs(scene.rate(link, 1))),
-                    speed=scene.write(length_of(step.name), abs(scene.speed(step.name, 1))),
-                    **common,
-                )
-            common["value"] = scene.write(length_of(step.name), abs(part.vector))
-            return self._say(
-                f"sliding {self._panel}",
-                line=scene.line_name(step),
-                way=self._way(part.vector),
-                **common,
-            )
-        common |= {"bar": scene.letters(step), "size": scene.write_size(step)}
-        if part.name == "normal":
-            return self._say(
-                "normal",
-                omega=scene.symbol("ω", step.link),
-                rate=squared(scene.write(angle_of(step.link), abs(scene.rate(step.link, 1)))),
-                head=scene.letters(step)[1],
-                tail=scene.letters(step)[0],
-                **common,
-            )
+        if isinstance(part.step, Slide):
+            return self._known_slide(label, part, part.step)
+        scene, bar = self._scene, part.step
+        normal = part.name == "normal"
+        rate = scene.spin(bar.link, 1 if normal else self._order, power=2 if normal else 1)
+        size, value = scene.length(bar, self._unit), self._size(part)
+        scene.figures.product(value, rate, size)
+        letters = scene.letters(bar)
+        whole = label == "".join(image_letter(end, self._order) for end in bar.ends)
         return self._say(
-            f"tangential {self._panel}",
-            omega=scene.symbol("ω", step.link),
-            alpha=scene.symbol("α", step.link),
-            rate=scene.write(angle_of(step.link), abs(scene.rate(step.link, self._order))),
-            **common,
+            ("normal" if normal else f"tangential {self._panel}") + (" whole" if whole else ""),
+            label=label,
+            bar=letters,
+            omega=scene.symbol("ω", bar.link),
+            alpha=scene.symbol("α", bar.link),
+            rate=rate,
+            size=size,
+            value=value,
+            unit=Unit(self._unit),
+            head=letters[1],
+            tail=letters[0],
+            whose=self._whose(bar),
         )
+
+    def _known_slide(self, label: str, part: Part, slide: Slide) -> str:
+        scene, value = self._scene, self._size(part)
+        common = {"label": label, "unit": Unit(self._unit)}
+        if part.name != "coriolis":
+            given = scene.figure(length_of(slide.name), value.value, value.unit)
+            line, way = scene.line(slide), self._way(part.vector)
+            return self._say(f"sliding {self._panel}", line=line, way=way, value=given, **common)
+        link = str(slide.along)
+        rate = scene.spin(link, 1)
+        sliding = abs(scene.speed(slide.name, 1))
+        speed = scene.figure(length_of(slide.name), sliding, scene.rate_unit(1))
+        scene.figures.product(value, Figure(2.0, given=True), rate, speed)
+        omega = scene.symbol("ω", link)
+        return self._say("coriolis", omega=omega, rate=rate, speed=speed, value=value, **common)
 
     def line(self, part: Part, point: str, meeting: str) -> str:
         """Say why the next vertex must lie on a construction line."""
@@ -76,9 +84,9 @@ class Captions:
             return self._say(
                 self._along(step),
                 point=place,
-                line=scene.line_name(step),
-                link=str(step.along),
+                line=scene.line(step),
                 slide=step.name.split("_")[0],
+                head=self._sliding_point(step),
                 meeting=meeting,
             )
         bar = scene.letters(step)
@@ -93,76 +101,117 @@ class Captions:
             meeting=meeting,
         )
 
-    def crossing(self, letter: str, pole: bool) -> str:
-        """Say what lies where the two lines cross."""
-        return self._say("pole crossing" if pole else "crossing", letter=letter)
+    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part, str]]) -> str:
+        """Say what lies where the two lines cross, and which results are zero there."""
+        if pole:
+            return self._say("pole crossing", letter=letter, point=letter[0].upper())
+        found = "; ".join(
+            self._say("zero", point=vertex, symbol=self._rate_symbol(part.step))
+            for part, vertex in zeros
+        )
+        return self._say("crossing zero" if found else "crossing", letter=letter, found=found)
 
     def measured(self, label: str, part: Part) -> str:
         """Measure a result off the polygon."""
-        scene, step = self._scene, part.step
-        common = {"label": label, "value": measured(abs(part.vector)), "unit": self._unit}
+        scene, step, value = self._scene, part.step, self._size(part)
+        common = {"label": label, "value": value, "unit": Unit(self._unit)}
         if isinstance(step, Slide):
             return self._say(
                 f"measured sliding {self._panel}",
                 slide=step.name.split("_")[0],
+                head=self._sliding_point(step),
+                line=scene.line(step),
                 way=self._way(part.vector),
-                symbol="va"[self._order - 1],
-                rate=measured(scene.speed(step.name, self._order)),
+                symbol=self._rate_symbol(step),
+                rate=Figure(scene.speed(step.name, self._order), self._unit),
                 **common,
             )
-        rate = scene.rate(step.link, self._order)
+        rate, size = scene.spin(step.link, self._order), scene.length(step, self._unit, power=-1)
+        scene.figures.product(rate, value, size)
         bar = scene.letters(step)
-        strut = " strut" if scene.is_strut(step) else ""
+        turning = scene.rate(step.link, self._order)
         return self._say(
-            f"measured omega{strut}" if self._order == 1 else "measured alpha",
+            f"measured omega{self._seen(step)}" if self._order == 1 else "measured alpha",
             omega=scene.symbol("ω", step.link),
             alpha=scene.symbol("α", step.link),
             bar=bar,
             tail=bar[0],
             head=bar[1],
-            size=scene.write_size(step),
-            rate=measured(abs(rate)),
-            sense=self._say("counter-clockwise" if rate > 0 else "clockwise"),
+            size=size,
+            rate=rate,
+            sense=self._say("counter-clockwise" if turning > 0 else "clockwise"),
             way=self._way(part.vector),
             **common,
         )
 
-    def whole(self, label: str, vector: complex, step: Step, still: bool) -> str:
+    def whole(self, label: str, vector: complex, bar: Bar) -> str:
         """Measure a whole vector beside its parts."""
         return self._say(
-            "whole absolute" if still else "whole relative",
+            "whole",
             label=label,
-            value=measured(abs(vector)),
-            unit=self._unit,
-            head=step.ends[1],
-            tail=step.ends[0],
+            value=Figure(abs(vector), self._unit),
+            unit=Unit(self._unit),
+            whose=self._whose(bar),
         )
 
-    def image(self, bar: Bar, label: str, value: float) -> str:
-        """Find a further point of a link by proportion."""
+    def image(self, bar: Bar, base: Bar, label: str, sizes: tuple[float, float, float]) -> str:
+        """Find a further point of a link by proportion.
+
+        ``sizes`` are those of the vectors of ``base``, of ``bar`` and from the pole.
+        """
         scene = self._scene
-        base = next(
-            step
-            for loop in scene.motion.linkage.loops
-            for _, step in loop.steps()
-            if isinstance(step, Bar) and step.link == bar.link
+        known, own, found = (Figure(size, self._unit) for size in sizes)
+        size, length = scene.length(bar, self._unit), scene.length(base, self._unit, power=-1)
+        scene.figures.product(own, known, size, length)
+        part, whole = (
+            "".join(image_letter(letter, self._order) for letter in each.ends)
+            for each in (bar, base)
         )
-        images = [
-            "".join(image_letter(letter, self._order) for letter in b.ends) for b in (bar, base)
-        ]
+        common = {"value": found, "unit": Unit(self._unit), "label": label}
+        also = "" if part == label else self._say("image other", **common)
+        if not bar.against:  # else it would take three lines
+            whose = self._say(f"{self._panel} of", head=bar.ends[1])
+            also += self._say("image whose", whose=whose)
         return self._say(
             "image against" if bar.against else "image",
             letter=image_letter(bar.ends[1], self._order),
-            part=images[0],
-            whole=images[1],
+            image=self._say(f"image {self._panel}"),
+            link=bar.link,
+            part=part,
+            whole=whole,
             bar=bar.ends,
             base=base.ends,
-            size=scene.write_size(bar),
-            length=scene.write_size(base),
-            label=label,
-            value=measured(value),
-            unit=self._unit,
+            known=known,
+            size=size,
+            length=length,
+            own=own,
+            unit=Unit(self._unit),
+            also=also,
         )
+
+    def _rate_symbol(self, step: Step) -> str:
+        """Return the symbol of what a step's unknown part measures: ω₃, α₃, v or a."""
+        if isinstance(step, Slide):
+            return "va"[self._order - 1]
+        return self._scene.symbol("ωα"[self._order - 1], step.link)
+
+    def _size(self, part: Part) -> Figure:
+        return Figure(abs(part.vector), self._unit)
+
+    def _whose(self, bar: Bar) -> str:
+        """Say whose velocity or acceleration the whole vector of a bar is."""
+        fixed = bar.ends[0] in self._scene.motion.frame.fixed
+        phrase = f"{self._panel} of" + ("" if fixed else " relative")
+        return self._say(phrase, head=bar.ends[1], tail=bar.ends[0])
+
+    def _seen(self, bar: Bar) -> str:
+        """Return from where the motion of a bar's head is seen."""
+        if self._scene.is_strut(bar):
+            return " strut"
+        return " absolute" if bar.ends[0] in self._scene.motion.frame.fixed else ""
+
+    def _sliding_point(self, slide: Slide) -> str:
+        return self._scene.motion.mechanism.slides[slide.name]
 
     def _along(self, slide: Slide) -> str:
         """Return the phrase for the line along which a block slides."""

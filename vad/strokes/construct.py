@@ -6,23 +6,22 @@ import cmath
 import math
 from collections.abc import Mapping
 
-from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, angle_of, scalar_of
+from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, angle_of, scalar_of
 from vad.strokes.diagram import Drawing
-from vad.strokes.equations import Side, equation
+from vad.strokes.equations import of_position
+from vad.strokes.figures import Figure, Unit
 from vad.strokes.scene import Scene
 from vad.strokes.sheet import (
     Arc,
     Arrow,
     Block,
     Dot,
-    Equation,
     Guide,
     Line,
     Shape,
     Stroke,
-    Term,
 )
-from vad.written import number, quantity
+from vad.written import with_unit
 
 #: A compass arc shows this much on either side of the point that it is after, in degrees.
 COMPASS = 14.0
@@ -56,7 +55,7 @@ class _Construction:
             self._ink(loop, unknowns)
             known.update(unknowns)
             self._images(known)
-            equations.append(self._equation(loop))
+            equations.append(of_position(self.scene, loop))
         return Drawing(tuple(self.strokes), equations=tuple(equations))
 
     def _draw(
@@ -69,7 +68,7 @@ class _Construction:
         parts: Mapping[str, object],
         **more: object,
     ) -> None:
-        caption = self.scene.language.say(phrase, **parts)
+        caption = self.scene.say(phrase, **parts)
         stroke = Stroke(kind, label, shape, caption, name=name, **more)  # type: ignore[arg-type]
         self.strokes.append(stroke)
 
@@ -81,12 +80,18 @@ class _Construction:
         for letter in self.motion.points:
             if letter in self.frame.fixed:
                 pivot = letter in bars or letter in "".join(self.motion.mechanism.links.values())
-                kind, phrase = ("fixed", "fixed") if pivot else ("pole", "fixed point")
+                kind, phrase = ("fixed", "fixed") if pivot else ("pole", self._point(letter))
                 parts = {"letter": letter}
                 self._draw(f"{letter}.fixed", kind, letter, Dot(self.at(letter)), phrase, parts)
         for slide in self._slides():
             if self.scene.is_guide(slide):
                 self._guide(slide)
+
+    def _point(self, letter: str) -> str:
+        """Return the phrase for a fixed point that is no pivot."""
+        guides = [slide for slide in self._slides() if self.scene.is_guide(slide)]
+        lines = {slide.along for slide in guides if slide.ends[0] == letter}
+        return "guides cross" if len(lines) > 1 else "fixed point"
 
     def _slides(self) -> list[Slide]:
         return [step for step in self.frame.steps if isinstance(step, Slide)]
@@ -95,8 +100,12 @@ class _Construction:
         line = self.scene.heading(self.frame.line(slide, self.motion.pose))
         origin = self.at(slide.ends[0]) + self.scene.outward(self.frame.shift(slide))
         guide = Guide(origin, line, self._away(slide.ends[1], line))
-        name, parts = f"{slide.ends}.guide", {"head": slide.ends[1]}
-        self._draw(name, "guide", "", guide, "guide", parts, link=slide.name)
+        head, tail = slide.ends[1], slide.ends[0]
+        known = tail in self.motion.points
+        label, phrase = ("", "guide") if known else (tail, "guide point")
+        parts = {"head": head, "tail": tail}
+        name = f"{slide.ends}.guide"
+        self._draw(name, "guide", label, guide, phrase, parts, link=slide.name)
 
     def _away(self, letter: str, line: complex) -> complex:
         """Return the unit vector across a guide, on the side away from the rod."""
@@ -122,7 +131,8 @@ class _Construction:
                 tail, head = (self.at(letter) for letter in step.ends)
                 sweep = self.motion.link(step.link).angle
                 arc = Arc(tail, abs(head - tail), 0.0, sweep)
-                label = quantity(sweep, "°", given=True)
+                angle = Figure(sweep, "°", given=True)
+                label = with_unit(self.scene.figures.place(angle), "°")
                 name, parts = f"{step.ends}.angle", {"link": step.link}
                 self._draw(name, "angle", label, arc, "angle", parts, link=step.link)
                 self.found.update(step.ends)
@@ -139,7 +149,7 @@ class _Construction:
         if end in self.found:
             return
         phrase: tuple[str, dict[str, object]] = ("found", {"letter": end})
-        unknown = [s for _, s in loop.steps() if scalar_of(s) in unknowns]
+        arcs = 0
         for step in (*loop.first, *loop.second):
             if isinstance(step, Bar) and scalar_of(step) in unknowns:
                 if any(
@@ -150,11 +160,15 @@ class _Construction:
                     phrase = self._lever_line(step, end)
                 else:
                     self._compass(step, end)
+                    arcs += 1
             elif isinstance(step, Slide) and isinstance(step.along, float):
                 if not self.scene.is_guide(step):
                     self._slot_line(step)
-                elif phrase[0] == "found" and any(isinstance(s, Bar) for s in unknown):
+                    phrase = ("on slot", {"letter": end})
+                elif phrase[0] == "found" and arcs:
                     phrase = ("on guide", {"letter": end})
+        if arcs > 1:
+            phrase = ("arcs cross", {"letter": end})
         self._draw(f"{end}.found", "intersection", end, Dot(self.at(end)), *phrase)
         self.found.add(end)
 
@@ -164,10 +178,12 @@ class _Construction:
         angle = math.degrees(cmath.phase(point - centre))
         arc = Arc(centre, self.scene.size(bar), angle - COMPASS, 2 * COMPASS, through=point)
         parts: dict[str, object] = {"head": end, "tail": letters[0], "bar": letters}
-        parts["unit"] = self.scene.unit
-        parts["size"] = self.scene.write_size(bar)
-        name = f"{bar.ends}.compass"
-        self._draw(name, "construction", letters, arc, "compass", parts, link=bar.link)
+        parts |= {"unit": Unit(self.scene.unit), "link": bar.link}
+        parts["size"] = self.scene.length(bar, self.scene.unit)
+        name, phrase = f"{bar.ends}.compass", "compass"
+        if self.scene.is_strut(bar):
+            phrase = "compass strut"
+        self._draw(name, "construction", letters, arc, phrase, parts, link=bar.link)
 
     def _lever_line(self, bar: Bar, end: str) -> tuple[str, dict[str, object]]:
         tail, point = self.at(bar.ends[0]), self.at(end)
@@ -186,7 +202,8 @@ class _Construction:
             line = -line
         shape = Line(self.at(head), line, self.at(tail))
         parts: dict[str, object] = {"head": tail, "pin": head}
-        name, label = f"{slide.ends}.line", self.scene.line_label(slide)
+        name = f"{slide.ends}.line"
+        label = self.scene.say("parallel", line=self.scene.line(slide))
         self._draw(name, "construction", label, shape, "slot line", parts, link=slide.name)
 
     def _ink(self, loop: Loop, unknowns: tuple[Scalar, ...]) -> None:
@@ -216,13 +233,14 @@ class _Construction:
 
     def _bar(self, bar: Bar, kind: str, phrase: str, image: bool = False) -> None:
         letters = self.scene.letters(bar)
-        arrow = Arrow(self.at(letters[0]), self.at(letters[1]), letters[0], letters[1])
+        tail, head = letters[0], letters[1]
+        arrow = Arrow(self.at(tail), self.at(head), tail, head, self.scene.cylinder(bar))
         angle = self.motion.link(bar.link).angle
         driven = angle_of(bar.link) == self.scene.driver
-        parts: dict[str, object] = {"link": bar.link, "bar": letters, "unit": self.scene.unit}
-        parts["size"] = self.scene.write_size(bar)
-        parts |= {"angle": quantity(angle, "°", driven)}
-        parts |= {"letter": letters[1], "tail": letters[0]}
+        parts: dict[str, object] = {"link": bar.link, "bar": letters}
+        parts |= {"size": self.scene.length(bar, self.scene.unit), "unit": Unit(self.scene.unit)}
+        parts |= {"angle": Figure(angle, "°", driven), "symbol": self.scene.symbol("θ", bar.link)}
+        parts |= {"letter": head, "tail": tail}
         reveals = () if driven or image else (bar.link,)
         self._draw(
             f"{bar.ends}.bar",
@@ -241,60 +259,32 @@ class _Construction:
         letter = slide.ends[1]
         line = self.scene.heading(self.frame.line(slide, self.motion.pose))
         on = slide.along if isinstance(slide.along, str) else None
-        value = self.motion.slide(slide.name).position
         driven = scalar_of(slide) == self.scene.driver
+        symbol = self.scene.slide_symbol(slide.name)
         parts: dict[str, object] = {
             "slide": slide.name.split("_")[0],
             "head": letter,
-            "symbol": slide_symbol(self.scene, slide.name),
-            "value": number(value, given=driven),
-            "unit": self.scene.unit,
+            "symbol": symbol,
+            "value": Figure(self.motion.slide(slide.name).position, self.scene.unit, driven),
+            "unit": Unit(self.scene.unit),
+            "tail": self._measured_from(slide),
         }
-        reveals = () if driven else (slide.name,)
+        if symbol == "s":
+            phrase += " from"
         self._draw(
             f"{slide.ends}.block",
             kind,
             letter,
-            Block(self.at(letter), line, on),
+            Block(self.at(letter), line, on, self.scene.travel(slide.name)),
             phrase,
             parts,
             link=slide.name,
             component="link",
-            reveals=reveals,
+            reveals=() if driven else (slide.name,),
         )
 
-    # --- the equation -------------------------------------------------------------------------
-
-    def _equation(self, loop: Loop) -> Equation:
-        sides = Side(), Side()
-        start = [_start(chain) for chain in (loop.first, loop.second)]
-        second_start = start[1]
-        if start[0] != start[1] and start[0] in self.frame.fixed:
-            if self.frame.fixed[start[0]] == self.frame.fixed[start[1]]:
-                second_start = start[0]
-            else:
-                sides[1].add(loop.second[0], Term(start[0] + start[1], None, None))
-        for chain, side in zip((loop.first, loop.second), sides, strict=True):
-            for step in chain:
-                if isinstance(step, Slide) and isinstance(step.along, str):
-                    continue  # the bar carries its length
-                label = self.scene.letters(step)
-                if side is sides[1] and step is chain[0] and label[0] == start[1]:
-                    label = second_start + label[1]
-                drawn = f"{step.ends}.bar" if isinstance(step, Bar) else f"{step.ends}.block"
-                side.add(step, Term(label, scalar_of(step).name, drawn))
-        return equation(loop, *sides)
-
-
-def _start(chain: tuple[Step, ...]) -> str:
-    first = chain[0]
-    return first.ends[1] if first.reverse else first.ends[0]
-
-
-def slide_symbol(scene: Scene, name: str) -> str:
-    """Return the symbol of a slide's position: x or y along an axis of the frame, else s."""
-    steps = scene.motion.frame.steps
-    slide = next(step for step in steps if isinstance(step, Slide) and step.name == name)
-    if scene.is_guide(slide) and slide.along in (0.0, 90.0):
-        return "x" if slide.along == 0.0 else "y"
-    return "s"
+    def _measured_from(self, slide: Slide) -> str:
+        """Return the point from which a slide's position counts: a lever's pivot, a line's tail."""
+        bars = (step for step in self.frame.steps if isinstance(step, Bar))
+        pivots = (bar.ends[0] for bar in bars if bar.length == slide.name)
+        return next(pivots, slide.ends[0])

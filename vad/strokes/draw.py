@@ -11,8 +11,9 @@ from vad.strokes.canonical import canonical
 from vad.strokes.chains import NOTHING
 from vad.strokes.diagrams import DIAGRAMS, Diagram
 from vad.strokes.language import Language
+from vad.strokes.notation import Notation, in_metres
 from vad.strokes.scene import Scene
-from vad.strokes.sheet import Arrow, Cell, Panel, Row, Sheet
+from vad.strokes.sheet import Arrow, Cell, Panel, Row, Sheet, Stroke
 
 
 def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: str = "en") -> Sheet:
@@ -50,15 +51,20 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     diagrams = [DIAGRAMS[name] for name in chosen(panels)]
     scene = Scene(motion, Language(language))
     drawn = tuple(diagram.panel(scene) for diagram in diagrams)
+    rows = _rows(scene, diagrams)
+    largest = _largest(rows, drawn)
+    rates = [size for unit, size in largest.items() if unit.startswith(f"{scene.unit}/s")]
+    notation = scene.figures.settled(Notation(scene.language.point, in_metres(rates)))
     mechanism = motion.mechanism
     sheet: Sheet = canonical(
         Sheet(
             mechanism=mechanism.name,
             title=scene.language.name(mechanism.title),
             parameters=_parameters(scene),
-            rows=_without_noise(_rows(scene, diagrams), drawn),
-            panels=drawn,
+            rows=_without_noise(rows, largest),
+            panels=tuple(_in_words(panel, scene, notation) for panel in drawn),
             language=language,
+            notation=notation,
         )
     )
     return sheet
@@ -85,6 +91,7 @@ def chosen(panels: Sequence[str] | str | None) -> tuple[str, ...]:
 
 
 def _parameters(scene: Scene) -> tuple[tuple[str, float, str], ...]:
+    """Return all lengths, and the angles but for 0 and a mechanism's own along the axes."""
     mechanism = scene.motion.mechanism
     plain = type(mechanism)
     shown = []
@@ -92,7 +99,7 @@ def _parameters(scene: Scene) -> tuple[tuple[str, float, str], ...]:
         metadata = plain.__dataclass_fields__[name].metadata
         if metadata["quantity"] == "length":
             shown.append((scene.language.name(name), value, scene.unit))
-        elif value != plain.__dataclass_fields__[name].default:
+        elif value and (value != plain.__dataclass_fields__[name].default or value % 90.0):
             shown.append((scene.language.name(name), value, "°"))
     return tuple(shown)
 
@@ -105,13 +112,26 @@ def _rows(scene: Scene, diagrams: list[Diagram]) -> list[Row]:
         rows.append(Row(name, say(name), motion.mechanism.links[name], cells))
     for name in motion.slides:
         cells = {diagram.name: diagram.slide(scene, name) for diagram in diagrams}
-        title = say(name.split("_", maxsplit=1)[0])
-        rows.append(Row(name, title, motion.mechanism.slides[name], cells))
+        strut = motion.mechanism.links.get(name)  # a link that grows has its stroke
+        title = say("stroke" if strut else name.split("_", maxsplit=1)[0])
+        rows.append(Row(name, title, strut or motion.mechanism.slides[name], cells))
     return rows
 
 
-def _without_noise(rows: list[Row], panels: tuple[Panel, ...]) -> tuple[Row, ...]:
-    """Write as zero what is zero but for rounding, against the largest of its kind."""
+def _in_words(panel: Panel, scene: Scene, notation: Notation) -> Panel:
+    """Return a panel with the numbers in its captions and labels."""
+
+    def filled(stroke: Stroke) -> Stroke:
+        caption, label = (
+            scene.figures.fill(text, notation) for text in (stroke.caption, stroke.label)
+        )
+        return replace(stroke, caption=caption, label=label)
+
+    return replace(panel, strokes=tuple(map(filled, panel.strokes)))
+
+
+def _largest(rows: list[Row], panels: tuple[Panel, ...]) -> dict[str, float]:
+    """Return the largest size of each unit, in the table and of the vectors."""
     largest: dict[str, float] = {}
     for row in rows:
         for cell in (cell for cells in row.cells.values() for cell in cells):
@@ -121,6 +141,11 @@ def _without_noise(rows: list[Row], panels: tuple[Panel, ...]) -> tuple[Row, ...
         sizes = (abs(arrow.end - arrow.start) for arrow in arrows)
         largest[panel.unit] = max(largest.get(panel.unit, 0.0), *sizes, 0.0)
     largest["rad/s²"] = max(largest.get("rad/s²", 0.0), largest.get("rad/s", 0.0) ** 2)
+    return largest
+
+
+def _without_noise(rows: list[Row], largest: dict[str, float]) -> tuple[Row, ...]:
+    """Write as zero what is zero but for rounding, against the largest of its kind."""
 
     def cleaned(cell: Cell) -> Cell:
         noise = abs(cell.value) < NOTHING * largest[cell.unit]

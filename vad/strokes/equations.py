@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from vad.kinematics.linkage import Loop, Step
+from vad.kinematics.linkage import Bar, Loop, Slide, Step, scalar_of
+from vad.strokes.scene import Scene
 from vad.strokes.sheet import Equation, Term
 
 
@@ -46,3 +47,31 @@ def equation(loop: Loop, first: Side, second: Side) -> Equation:
         left, right = second.forward() + first.backward(), first.forward()
     nothing = [Term("0", None, None)]
     return Equation(tuple(left or nothing), tuple(right or nothing))
+
+
+def of_position(scene: Scene, loop: Loop) -> Equation:
+    """Return the equation of a loop of the mechanism itself, a ground link added."""
+    fixed = scene.motion.frame.fixed
+    sides = Side(), Side()
+    start = [_start(chain) for chain in (loop.first, loop.second)]
+    second_start = start[1]
+    if start[0] != start[1] and start[0] in fixed:
+        if fixed[start[0]] == fixed[start[1]]:
+            second_start = start[0]
+        else:
+            sides[1].add(loop.second[0], Term(start[0] + start[1], None, None))
+    for chain, side in zip((loop.first, loop.second), sides, strict=True):
+        for step in chain:
+            if isinstance(step, Slide) and isinstance(step.along, str):
+                continue  # the bar carries its length
+            label = scene.letters(step)
+            if side is sides[1] and step is chain[0] and label[0] == start[1]:
+                label = second_start + label[1]
+            drawn = f"{step.ends}.bar" if isinstance(step, Bar) else f"{step.ends}.block"
+            side.add(step, Term(label, scalar_of(step).name, drawn))
+    return equation(loop, *sides)
+
+
+def _start(chain: tuple[Step, ...]) -> str:
+    first = chain[0]
+    return first.ends[1] if first.reverse else first.ends[0]

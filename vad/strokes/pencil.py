@@ -135,21 +135,23 @@ class Pencil:
             square: str | None = self.scene.letters(part.step)
             label = f"⟂ {square}"
         else:
-            square, label = None, self.scene.line_label(part.step)
+            square = None
+            label = self.scene.say("parallel", line=self.scene.line(part.step))
         caption = self.say.line(part, tip.name, self.letter(end))
         line = Line(tip.at, direction, crossing, square)
         name = f"{part.step.ends}.line"
         self.add(Stroke("construction", label, line, caption, owner(part.step), name=name))
 
-    def crossing(self, end: str, reveals: tuple[str, ...]) -> None:
-        """Mark the point where two lines cross; ``reveals`` are results that are zero."""
+    def crossing(self, end: str, zeros: list[tuple[Part, str]]) -> None:
+        """Mark the point where two lines cross; ``zeros`` vanish there, each at its vertex."""
         letter, at = self.letter(end), self.place(end)
         self.vertices[letter] = at
         fixed = end in self.scene.motion.frame.fixed
         name = POLE if fixed and not self._from_pole else f"{end}.crossing"
         if self.resting and name == POLE:
             return  # it is drawn already
-        caption = self.say.crossing(letter, fixed)
+        caption = self.say.crossing(letter, fixed, zeros)
+        reveals = tuple(owner(part.step) for part, _ in zeros)
         self.add(Stroke("intersection", letter, Dot(at), caption, reveals=reveals, name=name))
 
     def result(self, part: Part, tip: Tip, end: str) -> Stroke:
@@ -163,7 +165,7 @@ class Pencil:
             Stroke("result", label, arrow, caption, row, component, reveals=(row,), name=name)
         )
 
-    def whole(self, step: Step, several: bool) -> None:
+    def whole(self, step: Bar, several: bool) -> None:
         """Ink the sum of a step's parts; without ``several`` to be seen, it is left out."""
         tail, head = (self.letter(end) for end in step.ends)
         start, end = (self.place(end) for end in step.ends)
@@ -173,7 +175,7 @@ class Pencil:
         if not several:
             self._leave_out("result", arrow, owner(step), component, name)
             return
-        caption = self.say.whole(tail + head, end - start, step, still)
+        caption = self.say.whole(tail + head, end - start, step)
         self.add(Stroke("result", tail + head, arrow, caption, owner(step), component, name=name))
 
     def image(self, bar: Bar, start: str) -> None:
@@ -185,7 +187,11 @@ class Pencil:
             self._leave_out("result", arrow, bar.link, "absolute", name, image=True)
             return
         label = start + end
-        caption = self.say.image(bar, label, abs(at))
+        base = self.scene.base(bar)
+        known, own = (
+            abs(self.place(each.ends[1]) - self.place(each.ends[0])) for each in (base, bar)
+        )
+        caption = self.say.image(bar, base, label, (known, own, abs(at)))
         self.add(
             Stroke("result", label, arrow, caption, bar.link, "absolute", image=True, name=name)
         )

@@ -7,8 +7,8 @@ and measured.
 
 from __future__ import annotations
 
-from collections.abc import Container
 from dataclasses import dataclass, field
+from typing import TypeGuard
 
 from vad.kinematics.linkage import Bar, Scalar, Slide, Step, angle_of
 from vad.strokes.chains import NOTHING, Chain, Part
@@ -113,10 +113,10 @@ class _Polygon:
         for part in parts:
             step, last = part.step, _last(part, parts)
             arrives = chain.wholly_known(step) and not _on_link(step)
-            full = self._end_name(chain, part, last, self.letters)
+            full = self._end_name(chain, part, last)
             if part in seen:
                 ends = _last(part, seen)
-                name = self._end_name(chain, part, ends, pencil.vertices)
+                name = self._end_name(chain, part, ends)
                 exact = pencil.place(step.ends[1]) if ends and arrives else None
                 stroke = pencil.known(part, tip, name, exact)
                 trace.side.add(step, Term(stroke.label, owner(step), stroke.name))
@@ -137,12 +137,12 @@ class _Polygon:
         if self._has_whole(step):
             self.pencil.whole(step, seen > 1)
 
-    def _has_whole(self, step: Step) -> bool:
+    def _has_whole(self, step: Step) -> TypeGuard[Bar]:
         """Tell whether a step's vector is measured beside its parts: a bar's, but no strut's."""
         strut = isinstance(step, Bar) and step.length == self.scene.driver.name
         return self.order > 1 and isinstance(step, Bar) and not strut
 
-    def _end_name(self, chain: Chain, part: Part, last: bool, taken: Container[str]) -> str:
+    def _end_name(self, chain: Chain, part: Part, last: bool) -> str:
         """Name the vertex at the end of a known part: b′, b′ₙ, cₙ, c″ₙ, s′ or z."""
         step, letter = part.step, part.step.ends[1].lower()
         if part.name == "coriolis":
@@ -154,7 +154,7 @@ class _Polygon:
         if isinstance(step, Bar) and step.length == self.scene.driver.name:
             letter = step.ends[0].lower()  # the strut's part before it turns
         name = letter + SUBSCRIPT_N
-        return name if name not in taken else f"{letter}″{SUBSCRIPT_N}"
+        return name if name not in self.letters else f"{letter}″{SUBSCRIPT_N}"
 
     # --- the crossing and what it shows -------------------------------------------------------
 
@@ -163,7 +163,7 @@ class _Polygon:
         seen = [(part, trace) for part, trace in found if self.pencil.shows(part.vector)]
         zero = [(part, trace) for part, trace in found if (part, trace) not in seen]
         end = traces[0].chain.end
-        self.pencil.crossing(end, tuple(owner(part.step) for part, _ in zero))
+        self.pencil.crossing(end, [(part, trace.tip.name) for part, trace in zero])
         # Forward parts first: the lever's point is reached before the block slides on from it.
         seen.sort(key=lambda pair: pair[0].reverse)
         sums = [part for part, trace in seen if trace.side.has(part.step)]

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, TypeGuard
 
-from vad.kinematics.linkage import Bar, Scalar, Slide, Step, length_of, scalar_of
-from vad.strokes.language import Language
-from vad.written import PRIME, number, per_second, subscript
+from vad.kinematics.linkage import Bar, Scalar, Slide, Step, angle_of, length_of, scalar_of
+from vad.strokes.figures import Figure, Figures, Unit
+from vad.strokes.language import Language, Noun
+from vad.written import PRIME, per_second, subscript
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
@@ -21,6 +22,7 @@ class Scene:
 
     motion: Motion
     language: Language
+    figures: Figures = field(default_factory=Figures)
 
     @property
     def unit(self) -> str:
@@ -40,6 +42,24 @@ class Scene:
         """Return the length of a bar in the user's unit, without its sign."""
         frame = self.motion.frame
         return abs(float(frame.size(bar, self.motion.pose))) * frame.scale
+
+    def base(self, image: Bar) -> Bar:
+        """Return the bar of a loop that shares its link with a bar to a further point."""
+        steps = (step for loop in self.motion.linkage.loops for _, step in loop.steps())
+        return next(s for s in steps if isinstance(s, Bar) and s.link == image.link)
+
+    def travel(self, name: str) -> tuple[float, float]:
+        """Return how far a slide gets from where it is, back (negative) and ahead."""
+        slide = self.motion.slide(name)
+        least, most = (end - slide.position for end in slide.travel)
+        return min(0.0, least), max(0.0, most)  # which passes over NaN
+
+    def cylinder(self, bar: Bar) -> float:
+        """Return the length of a strut's cylinder, which has room for its rod; else 0."""
+        if not self.is_strut(bar):
+            return 0.0
+        _, longest = self.motion.slide(str(bar.length)).travel
+        return min(0.9 * self.size(bar), longest / 2)  # which passes over NaN
 
     def letters(self, step: Step) -> str:
         """Return the letters of a step as a reader knows them: a strut's own ends for its parts."""
@@ -63,6 +83,19 @@ class Scene:
         """Return a quantity with its body's number: ω₃."""
         return letter + subscript(self._numbers[name])
 
+    def slide_symbol(self, name: str) -> str:
+        """Return the symbol of a slide's position.
+
+        That is x or y along an axis of the frame, l for a link that grows, and else s.
+        """
+        if name in self.motion.links:
+            return "l"
+        steps = self.motion.frame.steps
+        slide = next(step for step in steps if isinstance(step, Slide) and step.name == name)
+        if self.is_guide(slide) and slide.along in (0.0, 90.0):
+            return "x" if slide.along == 0.0 else "y"
+        return "s"
+
     @property
     def driver(self) -> Scalar:
         """The scalar that drives the mechanism."""
@@ -72,14 +105,26 @@ class Scene:
         """Tell whether the driver alone moves a step."""
         return scalar_of(step) == self.driver
 
-    def write(self, scalar: Scalar, value: float) -> str:
-        """Write a number: as it was given for the driver, with four digits for the rest."""
-        return number(value, given=scalar == self.driver)
+    def say(self, phrase: str, **parts: object) -> str:
+        """Fill in a phrase, in which the places of numbers and units are kept."""
+        kept = {
+            name: self.figures.place(part) if isinstance(part, Figure | Unit) else part
+            for name, part in parts.items()
+        }
+        return self.language.say(phrase, **kept)
 
-    def write_size(self, bar: Bar) -> str:
-        """Write the length of a bar, which is given unless it is that of a slide to be found."""
-        is_given = isinstance(bar.length, float) or length_of(bar.length) == self.driver
-        return number(self.size(bar), given=is_given)
+    def figure(self, scalar: Scalar, value: float, unit: str = "", power: int = 1) -> Figure:
+        """Return a number of a scalar or its rates, which is given for the driver."""
+        return Figure(value, unit, scalar == self.driver, power)
+
+    def spin(self, link: str, order: int, power: int = 1) -> Figure:
+        """Return ω (1) or α (2) of a link, without its sign."""
+        return self.figure(angle_of(link), abs(self.rate(link, order)), power=power)
+
+    def length(self, bar: Bar, unit: str, power: int = 1) -> Figure:
+        """Return the length of a bar, which is given unless it is that of a slide to be found."""
+        given = isinstance(bar.length, float) or length_of(bar.length) == self.driver
+        return Figure(self.size(bar), unit, given, power)
 
     def orders(self, order: int) -> tuple[Rates, ...]:
         """Return the rates up to an order, solved for no further than that."""
@@ -94,24 +139,16 @@ class Scene:
         """Return the velocity or acceleration of a slide in the user's unit."""
         return float(self.orders(order)[-1].sliding[name]) * self.motion.frame.scale
 
-    def line_name(self, slide: Slide) -> str:
-        """Name the line of a slide in a sentence: the guide, the lever, the slot."""
-        return self._line("the ", slide)
-
-    def line_label(self, slide: Slide) -> str:
-        """Name the line of a slide beside its construction line: ∥ guide."""
-        return self._line("∥ ", slide)
-
-    def _line(self, start: str, slide: Slide) -> str:
-        say = self.language.say
+    def line(self, slide: Slide) -> Noun:
+        """Name the line of a slide: lever, slot, guide, or guide of A where there are several."""
+        noun = self.language.noun
         if isinstance(slide.along, str):
-            return say(f"{start}link", link=slide.along)
+            return noun(slide.along)
         if not self.is_guide(slide):
-            return say(f"{start}slot")
+            return noun("slot")
         guides = {step.ends for step in self.motion.frame.steps if self.is_guide(step)}
-        if len(guides) > 1:
-            return say(f"{start}guide of", head=slide.ends[1])
-        return say(f"{start}guide")
+        of = self.language.say("of point", head=slide.ends[1]) if len(guides) > 1 else ""
+        return noun("guide", of)
 
     def is_guide(self, step: Step) -> bool:
         """Tell whether a step slides on a line of the frame."""

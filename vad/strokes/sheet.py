@@ -20,8 +20,10 @@ Beyond its panel a stroke is called ``velocity:BC.line``.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
+
+from vad.strokes.notation import Notation
 
 Kind = Literal[
     "fixed",  # mechanisms only: a pivot of the frame
@@ -49,13 +51,15 @@ class Dot:
 class Arrow:
     """A vector from ``start`` to ``end``; in the position panel, the bar of a link.
 
-    ``tail`` and ``head`` are the letters of its two ends.
+    ``tail`` and ``head`` are the letters of its two ends.  ``cylinder`` is the length from
+    ``start`` of the cylinder of a strut, out of which its rod comes; 0 for every other bar.
     """
 
     start: complex
     end: complex
     tail: str
     head: str
+    cylinder: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,11 +111,14 @@ class Block:
     """A sliding block at ``at``, its long side along ``direction``.
 
     ``on`` is the turning link that it slides on, or None on a guide of the frame or of a yoke.
+    ``travel`` is how far it gets from here along its line, back (negative) and ahead, over all
+    poses of the mechanism.
     """
 
     at: complex
     direction: complex
     on: str | None = None
+    travel: tuple[float, float] = (0.0, 0.0)
 
 
 Shape = Dot | Arrow | Line | Arc | Guide | Block
@@ -232,7 +239,7 @@ class Panel:
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """One quantity of the results table: θ = 338.2°, with the value in full."""
+    """One quantity of the results table: θ₃ = 338.2°, with the value in full."""
 
     symbol: str
     value: float
@@ -244,7 +251,8 @@ class Cell:
 class Row:
     """One link or slide of the results table; ``cells`` holds a panel's cells by its name.
 
-    ``title`` and ``letters`` make its heading: "crank" and "AB", "slider" and "C".
+    ``title`` and ``letters`` make its heading: "crank" and "AB", "slider" and "C".  The number of
+    a link, as in ω₃, stands in the symbols of its cells.
     """
 
     key: str
@@ -258,7 +266,8 @@ class Sheet:
     """Everything that is drawn for one pose of one mechanism: pure data, in drawing order.
 
     ``parameters`` are (name, value, unit) as the title line shows them; ``rows`` are the
-    links, then the slides: their order gives each its ink.
+    links, then the slides: their order gives each its ink.  ``notation`` says how its numbers are
+    written, those in captions and labels are so already.
     """
 
     mechanism: str
@@ -267,6 +276,7 @@ class Sheet:
     rows: tuple[Row, ...]
     panels: tuple[Panel, ...]
     language: str = "en"
+    notation: Notation = field(default_factory=Notation)
 
     def panel(self, name: str) -> Panel:
         """Return the panel called ``name``."""

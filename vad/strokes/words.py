@@ -7,25 +7,27 @@ from __future__ import annotations
 
 from vad.strokes.language import Language
 from vad.strokes.sheet import Row, Sheet
-from vad.written import quantity
 
 
 def title(sheet: Sheet) -> str:
     """Return the sheet's title with its parameters."""
     parameters = ", ".join(
-        f"{name} {quantity(value, unit, given=True)}" for name, value, unit in sheet.parameters
+        f"{name} {sheet.notation.quantity(value, unit, given=True)}"
+        for name, value, unit in sheet.parameters
     )
-    return f"{sheet.title}: {parameters}" if parameters else sheet.title
+    colon = Language(sheet.language).say("colon")
+    return f"{sheet.title}{colon}{parameters}" if parameters else sheet.title
 
 
 def describe(sheet: Sheet) -> str:
     """Return what the panels show, step by step, and what was measured."""
     say = Language(sheet.language).say
     lines = [
-        f"{panel.title}: " + " ".join(_ended(s.caption) for s in panel.strokes)
+        panel.title + say("colon") + " ".join(_ended(s.caption) for s in panel.strokes)
         for panel in sheet.panels
     ]
-    lines.append(f"{say('results')}: " + "; ".join(_row(row, sheet) for row in sheet.rows) + ".")
+    rows = "; ".join(_row(row, sheet) for row in sheet.rows)
+    lines.append(f"{say('results')}{say('colon')}{rows}.")
     return "\n".join(lines)
 
 
@@ -37,7 +39,7 @@ def _row(row: Row, sheet: Sheet) -> str:
     note = Language(sheet.language).say("given")
     cells = [cell for panel in sheet.panels for cell in row.cells.get(panel.name, ())]
     values = [
-        f"{cell.symbol} = {quantity(cell.value, cell.unit, cell.given)}"
+        f"{cell.symbol} = {sheet.notation.quantity(cell.value, cell.unit, cell.given)}"
         + (f" ({note})" if cell.given else "")
         for cell in cells
     ]

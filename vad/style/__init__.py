@@ -6,12 +6,11 @@ In come a role and a row of the results, out go colours, widths and dashes.
 from __future__ import annotations
 
 import importlib
-import pkgutil
 from dataclasses import dataclass
-from functools import cache
 from typing import Literal
 
 from vad.errors import one_of
+from vad.found import names_in
 from vad.plan.roles import ROLES, Ink
 
 #: How much ink is in the tint of a block, and in the words of a panel that is not begun.
@@ -124,10 +123,9 @@ def mix(colour: str, ground: str, share: float) -> str:
     return "#" + "".join(f"{round(share * a + (1 - share) * b):02X}" for a, b in pairs)
 
 
-@cache
 def style_names() -> tuple[str, ...]:
     """Return the names of the styles: every file in this folder is one."""
-    return tuple(sorted(module.name for module in pkgutil.iter_modules(__path__)))
+    return names_in("style")
 
 
 def load_style(name: str) -> Style:

@@ -1,36 +1,95 @@
 from __future__ import annotations
 
 import io
+from itertools import combinations
 
 import matplotlib as mpl
 import numpy as np
 import pytest
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import vad
 from vad.export.sweep import plot
+from vad.export.sweep.ranges import limits
 from vad.export.sweep.results import results_of
 from vad.style import load_style
 
+TURN = np.linspace(0.0, 360.0, 73)
+RANGES = {"gate-actuator": np.linspace(3.25, 4.5, 51)}
 
-def test_a_plot_leaves_gaps_where_an_angle_passes_360():
-    angles = plot._broken(np.array([350.0, 358.0, 6.0, 14.0]))
-    assert np.isnan(angles).tolist() == [False, False, True, False]
+
+@pytest.fixture(autouse=True)
+def settings():
+    """Let texts be as wide as they are in the file."""
+    with mpl.rc_context(plot._settings(load_style("paper"))):
+        yield
+
+
+def plots(motion) -> list[Axes]:
+    """Return the plots of a sweep: positions, velocities and accelerations of links and slides."""
+    figure, symbols = Figure((16, 12)), {"block": "s", "ram": "x", "slider": "x"}
+    plot._curves(figure, results_of(motion), symbols, load_style("paper"))
+    return figure.axes
+
+
+def curve(axes: Axes, name: str):
+    """Return the line of the curve whose name stands at its end in its colour."""
+    (label,) = (each for each in axes.texts if each.get_text().startswith(name))
+    return next(each for each in axes.lines if each.get_color() == label.get_color())
+
+
+def test_an_angle_runs_on_past_360_and_starts_near_0():
+    rod = curve(plots(vad.solve(vad.SliderCrank(), angle=TURN))[0], "rod")
+    expected = -np.degrees(np.arcsin(60 / 140 * np.sin(np.radians(TURN))))
+    assert rod.get_ydata() == pytest.approx(expected, abs=1e-9)
+    lever = curve(plots(vad.solve(vad.Whitworth(), angle=TURN))[0], "lever").get_ydata()
+    assert lever[-1] - lever[0] == pytest.approx(360.0) and abs(lever[0]) < 180.0
+    assert np.all(np.diff(lever) > 0.0)
+
+
+def test_poses_that_do_not_close_leave_a_gap_in_an_angle():
+    motion = vad.solve(vad.FourBar(crank=130), angle=TURN)
+    rocker = curve(plots(motion)[0], "rocker").get_ydata()
+    assert (np.isnan(rocker) == ~motion.assembled).all()
+
+
+def test_names_and_symbols_are_those_of_the_sheet():
+    shaper = vad.CrankSlottedLever(rod=100, ram_height=180)
+    axes = plots(vad.solve(shaper, angle=TURN))
+    titles = [each.get_title(loc="left") for each in axes]
+    assert titles[:3] == ["$\\theta$, °", "$s$ / $x$, mm", "$\\omega$, rad/s"]
+    inks = {label.get_text(): label.get_color() for each in axes for label in each.texts}
+    assert inks == {
+        "lever $\\mathit{DC}$": "#D55E00",
+        "rod $\\mathit{CE}$": "#009E73",
+        "block $\\mathit{B}$": "#AA3377",
+        "ram $\\mathit{E}$": "#000000",
+    }
+
+
+@pytest.mark.parametrize("name", ["four-bar", "crank-slotted-lever", "gate-actuator"])
+def test_names_at_the_ends_never_touch_and_stay_on_the_page(name):
+    mechanism = vad.MECHANISMS[name]()
+    driven = next(iter(mechanism.inputs))
+    motion = vad.solve(mechanism, **{driven: RANGES.get(name, TURN)})
+    for axes in plots(motion):
+        boxes = [label.get_window_extent() for label in axes.texts]
+        assert not any(one.overlaps(other) for one, other in combinations(boxes, 2))
+        assert all(box.x1 <= axes.figure.bbox.x1 for box in boxes)
 
 
 def test_a_few_poses_near_a_dead_centre_do_not_dwarf_the_rest():
     calm = np.linspace(-1.0, 1.0, 100)
-    assert plot._limits(calm) == (-1.0, 1.0)
-    low, high = plot._limits(np.append(calm, [1e9, np.nan]))
+    assert limits(calm) == (-1.0, 1.0)
+    low, high = limits(np.append(calm, [1e9, np.nan]))
     assert low == -1.0 and 1.0 < high < 10.0
 
 
 def test_rounding_is_drawn_as_the_straight_line_that_it_stands_for():
     """Crank and rod of one length: the rod turns steadily, and its α is noise of 1e-13."""
     motion = vad.solve(vad.SliderCrank(crank=140, rod=140), angle=np.arange(0.0, 80.0))
-    figure = Figure()
-    plot._curves(figure, results_of(motion), load_style("paper"))
-    alpha = next(each for each in figure.axes if "alpha" in each.get_title(loc="left"))
+    alpha = next(each for each in plots(motion) if "alpha" in each.get_title(loc="left"))
     assert alpha.get_ylim() == pytest.approx((-1.0, 1.0))
 
 

@@ -14,6 +14,7 @@ from typing import Any
 from vad.errors import InputError
 
 _REQUIRED: Any = object()
+_MOST = 17  # significant digits of a double
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +77,12 @@ def _read_number(value: Any, place: str) -> float:
     raise wrong(place, "a finite number", value)
 
 
+def _read_count(value: Any, place: str) -> int:
+    if isinstance(value, int) and not isinstance(value, bool) and 0 <= value <= _MOST:
+        return value
+    raise wrong(place, f"a whole number, at most {_MOST}", value)
+
+
 def _read_flag(value: Any, place: str) -> bool:
     if not isinstance(value, bool):
         raise wrong(place, "true or false", value)
@@ -88,6 +95,7 @@ def _read_point(value: Any, place: str) -> complex:
 
 TEXT = Form(str, _read_text)
 NUMBER = Form(lambda value: float(value) + 0.0, _read_number)  # adding 0 turns -0.0 into 0.0
+COUNT = Form(int, _read_count)
 FLAG = Form(bool, _read_flag)
 
 

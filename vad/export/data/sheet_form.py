@@ -10,6 +10,7 @@ from functools import partial
 from typing import get_args
 
 from vad.export.data.records import (
+    COUNT,
     FLAG,
     NUMBER,
     POINT,
@@ -27,6 +28,7 @@ from vad.export.data.records import (
     variants,
 )
 from vad.strokes.language import languages
+from vad.strokes.notation import Notation
 from vad.strokes.sheet import (
     Arc,
     Arrow,
@@ -55,13 +57,26 @@ UNIT = Form(
 SHAPE = variants(
     "shape",
     dot=record(Dot, at=POINT),
-    arrow=record(Arrow, start=Key(POINT, "from"), end=Key(POINT, "to"), tail=TEXT, head=TEXT),
+    arrow=record(
+        Arrow,
+        start=Key(POINT, "from"),
+        end=Key(POINT, "to"),
+        tail=TEXT,
+        head=TEXT,
+        cylinder=optional(NUMBER, 0.0),
+    ),
     line=record(Line, through=POINT, direction=WAY, until=POINT, square_to=optional(TEXT)),
     arc=record(
         Arc, centre=POINT, radius=NUMBER, start=NUMBER, sweep=NUMBER, through=optional(POINT)
     ),
     guide=record(Guide, through=POINT, direction=WAY, side=optional(WAY)),
-    block=record(Block, at=POINT, direction=WAY, on=optional(TEXT)),
+    block=record(
+        Block,
+        at=POINT,
+        direction=WAY,
+        on=optional(TEXT),
+        travel=optional(row(NUMBER, NUMBER), (0.0, 0.0)),
+    ),
 )
 STROKE = record(
     Stroke,
@@ -99,6 +114,12 @@ PANEL = record(
 )
 CELL = record(Cell, symbol=TEXT, value=NUMBER, unit=UNIT, given=optional(FLAG, False))
 ROW = record(Row, key=TEXT, title=TEXT, letters=TEXT, cells=by_name(many(CELL)))
+NOTATION = record(
+    Notation,
+    point=one_of((".", ",")),
+    metres=optional(FLAG, False),
+    digits=optional(by_name(COUNT), {}),
+)
 SHEET = record(
     Sheet,
     mechanism=TEXT,
@@ -106,5 +127,6 @@ SHEET = record(
     language=one_of(languages()),
     parameters=many(row(TEXT, NUMBER, UNIT)),
     rows=many(ROW),
+    notation=optional(NOTATION, Notation()),
     panels=by_attribute("name", PANEL),
 )

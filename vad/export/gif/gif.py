@@ -22,6 +22,8 @@ from vad.painting.picture import EMPTY, Box, Frame, union
 
 Bytes = NDArray[np.uint8]
 
+#: Pictures a second of what moves in a lesson: each costs a kilobyte while a tool moves.
+MOST = 9.0
 #: Many players take a delay of less than 2 hundredths of a second for a tenth.
 _SHORTEST = 2
 #: In a turn all moves at once, and a picture stands at least so long; that halves the file.
@@ -35,7 +37,7 @@ _LEAVE_IN_PLACE, _HAS_TRANSPARENT = 1 << 2, 1
 def write(lesson: Film, stream: BinaryIO, *, progress: Progress | None = None) -> None:
     """Write ``lesson`` to ``stream``."""
     encode(
-        painted(lesson, progress),
+        painted(lesson, progress, MOST),
         stream,
         size=lesson.size,
         rate=rate(lesson.fps),

@@ -28,9 +28,10 @@ def image_bytes(box: Box, now: Bytes, shown: Bytes, bits: int) -> bytes:
 
     left, top, right, bottom = box
     place = struct.pack("<BHHHHBB", 0x2C, left, top, right - left, bottom - top, 0, bits)
-    indices = np.where(_worth_writing(now, now != shown), now, np.uint8(AS_BEFORE))
+    sparse = np.where(_worth_writing(now, now != shown), now, np.uint8(AS_BEFORE))
     # Pillow's own LZW, in blocks of up to 255 bytes; an empty block ends them.
-    return place + Image.fromarray(indices).tobytes("gif", "L", bits) + b"\0"
+    written = (Image.fromarray(indices).tobytes("gif", "L", bits) for indices in (sparse, now))
+    return place + min(written, key=len) + b"\0"
 
 
 def _worth_writing(now: Bytes, differs: Mask) -> Mask:

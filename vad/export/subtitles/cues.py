@@ -18,11 +18,11 @@ class Cue:
 
 
 def cues(lesson: Lesson) -> list[Cue]:
-    """Return one cue per captioned step, from the start of its growth to the end of its rest."""
+    """Return one cue per captioned step, as long as the page shows it."""
     found = []
     frame = lesson.opening
     for step in lesson.steps:
-        start, frame = frame, frame + step.grow + step.hold
+        start, frame = frame, frame + step.frames
         text = " ".join(step.stroke.caption.split())
         if text and frame > start:
             found.append(Cue(start / lesson.fps, frame / lesson.fps, text))

@@ -12,19 +12,20 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
-import numpy as np
-
 from vad.errors import AssemblyError
 from vad.kinematics.numbers import (
     EPSILON,
-    NAN_VECTOR,
     Number,
     choose,
     cross,
     dot,
-    is_array,
+    minimum,
     nearest,
+    nonzero,
+    not_below,
     over,
+    select,
+    settled,
     sqrt,
     times,
     vector,
@@ -48,18 +49,9 @@ def _root(low: Number, high: Number, both: Number, scale_low: Number, scale_high
     ``both`` is their exact sum: where it is small, what rounding adds to one factor is thus taken
     from the other, and at right angles leaves the product alone.
     """
-    if not is_array(low):
-        least = min(low, high)
-        if least >= 0.0:
-            return math.sqrt(least * (both - least))
-        short = low < -8 * EPSILON * scale_low or high < -8 * EPSILON * scale_high
-        return math.nan if short else 0.0
-    least = np.minimum(low, high)
-    # NaN fails this comparison too, and takes the careful way.
-    if least.size and not least.min() >= 0.0:
-        short = (low < -8 * EPSILON * scale_low) | (high < -8 * EPSILON * scale_high)
-        least = np.where(short, np.nan, np.fmax(least, 0.0))
-    return np.sqrt(least * (both - least))
+    short = (low < -8 * EPSILON * scale_low) | (high < -8 * EPSILON * scale_high)
+    least = select(short, math.nan, not_below(0.0, minimum(low, high)))
+    return sqrt(least * (both - least))
 
 
 @dataclass(frozen=True)
@@ -80,15 +72,11 @@ class GroundedCrank:
         if self.c.real == 0.0:  # nothing cancels, and a small cosine keeps its digits
             return self.t * u + self.c
         centre, short = nearest(u.real, u.imag)
-        return self.gap_from(u, short, *choose(centre, self.ends))
+        return self.gap_from(u, centre, short)
 
-    @property
-    def ends(self) -> dict[int, tuple[float]]:
-        """The gap's x where the crank's cosine is -1, 0 and 1."""
-        return {centre: (self.c.real + centre * self.t,) for centre in CENTRES}
-
-    def gap_from(self, u: Number, short: Number, end: Number) -> Number:
-        """Return the gap for a cosine that falls ``short`` of -1, 0 or 1, from the x there."""
+    def gap_from(self, u: Number, centre: Number, short: Number) -> Number:
+        """Return the gap for a cosine that falls ``short`` of -1, 0 or 1."""
+        end = self.c.real + centre * self.t
         return vector(end - self.t * short, self.t * u.imag + self.c.imag)
 
 
@@ -118,23 +106,21 @@ class TwoAngles:
         self.crank, self.sizes = crank, sizes
         (r, q), (c, t) = map(Fraction, sizes), map(Fraction, (crank.c.real, crank.t))
         squares = {centre: c * c + t * t + 2 * centre * c * t for centre in CENTRES}
-        self._constants = {
-            centre: (
-                *crank.ends[centre],
-                float(square),
-                float((r + q) ** 2 - square),
-                float(square - (r - q) ** 2),
-            )
-            for centre, square in squares.items()
-        }
+        self._squares = {centre: float(square) for centre, square in squares.items()}
+        self._below = {at: float((r + q) ** 2 - square) for at, square in squares.items()}
+        self._above = {at: float(square - (r - q) ** 2) for at, square in squares.items()}
 
     def over_crank(self, u: Number) -> Triangle:
         """Return the triangle over a grounded crank's gap."""
         centre, short = nearest(u.real, u.imag)
         grown = (-2.0 * self.crank.c.real * self.crank.t) * short
-        end, square, below, above = choose(centre, self._constants)
-        gap = self.crank.gap_from(u, short, end)
-        return Triangle(gap, square + grown, below - grown, above + grown, *self.sizes)
+        return Triangle(
+            self.crank.gap_from(u, centre, short),
+            choose(centre, self._squares) + grown,
+            choose(centre, self._below) - grown,
+            choose(centre, self._above) + grown,
+            *self.sizes,
+        )
 
     def over_gap(self, gap: Number, r: Number, q: Number) -> Triangle:
         """Return the triangle over any other gap."""
@@ -151,61 +137,79 @@ class TwoAngles:
         total, difference = r + q, r - q
         spread = total * total
         root = _root(below, above, 4.0 * r * q, square + spread, square + difference * difference)
-        if not is_array(root):
-            if math.isnan(root):
-                length = math.sqrt(square)
-                raise OpenLoopError(max(length - total, abs(difference) - length))
-            if square == 0.0:  # the bars fold onto each other and may turn together
-                return NAN_VECTOR, NAN_VECTOR, 0.0
-            if r == 0.0:  # a strut without length may point anywhere
-                return NAN_VECTOR, over(-gap, q), 0.0
         # Both feet from Heron's factor: the short bar's from no difference of the long ones.
         half = (0.5 * self.side) * root
-        across = half / square
+        square = nonzero(square)  # else the bars fold onto each other and may turn together
+        sideways = half / square
         twice = 2.0 * square
         along = above + (2.0 * difference) * r, (2.0 * difference) * q - above
-        first = times(gap, vector(along[0] / (r * twice), across / r))
-        second = times(gap, vector(along[1] / (q * twice), across / q))
-        sine = half / (r * q)
-        if is_array(r) and not r.all():
-            sine[(r == 0.0) & (half == 0.0)] = 0.0
-        return first, second, sine
+        some = nonzero(r)  # a strut without length may point anywhere
+        first = times(gap, vector(along[0] / (some * twice), sideways / some))
+        second = times(gap, vector(along[1] / (q * twice), sideways / q))
+        return first, second, select((r == 0.0) & (half == 0.0), 0.0, half / (some * q))
+
+    @staticmethod
+    def miss(triangle: Triangle) -> float:
+        """Return by how much the gap of one pose is too long or too short."""
+        length = math.sqrt(triangle.square)
+        return max(length - (triangle.r + triangle.q), abs(triangle.r - triangle.q) - length)
 
 
 class AngleAndLength:
-    """A bar r from the gap onto a line along g: z = E + s·g (angle and length unknown)."""
+    """A bar r from the gap onto a line along g: z = E + s·g (angle and length unknown).
 
-    def __init__(self, side: float, crank: GroundedCrank | None, r: float, g: complex) -> None:
+    Where the gap is ``rounded``, being found from other loops, what is left of a bar that stands
+    across the line may be rounding alone.
+    """
+
+    def __init__(
+        self,
+        side: float,
+        crank: GroundedCrank | None,
+        r: float,
+        g: complex,
+        rounded: bool = False,
+    ) -> None:
         self.side = side
+        self._noise = 4.0 * EPSILON if rounded else 0.0
         self.r = r
         self.g = g
         # Only for a guide along the frame's own axis does the crank's sine give the height.
         self.crank = crank if g == 1.0 else None
         if self.crank is not None:
             h, t = self.crank.c.imag, self.crank.t
-            self._constants = {
-                k: (math.fsum((r, -h, -k * t)), math.fsum((r, h, k * t)), h + k * t)
-                for k in CENTRES
-            }
+            self._below = {k: math.fsum((r, -h, -k * t)) for k in CENTRES}
+            self._above = {k: math.fsum((r, h, k * t)) for k in CENTRES}
+            self._heights = {k: h + k * t for k in CENTRES}
 
     def close(self, gap: Number, u: Number) -> tuple[Number, Number, Number]:
         """Return the bar's unit vector seen along g, the length s and the sine of normal and g."""
         r = self.r
-        along = -dot(self.g, gap)
-        if self.crank is not None:
-            centre, short = nearest(u.imag, u.real)
-            sunk = self.crank.t * short
-            below, above, height = choose(centre, self._constants)
-            below, above, height = below + sunk, above - sunk, height - sunk
-        else:
-            height = cross(self.g, gap)
-            below, above = r - height, r + height
+        below, above, height = self._rise(gap, u)
         spread = r + abs(height)
-        root = _root(below, above, 2.0 * r, spread, spread)
-        if not is_array(root) and math.isnan(root):
-            raise OpenLoopError(abs(height) - r)
-        root = self.side * root
-        return vector(root / r, height / r), along + root, -root / r
+        root = self.side * _root(below, above, 2.0 * r, spread, spread)
+        return vector(root / r, height / r), root - dot(self.g, gap), -root / r
+
+    def miss(self, gap: Number, u: Number) -> float:
+        """Return by how much the line of one pose is too far away."""
+        return float(abs(self._rise(gap, u)[2]) - self.r)
+
+    def _rise(self, gap: Number, u: Number) -> tuple[Number, Number, Number]:
+        """Return r - h, r + h and h, the height to which the bar rises from the line."""
+        if self.crank is None:
+            height = cross(self.g, gap)
+            below, above = self.r - height, self.r + height
+            if self._noise:
+                least = self._noise * (self.r + abs(height))
+                below, above = settled(below, least), settled(above, least)
+            return below, above, height
+        centre, short = nearest(u.imag, u.real)
+        sunk = self.crank.t * short
+        return (
+            choose(centre, self._below) + sunk,
+            choose(centre, self._above) - sunk,
+            choose(centre, self._heights) - sunk,
+        )
 
 
 def slot(pin: Number) -> tuple[Number, Number]:
@@ -214,9 +218,7 @@ def slot(pin: Number) -> tuple[Number, Number]:
     With the pin on the pivot the length is zero and the unit vector NaN.
     """
     length = sqrt(dot(pin, pin))
-    if is_array(length):
-        return over(pin, np.where(length == 0.0, np.nan, length)), length
-    return (over(pin, length) if length else NAN_VECTOR), length
+    return over(pin, nonzero(length)), length
 
 
 def crossing(target: Number, p: Number, q: Number, sine: Number) -> tuple[Number, Number]:

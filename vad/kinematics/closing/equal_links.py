@@ -9,10 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-import numpy as np
-
 from vad.kinematics.closing.closures import GroundedCrank
-from vad.kinematics.numbers import Number, dot, is_array
+from vad.kinematics.numbers import Number, dot, select, select_vector
 from vad.kinematics.state import GROUND, Pose, Rates
 
 # The link that is copied, and +1.0 along it or -1.0 against it.
@@ -50,25 +48,19 @@ class EqualLinks:
         """Write what stands, and what turns with the crank, into the closed ``pose``."""
         here = self._applies(pose.unit[self._driver])
         for link, (source, sense) in self._copies.items():
-            pose.unit[link] = _where(here, sense * pose.unit[source], pose.unit[link])
+            pose.unit[link] = select_vector(here, sense * pose.unit[source], pose.unit[link])
             pose.leaning.pop(link, None)
         if self._slide:
-            pose.length[self._slide] = _where(here, 0.0, pose.length[self._slide])
+            pose.length[self._slide] = select(here, 0.0, pose.length[self._slide])
 
     def move(self, pose: Pose, rates: Rates) -> None:
         """Write their rates into ``rates``."""
         here = self._applies(pose.unit[self._driver])
         for link, (source, _) in self._copies.items():
             rate = 0.0 if source == GROUND else rates.turning[source]
-            rates.turning[link] = _where(here, rate, rates.turning[link])
+            rates.turning[link] = select(here, rate, rates.turning[link])
         if self._slide:
-            rates.sliding[self._slide] = _where(here, 0.0, rates.sliding[self._slide])
-
-
-def _where(here: Number, standing: Number, moving: Number) -> Number:
-    if is_array(here):
-        return np.where(here, standing, moving)
-    return standing if here else moving
+            rates.sliding[self._slide] = select(here, 0.0, rates.sliding[self._slide])
 
 
 def equal_bars(

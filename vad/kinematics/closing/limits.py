@@ -24,6 +24,8 @@ def triangle_limits(crank: GroundedCrank, r: float, q: float) -> list[float]:
     """
     c, t, first, second = map(Fraction, (crank.c.real, crank.t, r, q))
     found: list[float] = []
+    if not c * t:  # beside the other links nothing turns
+        return found
     for gap in (first + second, first - second):
         half_sine = ((c + t) ** 2 - gap**2) / (4 * c * t)
         half_cosine = (gap**2 - (c - t) ** 2) / (4 * c * t)
@@ -38,6 +40,8 @@ def guide_limits(height: float, t: float, r: float) -> list[float]:
     """
     h, radius, reach = map(Fraction, (height, t, r))
     found: list[float] = []
+    if not radius:
+        return found
     for foot in (reach - h, -reach - h):
         from_normal = _both_ways((radius - foot) / (2 * radius), (radius + foot) / (2 * radius))
         found += [90.0 - angle for angle in from_normal]

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
-
-import numpy as np
 
 from vad.kinematics.closing.closures import GroundedCrank, crossing
 from vad.kinematics.closing.equal_links import EqualLinks
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, angle_of, scalar_of
-from vad.kinematics.numbers import Number, is_array
+from vad.kinematics.numbers import Number, nonzero
 from vad.kinematics.state import GROUND, Pose, Rates
 
 SignedStep = tuple[int, Step]
@@ -85,6 +82,10 @@ class LoopSolver:
         """Find the two unknowns of the position and write them into ``pose``."""
         raise TypeError(f"{type(self).__name__} has no closed form")
 
+    def miss(self, pose: Pose) -> float:
+        """Return by how much the chains of one pose miss each other, in the solver's unit."""
+        raise TypeError(f"{type(self).__name__} always closes")
+
     def place(self, pose: Pose) -> None:
         """Find the two unknowns of the position, those of equal links without any rounding."""
         self.close(pose)
@@ -93,12 +94,7 @@ class LoopSolver:
 
     def move(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
         """Find the two unknown rates of the highest order; NaN at a dead centre."""
-        if is_array(sine) or sine != 0.0:
-            self.cross(pose, rates, _alive(sine))
-        else:
-            for step in (self.step, self.other):
-                found = rates[-1].turning if isinstance(step, Bar) else rates[-1].sliding
-                found[scalar_of(step).name] = math.nan
+        self.cross(pose, rates, nonzero(sine))
         if self.equal:
             self.equal.move(pose, rates[-1])
 
@@ -133,7 +129,7 @@ class LoopSolver:
         found = rates[-1]
         for step, rate in zip((self.step, self.other), crossing(-total, p, q, sine), strict=True):
             if isinstance(step, Bar):
-                turning = rate / self.radius(step, pose)
+                turning = rate / nonzero(self.radius(step, pose))
                 found.turning[step.link] = (
                     turning + found.turning[driver] if self.inverted else turning
                 )
@@ -152,12 +148,3 @@ class LoopSolver:
     def radius(self, bar: Bar, pose: Pose) -> Number:
         """Return the length at which an unknown bar turns."""
         return self.frame.size(bar, pose)
-
-
-def _alive(sine: Number) -> Number:
-    """Return the sine by which the crossing divides: never zero."""
-    if not is_array(sine):
-        return sine
-    dead = sine == 0.0
-    # A copy only where there is a dead centre.
-    return np.where(dead, np.nan, sine) if dead.any() else sine

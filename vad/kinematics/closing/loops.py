@@ -24,7 +24,18 @@ from vad.kinematics.closing.loop import LoopSolver
 from vad.kinematics.closing.strut import Strut
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, length_of, scalar_of
-from vad.kinematics.numbers import Number, cross, degrees_of, fold, over, times, vector
+from vad.kinematics.numbers import (
+    Number,
+    across,
+    cross,
+    degrees_of,
+    fold,
+    nonzero,
+    over,
+    select,
+    times,
+    vector,
+)
 from vad.kinematics.state import GROUND, Pose, Rates
 
 
@@ -101,10 +112,13 @@ class TwoAnglesLoop(LoopSolver):
 
     def close(self, pose: Pose) -> None:
         """Close the triangle over the gap."""
-        triangle = self.triangle(pose)
-        first, second, sine = self._closure.close(triangle)
+        first, second, sine = self._closure.close(self.triangle(pose))
         pose.unit[self.step.link], pose.unit[self.other.link] = first, second
         pose.sine.append(sine)
+
+    def miss(self, pose: Pose) -> float:
+        """Return by how much the gap is too long or too short for both bars."""
+        return self._closure.miss(self.triangle(pose))
 
     def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
         """Find ω or α of both bars: seen from the longer one, if no link is longer.
@@ -122,7 +136,7 @@ class TwoAnglesLoop(LoopSolver):
         seen = *(rate.seen_from(long.link) for rate in rates[:-1]), Rates(driven, rates[-1].sliding)
         total = self.motion(self.moving[len(seen) - 1], pose, seen)
         gap = sum(size * pose.unit[link] for size, link in self._gap)
-        p, q = -1j * gap, self._sense * frame.unknown_direction(short, pose)
+        p, q = -across(gap), self._sense * frame.unknown_direction(short, pose)
         x, y = crossing(-total, p, q, sine * (-self._sense * frame.size(long, pose)))
         found[long.link] = x + spin if self.inverted else x
         found[short.link] = found[long.link] + y / frame.size(short)
@@ -176,7 +190,8 @@ class AngleAndLengthLoop(LoopSolver):
         guide = way * self.other_way * frame.line(self.other, None)
         size = frame.size(self.step)
         frame.guides[self.step.link] = fold(float(self.other.along))
-        self._closure = AngleAndLength(self.side, crank, size, guide)
+        rounded = any(scalar_of(step) != frame.linkage.driver for _, step in self.known)
+        self._closure = AngleAndLength(self.side, crank, size, guide, rounded)
         self._advance = frame.advance(self.other) if self.other.through_tail else 0.0
         if crank:
             driver, rod = frame.linkage.driver.name, (self.step.link, size)
@@ -197,14 +212,21 @@ class AngleAndLengthLoop(LoopSolver):
 
     def close(self, pose: Pose) -> None:
         """Let the bar end on the line."""
-        u = pose.unit.get(self.frame.linkage.driver.name)
-        lean, length, sine = self._closure.close(-self.way * self.gap(pose), u)
+        lean, length, sine = self._closure.close(*self._approach(pose))
         link, guide = self.step.link, self._closure.g
         pose.unit[link] = lean if guide == 1.0 else times(guide, lean)
         if self.frame.angle:
             pose.leaning[link] = (-self.way * self.other_way) * lean
         pose.length[self.other.name] = length + self._advance
         pose.sine.append(sine)
+
+    def miss(self, pose: Pose) -> float:
+        """Return by how much the guide is out of the bar's reach."""
+        return self._closure.miss(*self._approach(pose))
+
+    def _approach(self, pose: Pose) -> tuple[Number, Number]:
+        """Return the gap as the bar sees it, and the driven crank's unit vector if there is one."""
+        return -self.way * self.gap(pose), pose.unit.get(self.frame.linkage.driver.name)
 
 
 class SlotLoop(LoopSolver):
@@ -223,7 +245,7 @@ class SlotLoop(LoopSolver):
         unit, length = slot(-self.way * self.gap(pose))
         pose.unit[self.step.link], pose.length[self.other.name] = unit, length
         # The lines always cross at right angles; what can vanish is the length.
-        pose.sine.append((length > 0.0) * float(self.way * self.other_way))
+        pose.sine.append(select(length > 0.0, float(self.way * self.other_way), 0.0))
 
     def why_dead(self) -> str:
         """Say that the pin stands on the pivot."""
@@ -242,7 +264,6 @@ class TwoLengthsLoop(LoopSolver):
         p = self.way * self.frame.line(self.step, pose)
         q = -self.other_way * self.frame.line(self.other, pose)
         sine = cross(p, q)
-        target = -self.gap(pose)
-        found = crossing(target, p, q, sine)
+        found = crossing(-self.gap(pose), p, q, nonzero(sine))
         pose.length[self.step.name], pose.length[self.other.name] = found
-        pose.sine.append((target.real == target.real) * sine)
+        pose.sine.append(sine)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from vad.kinematics.closing.closures import Triangle
-from vad.kinematics.numbers import Number
+from vad.kinematics.numbers import Number, nonzero
 
 
 class Strut:
@@ -37,8 +37,8 @@ class Strut:
 
     def projections(self, r: Number) -> tuple[Number, Number]:
         """Return the projections of q and of the gap on r."""
-        f, q = self.length, self.q
+        f, q, twice = self.length, self.q, nonzero(2.0 * r)
         if self._short_bar:
-            power = (r - f) * (r + f)
-            return (q * q + power) / (2.0 * r), r - (q * q + power) / (2.0 * r)
-        return (r * r + self._power) / (2.0 * r), ((r - q) * (r + q) + f * f) / (2.0 * r)
+            at_arm = (q * q + (r - f) * (r + f)) / twice
+            return at_arm, r - at_arm
+        return (r * r + self._power) / twice, ((r - q) * (r + q) + f * f) / twice

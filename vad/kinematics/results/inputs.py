@@ -59,6 +59,7 @@ def checked(name: str, value: object, largest: float) -> Number:
     array = _many(name, value)
     with np.errstate(invalid="ignore"):
         array[~(np.isfinite(array) & (np.abs(array) <= largest))] = np.nan
+    array.flags.writeable = False  # what is solved from it would no longer belong to it
     return array
 
 

@@ -26,7 +26,7 @@ class Objects:
 
     def write(self, content: str, number: int = 0) -> int:
         """Write an object and return its number, a new one unless it was reserved."""
-        return self._write(content.encode(), number)
+        return self._write(content.encode("latin-1"), number)
 
     def stream(self, content: str, head: str = "") -> int:
         """Write a compressed stream, with what its dictionary says besides, as a new object."""

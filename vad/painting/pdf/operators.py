@@ -11,6 +11,8 @@ from vad.style import Pen
 _DIGITS = 3
 _OPERATORS = {MOVE: "m", LINE: "l", CURVE: "c"}
 
+_ESCAPED = str.maketrans({letter: f"\\{letter}" for letter in "()\\"} | {"\r": "\\r"})
+
 #: Left, bottom, right and top, in points.
 Area = tuple[float, float, float, float]
 
@@ -38,8 +40,15 @@ def box(area: Area) -> str:
 
 
 def string(text: str) -> str:
-    """Return any text as a string of a document's properties."""
-    return f"<FEFF{text.encode('utf-16-be').hex().upper()}>"
+    r"""Return any text as a string of a document's properties: two bytes a letter.
+
+    Examples
+    --------
+    >>> string("ω (")
+    '(þÿ\x03É\x00 \x00\\()'
+    """
+    data = f"\N{BYTE ORDER MARK}{text}".encode("utf-16-be").decode("latin-1")
+    return f"({data.translate(_ESCAPED)})"
 
 
 def take(pen: Pen, unit: float) -> str:

@@ -5,6 +5,9 @@ In come a stroke's ends and a string, out goes a label that touches nothing.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from vad.plan.growth import Growth
 from vad.plan.items import Level, Span
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import CLEARANCE, Placed, beside, place
@@ -29,6 +32,7 @@ def add_tag(
     size: float,
     span: Span,
     since: int,
+    growth: Growth | None = None,
 ) -> None:
     """Write ``text`` beside the line between ``ends``, nearest its middle.
 
@@ -37,10 +41,10 @@ def add_tag(
     runs, row = symbols(text), sketch.setting.row(stroke.link)
     placed = _along(sketch.obstacles.during(span), *ends, runs, size)
     sketch.obstacles.box(placed.box, span)
-    marks = [text_at(runs, runs, placed.centre, size, "tag", row)]
+    marks = [replace(text_at(runs, runs, placed.centre, size, "tag", row), growth=growth)]
     if placed.leader:
         sketch.obstacles.line(placed.leader, PIXEL, span)
-        marks.insert(0, line(placed.leader, "leader"))
+        marks.insert(0, line(placed.leader, "leader", growth=growth))
     sketch.add(stroke, Level.LABEL, since, marks, span[1])
     sketch.tags.append(Tag(text, placed.box, span))
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from vad.plan.carriers import reached
 from vad.plan.geometry import direction_of
 from vad.plan.items import FOREVER, Level
 from vad.plan.labels.placing import outward, place
@@ -42,7 +43,7 @@ class Vertex:
 
 def corners(panel: Panel) -> list[complex]:
     """Return the points of a panel that have to be on the page, in its own unit."""
-    points: list[complex] = []
+    points = reached(panel)
     for stroke in panel.strokes:
         if isinstance(stroke.shape, Dot):
             points.append(stroke.shape.at)

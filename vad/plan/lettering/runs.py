@@ -62,16 +62,16 @@ def symbols(text: str) -> Runs:
     return roman(text, lambda token: len(token) <= 2)
 
 
-def sentence(text: str, names: Iterable[str], article: str = "") -> Runs:
+def sentence(text: str, names: Iterable[str], words: str = "") -> Runs:
     """Return a caption, in which the ``names`` of points, vectors and quantities are italic.
 
-    Units after a stroke (mm/s) stay upright, and so does the ``article`` of a language that is
-    also the name of a point: "a" before a word, in English.
+    Units after a stroke (mm/s) stay upright, and so do the ``words`` of a language that are also
+    names, by a pattern: "a" before a word, in English.
     """
     known = set(names)
     upright = r"(?<=/)s(?![A-Za-z])"
-    if article:
-        upright += rf"|\b{article}(?= [a-zà-ÿ]{{3,}})"
+    if words:
+        upright += rf"|\b(?:{words})"
     pieces: list[Run] = []
     start = 0
     for found in re.finditer(upright, text):

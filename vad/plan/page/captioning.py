@@ -30,7 +30,7 @@ def italic_names(sheet: Sheet) -> frozenset[str]:
         words = ("angle", "construction")  # whose labels have words in them
         strings = [stroke.label for stroke in panel.strokes if stroke.kind not in words]
         # An image is found by the ratio of two vectors, of which one is not drawn.
-        ratios = (re.match(r"\D* ([a-z]{2})/", s.caption) for s in panel.strokes if s.image)
+        ratios = (re.search(r"([a-z]{2}) = ", s.caption) for s in panel.strokes if s.image)
         strings += [ratio.group(1) for ratio in ratios if ratio]
         for equation in panel.equations:
             strings += [term.label for term in (*equation.left, *equation.right)]
@@ -46,8 +46,8 @@ def italic_names(sheet: Sheet) -> frozenset[str]:
 def setter(sheet: Sheet) -> Setter:
     """Return what sets the captions of a sheet in type."""
     names = italic_names(sheet)
-    article = Language(sheet.language).article
-    return lambda text: sentence(text, names, article)
+    upright = Language(sheet.language).upright
+    return lambda text: sentence(text, names, upright)
 
 
 def caption_lines(sheet: Sheet, room: float) -> int:

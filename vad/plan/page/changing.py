@@ -5,15 +5,17 @@ In come a sheet on its page and the sketches of its panels, out go items.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from vad.lecture.moment import drawing
 from vad.plan.items import Item, Level
 from vad.plan.layout import Page
 from vad.plan.marks import Mark
 from vad.plan.page.captioning import caption_marks, setter
+from vad.plan.page.entries import Entry
 from vad.plan.page.foot import Foot, placed
 from vad.plan.page.heads import head, pale
+from vad.plan.page.measured import measured
 from vad.plan.page.table import table
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Panel, Sheet
@@ -24,7 +26,7 @@ def heads(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[
     for panel in sheet.panels:
         sketch, place = sketches[panel.name], page.panels[panel.name]
         begun, region = drawing(sketch.setting.first), f"{panel.name} head"
-        full = head(panel, place, sketch.scale, sketch.setting.centimetre)
+        full = head(panel, place, sketch.scale, sketch.setting.centimetre, sheet.notation)
         yield Item("", region, Level.GROUND, tuple(pale(full)), 0, begun)
         yield Item("", region, Level.GROUND, tuple(full), begun)
 
@@ -49,6 +51,14 @@ def equations(
             yield Item(name, region, Level.LABEL, (Mark(text, "term", row),), inked)
 
 
+def readings(
+    page: Page, feet: Mapping[str, Foot], sketches: Mapping[str, Sketch]
+) -> Iterator[Item]:
+    """Yield what a ruler finds on paper, below the equations."""
+    for name, sketch in sketches.items():
+        yield from measured(sketch, page.panels[name], len(feet[name].lines))
+
+
 def results(
     sheet: Sheet, page: Page, sketches: Mapping[str, Sketch], key: float, lesson: bool
 ) -> Iterator[Item]:
@@ -58,20 +68,24 @@ def results(
     for panel in sheet.panels:
         setting = sketches[panel.name].setting
         for index, row in enumerate(sheet.rows):
-            marks = entries.cells(index, row, panel.name, False)
+            marks = _marks(entries.cells(index, row, panel.name, False))
             cells = row.cells.get(panel.name, ())
             if all(cell.given for cell in cells):
-                yield Item("", "results", Level.LABEL, tuple(marks))
+                yield Item("", "results", Level.LABEL, marks)
                 continue
             number = _revealing(panel, row.key)
             if number is None:
                 continue
             since, name = setting.after(number), panel.full(panel.strokes[number].name)
             if lesson:
-                bold = entries.cells(index, row, panel.name, True)
-                yield Item(name, "results", Level.LABEL, tuple(bold), since, since + 1)
+                bold = _marks(entries.cells(index, row, panel.name, True))
+                yield Item(name, "results", Level.LABEL, bold, since, since + 1)
                 since += 1
-            yield Item(name, "results", Level.LABEL, tuple(marks), since)
+            yield Item(name, "results", Level.LABEL, marks, since)
+
+
+def _marks(entries: Iterable[Entry]) -> tuple[Mark, ...]:
+    return tuple(mark for entry in entries for mark in entry.marks)
 
 
 def _revealing(panel: Panel, key: str) -> int | None:
@@ -88,7 +102,7 @@ def captions(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterat
         for index, stroke in enumerate(panel.strokes):
             marks = caption_marks(panel, index, write, page)
             since, name = setting.during(index), panel.full(stroke.name)
-            yield Item(name, "caption", Level.LABEL, tuple(marks), since, since + 2)
+            yield Item(name, "caption", Level.LABEL, tuple(marks), since, setting.over(index))
 
 
 def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
@@ -101,6 +115,6 @@ def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
                 if marks:
                     name, span = (
                         setting.panel.full(stroke.name),
-                        (setting.during(index), setting.after(index)),
+                        (setting.during(index), setting.over(index)),
                     )
                     yield Item(name, home, Level.GLOW, tuple(marks), *span)

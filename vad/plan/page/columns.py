@@ -6,15 +6,16 @@ from vad.plan.layout import Page
 from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
-from vad.plan.page.entries import GIVEN_SIZE, SIZE, Entries, heading
+from vad.plan.page.entries import GIVEN_SIZE, SIZE, Entries, Entry
 from vad.strokes.language import Language
 from vad.strokes.sheet import Cell, Row
 from vad.written import with_unit
 
 LEAST = 0.024
 VALUES = 0.2986  # from the margin to the symbols of the first column
-EQUALS = 0.0315
-NUMBERS = 0.0620
+EQUALS = 0.0400
+NUMBERS = 0.0705
+WRITTEN = 0.20  # width of a number that is written by hand
 
 
 class Columns:
@@ -33,7 +34,9 @@ class Columns:
             marks.append(line(ends, "hairline"))
         left, key = self._page.left, self._entries.key
         room = VALUES - 0.02 - key
-        size = min((fitted(heading(row), SIZE, LEAST, room) for row in rows), default=0.0)
+        size = min(
+            (fitted(self._entries.heading(row), SIZE, LEAST, room) for row in rows), default=0.0
+        )
         for row, baseline in zip(rows, self._page.rows, strict=True):
             marks += self._entries.name(row, complex(left, baseline), key, size)
         return [*marks, *self._given()]
@@ -51,7 +54,7 @@ class Columns:
                     return [Mark(Lettering(note, at, GIVEN_SIZE), "notes")]
         return []
 
-    def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Mark]:
+    def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Entry]:
         """Return the first cell at the column's left and a second one at its right."""
         drawing = self._page.panels[panel].drawing
         first = panel == next(iter(self._page.panels))
@@ -64,23 +67,21 @@ class Columns:
         need += NUMBERS + 0.02 * len(signs[1:])
         shrink = min(1.0, (right - left) / need)
         size = SIZE * shrink
-        marks: list[Mark] = []
+        found: list[Entry] = []
         for count, (cell, value, sign) in enumerate(zip(cells, values, signs, strict=True)):
-            role = self._entries.role(cell)
+            name, equals = dressed(cell, new, symbols(cell.symbol)), dressed(cell, new, roman("="))
+            places = [(name, left), (equals, left + EQUALS * shrink)]
+            start, end = left + NUMBERS * shrink, min(left + (NUMBERS + WRITTEN) * shrink, right)
             if count:
-                runs = sign + value
-                at = complex(right - width(runs, size), baseline)
-                marks.append(Mark(Lettering(runs, at, size), role))
-                continue
-            columns = (
-                (dressed(cell, new, symbols(cell.symbol)), 0.0),
-                (dressed(cell, new, roman("=")), EQUALS),
-                (value, NUMBERS),
+                start, end = right - width(value, size), right
+                places = [(sign, start - width(sign, size))]
+            role = self._entries.role(cell)
+            *symbol, number = (
+                Mark(Lettering(runs, complex(x, baseline), size), role)
+                for runs, x in [*places, (value, start)]
             )
-            for runs, offset in columns:
-                at = complex(left + offset * shrink, baseline)
-                marks.append(Mark(Lettering(runs, at, size), role))
-        return marks
+            found.append(Entry(tuple(symbol), number, start, end))
+        return found
 
     def _reading(self, cell: Cell) -> Runs:
-        return self._entries.figures(cell) + roman(with_unit("", cell.unit))
+        return self._entries.figures(cell) + roman(with_unit("", self._entries.unit(cell)))

@@ -9,8 +9,8 @@ from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, bold, roman
 from vad.plan.marks import Lettering, Mark, line, lines
 from vad.plan.scale import Scale, scale_bar
+from vad.strokes.notation import Notation
 from vad.strokes.sheet import Panel
-from vad.written import given, with_unit
 
 TITLE = 0.037
 SCALE = 0.030
@@ -24,7 +24,13 @@ TICK = 0.008
 _CENTIMETRES = {"mm": 0.1, "cm": 1.0, "m": 100.0}
 
 
-def head(panel: Panel, place: PanelPlace, scale: Scale, centimetre: float | None) -> list[Mark]:
+def head(
+    panel: Panel,
+    place: PanelPlace,
+    scale: Scale,
+    centimetre: float | None,
+    notation: Notation,
+) -> list[Mark]:
     """Return the head of a panel; on paper it states what a centimetre stands for."""
     if scale.bare:
         return _head(panel, place, TITLE)
@@ -32,9 +38,9 @@ def head(panel: Panel, place: PanelPlace, scale: Scale, centimetre: float | None
     title = bold(roman(panel.title))
     if centimetre:
         value = centimetre / scale.factor
-        runs = _stated(panel, value)
+        runs = _stated(panel, value, notation)
     else:
-        value, runs = _fitting(panel, scale, right - left - width(title, TITLE))
+        value, runs = _fitting(panel, scale, right - left - width(title, TITLE), notation)
     length = value * scale.factor
     beside = right - left - width(title, LEAST_TITLE) - APART - length - GAP
     size = fitted(runs, SCALE, LEAST_SCALE, beside)
@@ -62,23 +68,24 @@ def _head(panel: Panel, place: PanelPlace, size: float) -> list[Mark]:
     return [line(ends, "rule"), Mark(title, "words")]
 
 
-def _stated(panel: Panel, value: float) -> Runs:
+def _stated(panel: Panel, value: float, notation: Notation) -> Runs:
     """Return what a centimetre of paper stands for, and the ratio where both are metric lengths."""
-    text = f"1 cm = {with_unit(given(value), panel.unit)}"
+    text = f"1 cm = {notation.quantity(value, panel.unit, given=True)}"
     ratio = value * _CENTIMETRES.get(panel.unit, 0.0)
     if ratio:
-        text += f"   ({given(max(1.0, 1.0 / ratio))} : {given(max(1.0, ratio))})"
+        sides = (notation.number(max(1.0, side), given=True) for side in (1.0 / ratio, ratio))
+        text += f"   ({' : '.join(sides)})"
     return roman(text)
 
 
-def _fitting(panel: Panel, scale: Scale, room: float) -> tuple[float, Runs]:
+def _fitting(panel: Panel, scale: Scale, room: float, notation: Notation) -> tuple[float, Runs]:
     """Return the value of the scale bar, and as text: the longest that fits beside the title.
 
     Where none of a length that can be measured fits, the shortest one, and the title gives way.
     """
     value = scale_bar(scale.factor, LONGEST_BAR)
     while True:
-        runs = roman(with_unit(given(value), panel.unit))
+        runs = roman(notation.quantity(value, panel.unit, given=True))
         length = value * scale.factor
         shorter = scale_bar(scale.factor, 0.9 * length)
         fits = width(runs, SCALE) + GAP + length + APART <= room

@@ -8,9 +8,10 @@ from vad.plan.layout import Page
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
-from vad.plan.page.entries import GIVEN_SIZE, NAME_GAP, SIZE, Entries, heading
+from vad.plan.page.entries import GIVEN_SIZE, NAME_GAP, SIZE, Entries, Entry
 from vad.strokes.language import Language
 from vad.strokes.sheet import Row
+from vad.written import numbered
 
 TITLE_SIZE = 0.037
 HEAD_SIZE = 0.031
@@ -81,7 +82,7 @@ class Quarter:
         for group, head in zip(self._groups, self._heads, strict=True):
             for name, right in zip(self._names, fit.rights, strict=True):
                 at, size = complex(right, head), HEAD_SIZE * fit.type
-                marks.append(_right(_quantities(group, name), at, size, "notes"))
+                marks.append(_right(self._quantities(group, name), at, size, "notes"))
             y = head - 0.0135 * self._squeeze
             marks.append(line([complex(area.left, y), complex(area.right, y)], "hairline"))
         for row, baseline in zip(sheet.rows, self._baselines, strict=True):
@@ -89,18 +90,29 @@ class Quarter:
             marks += self._entries.name(row, at, fit.key, size, fit.type, fit.words)
         return [mark for mark in marks if not isinstance(mark.shape, Lettering) or mark.shape.runs]
 
-    def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Mark]:
+    def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Entry]:
         """Return the numbers of a row in a panel's column, one below the other."""
         right, size = self._fit.rights[self._names.index(panel)], SIZE * self._fit.type
-        marks: list[Mark] = []
+        found: list[Entry] = []
         for depth, cell in enumerate(row.cells.get(panel, ())):
             baseline = self._baselines[index] - depth * ROW_PITCH * self._squeeze
-            runs = self._entries.figures(cell)
+            dressed, role = self._entries.dressed, self._entries.role(cell)
+            value = dressed(cell, new, self._entries.figures(cell))
+            number = _right(value, complex(right, baseline), size, role)
+            left, symbol = self._left(panel), []
             if depth:
-                runs = symbols(cell.symbol) + roman(" = ") + runs
-            runs = self._entries.dressed(cell, new, runs)
-            marks.append(_right(runs, complex(right, baseline), size, self._entries.role(cell)))
-        return marks
+                left = right - width(value, size)
+                sign = dressed(cell, new, symbols(cell.symbol) + roman(" = "))
+                symbol.append(_right(sign, complex(left, baseline), size, role))
+            found.append(Entry(tuple(symbol), number, left, right))
+        return found
+
+    def _left(self, name: str) -> float:
+        """Return where the column of a panel begins."""
+        number, fit = self._names.index(name), self._fit
+        if number:
+            return fit.rights[number - 1] + COLUMN_GAP * fit.type
+        return fit.rights[0] - self._widest(name) * fit.type
 
     def _fitted(self, most: float) -> _Fit:
         """Return columns that never touch, whatever the numbers.
@@ -111,7 +123,7 @@ class Quarter:
         area, rows = self._area, self._entries.sheet.rows
         key = full = self._entries.key
         wide = [self._widest(name) + COLUMN_GAP for name in self._names]
-        title = max((width(heading(row), SIZE) for row in rows), default=0.0)
+        title = max((width(self._entries.heading(row), SIZE) for row in rows), default=0.0)
         letters = max((width(symbols(row.letters), SIZE) for row in rows), default=0.0)
         for name in (title, letters):
             content = NAME_GAP + name + sum(wide)
@@ -132,26 +144,25 @@ class Quarter:
         """Return the width of a column's heads and numbers, bold or not, at type 1."""
         rows = [row for row in self._entries.sheet.rows if row.cells.get(name)]
         numbers = [self._entries.figures(row.cells[name][0]) for row in rows]
-        heads = [_quantities(group, name) for group in self._groups]
+        heads = [self._quantities(group, name) for group in self._groups]
         return max(
             [width(face, SIZE) for runs in numbers for face in (runs, bold(runs))]
             + [width(runs, HEAD_SIZE) for runs in heads],
             default=0.0,
         )
 
+    def _quantities(self, group: list[Row], name: str) -> Runs:
+        """Return the head of a column: its quantities and their unit, nothing where it is empty."""
+        cells = [row.cells[name][0] for row in group if row.cells.get(name)]
+        if not cells:
+            return ()
+        quantities = list(dict.fromkeys(numbered(cell.symbol)[0] for cell in cells))
+        return symbols(" / ".join(quantities)) + roman(", " + self._entries.unit(cells[0]))
+
 
 def _right(runs: Runs, at: complex, size: float, role: str) -> Mark:
     """Return text that ends at ``at``."""
     return Mark(Lettering(runs, at - width(runs, size), size), role)
-
-
-def _quantities(group: list[Row], name: str) -> Runs:
-    """Return the head of a column: its quantities and their unit, nothing where it is empty."""
-    cells = [row.cells[name][0] for row in group if row.cells.get(name)]
-    if not cells:
-        return ()
-    quantities = list(dict.fromkeys(cell.symbol for cell in cells))
-    return symbols(" / ".join(quantities)) + roman(", " + cells[0].unit)
 
 
 def _grouped(rows: tuple[Row, ...], names: list[str]) -> list[list[Row]]:

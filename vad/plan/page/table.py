@@ -10,7 +10,7 @@ from typing import Protocol
 from vad.plan.layout import Page
 from vad.plan.marks import Mark
 from vad.plan.page.columns import Columns
-from vad.plan.page.entries import Entries, Figures, figures
+from vad.plan.page.entries import Entries, Entry, Figures, figures
 from vad.plan.page.quarter import Quarter
 from vad.strokes.sheet import Row, Sheet
 
@@ -21,14 +21,15 @@ class Table(Protocol):
     def frame(self) -> list[Mark]:
         """Return names, keys, heads and rules, which are there from the beginning."""
 
-    def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Mark]:
+    def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Entry]:
         """Return what row number ``index`` shows for a panel; in bold where it is ``new``."""
 
 
-def table(sheet: Sheet, page: Page, key: float, setting: Figures = figures) -> Table:
+def table(sheet: Sheet, page: Page, key: float, setting: Figures | None = None) -> Table:
     """Return the results of a sheet, laid out as the page has room for them.
 
-    ``key`` is the length of the line before a row's name, ``setting`` sets its numbers in type.
+    ``key`` is the length of the line before a row's name; ``setting`` sets its numbers in type, if
+    the sheet's own notation does not.
     """
     kind = Columns if page.columns else Quarter
-    return kind(Entries(sheet, key, setting), page)
+    return kind(Entries(sheet, key, setting or figures(sheet), kind is Quarter), page)

@@ -7,7 +7,6 @@ from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, bold, roman
 from vad.plan.marks import Lettering, Mark
 from vad.strokes.sheet import Sheet
-from vad.written import given, with_unit
 
 TITLE = 0.050
 LEAST_TITLE = 0.036
@@ -22,7 +21,7 @@ def title_marks(sheet: Sheet, page: Page) -> list[Mark]:
     size = fitted(title, TITLE, LEAST_TITLE, 0.6 * room)
     marks = [Mark(Lettering(title, complex(page.left, page.title), size), "words")]
     items = [
-        f"{name} {with_unit(given(value), unit if value else '')}"
+        f"{name} {sheet.notation.quantity(value, unit if value else '', given=True)}"
         for name, value, unit in sheet.parameters
     ]
     room -= width(title, size) + 0.04

@@ -1,6 +1,7 @@
-"""Machine parts as a draughtsman draws them: joints, pivots, blocks, guides, slots.
+"""Machine parts as a draughtsman draws them: joints, pivots, blocks, guides, slots, cylinders.
 
-In come places on the page, out go marks.
+In come places on the page, out go marks.  ``size`` is that of all parts of a picture (see
+`vad.plan.pictures.sizes`).
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 
+from vad.plan.geometry import SHORTEST, direction_of
 from vad.plan.growth import Growth
 from vad.plan.marks import Mark, area, disc, line, lines
 from vad.plan.roles import BLOCK_RIM, JOINT_RIM
@@ -24,16 +26,20 @@ TICK_DEPTH = 0.72 * TICK  # of 45° ticks, across
 BLOCK = (0.078, 0.050)
 LEVER_BLOCK = (0.072, 0.040)
 GUIDE_LENGTH = 0.2125
+PAST = 0.010  # by which slots are longer than their block's way
+CYLINDER = 0.026  # across
+SLIT = 0.0116  # of a lever, across
+SHAFT = 0.020  # of a yoke, across
 
 
-def joint(at: complex, growth: Growth | None = None) -> Mark:
+def joint(at: complex, growth: Growth | None = None, size: float = 1.0) -> Mark:
     """Return a pin joint."""
-    return disc(at, JOINT, "joint", growth=growth)
+    return disc(at, JOINT * size, "joint", growth=growth)
 
 
-def point(at: complex, growth: Growth | None = None) -> Mark:
+def point(at: complex, growth: Growth | None = None, size: float = 1.0) -> Mark:
     """Return a point that is no joint."""
-    return disc(at, POINT, "point", growth=growth)
+    return disc(at, POINT * size, "point", growth=growth)
 
 
 def hatching(
@@ -42,6 +48,7 @@ def hatching(
     away: complex,
     lean: float = 1.0,
     growth: Growth | None = None,
+    size: float = 1.0,
 ) -> Mark:
     """Return 45° ticks along a ground line, on the side ``away``; ``lean`` ±1 turns them."""
     length = abs(end - start)
@@ -49,10 +56,11 @@ def hatching(
     flipped = (away * way.conjugate()).imag > 0
     if flipped:
         way, start = -way, end
-    tick = TICK * cmath.exp((-0.75j if lean > 0 else -0.25j) * math.pi) * way
-    count = int(length / TICK_PITCH) + 1
-    first = (length - (count - 1) * TICK_PITCH) / 2
-    feet = [start + (first + i * TICK_PITCH) * way for i in range(count)]
+    tick = TICK * size * cmath.exp((-0.75j if lean > 0 else -0.25j) * math.pi) * way
+    pitch = TICK_PITCH * size
+    count = int(length / pitch) + 1
+    first = (length - (count - 1) * pitch) / 2
+    feet = [start + (first + i * pitch) * way for i in range(count)]
     ticks = [(foot, foot + tick) for foot in feet]
     return lines(reversed(ticks) if flipped else ticks, "hatching", growth=growth)
 
@@ -65,43 +73,56 @@ def pivot(at: complex, way: complex, size: float, lean: float) -> list[Mark]:
     return [
         area([at, base + half, base - half], "pivot"),
         line([base - ground, base + ground], "rail"),
-        hatching(base - ground, base + ground, way, lean),
+        hatching(base - ground, base + ground, way, lean, size=size),
     ]
 
 
-def block_corners(at: complex, way: complex, on_lever: bool) -> list[complex]:
+def block_corners(at: complex, way: complex, on_lever: bool, size: float = 1.0) -> list[complex]:
     """Return the corners of a sliding block, its long side along ``way``."""
     long_side, short_side = LEVER_BLOCK if on_lever else BLOCK
-    along, across = long_side / 2 * way, short_side / 2 * 1j * way
-    return [
-        at + along + across,
-        at - along + across,
-        at - along - across,
-        at + along - across,
-    ]
+    along = long_side / 2 * size * way
+    return bar_corners(at + along, at - along, short_side * size)
 
 
-def rail(
-    start: complex, end: complex, away: complex | None, growth: Growth | None = None
-) -> list[Mark]:
-    """Return a guide's ground line, hatched on the side ``away``."""
-    if abs(end - start) < TICK_PITCH:
-        return []
-    marks = [line([start, end], "rail", growth=growth)]
-    return [*marks, hatching(start, end, away, growth=growth)] if away else marks
-
-
-def slot_corners(start: complex, end: complex) -> list[complex]:
-    """Return the corners of the slot of a moving link; none where it has no length."""
-    if abs(end - start) < 1e-9:
-        return []
-    half = (BLOCK[1] / 2 + BLOCK_RIM) * 1j * (end - start) / abs(end - start)
+def bar_corners(start: complex, end: complex, wide: float) -> list[complex]:
+    """Return the corners of a straight part from ``start`` to ``end``, ``wide`` across."""
+    half = wide / 2 * 1j * direction_of(end, start)
     return [start + half, end + half, end - half, start - half]
 
 
-def slot(start: complex, end: complex, row: int | None, growth: Growth | None = None) -> list[Mark]:
+def rail(
+    start: complex,
+    end: complex,
+    away: complex | None,
+    growth: Growth | None = None,
+    size: float = 1.0,
+) -> list[Mark]:
+    """Return a guide's ground line, hatched on the side ``away``."""
+    if abs(end - start) < TICK_PITCH * size:
+        return []
+    marks = [line([start, end], "rail", growth=growth)]
+    return [*marks, hatching(start, end, away, growth=growth, size=size)] if away else marks
+
+
+def slot_width(size: float) -> float:
+    """Return how wide the slot of a moving link is, from edge to edge."""
+    return BLOCK[1] * size + 2 * BLOCK_RIM
+
+
+def slot_corners(start: complex, end: complex, size: float = 1.0) -> list[complex]:
+    """Return the corners of the slot of a moving link; none where it has no length."""
+    return bar_corners(start, end, slot_width(size)) if abs(end - start) > SHORTEST else []
+
+
+def slot(
+    start: complex,
+    end: complex,
+    row: int | None,
+    growth: Growth | None = None,
+    size: float = 1.0,
+) -> list[Mark]:
     """Return the slot of a moving link: two edges, closed at both ends."""
-    corners = slot_corners(start, end)
+    corners = slot_corners(start, end, size)
     if not corners:
         return []
     if growth is None:

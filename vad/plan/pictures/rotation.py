@@ -9,6 +9,7 @@ import cmath
 import itertools
 import math
 
+from vad.plan.carriers import is_yoke
 from vad.plan.geometry import Rect
 from vad.plan.growth import Trimming
 from vad.plan.items import Level
@@ -26,6 +27,7 @@ from vad.strokes.sheet import Arc
 
 RADIUS = 0.088
 SHARE_OF_CRANK = 0.9
+SHARE_IN_YOKE = 0.6  # where slot and block hide what is farther out
 LEAST_RADIUS = 0.02
 SIZE = 0.033
 SENSE_SIZES = (  # radius and span, the best first
@@ -46,9 +48,12 @@ SENSE_HEAD = 0.018
 LINE = ROLES["angle"].width
 
 
-def angle_radius(scale: Scale, shape: Arc, room: Rect) -> float:
-    """Return the radius of the angle's arc on the page; all of the arc lies in the panel."""
-    radius = min(RADIUS, SHARE_OF_CRANK * shape.radius * scale.factor)
+def angle_radius(scale: Scale, shape: Arc, room: Rect, share: float = SHARE_OF_CRANK) -> float:
+    """Return the radius of the angle's arc on the page; all of the arc lies in the panel.
+
+    ``share`` is the largest one, of the length of the driven link.
+    """
+    radius = min(RADIUS, share * shape.radius * scale.factor)
     while radius > LEAST_RADIUS and not all(
         room.holds(point, -LINE)
         for point in arc_line(scale(shape.centre), radius, shape.start, shape.sweep)
@@ -68,7 +73,10 @@ def arc_line(centre: complex, radius: float, start: float, sweep: float) -> list
 
 def angle_arc(sketch: Sketch, shape: Arc) -> Bow:
     """Return the arc of the driven link's angle on the page."""
-    radius = angle_radius(sketch.scale, shape, sketch.setting.room)
+    panel = sketch.setting.panel
+    yoke = any(is_yoke(panel, stroke.link) for stroke in panel.strokes)
+    share = SHARE_IN_YOKE if yoke else SHARE_OF_CRANK
+    radius = angle_radius(sketch.scale, shape, sketch.setting.room, share)
     return Bow(sketch.scale(shape.centre), radius, shape.start, shape.sweep)
 
 

@@ -5,24 +5,27 @@ In come a panel's strokes and its place, out goes a `Sketch`.
 
 from __future__ import annotations
 
+from vad.plan.carriers import carries_block, is_yoke
 from vad.plan.growth import Fading, Trimming
 from vad.plan.items import Level
-from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.labels.vertices import corners, find_vertices, label_vertices
-from vad.plan.marks import Bow, Mark, area, line
+from vad.plan.labels.obstacles import Obstacles
+from vad.plan.labels.vertices import Vertex, corners, find_vertices, label_vertices
+from vad.plan.marks import Bow, Mark, area
 from vad.plan.pictures import machine
-from vad.plan.pictures.arrows import visible_start
-from vad.plan.pictures.constructions import PlacedLine, add_drawn_line
-from vad.plan.pictures.guides import add_guide, poles
+from vad.plan.pictures.bars import bar_of, slit_of
+from vad.plan.pictures.constructions import add_drawn_line, add_square, line_of
+from vad.plan.pictures.guides import add_guide, name_guide
 from vad.plan.pictures.rotation import add_angle, add_sense, angle_arc, block_arc, visible_part
-from vad.plan.pictures.straight import construction_end
+from vad.plan.pictures.sizes import part_size
+from vad.plan.pictures.speed import add_speed
 from vad.plan.pictures.supports import add_axes, add_pivots
 from vad.plan.pictures.tools import compass
 from vad.plan.pictures.vectors import swelling
-from vad.plan.roles import BAR, BLOCK_RIM
+from vad.plan.pictures.yoke import yoke_of
+from vad.plan.roles import BLOCK_RIM
 from vad.plan.scale import fill
 from vad.plan.sketch import Setting, Sketch
-from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Sheet, Stroke
+from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Sheet
 
 NEAR = (0.014, 0.020, 0.028, 0.036)
 
@@ -30,19 +33,21 @@ NEAR = (0.014, 0.020, 0.028, 0.036)
 def draw(setting: Setting) -> Sketch:
     """Return the sketch of a mechanism."""
     panel = setting.panel
-    scale = fill(corners(panel), setting.room, position=True, centimetre=setting.centimetre)
-    sketch = Sketch(setting, scale, Obstacles(setting.room))
+    scale = setting.scale or fill(
+        corners(panel), setting.room, position=True, centimetre=setting.centimetre
+    )
+    sketch, size = Sketch(setting, scale, Obstacles(setting.room)), part_size(panel, scale)
     vertices = find_vertices(panel, scale)
-    points = [vertex.at for vertex in vertices]
-    for index in range(len(panel.strokes)):
-        add_stroke(sketch, index, points)
-    loose = poles(sketch)
+    for index in painting_order(panel):
+        add_stroke(sketch, index)
+    for index, stroke in enumerate(panel.strokes):
+        own = isinstance(stroke.shape, Guide) and name_guide(sketch, index, stroke.shape, size)
+        vertices += [own] if own else []
     for vertex in vertices:
-        pin = all(abs(vertex.at - pole) > PIXEL for pole in loose)
-        mark = machine.joint(vertex.at) if pin else machine.point(vertex.at)
         index = min(vertex.since)
+        mark = joint_of(sketch, vertex)
         sketch.add(panel.strokes[index], Level.DOT, setting.after(index), [mark])
-        sketch.obstacles.disc(vertex.at, machine.JOINT_REACH)
+        sketch.obstacles.disc(vertex.at, machine.JOINT_REACH * size)
     add_axes(sketch, vertices)
     angles = [
         (index, stroke.shape)
@@ -51,18 +56,55 @@ def draw(setting: Setting) -> Sketch:
     ]
     for _, shape in angles:
         block_arc(sketch.obstacles, angle_arc(sketch, shape))
-    add_pivots(sketch, vertices)
-    label_vertices(sketch, vertices, machine.JOINT_REACH, NEAR)
+    add_pivots(sketch, vertices, size)
+    label_vertices(sketch, vertices, machine.JOINT_REACH * size, NEAR)
     for index, shape in angles:
         add_angle(sketch, index, shape)
-        add_sense(sketch, driven(panel), shape, given_sense(setting.sheet))
+        add_sense(sketch, driven(panel), shape, given_rate(setting.sheet, "ω")[1])
+    add_speed(sketch, *given_rate(setting.sheet, "v"), size)
+    for index, stroke in enumerate(panel.strokes):
+        if isinstance(stroke.shape, Line):
+            add_square(sketch, index, line_of(sketch, index, {}))
     return sketch
 
 
-def given_sense(sheet: Sheet) -> float:
-    """Return the given ω of the driven link, 0 where there is none."""
-    cells = (cell for row in sheet.rows for each in row.cells.values() for cell in each)
-    return next((cell.value for cell in cells if cell.given and cell.symbol[0] == "ω"), 0.0)
+def painting_order(panel: Panel) -> list[int]:
+    """Return the numbers of all strokes: of links that lie on one another the shorter is on top."""
+
+    def length(index: int) -> float:
+        shape = panel.strokes[index].shape
+        return abs(shape.end - shape.start) if isinstance(shape, Arrow) else 0.0
+
+    return sorted(range(len(panel.strokes)), key=length, reverse=True)
+
+
+def joint_of(sketch: Sketch, vertex: Vertex) -> Mark:
+    """Return the pin at a vertex, or its dot where no two bodies meet."""
+    panel = sketch.setting.panel
+    part = machine.joint if pins(panel).intersection(vertex.letters) else machine.point
+    return part(vertex.at, size=part_size(panel, sketch.scale))
+
+
+def pins(panel: Panel) -> set[str]:
+    """Return the letters of the points at which two bodies meet, of which the frame may be one."""
+    bodies: dict[str, set[str | None]] = {}
+    for stroke in panel.strokes:
+        shape = stroke.shape
+        letters = [shape.tail, shape.head] if isinstance(shape, Arrow) else [stroke.label]
+        if isinstance(shape, Arrow | Block) or stroke.kind == "fixed":
+            for letter in letters:
+                bodies.setdefault(letter, set()).add(stroke.link)
+    return {letter for letter, met in bodies.items() if len(met) > 1}
+
+
+def given_rate(sheet: Sheet, symbol: str) -> tuple[str, float]:
+    """Return the link or slide with a given rate, and that rate: 0 where there is none."""
+    for row in sheet.rows:
+        for cells in row.cells.values():
+            for cell in cells:
+                if cell.given and cell.symbol[0] == symbol:
+                    return row.key, cell.value
+    return "", 0.0
 
 
 def driven(panel: Panel) -> int | None:
@@ -71,8 +113,8 @@ def driven(panel: Panel) -> int | None:
     return next(numbers, None)
 
 
-def add_stroke(sketch: Sketch, index: int, points: list[complex]) -> None:
-    """Add one stroke as it is drawn and as it stays; tools keep clear of ``points``."""
+def add_stroke(sketch: Sketch, index: int) -> None:
+    """Add one stroke as it is drawn and as it stays."""
     stroke = sketch.setting.panel.strokes[index]
     match stroke.shape:
         case Arrow():
@@ -82,52 +124,51 @@ def add_stroke(sketch: Sketch, index: int, points: list[complex]) -> None:
         case Guide():
             add_guide(sketch, index, stroke.shape)
         case Dot(at):
-            spot = sketch.scale(at)
-            part = machine.point if stroke.kind == "pole" else machine.joint
-            _passing(sketch, index, Level.DOT, [part(spot, swelling(spot))])
+            panel, spot = sketch.setting.panel, sketch.scale(at)
+            part = machine.joint if stroke.label in pins(panel) else machine.point
+            mark = part(spot, swelling(spot), part_size(panel, sketch.scale))
+            setting = sketch.setting
+            during, after = setting.during(index), setting.after(index)
+            sketch.add(stroke, Level.DOT, during, [mark], after)
         case Arc() if stroke.kind == "construction":
             _add_compass_arc(sketch, index, stroke.shape)
         case Line():
-            _add_line(sketch, index, stroke.shape, points)
+            add_drawn_line(sketch, index, line_of(sketch, index, {}))
 
 
 def _passing(sketch: Sketch, index: int, level: Level, marks: list[Mark]) -> None:
-    """Add what shows only while a stroke is drawn."""
+    """Add what shows until the next stroke is begun."""
     setting = sketch.setting
     stroke = setting.panel.strokes[index]
-    sketch.add(stroke, level, setting.during(index), marks, setting.after(index))
-
-
-def carries_block(panel: Panel, stroke: Stroke) -> bool:
-    """Tell whether a block slides on the link of a bar, which then lies beneath it."""
-    return any(
-        isinstance(other.shape, Block) and other.shape.on == stroke.link for other in panel.strokes
-    )
+    sketch.add(stroke, level, setting.during(index), marks, setting.over(index))
 
 
 def add_bar(sketch: Sketch, index: int, shape: Arrow) -> None:
-    """Add a bar of a link."""
-    setting, scale = sketch.setting, sketch.scale
+    """Add a bar of a link; the slit of a lever is over all its bars, and under the block."""
+    setting = sketch.setting
     stroke = setting.panel.strokes[index]
     level = Level.CARRIER if carries_block(setting.panel, stroke) else Level.STROKE
-    row, start, end = setting.row(stroke.link), scale(shape.start), scale(shape.end)
-    light = line([start, end], "bar light", row, Trimming())
-    _passing(sketch, index, level, [light])
-    seen = visible_start(setting.panel, index, scale)
-    if seen is not None:
-        bar = line([seen, end], "bar", row, Trimming())
-        sketch.add(stroke, level, setting.during(index), [bar])
-    sketch.obstacles.line([start, end], BAR / 2)
-    sketch.lights.setdefault(stroke.link or "", []).append(line([start, end], "bar light", row))
+    size, during = part_size(setting.panel, sketch.scale), setting.during(index)
+    bar, slit = bar_of(sketch, index, size), slit_of(sketch, index, size)
+    _passing(sketch, index, level, [bar.light(Trimming())])
+    sketch.add(stroke, level, during, bar.marks())
+    sketch.add(stroke, Level.BLOCK, during, [slit] if slit else [])
+    bar.block(sketch.obstacles)
+    sketch.lights.setdefault(stroke.link or "", []).append(bar.light())
 
 
 def add_block(sketch: Sketch, index: int, shape: Block) -> None:
-    """Add a sliding block."""
+    """Add a sliding block; that of a yoke is its shaft."""
     setting = sketch.setting
-    stroke = setting.panel.strokes[index]
+    stroke, size = setting.panel.strokes[index], part_size(setting.panel, sketch.scale)
     row = setting.row(stroke.link)
-    outline = machine.block_corners(sketch.scale(shape.at), shape.direction, shape.on is not None)
-    block = area(outline, "block", row, Fading())
+    if is_yoke(setting.panel, stroke.link):
+        outline = yoke_of(shape, sketch.scale, size).outline()
+    else:
+        at, on_lever = sketch.scale(shape.at), shape.on is not None
+        outline = machine.block_corners(at, shape.direction, on_lever, size)
+    light, block = (area(outline, role, row, Fading()) for role in ("block light", "block"))
+    _passing(sketch, index, Level.BLOCK, [light])
     sketch.add(stroke, Level.BLOCK, setting.during(index), [block])
     sketch.obstacles.line([*outline, outline[0], outline[2]], BLOCK_RIM / 2)
     sketch.obstacles.line([outline[1], outline[3]], BLOCK_RIM / 2)
@@ -143,15 +184,4 @@ def _add_compass_arc(sketch: Sketch, index: int, shape: Arc) -> None:
     arc = visible_part(Bow(scale(shape.centre), radius, shape.start, shape.sweep), setting.room)
     mark = Mark(arc, "compass arc", row, Trimming())
     sketch.add(stroke, Level.CONSTRUCTION, setting.during(index), [mark], setting.end)
-    _passing(sketch, index, Level.CONSTRUCTION, compass(arc, row))
-
-
-def _add_line(sketch: Sketch, index: int, shape: Line, points: list[complex]) -> None:
-    """Add a construction line, which goes when the mechanism is finished."""
-    setting, scale = sketch.setting, sketch.scale
-    stroke = setting.panel.strokes[index]
-    start = scale(shape.through)
-    end = construction_end(start, shape.direction, scale(shape.until), setting.room)
-    span = setting.during(index), setting.end
-    placed = PlacedLine(start, end, shape.direction, setting.row(stroke.link), span)
-    add_drawn_line(sketch, index, placed, points)
+    _passing(sketch, index, Level.CONSTRUCTION, compass(arc, row, setting.room))

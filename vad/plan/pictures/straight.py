@@ -8,7 +8,8 @@ from __future__ import annotations
 from vad.plan.geometry import SHORTEST, Rect, direction_of
 from vad.plan.growth import Sliding, Trimming
 from vad.plan.marks import Mark, area, line
-from vad.plan.roles import CONSTRUCTION
+from vad.plan.pictures.lanes import ALONE, Lane
+from vad.plan.pictures.tools import PENCIL
 
 HEAD = 0.026
 HEAD_WHOLE = 0.75
@@ -32,33 +33,41 @@ def tip_of(start: complex, end: complex) -> complex:
 
 
 def vector(
-    start: complex, end: complex, row: int | None, role: str = "vector", whole: bool = False
+    start: complex,
+    end: complex,
+    row: int | None,
+    role: str = "vector",
+    whole: bool = False,
+    lane: Lane = ALONE,
 ) -> list[Mark]:
-    """Return a vector, its head at the tip; it grows from ``start``, head first."""
+    """Return a vector in its lane, its head at the tip; it grows from ``start``, head first."""
     if abs(end - start) < SHORTEST:
         return []
-    way, tip = direction_of(start, end), tip_of(start, end)
-    length, head = abs(tip - start), head_length(abs(end - start), whole)
-    neck = tip - NECK * head * way
+    tail, head = start + lane.aside, head_of(start, end, whole, lane)
+    way, tip = direction_of(start, end), head[0]
+    neck = NECK * head_length(abs(end - start), whole)
     # The head runs ahead of the shaft, which begins when there is room behind the head.
-    begins = NECK * head / length
+    begins = neck / abs(tip - tail)
     shaft = Trimming(((0.0, 0.0), (begins, 0.0), (1.0, 1.0)))
     return [
-        line([start, neck], role, row, shaft),
-        area(head_shape(tip, way, head), "head", row, Sliding(((0.0, start - tip), (1.0, 0j)))),
+        line([tail, tip - neck * way], role, row, shaft),
+        area(head, "head", row, Sliding(((0.0, tail - tip), (1.0, 0j)))),
     ]
 
 
-def head_shape(tip: complex, way: complex, head: float) -> list[complex]:
-    """Return the corners of an arrowhead."""
-    base, half = tip - head * way, HEAD_HALF_WIDTH * head * 1j * way
-    return [tip, base + half, base + HEAD_NOTCH * head * way, base - half]
+def head_of(start: complex, end: complex, whole: bool, lane: Lane = ALONE) -> list[complex]:
+    """Return tip, left, notch and right of a vector's arrowhead, which stays in its lane."""
+    way, head = direction_of(start, end), head_length(abs(end - start), whole)
+    tip = tip_of(start, end) + lane.aside
+    base, half = tip - head * way, HEAD_HALF_WIDTH * head
+    left, right = (min(half, side) * 1j * way for side in (lane.left, lane.right))
+    return [tip, base + left, base + HEAD_NOTCH * head * way, base - right]
 
 
 def construction_end(through: complex, direction: complex, until: complex, room: Rect) -> complex:
     """Return where a construction line ends: past its crossing, but inside the panel."""
     length = abs(until - through) + OVERSHOOT
-    inner = room.inside(CONSTRUCTION)  # the line's own width stays inside, too
+    inner = room.inside(PENCIL)  # the pencil at its end stays inside, too
     for ahead, low, high, at in (
         (direction.real, inner.left, inner.right, through.real),
         (direction.imag, inner.bottom, inner.top, through.imag),

@@ -7,19 +7,24 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Iterator
 from itertools import pairwise, permutations
 
+from vad.plan.carriers import is_yoke
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.vertices import Vertex
 from vad.plan.marks import Mark, line
 from vad.plan.pictures import machine
+from vad.plan.pictures.yoke import yoke_of
 from vad.plan.roles import AXIS
 from vad.plan.sketch import Sketch
-from vad.strokes.sheet import Arc, Arrow, Dot, Panel
+from vad.strokes.sheet import Arc, Arrow, Block, Dot, Panel
 
 REFERENCE = 0.164
+REFERENCE_IN_CRANKS = 2.0
 PAST_JOINT = 0.016  # from a pivot's apex; what is nearer lies under the joint
+CROWDED = 0.75  # of a pivot's size, where no side is clear
 WAYS = (-1j, -1 + 0j, 1 + 0j, 1j)
 
 
@@ -49,7 +54,8 @@ def add_axes(sketch: Sketch, vertices: list[Vertex]) -> None:
                 if abs(near - at) < PIXEL
             )
             if not along:
-                seen = obstacles.edge.clipped(at, at + REFERENCE * way)
+                length = min(REFERENCE, REFERENCE_IN_CRANKS * stroke.shape.radius * scale.factor)
+                seen = obstacles.edge.clipped(at, at + length * way)
                 lines += [(index, *seen)] if seen else []
     for index, start, end in lines:
         since = sketch.setting.after(index)
@@ -62,21 +68,23 @@ def add_axes(sketch: Sketch, vertices: list[Vertex]) -> None:
                 vertex.ways.append((start - end) / abs(end - start))
 
 
-def add_pivots(sketch: Sketch, vertices: list[Vertex]) -> None:
-    """Add the fixed pivots, each pointing where it is clear of the links: down if it can be."""
+def add_pivots(sketch: Sketch, vertices: list[Vertex], parts: float) -> None:
+    """Add the fixed pivots, each pointing where it is clear of the links: down if it can be.
+
+    ``parts`` is the size of all parts of the picture.
+    """
     panel, scale = sketch.setting.panel, sketch.scale
     for index, point in fixed_points(panel):
         at = scale(point)
         bars = [
             end - at
-            for stroke in panel.strokes
-            if isinstance(stroke.shape, Arrow)
-            for start, end in permutations((scale(stroke.shape.start), scale(stroke.shape.end)))
+            for ends in _bars(sketch, parts)
+            for start, end in permutations(ends)
             if min(abs(end - at), abs(end - start)) > PIXEL and _leads_from(at, start, end)
         ]
-        way, size = _orientation(at, bars, sketch.obstacles)
+        way, size = _orientation(at, bars, sketch.obstacles, parts)
         lean = 1.0
-        if size < 1.0 and bars:
+        if size < parts and bars:
             # Where no side is clear, at least the ticks lean away from the link.
             nearest = max(bars, key=lambda bar: (bar / abs(bar) * way.conjugate()).real)
             lean = 1.0 if (nearest * way.conjugate()).imag > 0 else -1.0
@@ -88,6 +96,17 @@ def add_pivots(sketch: Sketch, vertices: list[Vertex]) -> None:
         block_pivot(sketch.obstacles, at, way, size)
         for vertex in here:
             vertex.ways.append(way)
+
+
+def _bars(sketch: Sketch, parts: float) -> Iterator[tuple[complex, complex]]:
+    """Yield the ends of all bars, and of a yoke's shaft."""
+    panel, scale = sketch.setting.panel, sketch.scale
+    for stroke in panel.strokes:
+        match stroke.shape:
+            case Arrow(start, end):
+                yield scale(start), scale(end)
+            case Block() if is_yoke(panel, stroke.link):
+                yield yoke_of(stroke.shape, scale, parts).shaft
 
 
 def _leads_from(at: complex, start: complex, end: complex) -> bool:
@@ -103,32 +122,35 @@ def _gap(at: complex, way: complex, size: float) -> Mark:
     return line([base, base + (machine.TICK_DEPTH * size + 0.006) * way], "gap")
 
 
-def _footprint(way: complex, size: float) -> tuple[complex, float, float]:
+def _footprint(way: complex, size: float, parts: float) -> tuple[complex, float, float]:
     """Return where, from its apex, the box of a pivot's lower part lies, and its size."""
-    deep = (machine.PIVOT_HEIGHT + machine.TICK_DEPTH) * size - PAST_JOINT
+    past = PAST_JOINT * parts
+    deep = (machine.PIVOT_HEIGHT + machine.TICK_DEPTH) * size - past
     wide = 2 * (machine.PIVOT_GROUND + 0.004) * size
-    centre = way * (PAST_JOINT + deep / 2)
+    centre = way * (past + deep / 2)
     return (centre, wide, deep) if way.imag else (centre, deep, wide)
 
 
-def _orientation(at: complex, bars: list[complex], obstacles: Obstacles) -> tuple[complex, float]:
+def _orientation(
+    at: complex, bars: list[complex], obstacles: Obstacles, parts: float
+) -> tuple[complex, float]:
+    """Return where a pivot's foot points, and its size: smaller where no side is clear."""
+
     def clear(way: complex, size: float) -> bool:
-        offset, wide, high = _footprint(way, size)
+        offset, wide, high = _footprint(way, size, parts)
         apart = all((bar / abs(bar) * way.conjugate()).real < 0.62 for bar in bars if bar)
         return apart and bool(obstacles.free([at + offset], wide, high, PIXEL)[0])
 
-    for size in (1.0, 0.75):
-        for way in WAYS if size == 1.0 else WAYS[:1]:
-            if clear(way, size):
-                return way, size
-    for way in WAYS:
-        if clear(way, 0.75):
-            return way, 0.75
+    small = CROWDED * parts
+    tries = [*((way, parts) for way in WAYS), *((way, small) for way in WAYS)]
+    for way, size in tries:
+        if clear(way, size):
+            return way, size
     apart = [
         max(((bar / abs(bar) * way.conjugate()).real for bar in bars if bar), default=0.0)
         for way in WAYS
     ]
-    return WAYS[apart.index(min(apart))], 0.75
+    return WAYS[apart.index(min(apart))], small
 
 
 def block_pivot(obstacles: Obstacles, at: complex, way: complex, size: float) -> None:
@@ -137,5 +159,5 @@ def block_pivot(obstacles: Obstacles, at: complex, way: complex, size: float) ->
     half = machine.PIVOT_HALF_BASE * size * 1j * way
     ground = (machine.PIVOT_GROUND + 0.008) * size * 1j * way
     obstacles.line([at, base + half, base - half, at], 1.5 * PIXEL)
-    thick = machine.TICK_DEPTH / 2
+    thick = machine.TICK_DEPTH * size / 2
     obstacles.line([base - ground + way * thick, base + ground + way * thick], thick)

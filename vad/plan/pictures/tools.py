@@ -5,12 +5,13 @@ In come places on the page, out go marks that move with the pencil.
 
 from __future__ import annotations
 
+import cmath
 import math
 from dataclasses import dataclass
 from itertools import product
 
 from vad.plan.geometry import SHORTEST, Rect
-from vad.plan.growth import Sliding, Turning
+from vad.plan.growth import Growth, Sliding, Turning
 from vad.plan.marks import Bow, Mark, area, disc, line
 
 STUB = 0.080
@@ -22,14 +23,23 @@ SIZES = (1.0, 0.85, 0.7, 0.55, 0.4, 0.3)
 LEAD = 0.035
 WINDOW = 0.42
 HINGE = 0.012
+RISES = (1.0, 0.8, 0.6, 0.4)  # of the hinge, as shares of the best
 
 
 def right_angle(
-    at: complex, way: complex, stub: complex, row: int | None, length: float = STUB
+    at: complex,
+    way: complex,
+    stub: complex,
+    row: int | None,
+    length: float = STUB,
+    growth: Growth | None = None,
 ) -> list[Mark]:
     """Return the right angle at ``at`` between a line along ``way`` and a link along ``stub``."""
     corner = [at + SQUARE * stub, at + SQUARE * (stub + way), at + SQUARE * way]
-    return [line([at, at + length * stub], "stub", row), line(corner, "right angle", row)]
+    return [
+        line([at, at + length * stub], "stub", row, growth),
+        line(corner, "right angle", row, growth),
+    ]
 
 
 def pencil(start: complex, end: complex, row: int | None) -> Mark:
@@ -87,9 +97,11 @@ class SetSquare:
 
 
 def place_square(
-    start: complex, end: complex, way: complex, points: list[complex], room: Rect
+    start: complex, end: complex, way: complex, labels: list[complex], room: Rect
 ) -> SetSquare | None:
     """Return a set square on the emptier side of a line, None where there is no room for any.
+
+    That is the side where it slides over fewer of the ``labels``, which are given by their middles.
 
     It lies within ``room`` wherever it slides: on the other side, with its right angle behind or
     smaller, if need be; at an edge it waits for the pencil.
@@ -97,17 +109,21 @@ def place_square(
     found: list[tuple[float, SetSquare]] = []
     inner, length = room.inside(0.003), ((end - start) * way.conjugate()).real
     for side in sorted((1j * way, -1j * way), key=lambda side: side.imag):
-        deep = LONG_LEG * SHORT_LEG
-        crowd = sum(
-            0.01 < ((point - start) * side.conjugate()).real < 1.2 * deep for point in points
-        )
         for size, ahead in product(SIZES, (1, -1)):
             corners = [start + by for by in _shape(way, side, size, ahead)]
             reach = _sliding(corners, way, inner)
             if reach and _covers(length, size, ahead, reach):
-                cost = crowd + 8.0 * (1.0 - size) + 0.1 * (ahead < 0)
+                crowd = sum(_swept(label - start, way, side, size, length) for label in labels)
+                cost = crowd + 4.0 * (1.0 - size) + 0.1 * (ahead < 0)
                 found.append((cost, SetSquare(start, way, side, size, ahead, reach)))
     return min(found, key=lambda each: each[0])[1] if found else None
+
+
+def _swept(point: complex, way: complex, side: complex, size: float, length: float) -> bool:
+    """Tell whether a set square slides over a point, seen from the start of its line."""
+    along, across = (point * way.conjugate()).real, (point * side.conjugate()).real
+    leg = LONG_LEG * size
+    return -leg < along < length + leg and 0.0 < across < 1.2 * SHORT_LEG * leg
 
 
 def _shape(way: complex, side: complex, size: float, ahead: int) -> list[complex]:
@@ -150,8 +166,11 @@ def _sliding(corners: list[complex], way: complex, room: Rect) -> tuple[float, f
     return (low, high) if low <= high else None
 
 
-def compass(arc: Bow, row: int | None) -> list[Mark]:
-    """Return a pair of compasses that turns about the centre of an arc, and the pencil in it."""
+def compass(arc: Bow, row: int | None, room: Rect) -> list[Mark]:
+    """Return a pair of compasses that turns about the centre of an arc, and the pencil in it.
+
+    Its hinge stays in ``room`` all the way: the legs open wider, where they must.
+    """
     tip = arc.curve()[-1]
     span = abs(tip - arc.centre)
     leg = max(0.17, 0.62 * span)
@@ -159,10 +178,20 @@ def compass(arc: Bow, row: int | None) -> list[Mark]:
     up = 1j * (tip - arc.centre) / span if span > SHORTEST else 1j
     if up.imag < 0:
         up = -up
-    hinge = (arc.centre + tip) / 2 + rise * up
-    turn = Turning(arc.centre, ((0.0, -arc.sweep), (1.0, 0.0)))
+    middle, inner = (arc.centre + tip) / 2, room.inside(HINGE)
+    hinges = [middle + part * rise * side for part in RISES for side in (up, -up)]
+    turns = [cmath.exp(-1j * math.radians(arc.sweep * part / 8)) for part in range(9)]
+    hinge = next(
+        (
+            spot
+            for spot in hinges
+            if all(inner.holds(arc.centre + (spot - arc.centre) * turn) for turn in turns)
+        ),
+        middle,
+    )
+    turning = Turning(arc.centre, ((0.0, -arc.sweep), (1.0, 0.0)))
     return [
-        line([arc.centre, hinge, tip], "compass leg", growth=turn),
-        disc(hinge, HINGE, "compass hinge", growth=turn),
-        disc(tip, PENCIL, "pencil", row, turn),
+        line([arc.centre, hinge, tip], "compass leg", growth=turning),
+        disc(hinge, HINGE, "compass hinge", growth=turning),
+        disc(tip, PENCIL, "pencil", row, turning),
     ]

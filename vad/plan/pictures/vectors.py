@@ -12,8 +12,8 @@ from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.tags import SMALL_SIZE, add_tag
 from vad.plan.labels.vertices import corners, find_vertices, label_vertices
 from vad.plan.marks import Mark, disc
-from vad.plan.pictures.arrows import add_vector
-from vad.plan.pictures.constructions import add_construction, name_construction
+from vad.plan.pictures.arrows import add_vector, place_vectors
+from vad.plan.pictures.constructions import add_construction, line_of, name_construction
 from vad.plan.pictures.inset import Inset, add_inset, draw_inset, find_corner, reserved
 from vad.plan.roles import DOT_RIM
 from vad.plan.scale import fill
@@ -36,24 +36,27 @@ def draw(setting: Setting) -> Sketch:
         insets = [draw_inset(inset, rule, setting, size) for size in INSET_SIZES]
         sketch = _with_inset(setting, insets, sketch)
     points = [vertex.at for vertex in find_vertices(setting.panel, sketch.scale)]
+    placed = place_vectors(sketch)
     for index, stroke in enumerate(setting.panel.strokes):
         if isinstance(stroke.shape, Line):
-            name_construction(sketch, index, points)
+            name_construction(sketch, index, line_of(sketch, index, placed), points)
     return sketch
 
 
 def _sketch(setting: Setting, room: Rect) -> Sketch:
     """Return a panel without what comes and goes, at the scale at which it fills ``room``."""
     panel = setting.panel
-    scale = fill(corners(panel), room, position=False, centimetre=setting.centimetre)
+    scale = setting.scale or fill(
+        corners(panel), room, position=False, centimetre=setting.centimetre
+    )
     sketch = Sketch(setting, scale, Obstacles(setting.room))
     vertices = find_vertices(panel, scale)
-    points = [vertex.at for vertex in vertices]
+    placed = place_vectors(sketch)
     for index, stroke in enumerate(panel.strokes):
         if isinstance(stroke.shape, Arrow):
-            add_vector(sketch, index)
+            add_vector(sketch, index, placed[index])
         elif isinstance(stroke.shape, Line):
-            add_construction(sketch, index, points)
+            add_construction(sketch, index, line_of(sketch, index, placed))
         elif isinstance(stroke.shape, Dot):
             spot = scale(stroke.shape.at)
             sketch.add(

@@ -21,7 +21,8 @@ from vad.plan.pictures.vectors import dot
 from vad.plan.turning.clock import written_end
 from vad.plan.turning.fixed_width import fixed_width
 from vad.plan.turning.thinning import thinned
-from vad.strokes.sheet import Row
+from vad.strokes.notation import Notation
+from vad.strokes.sheet import Sheet
 from vad.written import with_unit
 
 VALUE = 0.0335
@@ -46,14 +47,25 @@ class Dial:
     name: str
     row: int | None
     curve: Curve
+    notation: Notation
+
+    @property
+    def unit(self) -> str:
+        """The unit in which it is written."""
+        return self.notation.unit(self.curve.unit)
+
+    def number(self, value: float, bare: bool = False) -> Runs:
+        """Return a value without its unit: as wide as all others, or ``bare``."""
+        notation, unit = self.notation, self.curve.unit
+        known = [notation.scaled(each, unit) for each in self.known]
+        form = fixed_width(self.unit, known, notation.point)
+        return (form.bare if bare else form.runs)(notation.scaled(value, unit))
 
     def reading(self, value: float, named: bool = True) -> Runs:
         """Return a value with its symbol and unit, and the name of the row if ``named``."""
-        curve = self.curve
         name = roman(f"{self.name} ") if named else ()
-        runs = fixed_width(curve.unit, self.known).runs(value)
-        unit = roman(with_unit("", curve.unit))
-        return (*name, *symbols(curve.symbol), *roman(" = "), *runs, *unit)
+        unit = roman(with_unit("", self.unit))
+        return (*name, *symbols(self.curve.symbol), *roman(" = "), *self.number(value), *unit)
 
     @property
     def known(self) -> list[float]:
@@ -62,10 +74,10 @@ class Dial:
         return list(map(float, values[np.isfinite(values)])) or [0.0]
 
 
-def dial(rows: Sequence[Row], key: str, curve: Curve) -> Dial:
+def dial(sheet: Sheet, key: str, curve: Curve) -> Dial:
     """Return the dial of a row of the results."""
-    number = next(index for index, row in enumerate(rows) if row.key == key)
-    return Dial(rows[number].title, number, curve)
+    number = next(index for index, row in enumerate(sheet.rows) if row.key == key)
+    return Dial(sheet.rows[number].title, number, curve, sheet.notation)
 
 
 class Chart:
@@ -83,9 +95,8 @@ class Chart:
         self._cycle, self._place = cycle, place
         self._output, self._driver, self._first = output, driver, first
         known = output.known
-        form = fixed_width(output.curve.unit, known)
         self._low, self._high = min(known), max(known)
-        self._ticks = {value: form.bare(value) for value in (self._low, self._high)}
+        self._ticks = {value: output.number(value, True) for value in (self._low, self._high)}
         if self._low < 0.0 < self._high:
             self._ticks[0.0] = roman("0")
         widest = max(width(runs, TICK) for runs in self._ticks.values())
@@ -158,7 +169,7 @@ class Chart:
     def heading(self) -> list[Mark]:
         """Return what the curve shows, and in which unit."""
         output, y = self._output, self._place.top - VALUE_BASELINE
-        comma = f", {output.curve.unit}" if output.curve.unit else ""
+        comma = f", {output.unit}" if output.unit else ""
         runs = (*roman(f"{output.name} "), *symbols(output.curve.symbol), *roman(comma))
         return [Mark(Lettering(runs, complex(self._place.left, y), VALUE), "words")]
 
@@ -209,11 +220,12 @@ class Chart:
         ]
 
 
-def driver_ticks(course: Course, unit: str) -> list[tuple[float, str]]:
+def driver_ticks(course: Course, unit: str, notation: Notation) -> list[tuple[float, str]]:
     """Return what stands below the curves: right angles of a crank, the ends of a swing."""
     low, high = course.ends
     if course.swing:
-        ends = [written_end(value, unit if unit == "°" else "") for value in (low, high)]
+        bare = unit if unit == "°" else ""
+        ends = [written_end(value, bare, notation) for value in (low, high)]
         return [(0.0, ends[0]), (0.5, ends[1]), (1.0, ends[0])]
     step = 90.0 if high > low else -90.0
     return [(k / 4, f"{low + k * step:g}°") for k in range(5)]

@@ -12,8 +12,9 @@ from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, roman
 from vad.plan.marks import Lettering, Mark
 from vad.strokes.language import Language
+from vad.strokes.notation import Notation
 from vad.strokes.sheet import Sheet
-from vad.written import given, number, typeset, with_unit
+from vad.written import typeset, with_unit
 
 SIZE, LEAST = 0.030, 0.020
 SPACE = 0.9  # between its parts, in type sizes
@@ -38,12 +39,13 @@ class Clock:
             words = [
                 f"{say('forward')} {_degrees(1.0 - part)}",
                 f"{say('return')} {_degrees(part)}",
-                f"{say('ratio')} {typeset(f'{cycle.ratio:.2f}')}",
+                f"{say('ratio')} {typeset(f'{cycle.ratio:.2f}', sheet.notation.point)}",
             ]
         elif course.swing:
             phrase = "swings" if cycle.place.unit == "°" else "slides"
             row = next(row for row in sheet.rows if row.key == cycle.driver)
-            low, high = (written_end(end, cycle.place.unit) for end in course.ends)
+            unit, notation = cycle.place.unit, sheet.notation
+            low, high = (written_end(end, unit, notation) for end in course.ends)
             words = [say(phrase, part=f"{row.title} {row.letters}", low=low, high=high)]
         else:
             words = []
@@ -75,7 +77,8 @@ def _degrees(share: float) -> str:
     return with_unit(typeset(f"{360.0 * share:.0f}"), "°")
 
 
-def written_end(value: float, unit: str) -> str:
+def written_end(value: float, unit: str, notation: Notation) -> str:
     """Write where a driver turns back."""
-    digits = number(value, unit) if unit == "°" else given(float(f"{value:.4g}"))
-    return with_unit(digits, unit)
+    if unit == "°":
+        return notation.quantity(value, unit)
+    return notation.quantity(float(f"{value:.4g}"), unit, given=True)

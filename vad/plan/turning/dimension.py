@@ -17,7 +17,6 @@ from vad.plan.lettering.runs import roman
 from vad.plan.marks import Mark, area, line, lines
 from vad.plan.sketch import Sketch
 from vad.strokes.language import Language
-from vad.written import given, with_unit
 
 SIZE = 0.030
 NEAR = 0.064  # from the guide
@@ -53,7 +52,7 @@ def add_dimension(
         return
     setting = sketch.setting
     size = float(f"{length / sketch.scale.factor:.{DIGITS}g}")
-    text = with_unit(given(size), setting.panel.unit)
+    text = setting.sheet.notation.quantity(size, setting.panel.unit, given=True)
     runs = roman(f"{Language(setting.sheet.language).say('stroke')} {text}")
     box = ink_size(runs, SIZE)
     sampled = poses[::SAMPLED]

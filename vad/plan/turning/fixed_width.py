@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from vad.plan.lettering.runs import Run, Runs, roman
-from vad.written import MEASURED, MINUS, WRITTEN_OUT, in_turn, power_of_ten, typeset
+from vad.written import MEASURED, MINUS, THIN_SPACE, WRITTEN_OUT, in_turn, power_of_ten, typeset
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,8 +17,8 @@ class FixedWidth:
     """How the numbers of one quantity are written.
 
     They are multiples of ten to the ``power``, with so many ``digits`` before and ``decimals``
-    after the point (fewer than none rounds to tens or hundreds); ``signed`` where some are
-    negative, ``turns`` where they are degrees.
+    after the point; ``signed`` where some are negative, ``turns`` where they are degrees;
+    ``point`` is the decimal sign.
     """
 
     digits: int
@@ -26,6 +26,7 @@ class FixedWidth:
     signed: bool
     power: int = 0
     turns: bool = False
+    point: str = "."
 
     def runs(self, value: float) -> Runs:
         """Return a number, its missing digits and sign kept as room.
@@ -37,28 +38,32 @@ class FixedWidth:
         """
         value = in_turn(value) if self.turns else value
         size = round(abs(value) / 10.0**self.power, self.decimals)
-        text = f"{size:.{max(self.decimals, 0)}f}"
+        text = f"{size:.{self.decimals}f}"
         negative = value < 0 and float(text) != 0
         missing = self.digits - len(text.partition(".")[0])
-        room = "0" * missing + (MINUS if self.signed and not negative else "")
+        # Thousands are parted as in the widest: what is missing stands before what is shown.
+        whole = typeset("0" * missing + text, self.point)
+        shown = whole.lstrip("0" + THIN_SPACE) if missing else whole
+        shown = shown if shown[:1].isdecimal() else "0" + shown
+        room = whole.removesuffix(shown) + (MINUS if self.signed and not negative else "")
         blank = (Run(room, shown=False),) if room else ()
         tail = power_of_ten(self.power) if self.power else ""
-        return blank + roman(typeset(("-" if negative else "") + text) + tail)
+        return blank + roman((MINUS if negative else "") + shown + tail)
 
     def bare(self, value: float) -> Runs:
         """Return a number as wide as it is."""
         return tuple(run for run in self.runs(value) if run.shown)
 
 
-def fixed_width(unit: str, values: Iterable[float]) -> FixedWidth:
+def fixed_width(unit: str, values: Iterable[float], point: str = ".") -> FixedWidth:
     """Return how to write ``values``: the largest has as many digits as anywhere else."""
     known = list(values)
     peak = max(map(abs, known), default=0.0)
     signed = any(value < 0 for value in known)
     if unit == "°":
-        return FixedWidth(3, 1, signed, turns=True)
+        return FixedWidth(3, 1, signed, turns=True, point=point)
     # Rounded to the digits first: 9999.7 reads 10000.
     power = int(f"{peak:.{MEASURED - 1}e}".partition("e")[2])
     if not WRITTEN_OUT[0] <= power < WRITTEN_OUT[1]:
-        return FixedWidth(1, MEASURED - 1, signed, power)
-    return FixedWidth(max(power, 0) + 1, MEASURED - 1 - power, signed)
+        return FixedWidth(1, MEASURED - 1, signed, power, point=point)
+    return FixedWidth(max(power, 0) + 1, max(MEASURED - 1 - power, 0), signed, point=point)

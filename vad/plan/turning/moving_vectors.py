@@ -10,13 +10,13 @@ from dataclasses import replace
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.marks import line
-from vad.plan.pictures.arrows import vector_of
+from vad.plan.pictures.arrows import PlacedVector, place_vectors
 from vad.plan.pictures.straight import vector
 from vad.plan.pictures.vectors import DOT, dot
 from vad.plan.roles import DOT_RIM, ROLES
 from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch
-from vad.strokes.sheet import Arrow, Dot, Panel
+from vad.strokes.sheet import Arrow, Dot, Panel, Stroke
 
 EDGE = 0.010  # from the panel's edge, a vector that leaves it ends
 _PARTS = ("normal", "tangential")
@@ -52,9 +52,10 @@ class MovingVectors:
         room, shown = self._setting.room, principal(panel)
         sketch = Sketch(replace(self._setting, panel=shown), self.scale, Obstacles(room))
         spots: list[complex] = []
+        placed = place_vectors(sketch)
         for index, stroke in enumerate(shown.strokes):
             if isinstance(stroke.shape, Arrow):
-                self._vector(sketch, index)
+                _add_vector(sketch, stroke, placed[index])
                 spots += [stroke.shape.start, stroke.shape.end]
             elif isinstance(stroke.shape, Dot):
                 spots.append(stroke.shape.at)
@@ -64,20 +65,21 @@ class MovingVectors:
                 sketch.obstacles.disc(spot, self.radius)
         return sketch
 
-    def _vector(self, sketch: Sketch, index: int) -> None:
-        """Add a vector as far as it lies in the panel; its head shows if its end does."""
-        stroke, room = sketch.setting.panel.strokes[index], sketch.setting.room
-        whole = vector_of(sketch, index)
-        if room.holds(whole.end) and room.holds(whole.start):
-            sketch.add(stroke, Level.STROKE, 0, whole.marks())
-            whole.block(sketch.obstacles, 0)
-            return
-        ends = whole.seen is not None and room.inside(EDGE).clipped(whole.seen, whole.end)
-        if not ends:
-            return
-        if room.holds(whole.end):
-            marks = vector(*ends, whole.row, whole.role, whole.whole)
-        else:
-            marks = [line(ends, whole.role, whole.row)]
-        sketch.add(stroke, Level.STROKE, 0, marks)
-        sketch.obstacles.line(ends, ROLES[whole.role].width / 2)
+
+def _add_vector(sketch: Sketch, stroke: Stroke, whole: PlacedVector) -> None:
+    """Add a vector as far as it lies in the panel; its head shows if its end does."""
+    room = sketch.setting.room
+    if room.holds(whole.end) and room.holds(whole.start):
+        sketch.add(stroke, Level.STROKE, 0, whole.marks())
+        whole.block(sketch.obstacles, 0)
+        return
+    ends = whole.seen is not None and room.inside(EDGE).clipped(whole.seen, whole.end)
+    if not ends:
+        return
+    aside = whole.lane.aside
+    if room.holds(whole.end):
+        marks = vector(*ends, whole.row, whole.role, whole.whole, whole.lane)
+    else:
+        marks = [line([end + aside for end in ends], whole.role, whole.row)]
+    sketch.add(stroke, Level.STROKE, 0, marks)
+    sketch.obstacles.line([end + aside for end in ends], ROLES[whole.role].width / 2)

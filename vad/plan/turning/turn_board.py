@@ -6,6 +6,7 @@ In comes a turn, out goes a board like that of a sheet, on which a beat is a fra
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 from vad.lecture.turn import Turn
 from vad.plan.board import rows_of
@@ -21,6 +22,7 @@ from vad.plan.turning.clock import Clock
 from vad.plan.turning.moving_panel import MovingPanel
 from vad.plan.turning.springs import POSES
 from vad.plan.turning.turn_layout import lay_out_turn
+from vad.strokes.notation import Notation
 from vad.strokes.sheet import Sheet
 
 
@@ -36,7 +38,10 @@ class TurnBoard:
         self.cycle = turn.cycle
         self._poses = {number / POSES: turn.at(number / POSES) for number in range(POSES)}
         poses = list(self._poses.values())
-        sheet = poses[0]
+        # Units that change from pose to pose could not be followed.
+        metres = any(pose.notation.metres for pose in poses)
+        notation = Notation(poses[0].notation.point, metres)
+        sheet = replace(poses[0], notation=notation)
         names = [panel.name for panel in sheet.panels]
         layout = lay_out_turn(self.form, names)
         self.page = layout.page
@@ -54,7 +59,7 @@ class TurnBoard:
             same = [pose.panels[index] for pose in poses]
             self.panels[panel.name] = MovingPanel(setting, same, self.cycle, turn.course.opening)
         self.charts = self._charts(sheet, layout.charts)
-        self.ticks = driver_ticks(turn.course, self.cycle.place.unit)
+        self.ticks = driver_ticks(turn.course, self.cycle.place.unit, notation)
         marks = self._still(sheet)
         self.unmoved = [Item("", name, Level.GROUND, tuple(each)) for name, each in marks if each]
         for moving in self.panels.values():
@@ -84,9 +89,9 @@ class TurnBoard:
     def _charts(self, sheet: Sheet, places: Mapping[str, Rect]) -> dict[str, Chart]:
         charts: dict[str, Chart] = {}
         cycle = self.cycle
-        driver = dial(sheet.rows, cycle.driver, cycle.place)
+        driver = dial(sheet, cycle.driver, cycle.place)
         for name, curve in cycle.curves.items():
-            output = dial(sheet.rows, cycle.output, curve)
+            output = dial(sheet, cycle.output, curve)
             first = not charts
             charts[name] = Chart(cycle, output, driver, places[name], first, self.tick_rows)
         return charts
@@ -96,7 +101,9 @@ class TurnBoard:
         yield "title", title_marks(sheet, self.page)
         for panel in sheet.panels:
             moving, place = self.panels[panel.name], self.page.panels[panel.name]
-            yield f"{panel.name} head", head(panel, place, moving.scale, self.form.centimetre)
+            centimetre = self.form.centimetre
+            marks = head(panel, place, moving.scale, centimetre, sheet.notation)
+            yield f"{panel.name} head", marks
             if panel.picture == "skeleton":
                 yield panel.name, self._return_way(moving)
         for name, chart in self.charts.items():

@@ -24,7 +24,14 @@ def pose(scene: Scene) -> Drawing:
 
 def link(scene: Scene, name: str) -> tuple[Cell, ...]:
     """Return the angular acceleration of a link."""
-    return (Cell("α", scene.motion.link(name).alpha, "rad/s²", angle_of(name) == scene.driver),)
+    return (
+        Cell(
+            scene.symbol("α", name),
+            scene.motion.link(name).alpha,
+            "rad/s²",
+            angle_of(name) == scene.driver,
+        ),
+    )
 
 
 def slide(scene: Scene, name: str) -> tuple[Cell, ...]:

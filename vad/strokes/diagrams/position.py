@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from vad.kinematics.linkage import angle_of, length_of
-from vad.strokes.construct import construct, slide_symbol
+from vad.strokes.construct import construct
 from vad.strokes.diagram import Diagram
 from vad.strokes.scene import Scene
 from vad.strokes.sheet import Cell
@@ -19,13 +19,20 @@ def unit(scene: Scene) -> str:
 
 def link(scene: Scene, name: str) -> tuple[Cell, ...]:
     """Return the angle of a link."""
-    return (Cell("θ", scene.motion.link(name).angle, "°", angle_of(name) == scene.driver),)
+    return (
+        Cell(
+            scene.symbol("θ", name),
+            scene.motion.link(name).angle,
+            "°",
+            angle_of(name) == scene.driver,
+        ),
+    )
 
 
 def slide(scene: Scene, name: str) -> tuple[Cell, ...]:
     """Return the position of a slide."""
     place, given = scene.motion.slide(name).position, length_of(name) == scene.driver
-    return (Cell(slide_symbol(scene, name), place, unit(scene), given),)
+    return (Cell(scene.slide_symbol(name), place, unit(scene), given),)
 
 
 def tracks(scene: Scene) -> Mapping[str, Any]:

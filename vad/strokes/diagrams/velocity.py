@@ -24,7 +24,14 @@ def pose(scene: Scene) -> Drawing:
 
 def link(scene: Scene, name: str) -> tuple[Cell, ...]:
     """Return the angular velocity of a link."""
-    return (Cell("ω", scene.motion.link(name).omega, "rad/s", angle_of(name) == scene.driver),)
+    return (
+        Cell(
+            scene.symbol("ω", name),
+            scene.motion.link(name).omega,
+            "rad/s",
+            angle_of(name) == scene.driver,
+        ),
+    )
 
 
 def slide(scene: Scene, name: str) -> tuple[Cell, ...]:

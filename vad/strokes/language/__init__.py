@@ -2,29 +2,56 @@
 
 from __future__ import annotations
 
-from functools import cache
+from collections.abc import Mapping
 from importlib import import_module
-from pkgutil import iter_modules
 from typing import Any
 
 from vad.errors import one_of
+from vad.found import names_in
+
+#: The parts of a phrase that are names, and what each is where a language knows no more of it.
+_GENERIC = {"link": "link", "slide": "slider"}
 
 
-@cache
 def languages() -> tuple[str, ...]:
     """Return the codes of the languages that there are."""
-    return tuple(sorted(module.name for module in iter_modules(__path__)))
+    return names_in("strokes", "language")
+
+
+class Noun:
+    """A name in a sentence: a phrase asks by ``{link:Der}`` for it with the article that it takes.
+
+    Parameters
+    ----------
+    name
+        The name alone.
+    forms
+        What becomes of it by the article that a phrase asks for: ``{"der": "die {}"}``.
+    of
+        What follows it, whatever its form: "of A".
+    """
+
+    def __init__(self, name: str, forms: Mapping[str, str], of: str = "") -> None:
+        self._name, self._forms, self._of = name, forms, of
+
+    def __format__(self, form: str) -> str:
+        text = self._forms[form.lower()].format(self._name) if form else self._name
+        text = text[0].upper() + text[1:] if form[:1].isupper() else text
+        return f"{text} {self._of}" if self._of else text
 
 
 class Language:
     """The phrases of one language.
 
-    ``article`` is the word that is also the name of a point: "a" in English.
+    ``point`` is its decimal sign, ``upright`` the pattern of words that are also names of points
+    or vectors: "a" in English.
 
     Examples
     --------
-    >>> Language("en").say("found", letter="C")
-    'C is where they meet.'
+    >>> Language("en").say("crossing", letter="c")
+    'c is where the two lines cross.'
+    >>> Language("de").say("bar", link="rod", bar="BC", symbol="θ₃", angle="18,4")
+    'Die Stange BC steht bei θ₃ = 18,4°.'
     """
 
     def __init__(self, code: str) -> None:
@@ -32,15 +59,25 @@ class Language:
         self.code = code
         self._phrases: dict[str, str] = table.PHRASES
         self._names: dict[str, str] = table.NAMES
-        self.article: str = table.ARTICLE
+        self._genders: dict[str, str] = table.GENDERS
+        self._articles: dict[str, dict[str, str]] = table.ARTICLES
+        self.point: str = table.POINT
+        self.upright: str = table.UPRIGHT
 
     def say(self, phrase: str, **parts: Any) -> str:
         """Fill in one phrase; the names of links and slides are translated."""
-        for key in ("link", "slide"):
+        for key, generic in _GENERIC.items():
             if key in parts:
-                parts[key] = self.name(parts[key])
+                parts[key] = self.noun(parts[key], generic=generic)
         return self._phrases[phrase].format(**parts)
 
     def name(self, name: str) -> str:
         """Return a name or title in this language; one that it does not translate stays itself."""
         return self._names.get(name, name.replace("_", " "))
+
+    def noun(self, name: str, of: str = "", generic: str = "link") -> Noun:
+        """Return a name as sentences have it; one of unknown gender stands behind what it is."""
+        if name in self._genders or not self._articles:
+            return Noun(self.name(name), self._articles.get(self._genders.get(name, ""), {}), of)
+        what = self.name(generic), self._articles[self._genders[generic]]
+        return Noun(*what, f"{self.name(name)} {of}".rstrip())

@@ -4,6 +4,7 @@ PHRASES = {
     # Seite
     "results": "Ergebnisse",
     "given": "gegeben",
+    "colon": ": ",
     "coriolis rule": "Coriolis: v um 90° mit ω gedreht",
     # Umlauf
     "stroke": "Hub",
@@ -14,44 +15,80 @@ PHRASES = {
     "slides": "{part} läuft zwischen {low} und {high}",
     # Lageplan
     "fixed": "{letter} ist ein festes Gelenk.",
-    "fixed point": "{letter}, wo sich die Führungen schneiden, ist fest.",
+    "fixed point": "{letter} ist ein fester Punkt.",
+    "guides cross": "{letter}, wo sich die Führungen schneiden, ist fest.",
     "guide": "{head} kann sich nur längs seiner Führung bewegen.",
-    "slot": "{head} gleitet im Schlitz ({link}).",
-    "driven bar": "{link} {bar} = {size} {unit} steht unter {angle}.",
-    "driven slide": "{head} steht bei {value} {unit} auf seiner Führung.",
-    "angle": "Der Winkel ({link}), von der x-Achse gegen den Uhrzeigersinn gemessen.",
+    "guide point": (
+        "{head} kann sich nur längs seiner Führung bewegen; {tail} ist ein fester Punkt "
+        "der Führung."
+    ),
+    "slot": "{head} gleitet im Schlitz {link:des}.",
+    "driven bar": "{link:Der} {bar} = {size} {unit} steht bei {angle}°.",
+    "driven slide": "{slide:Der} {head} steht bei {symbol} = {value} {unit} auf seiner Führung.",
+    "driven slide from": (
+        "{slide:Der} {head} steht bei {symbol} = {value} {unit} auf seiner Führung, von {tail} aus "
+        "gemessen."
+    ),
+    "angle": "Der Winkel {link:des} wird von der x-Achse gegen den Uhrzeigersinn gemessen.",
     "compass": "{head} liegt auf dem Kreis um {tail} mit dem Radius {bar} = {size} {unit}.",
-    "lever line": "{link}: die Gerade von {tail} durch {pin}.",
-    "slot line": "{head} liegt in Richtung des Schlitzes unter oder über {pin}.",
+    "compass strut": (
+        "{head} liegt auf dem Kreis um {tail} mit dem Radius {bar} = {size} {unit}, der gegebenen "
+        "Länge {link:des}."
+    ),
+    "lever line": "{link:Der} geht von {tail} aus durch {pin}.",
+    "slot line": "{head} liegt auf der Geraden durch {pin} in Richtung des Schlitzes.",
     "found": "{letter} liegt im Schnittpunkt.",
-    "on guide": "{letter} liegt, wo der Kreis die Führung schneidet.",
-    "on lever": "{letter} ist der Punkt unter {pin} ({link}).",
-    "bar": "{link} {bar}: θ = {angle}.",
-    "block": "Der {slide} {head}: {symbol} = {value} {unit}.",
-    "tip": "{letter} ({link}) liegt {size} {unit} von {tail} entfernt.",
+    "arcs cross": "{letter} liegt, wo sich die beiden Bögen schneiden.",
+    "on guide": "{letter} liegt, wo der Bogen die Führung schneidet.",
+    "on slot": "{letter} liegt, wo die Gerade des Schlitzes die Führung schneidet.",
+    "on lever": "{letter} ist der Punkt {link:des}, der in dieser Lage unter {pin} liegt.",
+    "bar": "{link:Der} {bar} steht bei {symbol} = {angle}°.",
+    "block": "{slide:Der} {head} steht bei {symbol} = {value} {unit}.",
+    "block from": (
+        "{slide:Der} {head} steht bei {symbol} = {value} {unit}, von {tail} aus gemessen."
+    ),
+    "tip": "{letter} liegt auf {link:dem}, {size} {unit} von {tail} entfernt.",
     "tip against": (
-        "{letter} ({link}) liegt {size} {unit} von {tail} entfernt auf der anderen Seite."
+        "{letter} liegt auf {link:dem}, {size} {unit} von {tail} entfernt auf der anderen Seite."
     ),
     # Polygone
     "pole velocity": (
         "Der Pol: feste Punkte haben die Geschwindigkeit null, also liegen {letters} hier."
     ),
-    "pole acceleration": "Der Pol: feste Punkte sind unbeschleunigt, also liegen {letters} hier.",
+    "pole acceleration": (
+        "Der Pol: feste Punkte haben die Beschleunigung null, also liegen {letters} hier."
+    ),
     "pole velocity one": "Der Pol: der feste Punkt {letters} hat die Geschwindigkeit null.",
-    "pole acceleration one": "Der Pol: der feste Punkt {letters} ist unbeschleunigt.",
+    "pole acceleration one": "Der Pol: der feste Punkt {letters} hat die Beschleunigung null.",
+    "on the guide": "{letter} ({point} auf der Führung)",
     "still": "Der Antrieb steht still und mit ihm alles andere: das Polygon ist sein Pol.",
-    "tangential velocity": "{label} = {omega}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar}",
+    "velocity of": "die Geschwindigkeit von {head}",
+    "velocity of relative": "die Geschwindigkeit von {head} gegenüber {tail}",
+    "acceleration of": "die Beschleunigung von {head}",
+    "acceleration of relative": "die Beschleunigung von {head} gegenüber {tail}",
+    "tangential velocity whole": (
+        "{label} = {omega}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Sinn von {omega}: "
+        "{whose}"
+    ),
     "normal": (
         "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, von {head} nach {tail}"
     ),
+    "normal whole": (
+        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, von {head} nach {tail}: "
+        "{whose}"
+    ),
     "tangential acceleration": (
-        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar}"
+        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Sinn von {alpha}"
+    ),
+    "tangential acceleration whole": (
+        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Sinn von {alpha}: "
+        "{whose}"
     ),
     "sliding velocity": (
-        "{label} = {value} {unit}, {way}, die gegebene Geschwindigkeit parallel {line}"
+        "{label} = {value} {unit}, {way}: die gegebene Geschwindigkeit längs {line:des}"
     ),
     "sliding acceleration": (
-        "{label} = {value} {unit}, {way}, die gegebene Beschleunigung parallel {line}"
+        "{label} = {value} {unit}, {way}: die gegebene Beschleunigung längs {line:des}"
     ),
     "coriolis": (
         "{label} = 2·{omega}·v = 2 × {rate} × {speed} = {value} {unit}, "
@@ -70,28 +107,34 @@ PHRASES = {
         "also liegt {meeting} auf dieser Geraden."
     ),
     "along velocity": (
-        "Durch {point} parallel {line}: anders kann sich der {slide} nicht bewegen, also liegt "
-        "{meeting} auf dieser Geraden."
+        "Durch {point} parallel {line:zum}: anders kann sich {slide:der} {head} nicht bewegen, "
+        "also liegt {meeting} auf dieser Geraden."
     ),
     "along velocity slot": (
-        "Durch {point} parallel {line}: im Schlitz kann sich der {slide} nur so bewegen, also "
-        "liegt {meeting} auf dieser Geraden."
+        "Durch {point} parallel {line:zum}: {line:im} kann sich {slide:der} {head} nur so bewegen, "
+        "also liegt {meeting} auf dieser Geraden."
     ),
     "along velocity link": (
-        "Durch {point} parallel {line}: auf der {link} kann sich der {slide} nur so bewegen, also "
-        "liegt {meeting} auf dieser Geraden."
+        "Durch {point} parallel {line:zum}: auf {line:dem} kann sich {slide:der} {head} nur so "
+        "bewegen, also liegt {meeting} auf dieser Geraden."
     ),
     "along acceleration": (
-        "Durch {point} parallel {line}: der Gleitanteil ist noch unbekannt, also liegt "
+        "Durch {point} parallel {line:zum}: der Gleitanteil ist noch unbekannt, also liegt "
         "{meeting} auf dieser Geraden."
     ),
-    "crossing": "Im Schnittpunkt der beiden Geraden liegt {letter}.",
+    "crossing": "{letter} liegt, wo sich die beiden Geraden schneiden.",
+    "crossing zero": "{letter} liegt, wo sich die beiden Geraden schneiden: {found}.",
+    "zero": "bei {point}, also ist {symbol} null",
     "pole crossing": (
-        "Im Schnittpunkt der beiden Geraden liegt der Pol {letter}: dieser Punkt ruht."
+        "Der Pol {letter} liegt, wo sich die beiden Geraden schneiden: {point} steht still."
     ),
     "measured omega": (
         "{label} = {value} {unit}, also {omega} = {label}/{bar} = {value}/{size} = {rate} rad/s, "
         "{sense}: von {tail} aus gesehen läuft {head} {way}."
+    ),
+    "measured omega absolute": (
+        "{label} = {value} {unit}, also {omega} = {label}/{bar} = {value}/{size} = {rate} rad/s, "
+        "{sense}: {label} ist die Geschwindigkeit von {head}, {way}."
     ),
     "measured omega strut": (
         "{label} = {value} {unit}, also {omega} = {label}/{bar} = {value}/{size} = {rate} rad/s, "
@@ -102,31 +145,30 @@ PHRASES = {
         "{sense}."
     ),
     "measured sliding velocity": (
-        "{label} = {value} {unit}: der {slide} gleitet {way}, {symbol} = {rate} {unit}."
+        "{label} = {value} {unit}: {slide:der} {head} gleitet längs {line:des} {way}, "
+        "{symbol} = {rate} {unit}."
     ),
     "measured sliding acceleration": (
-        "{label} = {value} {unit}, {way}: der {slide} hat {symbol} = {rate} {unit}."
+        "{label} = {value} {unit}, {way}: längs {line:des} hat {slide:der} {head} die "
+        "Beschleunigung {symbol} = {rate} {unit}."
     ),
-    "whole relative": "{label} = {value} {unit}, die Beschleunigung von {head} gegenüber {tail}.",
-    "whole absolute": "{label} = {value} {unit}, die Beschleunigung von {head}.",
+    "whole": "{label} = {value} {unit}, {whose}.",
+    "image velocity": "dem Geschwindigkeitsbild",
+    "image acceleration": "dem Beschleunigungsbild",
     "image": (
-        "{letter} aus der Ähnlichkeit: {part}/{whole} = {bar}/{base} = {size}/{length}; "
-        "{label} = {value} {unit}"
+        "{letter} aus {image} {link:des}: {part} = {whole}·{bar}/{base} = "
+        "{known} × {size}/{length} = {own} {unit}{also}"
     ),
     "image against": (
-        "{letter} aus der Ähnlichkeit, auf der anderen Seite: {part}/{whole} = {bar}/{base} = "
-        "{size}/{length}; {label} = {value} {unit}"
+        "{letter} aus {image} {link:des}, auf der anderen Seite: {part} = {whole}·{bar}/{base} = "
+        "{known} × {size}/{length} = {own} {unit}{also}"
     ),
+    "image whose": ", {whose}",
+    "image other": "; {label} = {value} {unit}",
     # Wörter
     "the pole": "den Pol",
-    "the guide": "zur Führung",
-    "the guide of": "zur Führung von {head}",
-    "the slot": "zum Schlitz",
-    "the link": "zur {link}",
-    "∥ guide": "∥ Führung",
-    "∥ guide of": "∥ Führung von {head}",
-    "∥ slot": "∥ Schlitz",
-    "∥ link": "∥ {link}",
+    "of point": "von {head}",
+    "parallel": "∥ {line}",
     "counter-clockwise": "gegen den Uhrzeigersinn",
     "clockwise": "im Uhrzeigersinn",
     "right": "nach rechts",
@@ -161,6 +203,9 @@ NAMES = {
     "block": "Stein",
     "ram": "Stößel",
     "yoke": "Kreuzschieber",
+    "stroke": "Hub",
+    "guide": "Führung",
+    "slot": "Schlitz",
     "offset": "Versatz",
     "tracer": "Zeichenpunkt",
     "ram_height": "Stößelhöhe",
@@ -169,5 +214,35 @@ NAMES = {
     "guide_b": "Führung B",
 }
 
-#: Kein Artikel heißt wie ein Punkt.
-ARTICLE = ""
+#: Das Geschlecht dessen, wovon Sätze sprechen.
+GENDERS = {
+    "crank": "f",
+    "coupler": "f",
+    "rocker": "f",
+    "rod": "f",
+    "lever": "f",
+    "link": "n",
+    "arm": "m",
+    "actuator": "f",
+    "slider": "m",
+    "block": "m",
+    "ram": "m",
+    "yoke": "m",
+    "guide": "f",
+    "slot": "m-es",
+}
+
+#: Der männliche Artikel, nach dem ein Satz fragt, und was daraus je nach Geschlecht wird.
+_M = {"der": "der {}", "des": "des {}s", "dem": "dem {}", "zum": "zum {}", "im": "im {}"}
+ARTICLES = {
+    "m": _M,
+    "m-es": _M | {"des": "des {}es"},
+    "f": {"der": "die {}", "des": "der {}", "dem": "der {}", "zum": "zur {}", "im": "in der {}"},
+    "n": _M | {"der": "das {}"},
+}
+
+#: Das Dezimalzeichen.
+POINT = ","
+
+#: Kein Wort heißt wie ein Punkt.
+UPRIGHT = ""

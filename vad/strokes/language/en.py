@@ -4,6 +4,7 @@ PHRASES = {
     # the page
     "results": "Results",
     "given": "given",
+    "colon": ": ",
     "coriolis rule": "Coriolis: v turned 90° with ω",
     # a turn
     "stroke": "stroke",
@@ -14,37 +15,70 @@ PHRASES = {
     "slides": "{part} moves between {low} and {high}",
     # position
     "fixed": "{letter} is a fixed pivot.",
-    "fixed point": "{letter}, where the guides cross, is fixed.",
+    "fixed point": "{letter} is a fixed point.",
+    "guides cross": "{letter}, where the guides cross, is fixed.",
     "guide": "{head} can only move along its guide.",
+    "guide point": "{head} can only move along its guide; {tail} is a fixed point of the guide.",
     "slot": "{head} slides in the slot of the {link}.",
-    "driven bar": "The {link} {bar} = {size} {unit} stands at {angle}.",
-    "driven slide": "{head} stands at {value} {unit} on its guide.",
-    "angle": "The angle of the {link}, measured counter-clockwise from the x axis.",
+    "driven bar": "The {link} {bar} = {size} {unit} stands at {angle}°.",
+    "driven slide": "The {slide} {head} stands at {symbol} = {value} {unit} on its guide.",
+    "driven slide from": (
+        "The {slide} {head} stands at {symbol} = {value} {unit} on its guide, measured from {tail}."
+    ),
+    "angle": "The angle of the {link} is measured counter-clockwise from the x axis.",
     "compass": "{head} lies on the circle about {tail} with radius {bar} = {size} {unit}.",
+    "compass strut": (
+        "{head} lies on the circle about {tail} with radius {bar} = {size} {unit}, the given "
+        "length of the {link}."
+    ),
     "lever line": "The {link} from {tail} passes through {pin}.",
-    "slot line": "{head} lies below or above {pin}, in the direction of the slot.",
+    "slot line": "{head} lies on the line through {pin} in the direction of the slot.",
     "found": "{letter} is where they meet.",
-    "on guide": "{letter} is where the circle meets the guide.",
-    "on lever": "{letter} is the point of the {link} under {pin}.",
-    "bar": "The {link} {bar}: θ = {angle}.",
-    "block": "The {slide} {head}: {symbol} = {value} {unit}.",
+    "arcs cross": "{letter} is where the two arcs cross.",
+    "on guide": "{letter} is where the arc meets the guide.",
+    "on slot": "{letter} is where the line of the slot meets the guide.",
+    "on lever": "{letter} is the point of the {link} that lies under {pin} in this pose.",
+    "bar": "The {link} {bar} stands at {symbol} = {angle}°.",
+    "block": "The {slide} {head} stands at {symbol} = {value} {unit}.",
+    "block from": "The {slide} {head} stands at {symbol} = {value} {unit}, measured from {tail}.",
     "tip": "{letter} lies on the {link}, {size} {unit} from {tail}.",
     "tip against": "{letter} lies on the {link}, {size} {unit} from {tail} on the other side.",
     # polygons
-    "pole velocity": "The pole: every fixed point has the velocity zero, so {letters} lie here.",
-    "pole acceleration": "The pole: fixed points have no acceleration, so {letters} lie here.",
-    "pole velocity one": "The pole: the fixed point {letters} has the velocity zero.",
-    "pole acceleration one": "The pole: the fixed point {letters} has no acceleration.",
+    "pole velocity": "The pole: every fixed point has zero velocity, so {letters} lie here.",
+    "pole acceleration": (
+        "The pole: every fixed point has zero acceleration, so {letters} lie here."
+    ),
+    "pole velocity one": "The pole: the fixed point {letters} has zero velocity.",
+    "pole acceleration one": "The pole: the fixed point {letters} has zero acceleration.",
+    "on the guide": "{letter} ({point} on the guide)",
     "still": "The driver stands still, and so does everything else: the polygon is its pole.",
-    "tangential velocity": "{label} = {omega}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar}",
+    "velocity of": "the velocity of {head}",
+    "velocity of relative": "the velocity of {head} relative to {tail}",
+    "acceleration of": "the acceleration of {head}",
+    "acceleration of relative": "the acceleration of {head} relative to {tail}",
+    "tangential velocity whole": (
+        "{label} = {omega}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} in the sense of "
+        "{omega}: {whose}"
+    ),
     "normal": (
         "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, from {head} towards {tail}"
     ),
-    "tangential acceleration": (
-        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar}"
+    "normal whole": (
+        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, from {head} towards {tail}: "
+        "{whose}"
     ),
-    "sliding velocity": "{label} = {value} {unit}, {way}, the given velocity along {line}",
-    "sliding acceleration": "{label} = {value} {unit}, {way}, the given acceleration along {line}",
+    "tangential acceleration": (
+        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} in the sense of "
+        "{alpha}"
+    ),
+    "tangential acceleration whole": (
+        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} in the sense of "
+        "{alpha}: {whose}"
+    ),
+    "sliding velocity": "{label} = {value} {unit}, {way}: the given velocity along the {line}",
+    "sliding acceleration": (
+        "{label} = {value} {unit}, {way}: the given acceleration along the {line}"
+    ),
     "coriolis": (
         "{label} = 2·{omega}·v = 2 × {rate} × {speed} = {value} {unit}, v turned 90° with {omega}"
     ),
@@ -61,26 +95,32 @@ PHRASES = {
         "yet, so {meeting} lies on this line."
     ),
     "along velocity": (
-        "Through {point}, parallel to {line}: the {slide} can move no other way, so {meeting} "
-        "lies on this line."
+        "Through {point}, parallel to the {line}: the {slide} {head} can move no other way, so "
+        "{meeting} lies on this line."
     ),
     "along velocity slot": (
-        "Through {point}, parallel to {line}: in the slot the {slide} can move no other way, so "
-        "{meeting} lies on this line."
+        "Through {point}, parallel to the {line}: in the {line} the {slide} {head} can move no "
+        "other way, so {meeting} lies on this line."
     ),
     "along velocity link": (
-        "Through {point}, parallel to {line}: on the {link} the {slide} can move no other way, so "
-        "{meeting} lies on this line."
+        "Through {point}, parallel to the {line}: on the {line} the {slide} {head} can move no "
+        "other way, so {meeting} lies on this line."
     ),
     "along acceleration": (
-        "Through {point}, parallel to {line}: the sliding part is not known yet, so {meeting} "
+        "Through {point}, parallel to the {line}: the sliding part is not known yet, so {meeting} "
         "lies on this line."
     ),
-    "crossing": "Where the two lines cross lies {letter}.",
-    "pole crossing": "Where the two lines cross lies the pole {letter}: that point stands still.",
+    "crossing": "{letter} is where the two lines cross.",
+    "crossing zero": "{letter} is where the two lines cross: {found}.",
+    "zero": "at {point}, so {symbol} is zero",
+    "pole crossing": "The pole {letter} is where the two lines cross: {point} stands still.",
     "measured omega": (
         "{label} = {value} {unit}, so {omega} = {label}/{bar} = {value}/{size} = {rate} rad/s, "
         "{sense}: {head} moves {way} as seen from {tail}."
+    ),
+    "measured omega absolute": (
+        "{label} = {value} {unit}, so {omega} = {label}/{bar} = {value}/{size} = {rate} rad/s, "
+        "{sense}: {label} is the velocity of {head}, {way}."
     ),
     "measured omega strut": (
         "{label} = {value} {unit}, so {omega} = {label}/{bar} = {value}/{size} = {rate} rad/s, "
@@ -91,31 +131,30 @@ PHRASES = {
         "{sense}."
     ),
     "measured sliding velocity": (
-        "{label} = {value} {unit}: the {slide} slides {way}, {symbol} = {rate} {unit}."
+        "{label} = {value} {unit}: the {slide} {head} slides {way} along the {line}, "
+        "{symbol} = {rate} {unit}."
     ),
     "measured sliding acceleration": (
-        "{label} = {value} {unit}, {way}: the {slide} has {symbol} = {rate} {unit}."
+        "{label} = {value} {unit}, {way}: along the {line} the {slide} {head} has "
+        "{symbol} = {rate} {unit}."
     ),
-    "whole relative": "{label} = {value} {unit}, the acceleration of {head} relative to {tail}.",
-    "whole absolute": "{label} = {value} {unit}, the acceleration of {head}.",
+    "whole": "{label} = {value} {unit}, {whose}.",
+    "image velocity": "the velocity image",
+    "image acceleration": "the acceleration image",
     "image": (
-        "{letter} by the image: {part}/{whole} = {bar}/{base} = {size}/{length}; "
-        "{label} = {value} {unit}"
+        "{letter} by {image} of the {link}: {part} = {whole}·{bar}/{base} = "
+        "{known} × {size}/{length} = {own} {unit}{also}"
     ),
     "image against": (
-        "{letter} by the image, on the other side: {part}/{whole} = {bar}/{base} = "
-        "{size}/{length}; {label} = {value} {unit}"
+        "{letter} by {image} of the {link}, on the other side: {part} = {whole}·{bar}/{base} = "
+        "{known} × {size}/{length} = {own} {unit}{also}"
     ),
+    "image whose": ", {whose}",
+    "image other": "; {label} = {value} {unit}",
     # words
     "the pole": "the pole",
-    "the guide": "the guide",
-    "the guide of": "the guide of {head}",
-    "the slot": "the slot",
-    "the link": "the {link}",
-    "∥ guide": "∥ guide",
-    "∥ guide of": "∥ guide of {head}",
-    "∥ slot": "∥ slot",
-    "∥ link": "∥ {link}",
+    "of point": "of {head}",
+    "parallel": "∥ {line}",
     "counter-clockwise": "counter-clockwise",
     "clockwise": "clockwise",
     "right": "to the right",
@@ -124,8 +163,15 @@ PHRASES = {
     "down": "downwards",
 }
 
-#: Names of links and slides that differ from the program's own.
+#: Names of links, slides and parameters that differ from the program's own.
 NAMES: dict[str, str] = {}
 
+#: Nouns have no gender, and all the same article.
+GENDERS: dict[str, str] = {}
+ARTICLES: dict[str, dict[str, str]] = {}
+
+#: The decimal sign.
+POINT = "."
+
 #: The article that is also the name of a point, which stands in italics.
-ARTICLE = "a"
+UPRIGHT = r"a(?= (?!has\b)[a-z]{3,})"

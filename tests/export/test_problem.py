@@ -1,0 +1,150 @@
+"""Problem sheets: what is left to be drawn, and a key on which all stands where it stood."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+import vad
+from tests.painting.readers import pdf_text
+from vad.errors import UsageError
+from vad.mechanisms import Mechanism
+from vad.painting.posed import Posed, posed
+from vad.plan.marks import Lettering, Mark
+from vad.strokes.sheet import Cell, Sheet
+
+ASKED = ("velocity", "acceleration")
+PAGES: dict[str, dict[str, object]] = {
+    "wide": {},
+    "4:3": {"size": (1024, 768), "style": "print"},
+    "A4": {"paper": "A4"},
+}
+SCENES: dict[str, Mechanism] = {
+    "slider-crank": vad.SliderCrank(),
+    "four-bar": vad.FourBar(),
+    "trammel": vad.EllipticalTrammel(),
+    "gate": vad.GateActuator(),
+    "shaper": vad.CrankSlottedLever(rod=100, ram_height=180),
+}
+#: Polygons that begin and that end with their pole, given cells beside asked ones, two loops.
+CASES = (("slider-crank", "wide"), ("trammel", "wide"), ("gate", "4:3"), ("shaper", "A4"))
+
+
+def sheet_of(name: str, **inputs: float) -> Sheet:
+    return vad.draw(vad.solve(SCENES[name], **inputs))
+
+
+@cache
+def pair(name: str, page: str) -> tuple[Posed, Posed]:
+    """Return a problem and its key."""
+    sheet = sheet_of(name)
+    return posed(sheet, **PAGES[page], blank=ASKED), posed(sheet, **PAGES[page])
+
+
+def shown(page: Posed, region: str = "") -> list[Mark]:
+    """Return the marks of a picture, or of one part of its page."""
+    items = page.board.shown(page.moment.beat)
+    return [mark for item in items if region in ("", item.region) for mark in item.marks]
+
+
+def words(marks: list[Mark]) -> list[str]:
+    shapes = [mark.shape for mark in marks]
+    return ["".join(run.text for run in s.runs) for s in shapes if isinstance(s, Lettering)]
+
+
+def cells_of(sheet: Sheet, *panels: str) -> list[Cell]:
+    return [cell for row in sheet.rows for name in panels for cell in row.cells.get(name, ())]
+
+
+@pytest.mark.parametrize(("name", "page"), CASES)
+def test_the_key_has_all_of_the_problem_at_the_same_places(name: str, page: str) -> None:
+    problem, whole = pair(name, page)
+    key = {(mark.shape, mark.role, mark.row) for mark in shown(whole)}
+    own = [mark for mark in shown(problem) if mark.role != "writing line"]
+    assert all((mark.shape, mark.role, mark.row) in key for mark in own)
+
+
+@pytest.mark.parametrize(("name", "page"), CASES)
+def test_a_blank_panel_holds_its_pole_and_its_scale(name: str, page: str) -> None:
+    problem, key = pair(name, page)
+    for panel in ASKED:
+        (pole,) = (
+            s.label.replace(",", ", ") for s in key.sheet.panel(panel).strokes if s.name == "pole"
+        )
+        assert words(shown(problem, panel)) == [pole]
+        assert [mark.role for mark in shown(problem, panel)] == ["dot", "letter"]
+        assert shown(problem, f"{panel} foot") == []
+        assert shown(problem, f"{panel} head") == shown(key, f"{panel} head")
+    for region in ("position", "position head", "position foot", "title"):
+        assert shown(problem, region) == shown(key, region)
+
+
+@pytest.mark.parametrize(("name", "page"), CASES)
+def test_what_is_asked_has_a_line_to_be_written_on(name: str, page: str) -> None:
+    problem, key = pair(name, page)
+    lines = [mark.shape.pieces[0] for mark in shown(problem) if mark.role == "writing line"]
+    assert len(lines) == sum(not cell.given for cell in cells_of(key.sheet, *ASKED))
+    area = problem.board.regions["results"]
+    for start, end in lines:
+        assert area.holds(start) and area.holds(end)
+        assert end.real - start.real > 0.04
+    for one, other in pairwise(sorted(lines, key=_reading)):
+        assert one[1].real < other[0].real or one[0].imag > other[0].imag
+
+
+def _reading(line: tuple[complex, complex]) -> tuple[float, float]:
+    return -line[0].imag, line[0].real
+
+
+def test_no_answer_is_in_the_file(folder: Path) -> None:
+    sheet = sheet_of("slider-crank", alpha=20)
+    for name in ("problem.pdf", "problem.svg", "problem.png"):
+        vad.save(sheet, name, blank=ASKED)
+    answers = [f"{abs(cell.value):.4g}" for cell in cells_of(sheet, *ASKED) if not cell.given]
+    svg, pdf = Path("problem.svg").read_text("utf-8"), pdf_text(Path("problem.pdf").read_bytes())
+    png = Path("problem.png").read_bytes()
+    for answer in answers:
+        assert not re.search(rf"(?<![\d.]){re.escape(answer)}(?!\d)", pdf)
+        assert f"= {answer}" not in svg and f"= −{answer}" not in svg
+        assert f"= {answer}".encode() not in png
+    assert "rod BC" in pdf and "20" in pdf
+    assert "velocity:BC.line" not in svg and 'data-stroke="velocity:pole"' in svg
+
+
+def test_a_position_is_drawn_from_its_fixed_points() -> None:
+    problem = posed(sheet_of("four-bar"), blank="position")
+    assert sorted(words(shown(problem, "position"))) == ["A", "D"]
+    assert {mark.role for mark in shown(problem, "position")}.isdisjoint({"bar", "angle"})
+    assert "60°" in words(shown(problem, "results"))
+
+
+def test_a_driver_that_stands_still_asks_all_the_same() -> None:
+    problem = posed(sheet_of("four-bar", omega=0), blank="velocity")
+    assert sum(mark.role == "writing line" for mark in shown(problem)) == 2
+
+
+@pytest.mark.parametrize(
+    ("name", "blank", "message"),
+    [
+        ("a.pdf", ("velocty",), "unknown panel 'velocty'"),
+        ("a.png", 3, "blank: must be names of panels, got 3"),
+        ("a.json", ("velocity",), "blank: .json has no such option"),
+    ],
+)
+def test_what_cannot_be(folder: Path, name: str, blank: object, message: str) -> None:
+    with pytest.raises(UsageError, match=re.escape(message)):
+        vad.save(sheet_of("four-bar"), name, blank=blank)
+    assert not list(folder.iterdir())
+
+
+def test_a_panel_that_is_not_on_the_sheet(folder: Path) -> None:
+    sheet = vad.draw(vad.solve(vad.FourBar()), panels="position")
+    with pytest.raises(UsageError, match="unknown panel 'velocity'"):
+        vad.save(sheet, "a.png", blank="velocity")
+    still = vad.still(vad.animate(sheet), 2)
+    with pytest.raises(UsageError, match="blank: not for a step of a lesson"):
+        vad.save(still, "a.png", blank="position")

@@ -1,0 +1,222 @@
+"""One calculation, played in four ways: the same bits, and nothing that was not asked for."""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+import operator
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import vad
+from tests.invariants.test_motion import defaults, factors, optional
+from vad.kinematics import program, solver
+from vad.kinematics.blocks import Blocks
+from vad.kinematics.compiled import Compiled
+from vad.kinematics.evaluation import Evaluation
+from vad.kinematics.operations import OPERATIONS, function_of
+from vad.kinematics.program import Program
+from vad.kinematics.recording import Tape
+from vad.kinematics.results.formulas import Result, evaluate, guide_of
+from vad.kinematics.solver import Solver, solver_of
+
+NAMES = list(vad.MECHANISMS)
+numba = pytest.mark.skipif(
+    importlib.util.find_spec("numba") is None, reason="numba, the extra 'fast', is not installed"
+)
+
+
+def results(mechanism: Any) -> list[Result]:
+    """Return all that can be read of a mechanism."""
+    motion = vad.solve(mechanism)
+    quantities = {
+        "link": ("angle", "omega", "alpha"),
+        "point": ("position", "velocity", "acceleration"),
+        "slide": ("position", "velocity", "acceleration", "coriolis"),
+    }
+    parts = {"link": motion.links, "point": motion.points, "slide": motion.slides}
+    return [
+        (kind, name, quantity)
+        for kind, names in parts.items()
+        for name in names
+        for quantity in quantities[kind]
+        if quantity != "coriolis" or guide_of(motion.linkage, name)
+    ]
+
+
+def bits(value: Any) -> bytes:
+    """Return the bits of a number, one NaN like another, no zero negative."""
+    parts = np.array([np.real(value), np.imag(value)], float)
+    return (np.full(2, np.nan) if np.isnan(parts).any() else parts + 0.0).tobytes()
+
+
+@st.composite
+def mechanisms(draw: Any, name: str) -> tuple[Any, dict[str, Any]]:
+    """Draw a mechanism and a few poses, most of which close."""
+    cls = vad.MECHANISMS[name]
+    numbers = {**defaults(cls), **(optional(cls) if draw(st.booleans()) else {})}
+    parameters = {key: value * draw(factors) for key, value in numbers.items()}
+    mechanism = cls(**parameters, assembly=draw(st.sampled_from(["open", "crossed"])))
+    first, second, third = cls.inputs
+    places = st.floats(-720, 720) | st.sampled_from([0.0, 30.0, 90.0, 120.0, 180.0, -90.0, 1e17])
+    if first == "position":
+        places = factors.map(lambda factor: factor * cls.inputs[first])
+    inputs = {first: np.array(draw(st.lists(places, min_size=4, max_size=4)))}
+    inputs |= {second: draw(st.floats(-10, 10)), third: draw(st.floats(-10, 10))}
+    return mechanism, inputs
+
+
+def direct(mechanism: Any, inputs: tuple[float, ...], result: Result) -> Any:
+    """Return a result by the solver's own code, on floats."""
+    try:
+        evaluation = Evaluation(solver_of(mechanism), inputs)
+        evaluation.pose  # noqa: B018  # of a pose that does not close nothing is known
+        value = evaluate(result, evaluation)
+    except vad.AssemblyError:
+        return math.nan
+    return value if np.isfinite(value) else math.nan
+
+
+def poses(inputs: dict[str, Any]) -> Iterator[tuple[float, ...]]:
+    place, rate, second_rate = inputs.values()
+    return ((float(value), rate, second_rate) for value in place)
+
+
+@pytest.mark.parametrize("name", NAMES)
+@settings(max_examples=4, deadline=None, suppress_health_check=list(HealthCheck))
+@given(data=st.data())
+def test_all_ways_give_the_same_bits(name: str, data: Any) -> None:
+    mechanism, inputs = data.draw(mechanisms(name))
+    many = vad.solve(mechanism, **inputs)
+    for result in results(mechanism):
+        array = many.read(result)
+        for number, pose in enumerate(poses(inputs)):
+            wanted = bits(direct(mechanism, pose, result))
+            assert bits(array[number]) == wanted, (result, pose)
+            single = vad.solve(mechanism, **dict(zip(inputs, pose, strict=True)))
+            solver_of(mechanism)._asked[result] = solver.OFTEN
+            try:
+                assert bits(single.read(result)) == wanted, (result, pose)
+            except vad.VadError:
+                assert wanted == bits(math.nan)
+
+
+@numba
+@pytest.mark.parametrize(
+    "mechanism",
+    [vad.FourBar(130.0, ground_angle=20.0), vad.GateActuator()],
+    ids=lambda mechanism: mechanism.name,
+)
+def test_a_compiled_loop_gives_the_same_bits(mechanism: Any, monkeypatch: Any) -> None:
+    first, second, third = mechanism.inputs
+    places = np.random.default_rng(1).uniform(-400, 400, 5000)
+    if first == "position":
+        places = 3.0 + places / 400
+    inputs = {first: places, second: 2.0, third: np.linspace(-1, 1, 5000)}
+    last = mechanism.points[-1]
+    for result in (("point", last, "position"), ("point", last, "acceleration")):
+        wanted = vad.solve(mechanism, **inputs).read(result)
+        with monkeypatch.context() as patch:
+            patch.setattr(program, "OFTEN", 0)
+            found = vad.solve(mechanism, **inputs).read(result)
+        assert np.array_equal(found, wanted, equal_nan=True), result
+    assert isinstance(solver_of(mechanism).recorded.order(0).compiled, Compiled)
+
+
+@numba
+def test_angles_too_large_for_the_loop_are_folded_by_numpy(monkeypatch: Any) -> None:
+    angles = np.array([4e17, 30.0, np.nan])
+    wanted = vad.solve(vad.FourBar(), angle=angles).link("rocker").omega
+    monkeypatch.setattr(program, "OFTEN", 0)
+    found = vad.solve(vad.FourBar(), angle=angles).link("rocker").omega
+    assert np.array_equal(found, wanted, equal_nan=True)
+
+
+# --- only what is asked for -------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("angle", [60.0, np.array([60.0, 61.0])], ids=["one", "many"])
+@pytest.mark.parametrize("orders", [0, 1])
+def test_a_position_costs_no_velocity(angle: Any, orders: int, monkeypatch: Any) -> None:
+    """Neither when it is recorded, nor when it is played."""
+    asked = []
+    rates = Solver.rates
+
+    def counted(self: Solver, pose: Any, lower: tuple[Any, ...], value: Any) -> Any:
+        asked.append(len(lower) + 1)
+        return rates(self, pose, lower, value)
+
+    monkeypatch.setattr(Solver, "rates", counted)
+    mechanism = vad.FourBar(coupler=121.0 + orders, rocker=80.0 + np.size(angle))
+    for _ in range(solver.OFTEN + 2):
+        link = vad.solve(mechanism, angle=angle).link("rocker")
+        assert np.all(link.omega if orders else link.angle)
+    assert set(asked) == set(range(1, orders + 1))
+    assert len(solver_of(mechanism).recorded._orders) == orders + 1
+
+
+def test_a_program_holds_what_is_asked_for_alone() -> None:
+    tape = Tape()
+    x, y = tape.input("x"), tape.input("y")
+    total, _ = x + y, x / y
+    assert [step.operation for step in Program([x, y], [total * total]).steps] == [
+        "add",
+        "multiply",
+    ]
+
+
+def test_the_same_operation_is_recorded_once() -> None:
+    tape = Tape()
+    x, y = tape.input("x"), tape.input("y")
+    assert x * y + 1.0 is x * y + 1.0
+    assert x - -y is x + y
+    assert -x * y + 1.0 is 1.0 - x * y
+
+
+def test_a_recorded_number_decides_nothing() -> None:
+    with pytest.raises(TypeError, match="use select"):
+        bool(Tape().input("x") > 0.0)
+
+
+# --- operations -------------------------------------------------------------------------------
+
+SPECIAL = [0.0, 1.0, -1.0, 0.5, -0.5, 30.0, -180.0, 5e-324, 1e-160, -7.25, 1e300, math.nan]
+REALS = ["add", "subtract", "multiply", "minimum", "maximum", "copysign", "arctan2"]
+REALS += ["less", "greater", "equal"]
+
+
+@pytest.mark.parametrize("operation", REALS)
+def test_an_operation_is_the_same_on_floats_and_on_blocks(operation: str) -> None:
+    x, y = (part.ravel() for part in np.meshgrid(SPECIAL, SPECIAL))
+    if operation in ("minimum", "maximum"):  # of NaN neither is asked, but what is above it
+        asked = ~np.isnan(y if operation == "maximum" else x + y)
+        x, y = x[asked], y[asked]
+    text, on_floats, on_blocks, kind = OPERATIONS[operation]
+    out = np.empty(x.size, kind)
+    with np.errstate(all="ignore"):
+        on_blocks(x, y, out=out)
+    written = function_of(
+        ["x", "y"],
+        [f"return {text.format('x', 'y')}"],
+        {"copysign": math.copysign, "arctan2": np.arctan2},
+    )
+    for a, b, found in zip(x.tolist(), y.tolist(), out.tolist(), strict=True):
+        assert bits(written(a, b)) == bits(on_floats(a, b)) == bits(found)
+
+
+@pytest.mark.parametrize("size", [1, 1000, 8192, 8193, 300_000])
+def test_blocks_of_any_length(size: int) -> None:
+    tape = Tape()
+    x, y = tape.input("x"), tape.input("y")
+    outputs = [x * y + 2.0, x, 7.0, abs(x) - y, (x > y) * 3.0]
+    values = np.linspace(-3.0, 5.0, size)
+    found = [np.empty(size) for _ in outputs]
+    Blocks(Program([x, y], outputs)).play([values, 1.5], found)
+    wanted = [values * 1.5 + 2.0, values, np.full(size, 7.0), abs(values) - 1.5]
+    wanted.append(3.0 * (values > 1.5))
+    assert all(map(operator.eq, map(bytes, found), map(bytes, wanted)))

@@ -1,0 +1,146 @@
+"""Vectors on one line stand side by side: no pen covers another, and all vertices stay true."""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import Any
+
+import pytest
+
+import vad
+from tests.plan.overlaps import planned
+from vad.plan.board import Plan
+from vad.plan.items import Item
+from vad.plan.marks import Disc, Mark, Polygon, Polyline
+from vad.strokes.sheet import Arrow, Sheet
+from vad.style import load_style, style_names
+
+POSES: list[tuple[str, dict[str, Any]]] = [
+    *(("slider-crank", {"angle": angle}) for angle in (0, 90, 180, 270)),
+    *(("elliptical-trammel", {"angle": angle}) for angle in (0, 90, 180)),
+    *(("scotch-yoke", {"angle": angle}) for angle in (0, 90, 180)),
+    *(("crank-slotted-lever", {"angle": angle, "alpha": 20}) for angle in (90, 270)),
+    *(("gate-actuator", {"position": position}) for position in (3.6, 3.8)),
+    ("double-slider", {"position": 0}),
+    ("whitworth", {"angle": 90}),
+]
+
+
+def drawn(name: str, inputs: dict[str, Any]) -> tuple[Sheet, Plan]:
+    sheet = vad.draw(vad.solve(vad.MECHANISMS[name](), **inputs))
+    return sheet, planned(sheet)
+
+
+def pictured(board: Plan) -> list[Item]:
+    """The finished vectors of the polygons."""
+    return [
+        item
+        for item in board.shown(board.finished)
+        if item.region in ("velocity", "acceleration")
+        and any(mark.role in ("vector", "whole") for mark in item.marks)
+    ]
+
+
+def ends(item: Item) -> tuple[complex, complex]:
+    [shaft] = [mark.shape for mark in item.marks if mark.role in ("vector", "whole")]
+    assert isinstance(shaft, Polyline)
+    [(start, end)] = shaft.pieces
+    return start, end
+
+
+def head(item: Item) -> tuple[complex, ...]:
+    [corners] = [mark.shape.rings[0] for mark in item.marks if isinstance(mark.shape, Polygon)]
+    return corners
+
+
+def beside(point: complex, start: complex, end: complex) -> float | None:
+    """The distance from a point to a line, None where it is not beside the stroke."""
+    way = (end - start) / abs(end - start)
+    away = (point - start) * way.conjugate()
+    return abs(away.imag) if 0.01 < away.real < abs(end - start) - 0.01 else None
+
+
+def on_one_line(one: Item, other: Item) -> bool:
+    (a, b), (c, d) = ends(one), ends(other)
+    turn = (d - c) / abs(d - c) * ((b - a) / abs(b - a)).conjugate()
+    near = [beside(point, a, b) for point in (c, (c + d) / 2, d)]
+    near += [beside(point, c, d) for point in (a, (a + b) / 2, b)]
+    return abs(turn.imag) < 1e-6 and any(each is not None and each < 0.02 for each in near)
+
+
+@pytest.mark.parametrize(("name", "inputs"), POSES)
+def test_no_pen_covers_another(name: str, inputs: dict[str, Any]):
+    _, board = drawn(name, inputs)
+    strokes = [item for item in pictured(board) if abs(ends(item)[1] - ends(item)[0]) > 0.03]
+    pairs = [
+        pair
+        for pair in combinations(strokes, 2)
+        if pair[0].region == pair[1].region and on_one_line(*pair)
+    ]
+    assert pairs, "a pose in which nothing overlaps tells nothing"
+    for style in map(load_style, style_names()):
+
+        def pen(mark: Mark, style: Any = style) -> float:
+            line = style.look(mark.role, mark.row).pen
+            return line.width / 2 if line else 0.0
+
+        for one, other in pairs:
+            for this, that in ((one, other), (other, one)):
+                halves = pen(this.marks[0]) + pen(that.marks[0])
+                near = [beside(point, *ends(that)) for point in ends(this)]
+                assert all(each is None or each > halves for each in near)
+                near = [beside(corner, *ends(that)) for corner in head(this)]
+                assert all(each is None or each > pen(that.marks[0]) for each in near)
+
+
+@pytest.mark.parametrize(("name", "inputs"), POSES)
+def test_vertices_stay_true(name: str, inputs: dict[str, Any]):
+    sheet, board = drawn(name, inputs)
+    for panel in sheet.panels[1:]:
+        sketch = board.sketches[panel.name]
+        dots = [
+            mark.shape.centre
+            for item in board.shown(board.finished)
+            if item.region == panel.name
+            for mark in item.marks
+            if mark.role == "dot" and isinstance(mark.shape, Disc)
+        ]
+        for stroke in panel.strokes:
+            if isinstance(stroke.shape, Arrow):
+                for z in (stroke.shape.start, stroke.shape.end):
+                    assert min(abs(dot - sketch.scale(z)) for dot in dots) < 0.012
+
+
+def test_a_vector_alone_lies_on_its_line():
+    sheet, board = drawn("four-bar", {"angle": 60})
+    panel = sheet.panel("velocity")
+    scale = board.sketches["velocity"].scale
+    for item in pictured(board):
+        if item.region == "velocity":
+            arrow = panel.strokes[panel.number(item.stroke.partition(":")[2])].shape
+            assert isinstance(arrow, Arrow)
+            assert ends(item)[0] == scale(arrow.start)
+
+
+def test_a_vector_keeps_to_the_side_on_which_it_lies():
+    """Shortly before and after they are parallel, lanes swap as the vectors do."""
+    sides = []
+    for angle in (89.4, 90.6):
+        _, board = drawn("slider-crank", {"angle": angle})
+        shafts = {item.stroke: ends(item) for item in pictured(board)}
+        ab, dc = shafts["velocity:AB.tangential"], shafts["velocity:DC.sliding"]
+        sides.append((ab[0] - dc[0]).imag)
+    assert sides[0] * sides[1] < 0
+    assert min(map(abs, sides)) > 0.006
+
+
+def test_a_construction_runs_in_the_lane_of_its_result():
+    _, board = drawn("slider-crank", {"angle": 90})
+    lines = {
+        item.stroke: mark.shape.pieces[0]
+        for item in board.items
+        for mark in item.marks
+        if mark.role == "construction" and isinstance(mark.shape, Polyline)
+    }
+    shafts = {item.stroke: ends(item) for item in pictured(board)}
+    assert lines["velocity:DC.line"][0] == shafts["velocity:DC.sliding"][0]

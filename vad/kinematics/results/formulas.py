@@ -1,0 +1,113 @@
+"""What a user can read of a motion, each result in one formula.
+
+They take an `Evaluation`, on floats or on recorded numbers, and return a number or a plane vector
+in the user's units and axes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from vad.kinematics.evaluation import Evaluation
+from vad.kinematics.linkage import Linkage, Slide, angle_of
+from vad.kinematics.numbers import Number, degrees_of, direction, fold, positive, times
+
+# What is read: the kind link, point or slide, its name, and which quantity of it.
+Result = tuple[str, str, str]
+
+
+def order_of(result: Result) -> int:
+    """Return how many derivatives a result needs."""
+    kind, _, quantity = result
+    return _FORMULAS[kind, quantity][0]
+
+
+def evaluate(result: Result, evaluation: Evaluation) -> Number:
+    """Return a result; NaN where it is undetermined."""
+    kind, name, quantity = result
+    order, formula = _FORMULAS[kind, quantity]
+    return formula(evaluation, name, order)
+
+
+def guide_of(linkage: Linkage, slide: str) -> str | None:
+    """Return the name of the turning link on which a slide slides, if it does."""
+    steps = (step for loop in linkage.loops for _, step in loop.steps())
+    lines = [step.along for step in steps if isinstance(step, Slide) and step.name == slide]
+    return next((line for line in lines if isinstance(line, str)), None)
+
+
+def heading(guide: Slide) -> complex:
+    """Return the direction of a guide in the user's axes, where turning there and back is exact."""
+    return complex(direction(fold(float(guide.along))))
+
+
+def _angle(evaluation: Evaluation, name: str, order: int) -> Number:
+    """Return a link's direction: as it was given, or as seen along its guide where it has one."""
+    frame, pose = evaluation.solver.frame, evaluation.pose
+    if angle_of(name) == frame.linkage.driver:
+        return positive(evaluation.driver_angle)
+    if name in pose.leaning:
+        return degrees_of(pose.leaning[name], frame.guides[name])
+    return degrees_of(_turned(evaluation, pose.unit[name]))
+
+
+def _turning(evaluation: Evaluation, name: str, order: int) -> Number:
+    return evaluation.rates(order)[-1].turning[name]
+
+
+def _position(evaluation: Evaluation, letter: str, order: int) -> Number:
+    """Return where a point is: on its guide, on the driven crank, or at the end of its route."""
+    routes = evaluation.solver.routes
+    guide, pin = routes.guide(letter), routes.pin(letter)
+    if guide:
+        return guide.origin + _sliding(evaluation, guide.name, order) * heading(guide)
+    if pin:
+        return evaluation.driver_direction * float(pin.length)
+    return _outward(evaluation, routes.position(letter, evaluation.pose))
+
+
+def _motion(evaluation: Evaluation, letter: str, order: int) -> Number:
+    """Return the velocity or acceleration of a point."""
+    routes = evaluation.solver.routes
+    guide = routes.guide(letter)
+    if guide:
+        return _sliding(evaluation, guide.name, order) * heading(guide)
+    return _outward(evaluation, routes.rate(letter, evaluation.pose, evaluation.rates(order)))
+
+
+def _outward(evaluation: Evaluation, value: Number) -> Number:
+    return _turned(evaluation, value) * evaluation.solver.frame.scale
+
+
+def _turned(evaluation: Evaluation, value: Number) -> Number:
+    """Return a vector in the user's axes."""
+    turn = evaluation.solver.frame.turn
+    return value if turn == 1 else times(value, turn)
+
+
+def _sliding(evaluation: Evaluation, name: str, order: int) -> Number:
+    """Return the position, velocity or acceleration of a slide along its line."""
+    lengths = evaluation.rates(order)[-1].sliding if order else evaluation.pose.length
+    return lengths[name] * evaluation.solver.frame.scale
+
+
+def _coriolis(evaluation: Evaluation, name: str, order: int) -> Number:
+    """Return the magnitude of 2·ω·v of a slide on a turning link."""
+    velocity, link = evaluation.rates(order)[0], guide_of(evaluation.solver.linkage, name)
+    twist = abs(2.0 * velocity.turning[str(link)] * velocity.sliding[name])
+    return twist * evaluation.solver.frame.scale
+
+
+# For every quantity: its order, and the formula.
+_FORMULAS: dict[tuple[str, str], tuple[int, Callable[[Evaluation, str, int], Number]]] = {
+    ("link", "angle"): (0, _angle),
+    ("link", "omega"): (1, _turning),
+    ("link", "alpha"): (2, _turning),
+    ("point", "position"): (0, _position),
+    ("point", "velocity"): (1, _motion),
+    ("point", "acceleration"): (2, _motion),
+    ("slide", "position"): (0, _sliding),
+    ("slide", "velocity"): (1, _sliding),
+    ("slide", "acceleration"): (2, _sliding),
+    ("slide", "coriolis"): (1, _coriolis),
+}

@@ -1,0 +1,171 @@
+"""Small multiples on a page: a column for each pose, a row for each kind of panel.
+
+In come poses and a format, out goes a board on which a row has one scale and one head.  A
+mechanism stands at the same place in each cell, so that one sees what moves; a polygon is centred.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from vad.plan.board import rows_of
+from vad.plan.format import Format
+from vad.plan.geometry import Rect
+from vad.plan.items import FOREVER, Item, Level
+from vad.plan.labels.vertices import corners
+from vad.plan.layout import FLOOR, GUTTER, MARGIN, Page, PanelPlace
+from vad.plan.lettering.glyphs import width
+from vad.plan.lettering.runs import Runs, bold, roman, symbols
+from vad.plan.marks import Lettering, Mark
+from vad.plan.page.heads import SCALE, TITLE, head
+from vad.plan.page.title import title_marks
+from vad.plan.pictures.kinds import sketched
+from vad.plan.scale import Scale, fill
+from vad.plan.sketch import Setting, Sketch
+from vad.strokes.multiples import Multiples
+from vad.strokes.notation import Notation
+from vad.strokes.sheet import Cell, Panel
+
+#: The least room of a picture, for which all type on the page shrinks.
+NARROWEST, LOWEST = 0.43, 0.40
+PLACES = 0.155  # the titles of the columns, below the top
+FIRST_RULE = 0.180
+PLACE_SIZE = 0.040
+DRAWING = (0.055, 0.010)  # from a rule down to the drawing, and from that to the next rule
+GIVEN_GAP = 0.030
+
+
+class MultiplesBoard:
+    """A few poses laid out on a page of a format.
+
+    Attributes
+    ----------
+    form
+        The shape of the page.
+    regions
+        The title and the rows, in painting order.
+    sketches
+        Of each pose, its panels by their names.
+    """
+
+    def __init__(self, multiples: Multiples, form: Format) -> None:
+        self._multiples = multiples
+        first, count = multiples.sheets[0], len(multiples.sheets)
+        self.form = _with_room(form, count, len(first.panels))
+        self._room = (self.form.width - 2 * MARGIN - (count - 1) * GUTTER) / count
+        self._page = self._laid_out()
+        self.regions: Mapping[str, Rect] = {
+            "title": Rect(0.0, self.form.height - FIRST_RULE, self.form.width, self.form.height),
+            **{name: place.region for name, place in self._page.panels.items()},
+        }
+        self.sketches: list[dict[str, Sketch]] = [{} for _ in range(count)]
+        for panel in first.panels:
+            for sketch, found in zip(self._sketched(panel.name), self.sketches, strict=True):
+                found[panel.name] = sketch
+        self._items = [Item("", "title", Level.GROUND, tuple(self._titles()))]
+        for name, place in self._page.panels.items():
+            marks = tuple(self._head(name, place))
+            self._items.append(Item("", name, Level.GROUND, marks))
+            finished = (
+                item
+                for found in self.sketches
+                for item in found[name].items
+                if item.until == FOREVER
+            )
+            self._items += sorted(finished, key=lambda item: item.level)
+
+    def shown(self, beat: int) -> list[Item]:
+        """Return all items: nothing comes or goes."""
+        return self._items
+
+    def _laid_out(self) -> Page:
+        """Return the page, with a row for each kind of panel."""
+        form, panels = self.form, self._multiples.sheets[0].panels
+        left, right = MARGIN, form.width - MARGIN
+        first, pitch = form.height - FIRST_RULE, _pitch(form, len(panels))
+        places = {}
+        for number, panel in enumerate(panels):
+            rule = first - number * pitch
+            drawing = Rect(left, rule - pitch + DRAWING[1], right, rule - DRAWING[0])
+            region = Rect(0.0, drawing.bottom, form.width, rule + DRAWING[1])
+            places[panel.name] = PanelPlace(rule, rule - 0.040, drawing, (), region)
+        title = form.height - 0.075
+        return Page(form.width, form.height, True, title, places, (), 0.0, None, ())
+
+    def _cell(self, number: int, name: str) -> Rect:
+        """Return the room of a picture."""
+        row = self._page.panels[name].drawing
+        left = row.left + number * (self._room + GUTTER)
+        return Rect(left, row.bottom, left + self._room, row.top)
+
+    def _sketched(self, name: str) -> Iterator[Sketch]:
+        """Yield one kind of panel in all poses, at one scale."""
+        sheets = self._multiples.sheets
+        # The inset of a rule has its place in a lecture, not beside five others.
+        panels = [replace(sheet.panel(name), inset=None) for sheet in sheets]
+        scales = self._scales(panels)
+        for number, (sheet, panel, scale) in enumerate(zip(sheets, panels, scales, strict=True)):
+            room, centimetre = self._cell(number, name), self.form.centimetre
+            yield sketched(Setting(sheet, panel, room, rows_of(sheet), 0, centimetre, scale))
+
+    def _scales(self, panels: list[Panel]) -> list[Scale]:
+        name, is_position = panels[0].name, panels[0].picture == "skeleton"
+        points = [corners(panel) for panel in panels]
+        if is_position:
+            points = [[point for each in points for point in each]] * len(panels)
+        rooms = [self._cell(number, name) for number in range(len(panels))]
+        pairs = list(zip(points, rooms, strict=True))
+        found = [fill(each, room, is_position, self.form.centimetre) for each, room in pairs]
+        least = min((scale.factor for scale in found if not scale.bare), default=None)
+        return [fill(each, room, is_position, factor=least) for each, room in pairs]
+
+    def _titles(self) -> Iterator[Mark]:
+        """Yield the title of the page, and over each column the place of its driver."""
+        sheet = self._multiples.sheets[0]
+        yield from title_marks(sheet, self._page)
+        for number, cell in enumerate(self._multiples.places):
+            runs = bold(_reading(cell, sheet.notation))
+            middle = MARGIN + number * (self._room + GUTTER) + self._room / 2
+            at = complex(middle - width(runs, PLACE_SIZE) / 2, self.form.height - PLACES)
+            yield Mark(Lettering(runs, at, PLACE_SIZE), "words")
+
+    def _head(self, name: str, place: PanelPlace) -> Iterator[Mark]:
+        """Yield the head of a row, with what is given alike for all poses."""
+        sheets = self._multiples.sheets
+        panel = sheets[0].panel(name)
+        scales = [found[name].scale for found in self.sketches]
+        scale = min(scales, key=lambda scale: scale.bare)
+        yield from head(panel, place, scale, self.form.centimetre, sheets[0].notation)
+        title = bold(roman(panel.title))
+        x = place.drawing.left + width(title, TITLE) + GIVEN_GAP
+        for index, row in enumerate(sheets[0].rows):
+            for cell in row.cells.get(name, ()):
+                if cell.given and all(cell in each.rows[index].cells[name] for each in sheets):
+                    at = complex(x, place.title)
+                    reading = _reading(cell, sheets[0].notation)
+                    yield Mark(Lettering(reading, at, SCALE), "notes")
+
+
+def _reading(cell: Cell, notation: Notation) -> Runs:
+    return symbols(f"{cell.symbol} = ") + roman(
+        notation.quantity(cell.value, cell.unit, given=True)
+    )
+
+
+def _with_room(form: Format, columns: int, rows: int) -> Format:
+    """Return the format with a page unit so small that every picture has the room that it needs."""
+    wide = (form.width - 2 * MARGIN + GUTTER) / (columns * (NARROWEST + GUTTER))
+    share = min(1.0, wide, _pitch(form, rows) / (LOWEST + sum(DRAWING)))
+    return Format(
+        form.width / share,
+        form.height / share,
+        form.unit * share,
+        form.edge / share,
+        form.centimetre / share if form.centimetre else None,
+    )
+
+
+def _pitch(form: Format, rows: int) -> float:
+    """Return the height of a row."""
+    return (form.height - FIRST_RULE - FLOOR) / rows

@@ -1,0 +1,82 @@
+"""The problem sheet: a sheet on which some panels are left to be drawn, and their results measured.
+
+In comes the plan of the whole sheet, which is the key; out goes a plan of the same page without the
+answers.  What stands on both stands at the same place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import chain
+
+from vad.errors import UsageError, one_of, shown
+from vad.plan.board import Plan
+from vad.plan.items import FOREVER, Item, Level
+from vad.plan.page.table import table
+from vad.strokes.sheet import Sheet, Stroke
+
+#: What is left to be drawn: the panels by their names, each with the strokes that it shows.
+Blank = Mapping[str, tuple[Stroke, ...]]
+
+
+def blank_panels(sheet: Sheet, names: Sequence[str] | str) -> Blank:
+    """Return the panels of these names, with their pole or their fixed points alone.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        For a panel that the sheet does not have.
+    """
+    try:
+        chosen = [names] if isinstance(names, str) else list(names)
+    except TypeError:
+        raise UsageError(f"blank: must be names of panels, got {shown(names)}") from None
+    there = [panel.name for panel in sheet.panels]
+    panels = [sheet.panel(one_of("panel", name, there)) for name in chosen]
+    return {
+        panel.name: tuple(stroke for stroke in panel.strokes if _is_given(stroke))
+        for panel in panels
+    }
+
+
+def _is_given(stroke: Stroke) -> bool:
+    return stroke.kind in ("pole", "fixed") or stroke.name == "pole"
+
+
+def problem(key: Plan, blank: Blank, line: float) -> Plan:
+    """Return the plan of a problem.
+
+    Parameters
+    ----------
+    key
+        The plan of the whole sheet.
+    blank
+        What is left to be drawn.
+    line
+        The length of the line before a row's name, with which the key was made.
+    """
+    items = [shown for item in key.items if (shown := _without_answer(item, key, blank))]
+    cells = table(key.sheet, key.page, line).cells
+    for name in blank:
+        for index, row in enumerate(key.sheet.rows):
+            both = zip(row.cells.get(name, ()), cells(index, row, name, False), strict=True)
+            marks = [entry.marks if cell.given else entry.blank for cell, entry in both]
+            if not all(cell.given for cell in row.cells.get(name, ())):  # those stand there
+                items.append(Item("", "results", Level.LABEL, tuple(chain(*marks))))
+    return replace(key, items=tuple(items))
+
+
+def _without_answer(item: Item, key: Plan, blank: Blank) -> Item | None:
+    """Return an item as a problem shows it; None where it is an answer, or a part of one."""
+    home, _, place = item.region.partition(" ")
+    if home not in blank:
+        return None if item.stroke.partition(":")[0] in blank else item
+    if place:
+        return item if place == "head" and item.until == FOREVER else None
+    setting = key.sketches[home].setting
+    for stroke in blank[home]:
+        since = setting.after(setting.panel.number(stroke.name))
+        if item.stroke == setting.panel.full(stroke.name) and item.since <= since < item.until:
+            return replace(item, since=0, until=FOREVER)  # without the letters that come to it
+    return None

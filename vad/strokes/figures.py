@@ -1,0 +1,131 @@
+"""The figures of a sheet's captions: written last, when it is known how many digits they need.
+
+While strokes are drawn, a caption has a place for every number and unit, and what is multiplied
+is noted down.  At the end each number gets the digits with which a pocket calculator comes to the
+printed results, the same ones wherever it stands.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+from decimal import Context, Decimal
+
+from vad.strokes.notation import Notation, key
+from vad.written import GIVEN, MEASURED, squared
+
+#: A factor has at most so many digits more than the result; then the result gets one more.
+MORE = 2
+#: What double precision holds.
+_ALL = 15
+_PLACE = re.compile("\x02(\\d+)\x03")
+_EXACT = Context(prec=50)
+
+
+@dataclass(frozen=True, slots=True)
+class Figure:
+    """A number in a caption, or one whose unit alone is written.
+
+    Attributes
+    ----------
+    value
+        The number, in the unit of the data.
+    unit
+        That unit; a length by which a rate is calculated goes by the rate's, lest metres be
+        multiplied by millimetres.
+    given
+        Whether it was given, not measured.
+    power
+        Its power in a product: −1 where it divides, 2 where its square is written.
+    """
+
+    value: float
+    unit: str = ""
+    given: bool = False
+    power: int = 1
+
+    def written(self, notation: Notation) -> str:
+        """Return it in print."""
+        text = notation.number(self.value, self.unit, self.given)
+        return squared(text) if self.power == 2 else text
+
+    def printed(self, notation: Notation) -> Decimal:
+        """Return the number that a reader types into a calculator."""
+        return Decimal(notation.plain(self.value, self.unit, self.given))
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """A unit in a caption."""
+
+    name: str
+
+    def written(self, notation: Notation) -> str:
+        """Return the unit in which numbers of it are written."""
+        return notation.unit(self.name)
+
+
+class Figures:
+    """The numbers and units of one sheet, and the products among them."""
+
+    def __init__(self) -> None:
+        self._placed: list[Figure | Unit] = []
+        self._products: list[tuple[Figure, tuple[Figure, ...]]] = []
+
+    def place(self, entry: Figure | Unit) -> str:
+        """Return what keeps the place of a number or unit in a caption."""
+        self._placed.append(entry)
+        return f"\x02{len(self._placed) - 1}\x03"
+
+    def product(self, result: Figure, *factors: Figure) -> None:
+        """Note down that a result is the product of factors."""
+        self._products.append((result, factors))
+
+    def fill(self, caption: str, notation: Notation) -> str:
+        """Return a caption with its numbers and units."""
+        return _PLACE.sub(lambda found: self._placed[int(found[1])].written(notation), caption)
+
+    def settled(self, notation: Notation) -> Notation:
+        """Return the notation in which every product holds as it is printed.
+
+        What is measured last is settled first: its factors are the results of what came before.
+        """
+        digits: dict[str, int] = {}
+        notation = replace(notation, digits=digits)
+        before = None
+        while before != digits:
+            before = dict(digits)
+            for result, factors in reversed(self._products):
+                while not _holds(result, factors, notation):
+                    finer = _to_refine(result, factors, notation)
+                    if finer is None:
+                        break
+                    digits[key(finer.value)] = _count(finer, notation) + 1
+        return notation
+
+
+def _holds(result: Figure, factors: tuple[Figure, ...], notation: Notation) -> bool:
+    """Tell whether the printed factors give the printed result, and that clearly: no tie."""
+    printed = result.printed(notation)
+    product = Decimal(1)
+    for factor in factors:
+        power = Decimal(factor.power)
+        product = _EXACT.multiply(product, _EXACT.power(factor.printed(notation), power))
+    last = Decimal(1).scaleb(int(printed.as_tuple().exponent))
+    return 2 * abs(_EXACT.subtract(product, printed)) < last
+
+
+def _to_refine(result: Figure, factors: tuple[Figure, ...], notation: Notation) -> Figure | None:
+    """Return the number that is to have a further digit; None where no digits are left."""
+    most = min(_count(result, notation) + MORE, _ALL)
+    rounded = [f for f in factors if float(f.printed(notation)) != notation.scaled(f.value, f.unit)]
+    rough = [f for f in rounded if _count(f, notation) < most]
+    coarsest = min(rough, key=lambda factor: _count(factor, notation), default=result)
+    return coarsest if _count(coarsest, notation) < _ALL else None
+
+
+def _count(figure: Figure, notation: Notation) -> int:
+    """Return the significant digits of a number as it is written."""
+    if figure.given:
+        return max(GIVEN, notation.digits.get(key(figure.value), 0))
+    return max(MEASURED, len(figure.printed(notation).as_tuple().digits))

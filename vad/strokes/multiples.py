@@ -1,0 +1,100 @@
+"""Small multiples: a few poses of one mechanism, to be seen side by side at one scale.
+
+In come a mechanism and the places of its driver, out goes a `Multiples`.  The solver is loaded when
+one is made: to know that it can be saved takes no numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from vad.errors import InputError, UsageError, shown
+from vad.strokes.sheet import Cell, Sheet
+
+if TYPE_CHECKING:
+    from vad.kinematics.motion import Motion
+    from vad.mechanisms.mechanism import Mechanism
+
+FEWEST, MOST = 2, 6
+
+
+@dataclass(frozen=True, slots=True)
+class Multiples:
+    """A few poses: the sheet of each, and the place of the driver, which is its title."""
+
+    sheets: tuple[Sheet, ...]
+    places: tuple[Cell, ...]
+
+
+def multiples(
+    mechanism: Mechanism | Motion,
+    at: Sequence[float],
+    panels: Sequence[str] | str | None = None,
+    language: str = "en",
+) -> Multiples:
+    """Draw two to six poses of a mechanism, to be saved as one picture.
+
+    Parameters
+    ----------
+    mechanism
+        A mechanism, which moves as is usual for it, or one pose of `vad.solve`, whose rates all
+        poses take.
+    at
+        The places of the driver: angles in degrees, or positions of a driven slide.
+    panels, language
+        As for `vad.draw`.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If there are too few places or too many, or for an unknown panel or language.
+    vad.errors.InputError
+        For a place that is no finite number, or a motion of many poses.
+    vad.errors.AssemblyError, vad.errors.DeadCentreError
+        For a pose that does not exist, or has no rates.
+
+    Examples
+    --------
+    >>> import vad
+    >>> poses = vad.multiples(vad.SliderCrank(), at=(30, 60, 90))
+    >>> [place.value for place in poses.places], len(poses.sheets)
+    ([30.0, 60.0, 90.0], 3)
+    """
+    from vad.kinematics.motion import Motion, solve
+    from vad.strokes.draw import draw
+
+    start = mechanism if isinstance(mechanism, Motion) else solve(mechanism)
+    if start.many:
+        raise InputError("motion: its rates are those of one pose, got arrays of poses")
+    driven, *_ = start.mechanism.inputs
+    motions = [solve(start.mechanism, **{**start.inputs, driven: each}) for each in _checked(at)]
+    return Multiples(
+        tuple(draw(motion, panels, language) for motion in motions),
+        tuple(_place(motion) for motion in motions),
+    )
+
+
+def _checked(at: Sequence[float]) -> list[float]:
+    """Return the places, which are as many as have room."""
+    try:
+        places = [] if isinstance(at, str) else list(at)
+    except TypeError:
+        places = []
+    if not FEWEST <= len(places) <= MOST:
+        got = str(len(places)) if places else shown(at)
+        raise UsageError(f"at: must be {FEWEST} to {MOST} places of the driver, got {got}")
+    return places
+
+
+def _place(motion: Motion) -> Cell:
+    """Return the place of the driver with its symbol, as it was given."""
+    from vad.strokes.diagrams.position import link, slide
+    from vad.strokes.language import Language
+    from vad.strokes.scene import Scene
+
+    scene = Scene(motion, Language("en"))
+    named = link if scene.driver.kind == "angle" else slide
+    (cell,) = named(scene, scene.driver.name)
+    return replace(cell, value=float(next(iter(motion.inputs.values()))))

@@ -1,0 +1,84 @@
+"""How the numbers of one sheet are written, wherever they stand on it.
+
+In come values in the units of the data, out go strings for captions, table, title and scale bars.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from vad.written import plain, typeset, with_unit
+
+#: From this on, rates in millimetres or centimetres are written in metres.
+LARGE = 1e5
+#: How many of a unit make a metre.
+_TO_A_METRE = {"mm": 1000.0, "cm": 100.0}
+
+
+@dataclass(frozen=True, slots=True)
+class Notation:
+    """One sheet's way of writing numbers.
+
+    Attributes
+    ----------
+    point
+        The decimal sign of its language.
+    metres
+        Whether velocities and accelerations are written in metres, where the data have mm or cm.
+    digits
+        The significant digits of numbers, by `key`, whose usual ones are too few for the sheet's
+        own calculations.
+    """
+
+    point: str = "."
+    metres: bool = False
+    digits: Mapping[str, int] = field(default_factory=dict)
+
+    def unit(self, unit: str) -> str:
+        """Return the unit in which the numbers of ``unit`` are written."""
+        length, per, time = unit.partition("/")
+        return f"m/{time}" if self.metres and per and length in _TO_A_METRE else unit
+
+    def scaled(self, value: float, unit: str) -> float:
+        """Return a value of ``unit`` in the unit in which it is written."""
+        return value if self.unit(unit) == unit else value / _TO_A_METRE[unit.partition("/")[0]]
+
+    def plain(self, value: float, unit: str = "", given: bool = False) -> str:
+        """Write a value of ``unit`` in the notation of programs."""
+        digits = self.digits.get(key(value), 0)
+        return plain(self.scaled(value, unit), self.unit(unit), given, digits)
+
+    def number(self, value: float, unit: str = "", given: bool = False) -> str:
+        """Write a value of ``unit`` as it is printed, without a unit.
+
+        Examples
+        --------
+        >>> metres = Notation(",", metres=True)
+        >>> metres.number(-172560.0, "mm/s²"), metres.number(140.0, "mm", given=True)
+        ('−172,6', '140')
+        """
+        return typeset(self.plain(value, unit, given), self.point)
+
+    def quantity(self, value: float, unit: str, given: bool = False) -> str:
+        """Write a value with the unit in which it is written.
+
+        Examples
+        --------
+        >>> Notation(metres=True).quantity(-172560.0, "mm/s²")
+        '−172.6 m/s²'
+        """
+        return with_unit(self.number(value, unit, given), self.unit(unit))
+
+
+def key(value: float) -> str:
+    """Return by what a number is found again, whatever its sign."""
+    return f"{abs(value):.12g}"
+
+
+def in_metres(rates: Iterable[float]) -> bool:
+    """Tell whether velocities and accelerations are so large that metres suit them better.
+
+    They change together, for a caption multiplies the one and gets the other.
+    """
+    return max(map(abs, rates), default=0.0) >= LARGE
