@@ -21,9 +21,10 @@ _BENCHMARKS = Path(__file__).parents[1] / "benchmarks" / "results"
 _SPEED = """\
 ## A million poses
 
-Time divided by that of `sin`, `cos`, `sqrt` and `arctan2` of as many numbers: for a point's position, for
-four results (its position and acceleration and two rates; of a four-bar the rocker's ω and the coupler's α),
-for the same where numba has compiled them, and for the same of one pose alone.
+Time divided by that of `sin`, `cos`, `sqrt` and `arctan2` of as many numbers: for a point's
+position, for four results (its position and acceleration and two rates; of a four-bar the rocker's
+ω and the coupler's α), for the same where numba has compiled them, and for the same of one pose
+alone.
 """
 _FILMS = """\
 ## Films and pictures

@@ -13,7 +13,7 @@ import vad
 from tests.painting.readers import centres, operations, pdf_bytes, pdf_pixels, pdf_text
 from tests.painting.test_same_picture import sheet_of
 from vad.export import lesson_pdf, pdf
-from vad.lecture.moment import Moment, done
+from vad.lecture.still import still
 from vad.painting.agg_painter import AggPainter
 from vad.painting.painter import play
 from vad.painting.pdf_painter import PdfPainter
@@ -109,7 +109,7 @@ def test_every_page_of_a_lesson_is_that_of_the_film_with_its_caption() -> None:
     for number, step in enumerate(lesson.steps):
         assert plain(step.stroke.caption).rstrip(".") in plain(pdf_text(data, number))
         if number % 4 == 3:
-            play(board, Moment(done(number + 1)), load_style(lesson.style), agg)
+            play(board, still(lesson, number + 1).moment, load_style(lesson.style), agg)
             off = np.abs(pdf_pixels(data, number) - agg.pixels[..., :3])
             assert off.max() <= 80
             assert (off > 32).mean() <= 0.0005

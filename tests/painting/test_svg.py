@@ -6,6 +6,7 @@ import io
 import re
 from collections import Counter
 from dataclasses import replace
+from itertools import cycle
 from xml.etree import ElementTree
 
 import pytest
@@ -114,16 +115,15 @@ def test_ids_are_unique_and_what_is_used_is_there(text: str) -> None:
 def test_pictures_on_one_page_do_not_disturb_each_other() -> None:
     """Classes, glyphs and texts of the same name are the same, whatever the picture."""
     said: dict[str, set[str]] = {}
-    for name in vad.MECHANISMS:
-        for style in style_names():
-            page = written(sheet_of(name), style=style).decode()
-            page += written(sheet_of(name), style=style, text="letters").decode()
-            for rule in re.findall(r"\n(\.\w+\{.*?\})", page):
-                said.setdefault(rule.partition("{")[0], set()).add(rule)
-            for glyph in re.findall(r'<path id="\w+" d=".*?"/>', page):
-                said.setdefault(glyph.split('"')[1], set()).add(glyph)
-            for text in re.findall(r'<text id="\w+".*?</text>', page):
-                said.setdefault(text.split('"')[1], set()).add(text)
+    for name, style in zip(vad.MECHANISMS, cycle(style_names()), strict=False):
+        page = written(sheet_of(name), style=style).decode()
+        page += written(sheet_of(name), style=style, text="letters").decode()
+        for rule in re.findall(r"\n(\.\w+\{.*?\})", page):
+            said.setdefault(rule.partition("{")[0], set()).add(rule)
+        for glyph in re.findall(r'<path id="\w+" d=".*?"/>', page):
+            said.setdefault(glyph.split('"')[1], set()).add(glyph)
+        for text in re.findall(r'<text id="\w+".*?</text>', page):
+            said.setdefault(text.split('"')[1], set()).add(text)
     assert len(said) > 100
     assert all(len(meanings) == 1 for meanings in said.values())
 
@@ -169,10 +169,19 @@ class TestLetters:
                 assert advance == pytest.approx(width((Run(chr(letter), face),), 1.0), abs=1e-3)
 
 
-def test_glyphs_say_what_they_spell() -> None:
+def test_glyphs_can_be_selected_and_searched() -> None:
+    """Their text is not seen, and as wide as they are."""
     root = ElementTree.fromstring(written(sheet_of("slider-crank")))
-    said = {each.get("aria-label") for each in root.iter(SPACE + "g")}
-    assert {"Slider–crank", "Velocity", "60°", "338.2°", "b′cn", "a, d"} <= said
+    texts = {each.text: each for each in root.iter(SPACE + "text")}
+    assert {"Slider–crank", "Velocity", "60°", "338.2°", "b′cₙ", "a, d", "−1726 mm/s²"} <= set(
+        texts
+    )
+    assert float(texts["Velocity"].get("textLength")) == pytest.approx(
+        1000.0 * width((Run("Velocity", "bold"),), 1.0), abs=1.0
+    )
+    (unseen,) = {each.get("class") for each in texts.values()}
+    rule = re.search(rf"\.{unseen}{{(.*?)}}", root.find(SPACE + "style").text).group(1)
+    assert {"fill-opacity:0", "stroke:none"} <= set(rule.split(";"))
 
 
 def test_text_that_cannot_be() -> None:

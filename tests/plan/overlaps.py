@@ -1,4 +1,4 @@
-"""Counting what no reader should see: labels on strokes, on each other, or off the panel.
+"""Counting what no reader should see: labels on strokes, close to each other, or off the panel.
 
 In comes a sheet as it would be painted, out go sentences, none if all is well.
 """
@@ -12,6 +12,7 @@ from vad.plan.format import screen
 from vad.plan.geometry import Rect
 from vad.plan.items import together
 from vad.plan.labels.obstacles import Obstacles
+from vad.plan.labels.vertices import LETTER
 from vad.plan.sketch import Sketch, Tag
 from vad.strokes.sheet import Sheet
 
@@ -24,7 +25,7 @@ def planned(sheet: Sheet, size: tuple[int, int] = (1280, 720), lesson: bool = Fa
 
 
 def overlaps(sheet: Sheet, size: tuple[int, int] = (1280, 720), lesson: bool = False) -> list[str]:
-    """Return one line for each overlap of a label with a stroke, a label or an edge."""
+    """Return one line for each label on a stroke, across an edge or too near another label."""
     found: list[str] = []
     for name, sketch in planned(sheet, size, lesson).sketches.items():
         found += [f"{name}: {text}" for text in _in_panel(sketch)]
@@ -41,8 +42,8 @@ def _in_panel(sketch: Sketch) -> list[str]:
         elif not strokes.free([tag.box.centre], tag.box.width, tag.box.height, 0.0)[0]:
             found.append(f"{tag.text} on a stroke")
     for one, other in combinations(sketch.tags, 2):
-        if _meet(one, other):
-            found.append(f"{one.text} on {other.text}")
+        if _close(one, other):
+            found.append(f"{one.text} runs into {other.text}")
     return found
 
 
@@ -55,8 +56,10 @@ def _inside(box: Rect, edge: Rect) -> bool:
     )
 
 
-def _meet(one: Tag, other: Tag) -> bool:
+def _close(one: Tag, other: Tag) -> bool:
+    """Tell whether less than half an em is between labels aside, and a quarter above."""
     a, b = one.box, other.box
-    return together(one.span, other.span) and (
-        a.left < b.right and b.left < a.right and a.bottom < b.top and b.bottom < a.top
-    )
+    aside = max(a.left - b.right, b.left - a.right)
+    above = max(a.bottom - b.top, b.bottom - a.top)
+    near = aside < LETTER / 2 - 1e-9 and above < LETTER / 4 - 1e-9
+    return together(one.span, other.span) and near

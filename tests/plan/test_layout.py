@@ -15,9 +15,9 @@ from vad.errors import UsageError
 from vad.plan.format import screen
 from vad.plan.geometry import Rect
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.labels.placing import beside, fan, outward, place
+from vad.plan.labels.placing import Wish, beside, fan, outward, place
 from vad.plan.labels.vertices import corners, find_vertices
-from vad.plan.layout import Page, grid_columns, lay_out
+from vad.plan.layout import GUTTER_GRID, Page, grid_columns, lay_out
 from vad.plan.scale import fill, scale_bar
 
 PANELS = {"position": 1, "velocity": 1, "acceleration": 1}
@@ -69,6 +69,20 @@ def test_four_panels_and_the_results_stand_in_three_columns():
     assert len({place.drawing.left for place in page.panels.values()}) == 3
     assert page.results.left == page.panels["a"].drawing.left
     assert page.results.top < page.panels["a"].drawing.bottom
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1024, 768)])
+def test_no_cell_of_a_grid_stays_empty(size: tuple[int, int]):
+    for count in range(2, 9):
+        page = laid_out(size, dict.fromkeys("abcdefgh"[:count], 1))
+        if page.results:
+            last = [p.drawing for p in page.panels.values() if p.rule == page.results.top]
+            assert page.results.left == pytest.approx(page.left)
+            right = max([page.results.right, *(each.right for each in last)])
+            assert right == pytest.approx(page.right)
+            assert page.results.width + sum(each.width for each in last) == pytest.approx(
+                page.right - page.left - len(last) * GUTTER_GRID
+            )
 
 
 def test_a_page_is_the_same_at_every_size():
@@ -127,7 +141,7 @@ def test_placed_labels_never_overlap_however_many_there_are():
     edge = Rect(0, 0, 1, 1)
     obstacles = Obstacles(edge)
     obstacles.line([0.07 + 0.5j, 0.93 + 0.5j], 0.01)
-    boxes = [place(obstacles, 0.5 + 0.5j, 1j, 0.10, 0.053).box for _ in range(20)]
+    boxes = [place(obstacles, Wish(0.5 + 0.5j, 1j, 0.10, 0.053)).box for _ in range(20)]
     for number, box in enumerate(boxes):
         assert edge.holds(complex(box.left, box.bottom))
         assert edge.holds(complex(box.right, box.top))

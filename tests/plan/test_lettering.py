@@ -85,6 +85,21 @@ def test_lines_are_as_few_as_fit():
         assert all(width(line, 28.0) <= room + 1.0 for line in lines)
 
 
+def test_lines_break_at_a_colon_or_comma_and_never_in_an_equation():
+    text = "ce = 153.3 mm/s, so ω = ce/CE = 153.3/300 = 0.5109 rad/s, clockwise: E moves down."
+    for room in range(700, 900, 10):
+        lines = ["".join(r.text for r in line) for line in wrap(text, roman, 28.0, room)]
+        assert len(lines) == 2
+        assert lines[0][-1] in ",:"
+
+
+def test_an_equation_longer_than_a_line_breaks_before_a_sign():
+    text = "ω = ce/CE = 153.3/300 = 0.5109 rad/s"
+    lines = ["".join(r.text for r in line) for line in wrap(text, roman, 28.0, 300.0)]
+    assert len(lines) == 2
+    assert lines[1][0] == "="
+
+
 def test_shrinking_to_fit_stops_at_the_least_size():
     runs = roman("crank and slotted lever")
     assert fitted(runs, 40.0, 30.0, 1e6) == 40.0

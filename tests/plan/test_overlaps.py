@@ -11,6 +11,7 @@ import vad
 from tests.plan.overlaps import overlaps, planned
 from tests.plan.sheets import slider_crank
 from vad.errors import VadError
+from vad.mechanisms.mechanism import Mechanism
 from vad.painting.agg_painter import AggPainter
 from vad.painting.painter import Looks
 from vad.plan.items import Level
@@ -26,17 +27,23 @@ def test_a_full_turn_of_a_slider_crank(degrees: int):
     assert overlaps(sheet, (1024, 768)) == []
 
 
-def turn(name: str) -> list[Sheet]:
-    mechanism = vad.MECHANISMS[name]
+RAMS = {
+    "crank-slotted-lever": {"rod": 100, "ram_height": 180},
+    "whitworth": {"rod": 300},
+}
+
+
+def turn(mechanism: Mechanism, every: int = 1) -> list[Sheet]:
+    """Return the sheets of a turn in twelve steps, or fewer; every other step has an α."""
     sheets = []
-    for step in range(12):
+    for step in range(0, 12, every):
         inputs = dict(mechanism.inputs)
         if "angle" in inputs:
             inputs.update(angle=30 * step + 5, alpha=20 * (step % 2))
         else:
             inputs["position"] *= 0.9 + step / 60
         try:
-            sheets.append(vad.draw(vad.solve(mechanism(), **inputs)))
+            sheets.append(vad.draw(vad.solve(mechanism, **inputs)))
         except VadError:
             continue  # beyond the reach of a driven slide
     return sheets
@@ -44,10 +51,24 @@ def turn(name: str) -> list[Sheet]:
 
 @pytest.mark.parametrize("name", sorted(vad.MECHANISMS))
 def test_a_full_turn_of_every_mechanism(name: str):
-    sheets = turn(name)
+    sheets = turn(vad.MECHANISMS[name]())
     assert len(sheets) > 3
     for sheet in sheets:
         assert overlaps(sheet) == []
+
+
+@pytest.mark.parametrize("name", sorted(vad.MECHANISMS))
+def test_the_other_assembly_and_shape_of_page(name: str):
+    mechanism = vad.MECHANISMS[name](assembly="crossed", **RAMS.get(name, {}))
+    for step, sheet in enumerate(turn(mechanism, every=3)):
+        assert overlaps(sheet, (1280, 720) if step % 2 else (1024, 768)) == []
+
+
+def test_a_point_never_stands_in_two_labels():
+    sheet = vad.draw(vad.solve(vad.FourBar(crank=1), angle=130, omega=100))
+    for sketch in planned(sheet).sketches.values():
+        letters = [letter for tag in sketch.tags for letter in tag.text.split(", ")]
+        assert len(set(letters)) == len(letters)
 
 
 @pytest.mark.parametrize("style", style_names())

@@ -8,6 +8,7 @@ import math
 import pytest
 
 from vad.plan.geometry import Rect
+from vad.plan.labels.obstacles import Obstacles
 from vad.plan.marks import Polygon
 from vad.plan.pictures.tools import LONG_LEG, place_square
 
@@ -21,7 +22,7 @@ def test_it_never_leaves_its_panel(start: complex, degrees: int):
     length = 0.0
     while ROOM.inside(0.006).holds(start + (length + 0.007) * way) and length < 0.21:
         length += 0.007
-    square = place_square(start, start + length * way, way, [], ROOM)
+    square = place_square(start, start + length * way, way, [], Obstacles(ROOM))
     if square is None:
         assert length < 0.042
         return

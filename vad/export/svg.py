@@ -27,8 +27,8 @@ def write(
     """Write the picture; ``size`` is that of the same picture in pixels.
 
     ``text`` is ``"glyphs"`` for shapes that look alike in every program, or ``"letters"`` for text
-    in an embedded font, which a browser selects and searches.  Panels named in ``blank`` are left
-    to be drawn.
+    in an embedded font.  Either way a browser selects and searches it.  Panels named in ``blank``
+    are left to be drawn.
     """
     shown = posed(thing, size, style, blank=blank)
     painter = SvgPainter(shown.sheet, text, shown.description)

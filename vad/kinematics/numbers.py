@@ -211,7 +211,7 @@ def degrees_of(value: Number, base: float = 0.0) -> Number:
     (270.0, 0.0, 135.0)
     """
     if abs(base) > 90.0:  # half a turn less of both: a small angle from no large ones
-        value, base = -value, base - math.copysign(180.0, base)
+        value, base = vector(-value.real, -value.imag), base - math.copysign(180.0, base)
     degrees = _done("arctan2", value.imag, value.real) * _DEGREE
     return positive(difference(degrees, -base) if base else degrees)
 

@@ -131,22 +131,19 @@ def _hidden(solver: Solver, grid: NDArray[np.float64]) -> list[float]:
 
     They are looked for about each place that is nearer to a limit than its neighbours are.
     """
-    loops = [k for k, loop in enumerate(solver.loops) if loop.two_ways and not loop.limits()]
+    loops = [
+        k
+        for k, loop in enumerate(solver.loops)
+        if loop.two_ways and not loop.crank and not loop.limits()
+    ]
     if not loops:
         return []
-    with np.errstate(all="ignore"):
-        pose = solver.positions(grid)
-        crossing = np.abs([pose.sine[k] + 0.0 * sum(pose.sine) for k in loops]).min(axis=0)
-    closes = ~np.isnan(crossing)
-    near = [
-        s if c else _nearness(solver, x, loops)[1]
-        for x, s, c in zip(grid, crossing, closes, strict=True)
-    ]
+    states = [_nearness(solver, place, loops) for place in grid]
     found = []
     for i in range(1, len(grid) - 1):
-        alike = closes[i - 1] == closes[i] == closes[i + 1]
-        if alike and near[i - 1] > near[i] <= near[i + 1] and near[i] < _NEAR:
-            found += _beyond(solver, grid[i - 1], grid[i + 1], bool(closes[i]), loops)
+        (before, far), (closes, near), (after, other) = states[i - 1 : i + 2]
+        if before == closes == after and far > near <= other and near < _NEAR:
+            found += _beyond(solver, grid[i - 1], grid[i + 1], closes, loops)
     return found
 
 

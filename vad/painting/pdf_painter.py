@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from typing import BinaryIO
 
 from vad.painting.outlines import outline
-from vad.painting.pdf import tags
+from vad.painting.pdf import structure
 from vad.painting.pdf.objects import Objects
 from vad.painting.pdf.operators import Area, box, colour, number, path, string, take
 from vad.painting.pdf.pieces import pieces
@@ -97,10 +97,10 @@ class PdfPainter:
         )
         kids = " ".join(f"{page} 0 R" for page in pages)
         objects.write(f"<< /Type /Pages /Kids [{kids}] /Count {len(pages)} >>", tree)
-        structure = tags.write(objects, pages, self._areas, words)
+        tagged = structure.write(objects, pages, self._areas, words)
         # Printed in true size, unless somebody wants it otherwise.
         objects.write(
-            f"<< /Type /Catalog /Pages {tree} 0 R /Lang ({self._language}) {structure} "
+            f"<< /Type /Catalog /Pages {tree} 0 R /Lang ({self._language}) {tagged} "
             "/ViewerPreferences << /DisplayDocTitle true /PrintScaling /None >> >>",
             catalog,
         )
@@ -123,11 +123,11 @@ class PdfPainter:
                     head = f"/Type /XObject /Subtype /Form /BBox {frame}"
                     forms[piece] = objects.stream(piece, head)
                 content.append(f"/F{forms[piece]} Do" if piece in forms else piece)
-            stream = objects.stream(tags.marked("\n".join(content)))
+            stream = objects.stream(structure.marked("\n".join(content)))
             pages.append(
                 objects.write(
                     f"<< /Type /Page /Parent {tree} 0 R /MediaBox {frame} "
-                    f"/Contents {stream} 0 R {tags.entry(index)} >>"
+                    f"/Contents {stream} 0 R {structure.entry(index)} >>"
                 )
             )
         return pages, list(forms.values())

@@ -36,8 +36,8 @@ class SvgPainter:
     sheet
         What the picture shows, for its words.
     text
-        ``"glyphs"`` for a file that looks alike in every program, ``"letters"`` for a page on which
-        text is selected and searched.
+        ``"glyphs"`` for a file that looks alike in every program, ``"letters"`` for one whose text
+        other programs restyle.  Either way it can be selected and searched.
     description
         What the picture shows, where it is more than the sheet.
 

@@ -15,6 +15,7 @@ from vad.lecture.moment import Moment, finished
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import Item, Level
+from vad.plan.labels.vertices import corners
 from vad.plan.layout import MARGIN, Page, lay_out
 from vad.plan.opening import REGION, Opening, opening
 from vad.plan.page.captioning import caption_lines
@@ -23,6 +24,7 @@ from vad.plan.page.foot import Foot, compose
 from vad.plan.page.measured import lines_of
 from vad.plan.page.title import title_marks
 from vad.plan.pictures.kinds import sketched
+from vad.plan.scale import is_tall
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Sheet
 
@@ -138,8 +140,11 @@ def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[
     On paper there is room below them for what is measured.
     """
     names, rows = [panel.name for panel in sheet.panels], len(sheet.rows)
+    tall = next(
+        (p.name for p in sheet.panels if p.picture == "skeleton" and is_tall(corners(p))), ""
+    )
     # A first layout tells the panels' width, the second knows how many lines they need.
-    first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines)
+    first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines, tall)
     feet = {
         panel.name: compose(panel, first.panels[panel.name].drawing.width) for panel in sheet.panels
     }
@@ -147,7 +152,7 @@ def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[
     if form.centimetre:
         for panel in sheet.panels:
             lines[panel.name] += lines_of(panel, first.panels[panel.name].drawing.width)
-    return lay_out(form, lines, rows, caption_lines), feet
+    return lay_out(form, lines, rows, caption_lines, tall), feet
 
 
 def rows_of(sheet: Sheet) -> dict[str, int]:

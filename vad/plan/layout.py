@@ -15,6 +15,8 @@ MARGIN = 0.05
 GUTTER = 0.045
 GUTTER_GRID = 0.05
 NARROWEST_COLUMN = 0.436  # three columns from W/H = 1.5 on
+SLENDER_COLUMN = 0.30  # of a tall picture, beside columns that are at least
+BESIDE_SLENDER = 0.40
 ROW_PITCH = 0.040
 EQUATION_PITCH = 0.043
 CAPTION_PITCH = 0.046
@@ -77,17 +79,22 @@ class Page:
         return self.width - MARGIN
 
 
-def lay_out(form: Format, equations: dict[str, int], rows: int, caption_lines: int) -> Page:
+def lay_out(
+    form: Format, equations: dict[str, int], rows: int, caption_lines: int, tall: str = ""
+) -> Page:
     """Return the page for the panels named in ``equations`` (their numbers of foot lines).
+
+    Panels stand side by side if that leaves them wide enough, else in a grid.  One that is
+    ``tall`` needs little width, and so stands beside the others on a narrower page, too.
 
     Raises
     ------
     vad.errors.UsageError
         If they have no room.
     """
-    gaps = 2 * MARGIN + (len(equations) - 1) * GUTTER
-    if (form.width - gaps * form.whole) / len(equations) >= NARROWEST_COLUMN * form.whole:
-        page = _side_by_side(form, equations, rows, caption_lines)
+    widths = _columns(form, list(equations), tall)
+    if widths:
+        page = _side_by_side(form, equations, widths, rows, caption_lines)
     else:
         page = _grid(form, equations, caption_lines)
     drawings = [place.drawing for place in page.panels.values()]
@@ -100,6 +107,18 @@ def lay_out(form: Format, equations: dict[str, int], rows: int, caption_lines: i
     return page
 
 
+def _columns(form: Format, names: list[str], tall: str) -> list[float]:
+    """Return the widths of columns side by side, none where they would be too narrow."""
+    count, gaps = len(names), 2 * MARGIN + (len(names) - 1) * GUTTER
+    if (form.width - gaps * form.whole) / count >= NARROWEST_COLUMN * form.whole:
+        return [(form.width - gaps) / count] * count
+    landscape = form.height <= 1.0 and tall in names and count > 1
+    rest = (form.width - gaps - SLENDER_COLUMN) / (count - 1) if landscape else 0.0
+    if rest < BESIDE_SLENDER:
+        return []
+    return [SLENDER_COLUMN if name == tall else rest for name in names]
+
+
 def _captions(lines: int) -> tuple[float, ...]:
     return tuple(0.036 + CAPTION_PITCH * (lines - 1 - i) for i in range(lines))
 
@@ -110,22 +129,22 @@ def _place(
     """Return the place of a panel whose last equation line stands at ``lowest``."""
     foot = tuple(lowest + EQUATION_PITCH * (lines - 1 - i) for i in range(lines))
     title = rule - 0.040
-    drawing = Rect(left, max(foot) + 0.028, right, title - 0.015)
+    drawing = Rect(left, max(foot) + 0.034, right, title - 0.015)
     region = Rect(left - gap / 2, min(foot) - 0.012, right + gap / 2, rule + 0.006)
     return PanelPlace(rule, title, drawing, foot, region)
 
 
-def _side_by_side(form: Format, equations: dict[str, int], rows: int, caption_lines: int) -> Page:
-    count = len(equations)
-    room = (form.width - 2 * MARGIN - (count - 1) * GUTTER) / count
+def _side_by_side(
+    form: Format, equations: dict[str, int], widths: list[float], rows: int, caption_lines: int
+) -> Page:
     last = FLOOR if not caption_lines else 0.111 + CAPTION_PITCH * (caption_lines - 1)
     baselines = tuple(last + ROW_PITCH * (rows - 1 - i) for i in range(rows))
     hairline = (baselines[0] if rows else last) + 0.034
     panels: dict[str, PanelPlace] = {}
-    for index, (name, lines) in enumerate(equations.items()):
-        left = MARGIN + index * (room + GUTTER)
-        rule = form.height - TOP_RULE
+    left, rule = MARGIN, form.height - TOP_RULE
+    for (name, lines), room in zip(equations.items(), widths, strict=True):
         panels[name] = _place(left, left + room, rule, hairline + 0.030, max(lines, 1), GUTTER)
+        left += room + GUTTER
     return Page(
         form.width,
         form.height,
@@ -151,8 +170,10 @@ def _grid(form: Format, equations: dict[str, int], caption_lines: int) -> Page:
     rules = [first - row * pitch for row in range(down)]
     lefts = [MARGIN + index * (room + GUTTER_GRID) for index in range(across)]
     cells = [(row, column) for row in range(down) for column in range(across)]
-    home = (down - 1, 0)
-    cells.remove(home)
+    # The results have all that is left over, from the last row's first cell on.
+    spare = len(cells) - len(equations)
+    home = (down - 1) * across
+    del cells[home : home + spare]
     panels: dict[str, PanelPlace] = {}
     for (name, lines), (row, column) in zip(equations.items(), cells, strict=False):
         lowest = rules[row + 1] + 0.040 if row + 1 < down else floor
@@ -166,7 +187,7 @@ def _grid(form: Format, equations: dict[str, int], caption_lines: int) -> Page:
         panels=panels,
         rows=(),
         hairline=0.0,
-        results=Rect(lefts[0], floor, lefts[0] + room, rules[-1]),
+        results=Rect(lefts[0], floor, lefts[spare - 1] + room, rules[-1]),
         captions=_captions(caption_lines),
     )
 

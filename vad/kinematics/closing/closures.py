@@ -143,10 +143,12 @@ class TwoAngles:
         sideways = half / square
         twice = 2.0 * square
         along = above + (2.0 * difference) * r, (2.0 * difference) * q - above
-        some = nonzero(r)  # a strut without length may point anywhere
-        first = times(gap, vector(along[0] / (some * twice), sideways / some))
-        second = times(gap, vector(along[1] / (q * twice), sideways / q))
-        return first, second, select((r == 0.0) & (half == 0.0), 0.0, half / (some * q))
+        # A strut without length may point anywhere; a bar that is nothing beside others has none.
+        some, other = nonzero(r), nonzero(q)
+        first = times(gap, vector(along[0] / nonzero(some * twice), sideways / some))
+        second = times(gap, vector(along[1] / nonzero(other * twice), sideways / other))
+        sine = half / nonzero(some * other)
+        return first, second, select((r == 0.0) & (half == 0.0), 0.0, sine)
 
     @staticmethod
     def miss(triangle: Triangle) -> float:
@@ -188,7 +190,8 @@ class AngleAndLength:
         below, above, height = self._rise(gap, u)
         spread = r + abs(height)
         root = self.side * _root(below, above, 2.0 * r, spread, spread)
-        return vector(root / r, height / r), root - dot(self.g, gap), -root / r
+        some = nonzero(r)
+        return vector(root / some, height / some), root - dot(self.g, gap), -root / some
 
     def miss(self, gap: Number, u: Number) -> float:
         """Return by how much the line of one pose is too far away."""

@@ -1,6 +1,7 @@
 """Text as shapes: the outline of a letter is written once, and used wherever it stands.
 
-Every program shows it alike, with or without fonts: for files that are edited or printed.
+Every program shows it alike, with or without fonts.  Over the shapes lie the same words as text
+that is not seen: it can be selected, copied and searched.
 """
 
 from __future__ import annotations
@@ -10,12 +11,13 @@ from html import escape
 from vad.painting.svg.classes import Classes, drawn, filled
 from vad.painting.svg.grid import Grid, number
 from vad.plan.lettering.glyphs import CLOSE, LINE, MOVE, QUADRATIC, Letter, typeset
-from vad.plan.lettering.runs import Face
+from vad.plan.lettering.runs import Face, plain
 from vad.plan.marks import Lettering
 from vad.style import Look
 
 #: Units of a glyph's own space, as in the font.
 _EM = 1000
+_UNSEEN = f"font:{_EM}px STIXGeneral,serif;fill-opacity:0;stroke:none"
 _PREFIXES: dict[Face, str] = {"roman": "r", "italic": "i", "bold": "b", "bolditalic": "s"}
 _COMMANDS = {MOVE: ("M", 1), LINE: ("l", 1), QUADRATIC: ("q", 2)}
 
@@ -36,9 +38,9 @@ class DrawnText:
         x, y = grid.at(text.at)
         em = text.size * grid.unit / _EM
         place = f'transform="translate({x} {y}) scale({number(em, 6)})"'
-        words = escape("".join(run.text for run in text.runs if run.shown).strip())
+        words = self._words(text)
         name = self._classes.name(filled(look), drawn(look.pen, _EM / text.size, look.alpha))
-        element = f'<g class="{name}" {place} aria-label="{words}">{uses}</g>\n'
+        element = f'<g class="{name}" {place}>{uses}{words}</g>\n'
         if not look.under:
             return element
         halo = self._classes.name(drawn(look.under, _EM / text.size))
@@ -52,6 +54,14 @@ class DrawnText:
     def rules(self) -> str:
         """Return nothing: shapes need no fonts."""
         return ""
+
+    def _words(self, text: Lettering) -> str:
+        """Return the text that is selected, as wide as what is seen."""
+        name = self._classes.name(_UNSEEN)
+        words = plain(text.runs)
+        wide = number(_EM * typeset(text.runs).advance, 0)
+        length = f' textLength="{wide}"' if len(words) > 1 else ""
+        return f'<text class="{name}"{length}>{escape(words)}</text>'
 
     def _use(self, letter: Letter) -> str:
         name = f"{_PREFIXES[letter.face]}{ord(letter.text):x}"

@@ -53,20 +53,31 @@ class Obstacles:
             [box for box in self.boxes if together(box[1], span)],
         )
 
-    def free(self, centres: Sequence[complex], wide: float, high: float, grow: float) -> Bools:
-        """Tell for each centre whether a box there, grown, meets nothing."""
+    def free(
+        self,
+        centres: Sequence[complex],
+        wide: float,
+        high: float,
+        grow: float,
+        apart: complex = 0j,
+    ) -> Bools:
+        """Tell for each centre whether a box there, grown, meets nothing.
+
+        From other boxes it stays ``apart``: aside by the real, above by the imaginary part.
+        """
         at = np.asarray(centres, dtype=np.complex128)
         x, y = at.real, at.imag
         half_x, half_y = wide / 2 + grow, high / 2 + grow
         edge = self.edge
         free = (x - half_x >= edge.left) & (x + half_x <= edge.right)
         free &= (y - half_y >= edge.bottom) & (y + half_y <= edge.top)
+        aside, above = wide / 2 + max(grow, apart.real), high / 2 + max(grow, apart.imag)
         for box, _ in self.boxes:
             free &= (
-                (x - half_x >= box.right)
-                | (x + half_x <= box.left)
-                | (y - half_y >= box.top)
-                | (y + half_y <= box.bottom)
+                (x - aside >= box.right)
+                | (x + aside <= box.left)
+                | (y - above >= box.top)
+                | (y + above <= box.bottom)
             )
         if self.lines and free.any():
             starts = np.array([line[0] for line in self.lines])

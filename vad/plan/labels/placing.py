@@ -18,7 +18,10 @@ from vad.plan.labels.obstacles import PIXEL, Obstacles
 
 GAP = 0.014
 CLEARANCE = 0.006
+#: Between labels, aside and above: half an em, so that "A" beside "C" never reads "AC".
+APART = 0.020 + 0.010j
 LEADER = 0.06
+WAYS = 32  # about a dot
 MOST_LEADERS = 160  # tried at each distance
 
 
@@ -37,6 +40,40 @@ class Placed:
         x, y = self.centre.real, self.centre.imag
         w, h = self.wide / 2, self.high / 2
         return Rect(x - w, y - h, x + w, y + h)
+
+
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """A label that is to be placed.
+
+    Attributes
+    ----------
+    at
+        What it names.
+    first
+        The direction in which it would best stand.
+    wide, high
+        The size of its ink.
+    radius
+        That of the dot at ``at``.
+    near
+        The distances at which it needs no leader.
+    rivals
+        Other dots, which it must not seem to name.
+    """
+
+    at: complex
+    first: complex
+    wide: float
+    high: float
+    radius: float = 0.0
+    near: Sequence[float] = (GAP, 0.020)
+    rivals: Sequence[complex] = ()
+
+    def around(self, gap: float, count: int) -> list[complex]:
+        """Return the centres of ``count`` boxes about the dot, ``gap`` away, the best first."""
+        ways = fan(self.first, count)
+        return [beside(self.at, way, gap + self.radius, self.wide, self.high) for way in ways]
 
 
 def beside(at: complex, way: complex, gap: float, wide: float, high: float) -> complex:
@@ -65,36 +102,63 @@ def fan(first: complex, count: int) -> list[complex]:
     return [first * cmath.exp(1j * math.tau * turn / count) for turn in turns]
 
 
-def place(
-    obstacles: Obstacles,
-    at: complex,
-    first: complex,
-    wide: float,
-    high: float,
-    radius: float = 0.0,
-    near: Sequence[float] = (GAP, 0.020),
-    rivals: Sequence[complex] = (),
-) -> Placed:
-    """Place one label beside ``at`` and add it to the obstacles.
+def place_all(obstacles: Obstacles, wishes: Sequence[Wish]) -> Iterator[tuple[int, Placed]]:
+    """Place labels, and yield each with its number.
 
-    ``near`` are distances at which no leader is needed; ``radius`` is
-    that of the dot.  Farther than the first of them a label must stand clearly nearer to its own
-    dot than to the ``rivals``.  With a leader, one that crosses nothing is preferred.
+    Whichever has the fewest places near its dot comes next; one that has none comes last, lest
+    it take another's.
     """
-    for gap in near:
-        centres = [beside(at, way, gap + radius, wide, high) for way in fan(first, 16)]
-        for index in np.flatnonzero(obstacles.free(centres, wide, high, CLEARANCE)):
-            spot = Placed(centres[int(index)], wide, high)
-            if gap <= near[0] or _belongs(spot, at, rivals):
-                return _settle(obstacles, spot)
+    near = {number: _near(obstacles, wish) for number, wish in enumerate(wishes)}
+    while near:
+        number = min(near, key=lambda each: len(near[each]) or math.inf)
+        spots = near.pop(number)
+        placed = _settle(obstacles, spots[0]) if spots else _far_off(obstacles, wishes[number])
+        near = {each: [s for s in spots if _apart(s, placed)] for each, spots in near.items()}
+        yield number, placed
+
+
+def place(obstacles: Obstacles, wish: Wish) -> Placed:
+    """Place one label and add it to the obstacles."""
+    ((_, placed),) = place_all(obstacles, [wish])
+    return placed
+
+
+def _near(obstacles: Obstacles, wish: Wish) -> list[Placed]:
+    """Return where a label may stand without a leader, the best place first.
+
+    Farther than the nearest distance it must stand clearly nearer to its own dot than to any
+    other.
+    """
+    spots = [(gap, centre) for gap in wish.near for centre in wish.around(gap, WAYS)]
+    if not spots:
+        return []
+    centres = [centre for _, centre in spots]
+    free = obstacles.free(centres, wish.wide, wish.high, CLEARANCE, APART)
+    found = [(spots[i][0], Placed(centres[i], wish.wide, wish.high)) for i in np.flatnonzero(free)]
+    return [spot for gap, spot in found if gap <= wish.near[0] or _belongs(spot, wish)]
+
+
+def _apart(spot: Placed, other: Placed) -> bool:
+    """Tell whether a label leaves another one and its leader alone."""
+    off = spot.centre - other.centre
+    aside = abs(off.real) - (spot.wide + other.wide) / 2 >= APART.real
+    above = abs(off.imag) - (spot.high + other.high) / 2 >= APART.imag
+    return (aside or above) and not (
+        other.leader and spot.box.inside(-CLEARANCE).clipped(*other.leader)
+    )
+
+
+def _far_off(obstacles: Obstacles, wish: Wish) -> Placed:
+    """Place a label away from its dot; one whose leader crosses nothing is preferred."""
     fallback: Placed | None = None
     bare: Placed | None = None
-    for tight, centres in _far(obstacles.edge, at, first, wide, high, radius):
+    for tight, centres in _far(obstacles.edge, wish):
         if fallback or (bare and tight):
             break
-        free = obstacles.free(centres, wide, high, 0.5 * PIXEL if tight else CLEARANCE)
+        clear, apart = (0.5 * PIXEL, 0j) if tight else (CLEARANCE, APART)
+        free = obstacles.free(centres, wish.wide, wish.high, clear, apart)
         for index in np.flatnonzero(free)[:MOST_LEADERS]:
-            spot = _led(at, centres[int(index)], wide, high, radius)
+            spot = _led(wish, centres[int(index)])
             if not spot.leader:
                 return _settle(obstacles, spot)
             crossed = obstacles.crossed(*spot.leader)
@@ -102,27 +166,16 @@ def place(
                 return _settle(obstacles, spot)
             if crossed == "strokes":
                 fallback = fallback or spot
-            bare = bare or Placed(spot.centre, wide, high)
-    last = Placed(beside(at, first, GAP + radius, wide, high), wide, high)
+            bare = bare or Placed(spot.centre, wish.wide, wish.high)
+    last = Placed(wish.around(GAP, 1)[0], wish.wide, wish.high)
     return _settle(obstacles, fallback or bare or last)
 
 
-def _far(
-    edge: Rect,
-    at: complex,
-    first: complex,
-    wide: float,
-    high: float,
-    radius: float,
-) -> Iterator[tuple[bool, list[complex]]]:
-    """Yield spots farther and farther from ``at``; then the whole panel, at last in tight fit."""
-    ways = fan(first, 32)
-    near: list[complex] = []
-    for growth in range(5):
-        gap = LEADER * 1.35**growth + radius
-        near += [beside(at, way, gap, wide, high) for way in ways]
-    yield False, near
-    grid = _grid(edge, at, 0.008)
+def _far(edge: Rect, wish: Wish) -> Iterator[tuple[bool, list[complex]]]:
+    """Yield spots farther and farther off; then the whole panel, at last in tight fit."""
+    gaps = [LEADER * 1.35**growth for growth in range(5)]
+    yield False, [spot for gap in gaps for spot in wish.around(gap, WAYS)]
+    grid = _grid(edge, wish.at, 0.008)
     yield False, grid
     yield True, grid
 
@@ -137,10 +190,10 @@ def _grid(edge: Rect, at: complex, step: float) -> list[complex]:
     return sorted(points, key=lambda point: abs(point - at))
 
 
-def _belongs(spot: Placed, at: complex, rivals: Iterable[complex]) -> bool:
-    """Tell whether a label stands clearly nearer to ``at`` than to any rival."""
-    own = _distance(spot.box, at)
-    return all(_distance(spot.box, rival) > 1.4 * own for rival in rivals)
+def _belongs(spot: Placed, wish: Wish) -> bool:
+    """Tell whether a label stands clearly nearer to its dot than to any rival."""
+    own = _distance(spot.box, wish.at)
+    return all(_distance(spot.box, rival) > 1.4 * own for rival in wish.rivals)
 
 
 def _distance(box: Rect, point: complex) -> float:
@@ -149,17 +202,18 @@ def _distance(box: Rect, point: complex) -> float:
     return math.hypot(aside, above)
 
 
-def _led(at: complex, centre: complex, wide: float, high: float, radius: float) -> Placed:
+def _led(wish: Wish, centre: complex) -> Placed:
     """Return a label with a leader from the dot's rim to its box, if that is not close by."""
+    at, half_x, half_y = wish.at, wish.wide / 2, wish.high / 2
     nearest = complex(
-        min(max(at.real, centre.real - wide / 2), centre.real + wide / 2),
-        min(max(at.imag, centre.imag - high / 2), centre.imag + high / 2),
+        min(max(at.real, centre.real - half_x), centre.real + half_x),
+        min(max(at.imag, centre.imag - half_y), centre.imag + half_y),
     )
-    if abs(nearest - at) < radius + 0.025:
-        return Placed(centre, wide, high)
+    if abs(nearest - at) < wish.radius + 0.025:
+        return Placed(centre, wish.wide, wish.high)
     way = (nearest - at) / abs(nearest - at)
-    start = at + way * (radius + 0.010)
-    return Placed(centre, wide, high, (start, nearest - way * 0.005))
+    start = at + way * (wish.radius + 0.010)
+    return Placed(centre, wish.wide, wish.high, (start, nearest - way * 0.005))
 
 
 def _settle(obstacles: Obstacles, placed: Placed) -> Placed:

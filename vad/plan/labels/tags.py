@@ -10,7 +10,7 @@ from dataclasses import replace
 from vad.plan.growth import Growth
 from vad.plan.items import Level, Span
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.labels.placing import CLEARANCE, Placed, beside, place
+from vad.plan.labels.placing import APART, CLEARANCE, Placed, Wish, beside, place
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import Runs, symbols
@@ -61,7 +61,7 @@ def _along(obstacles: Obstacles, start: complex, end: complex, runs: Runs, size:
             for share in SHARES
             for side in (1, -1)
         ]
-        free = obstacles.free(centres, wide, high, CLEARANCE)
+        free = obstacles.free(centres, wide, high, CLEARANCE, APART)
         if free.any():
             return Placed(centres[int(free.argmax())], wide, high)
-    return place(obstacles, (start + end) / 2, normal, wide, high, near=())
+    return place(obstacles, Wish((start + end) / 2, normal, wide, high, near=()))

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import combinations
 
 from vad.plan.carriers import reached
 from vad.plan.geometry import direction_of
 from vad.plan.items import FOREVER, Level
-from vad.plan.labels.placing import outward, place
+from vad.plan.labels.placing import Placed, Wish, outward, place_all
 from vad.plan.lettering.glyphs import ink_size, typeset
 from vad.plan.lettering.runs import Runs, symbols
 from vad.plan.marks import Lettering, Mark, line
@@ -26,14 +27,25 @@ COINCIDENT = 0.012
 
 @dataclass
 class Vertex:
-    """A point with its letters; ``since`` holds the number of the stroke that brings each."""
+    """A dot with its letters, amid its ``points``: so it covers the ends of all their strokes.
 
-    at: complex
-    letters: list[str] = field(default_factory=list)
-    since: list[int] = field(default_factory=list)
+    ``letters`` holds the number of the stroke that brings each, ``ways`` are the directions of
+    the strokes that meet there.
+    """
+
+    points: list[complex]
+    letters: dict[str, int]
     ways: list[complex] = field(default_factory=list)
-    fixed: bool = False
-    points: list[complex] = field(default_factory=list)
+
+    @property
+    def at(self) -> complex:
+        """The middle of the dot."""
+        return sum(self.points, 0j) / len(self.points)
+
+    @property
+    def since(self) -> int:
+        """The number of the stroke that brings the dot."""
+        return min(self.letters.values())
 
     @property
     def label(self) -> str:
@@ -59,36 +71,35 @@ def find_vertices(panel: Panel, scale: Scale) -> list[Vertex]:
     found: list[Vertex] = []
 
     def vertex(letters: str, z: complex, since: int) -> Vertex:
-        at = scale(z)
-        near = [v for v in found if abs(v.at - at) < COINCIDENT]
-        if near:
-            spot = min(near, key=lambda v: abs(v.at - at))
-        else:
-            spot = Vertex(at)
-            found.append(spot)
-        spot.points.append(at)
-        for letter in letters.split(","):
-            if letter.strip() and letter.strip() not in spot.letters:
-                spot.letters.append(letter.strip())
-                spot.since.append(since)
-        return spot
+        names = [letter.strip() for letter in letters.split(",") if letter.strip()]
+        for spot in found:
+            if spot.letters.keys() >= set(names) and abs(spot.at - scale(z)) < COINCIDENT:
+                return spot
+        found.append(Vertex([scale(z)], dict.fromkeys(names, since)))
+        return found[-1]
 
     for index, stroke in enumerate(panel.strokes):
         shape = stroke.shape
         if isinstance(shape, Dot):
-            spot = vertex(stroke.label, shape.at, index)
-            spot.fixed = spot.fixed or stroke.kind == "fixed"
+            vertex(stroke.label, shape.at, index)
         elif isinstance(shape, Arrow):
             tail = vertex(shape.tail, shape.start, index)
             head = vertex(shape.head, shape.end, index)
             way = direction_of(scale(shape.start), scale(shape.end))
             tail.ways.append(way)
             head.ways.append(-way)
-    for spot in found:
-        # A shared dot lies amid its points, so that it covers the ends of all their strokes.
-        apart = list(dict.fromkeys(spot.points))
-        spot.at = sum(apart, 0j) / len(apart)
-    return [spot for spot in found if spot.letters]
+    return [spot for spot in _merged(found) if spot.letters]
+
+
+def _merged(vertices: list[Vertex]) -> list[Vertex]:
+    """Return vertices of which no two are so near that they would share a dot."""
+    for one, other in combinations(vertices, 2):
+        if abs(one.at - other.at) < COINCIDENT:
+            letters = sorted((other.letters | one.letters).items(), key=lambda each: each[1])
+            points = list(dict.fromkeys(one.points + other.points))
+            both = Vertex(points, dict(letters), one.ways + other.ways)
+            return _merged([both if v is one else v for v in vertices if v is not other])
+    return vertices
 
 
 def text_at(
@@ -104,28 +115,28 @@ def label_vertices(
     sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
 ) -> None:
     """Place the labels of all vertices, each once for all strokes."""
-    setting = sketch.setting
+    wishes = [_wish(vertex, vertices, radius, near) for vertex in vertices]
+    for index, placed in place_all(sketch.obstacles, wishes):
+        _letter(sketch, vertices[index], placed)
+
+
+def _wish(vertex: Vertex, all_: Sequence[Vertex], radius: float, near: Sequence[float]) -> Wish:
+    size = ink_size(symbols(vertex.label), LETTER)
+    rivals = [other.at for other in all_ if other is not vertex]
+    return Wish(vertex.at, outward(vertex.ways), *size, radius, near, rivals)
+
+
+def _letter(sketch: Sketch, vertex: Vertex, placed: Placed) -> None:
+    """Add the label of a vertex, which grows by a letter with the stroke that brings it."""
+    setting, whole = sketch.setting, symbols(vertex.label)
     strokes = setting.panel.strokes
-    for vertex in vertices:
-        whole = symbols(vertex.label)
-        wide, high = ink_size(whole, LETTER)
-        rivals = [other.at for other in vertices if other is not vertex]
-        first = outward(vertex.ways)
-        placed = place(sketch.obstacles, vertex.at, first, wide, high, radius, near, rivals)
-        sketch.tags.append(Tag(vertex.label, placed.box))
-        if placed.leader:
-            index = vertex.since[0]
-            leader = line(placed.leader, "leader")
-            sketch.add(strokes[index], Level.LABEL, setting.after(index), [leader])
-        for count, index in enumerate(vertex.since, start=1):
-            later = [since for since in vertex.since[count:] if since > index]
-            if count < len(vertex.since) and vertex.since[count] == index:
-                continue
-            runs = symbols(", ".join(vertex.letters[:count]))
-            sketch.add(
-                strokes[index],
-                Level.LABEL,
-                setting.after(index),
-                [text_at(runs, whole, placed.centre, LETTER, "letter")],
-                setting.after(min(later)) if later else FOREVER,
-            )
+    sketch.tags.append(Tag(vertex.label, placed.box))
+    if placed.leader:
+        leader = line(placed.leader, "leader")
+        sketch.add(strokes[vertex.since], Level.LABEL, setting.after(vertex.since), [leader])
+    numbers = sorted(set(vertex.letters.values()))
+    ends = [*map(setting.after, numbers[1:]), FOREVER]
+    for index, until in zip(numbers, ends, strict=True):
+        known = [letter for letter, since in vertex.letters.items() if since <= index]
+        text = text_at(symbols(", ".join(known)), whole, placed.centre, LETTER, "letter")
+        sketch.add(strokes[index], Level.LABEL, setting.after(index), [text], until)

@@ -16,6 +16,9 @@ Face = Literal["roman", "italic", "bold", "bolditalic"]
 _BOLD: dict[Face, Face] = {"roman": "bold", "italic": "bolditalic"}
 _SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑₙₚₛₜₓ", "0123456789aenpstx", strict=True))
 _SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−", strict=True))
+_LOW, _HIGH = (
+    {sign: each for each, sign in signs.items()} for signs in (_SUBSCRIPTS, _SUPERSCRIPTS)
+)
 _TOKEN = re.compile(r"[A-Za-zÀ-ÖØ-öø-ÿ]+|.", re.DOTALL)
 _GREEK = re.compile(r"[α-ωΑ-Ω]")
 
@@ -80,6 +83,20 @@ def sentence(text: str, names: Iterable[str], words: str = "") -> Runs:
         start = found.end()
     pieces += roman(text[start:], known.__contains__)
     return tuple(pieces)
+
+
+def plain(runs: Runs) -> str:
+    """Return what runs spell, as it was before it was set: b′cₙ, mm/s².
+
+    Examples
+    --------
+    >>> plain(roman("3005 mm/s²"))
+    '3005 mm/s²'
+    """
+    signs = {-1: _LOW, 0: {}, 1: _HIGH}
+    return "".join(
+        signs[run.script].get(letter, letter) for run in runs if run.shown for letter in run.text
+    )
 
 
 def bold(runs: Runs) -> Runs:

@@ -71,7 +71,7 @@ def _set(text: str, write: Setter, room: float) -> tuple[list[Runs], float]:
 
 
 def caption_marks(panel: Panel, index: int, write: Setter, page: Page) -> list[Mark]:
-    """Return the caption of a stroke and its number in the panel."""
+    """Return the caption of a stroke and, level with its first line, its number in the panel."""
     room = page.right - page.left
     lines, size = _set(panel.strokes[index].caption, write, room)
     marks = [
@@ -79,5 +79,5 @@ def caption_marks(panel: Panel, index: int, write: Setter, page: Page) -> list[M
         for runs, baseline in zip(lines, page.captions, strict=False)
     ]
     count = roman(f"{index + 1} / {len(panel.strokes)}")
-    at = complex(page.right - width(count, COUNT), page.captions[-1])
+    at = complex(page.right - width(count, COUNT), page.captions[0])
     return [*marks, Mark(Lettering(count, at, COUNT), "notes")]

@@ -6,8 +6,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
+from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
+from vad.strokes.language import Language
 from vad.strokes.sheet import Cell, Row, Sheet
 from vad.written import numbered
 
@@ -84,6 +86,14 @@ class Entries:
         number = numbered(cells[0].symbol)[1] if cells and self.numbers else ""
         behind = roman(f" ({number})") if number else ()
         return roman(row.title + " ") + symbols(row.letters) + behind
+
+    def legend(self, end: complex) -> list[Mark]:
+        """Return what grey means, once for all that is given; it ends at ``end``."""
+        cells = (cell for row in self.sheet.rows for each in row.cells.values() for cell in each)
+        if not any(cell.given for cell in cells):
+            return []
+        runs = roman(Language(self.sheet.language).say("legend"))
+        return [Mark(Lettering(runs, end - width(runs, GIVEN_SIZE), GIVEN_SIZE), "notes")]
 
     def role(self, cell: Cell) -> Literal["notes", "words"]:
         """Return the role of a cell's type: given values are grey."""

@@ -14,7 +14,7 @@ from vad.plan.marks import Lettering
 from vad.strokes.sheet import Equation, Panel, Term
 
 SIZE = 0.036
-LEAST = 0.028
+LEAST = 0.034  # below this a loop takes two lines
 SPACE = 0.24  # about a sign, in type sizes
 LOOP_SPACE = 1.3
 
@@ -55,7 +55,10 @@ def _width(pieces: Sequence[Piece]) -> float:
 
 
 def compose(panel: Panel, room: float) -> Foot:
-    """Return the lines of a panel's foot: loops share a line if they fit ``room``."""
+    """Return the lines of a panel's foot: loops share a line if they fit ``room``.
+
+    A loop that is too long for one line goes on with its equals sign on the next.
+    """
     loops = [_pieces(equation) for equation in panel.equations]
     if not loops:
         return Foot((), SIZE)
@@ -65,10 +68,6 @@ def compose(panel: Panel, room: float) -> Foot:
         together += [first, *loop[1:]]
     if _width(together) * SIZE <= room:
         return Foot((tuple(together),), SIZE)
-    widest = max(_width(loop) for loop in loops)
-    size = min(SIZE, room / widest)
-    if size >= LEAST:
-        return Foot(tuple(tuple(loop) for loop in loops), size)
     lines: list[tuple[Piece, ...]] = []
     for equation, loop in zip(panel.equations, loops, strict=True):
         if _width(loop) * LEAST <= room:

@@ -8,7 +8,7 @@ from vad.plan.layout import Page
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
-from vad.plan.page.entries import GIVEN_SIZE, NAME_GAP, SIZE, Entries, Entry
+from vad.plan.page.entries import NAME_GAP, SIZE, Entries, Entry
 from vad.strokes.language import Language
 from vad.strokes.sheet import Row
 from vad.written import numbered
@@ -75,16 +75,13 @@ class Quarter:
         say = Language(sheet.language).say
         word = bold(roman(say("results")))
         marks = [Mark(Lettering(word, complex(area.left, title), TITLE_SIZE), "words")]
-        if any(c.given for row in sheet.rows for cells in row.cells.values() for c in cells):
-            marks.append(
-                _right(roman(say("given")), complex(area.right, title), GIVEN_SIZE, "notes")
-            )
+        marks += self._entries.legend(complex(fit.rights[-1], title))
         for group, head in zip(self._groups, self._heads, strict=True):
             for name, right in zip(self._names, fit.rights, strict=True):
                 at, size = complex(right, head), HEAD_SIZE * fit.type
                 marks.append(_right(self._quantities(group, name), at, size, "notes"))
             y = head - 0.0135 * self._squeeze
-            marks.append(line([complex(area.left, y), complex(area.right, y)], "hairline"))
+            marks.append(line([complex(area.left, y), complex(fit.rights[-1], y)], "hairline"))
         for row, baseline in zip(sheet.rows, self._baselines, strict=True):
             at, size = complex(area.left, baseline), SIZE * fit.type
             marks += self._entries.name(row, at, fit.key, size, fit.type, fit.words)
@@ -115,7 +112,7 @@ class Quarter:
         return fit.rights[0] - self._widest(name) * fit.type
 
     def _fitted(self, most: float) -> _Fit:
-        """Return columns that never touch, whatever the numbers.
+        """Return columns that never touch, whatever the numbers, and are no wider than it takes.
 
         Where they need room, first the columns draw together, then the key is cut short, then
         all type shrinks alike; where that is not enough, the words of the names go.
@@ -132,10 +129,12 @@ class Quarter:
             if kind >= LEAST_TYPE / SIZE:
                 break
         pitches = [share * kind for share in wide]
-        spare = area.width - key - (NAME_GAP + name) * kind - sum(pitches)
+        named = key + (NAME_GAP + name) * kind
+        spare = area.width - named - sum(pitches)
         wanted = [max(0.0, COLUMN_PITCH - pitch) for pitch in pitches[1:]]
         share = min(1.0, spare / sum(wanted)) if sum(wanted) else 0.0
-        rights = [area.right]
+        natural = named + sum(max(COLUMN_PITCH, pitch) for pitch in pitches)
+        rights = [area.left + min(area.width, natural)]
         for pitch, more in zip(reversed(pitches[1:]), reversed(wanted), strict=True):
             rights.insert(0, rights[0] - pitch - share * more)
         return _Fit(kind, key, rights, name == title)

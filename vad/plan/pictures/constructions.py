@@ -91,7 +91,8 @@ def add_square(sketch: Sketch, index: int, placed: PlacedLine) -> None:
     setting = sketch.setting
     span = setting.during(index), setting.over(index)
     labels = [tag.box.centre for tag in sketch.tags if together(tag.span, span)]
-    square = place_square(placed.start, placed.end, placed.way, labels, setting.room)
+    obstacles = sketch.obstacles.during(span)
+    square = place_square(placed.start, placed.end, placed.way, labels, obstacles)
     if square:
         marks = square.marks(abs(placed.end - placed.start))
         sketch.add(setting.panel.strokes[index], Level.GLOW, span[0], marks, span[1])

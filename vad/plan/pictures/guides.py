@@ -110,7 +110,7 @@ def name_guide(sketch: Sketch, index: int, shape: Guide, size: float) -> Vertex 
     rail, through = rail_of(sketch, shape, size), sketch.scale(shape.through)
     near, far = sorted((rail.start, rail.end), key=lambda end: abs(end - through))
     at = near + 0.012 * direction_of(near, far)
-    return Vertex(at, [label], [index], [rail.side])
+    return Vertex([at], {label: index}, [rail.side])
 
 
 def poles(sketch: Sketch) -> list[complex]:

@@ -13,10 +13,11 @@ from dataclasses import dataclass, replace
 from vad.plan.geometry import Rect
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.labels.placing import Placed, beside
+from vad.plan.labels.placing import APART, Placed, beside
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import Runs, roman, symbols
+from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Mark, area, disc, line
 from vad.plan.pictures.rotation import sense_arrow
 from vad.plan.pictures.straight import vector
@@ -25,8 +26,9 @@ from vad.strokes.sheet import CoriolisInset
 
 NAME_SIZE = 0.030
 CAPTION_SIZE = 0.028
-CAPTION_ABOVE = 0.006
-CAPTION_BELOW = 0.010
+CAPTION_AWAY = 0.006  # from the picture
+CAPTION_OFF = 0.020  # the edge of the panel
+CAPTION_PITCH = 0.034
 CAPTION_CLEAR = 0.008  # of strokes and the panel's edge
 DEEP, WIDE = 0.24, 0.19  # what it takes at most, below or beside a polygon
 STEP = 0.02
@@ -42,7 +44,7 @@ class Inset:
     marks: list[Mark]
     names: list[Tag]
     box: Rect
-    caption: Runs
+    caption: list[Runs]
     caption_box: tuple[float, float]
 
 
@@ -54,40 +56,53 @@ class Corner:
     caption: complex
 
 
-def draw_inset(inset: CoriolisInset, caption: str, setting: Setting, size: float) -> Inset:
-    """Return the inset, not yet in its place; ``size`` is 1, or less where room is short."""
+def draw_inset(
+    inset: CoriolisInset, caption: str, setting: Setting, size: float, room: float
+) -> Inset:
+    """Return the inset, not yet in its place.
+
+    ``size`` is 1, or less where space is short; its caption breaks where it is wider than ``room``.
+    """
     marks, names, reach = _picture(inset, setting, size)
     xs, ys = [point.real for point in reach], [point.imag for point in reach]
     box = Rect(min(xs) - PAD, min(ys) - PAD, max(xs) + PAD, max(ys) + PAD)
-    runs = roman(caption, lambda token: token == "v")
-    return Inset(marks, names, box, runs, ink_size(runs, CAPTION_SIZE))
+    lines = wrap(caption, _set, CAPTION_SIZE, room)
+    sizes = [ink_size(runs, CAPTION_SIZE) for runs in lines]
+    deep = sizes[-1][1] + (len(lines) - 1) * CAPTION_PITCH
+    return Inset(marks, names, box, lines, (max(wide for wide, _ in sizes), deep))
+
+
+def _set(text: str) -> Runs:
+    return roman(text, lambda token: token == "v")
 
 
 def find_corner(obstacles: Obstacles, drawing: Rect, inset: Inset) -> Corner | None:
     """Return the emptiest corner for picture and caption, None where strokes fill them all."""
     box, (wide, high) = inset.box, inset.caption_box
-    below = high + CAPTION_ABOVE + CAPTION_BELOW
     half_x, half_y = box.width / 2, box.height / 2
-    low, top = drawing.bottom + below + half_y, drawing.top - half_y
+    low, top = drawing.bottom + half_y, drawing.top - half_y
     left, right = drawing.left + half_x, drawing.right - half_x
     aside = wide / 2 + CAPTION_CLEAR
     if low > top or left > right or 2 * aside > drawing.width:
         return None
     centres: list[complex] = []
     captions: list[complex] = []
+    away = half_y + CAPTION_AWAY + high / 2
+    inner = drawing.inside(CAPTION_OFF + high / 2)
     for depth in range(int((top - low) / STEP) + 1):
         for inward in range(min(6, int((right - left) / STEP) + 1)):
-            away = complex(inward, depth) * STEP
-            for x in (left + away.real, right - away.real):
-                for y in (low + away.imag, top - away.imag):
-                    middle = min(max(x, drawing.left + aside), drawing.right - aside)
-                    centres.append(complex(x, y))
-                    drop = half_y + CAPTION_ABOVE + high / 2
-                    captions.append(complex(middle, y - drop))
+            inside = complex(inward, depth) * STEP
+            for x in (left + inside.real, right - inside.real):
+                middle = min(max(x, drawing.left + aside), drawing.right - aside)
+                # The caption is turned to the panel: never towards its equation or its head.
+                for y, up in ((low + inside.imag, away), (top - inside.imag, -away)):
+                    if inner.holds(complex(middle, y + up)):
+                        centres.append(complex(x, y))
+                        captions.append(complex(middle, y + up))
     edge = 1e-9  # a box that just fits its corner is inside
-    free = obstacles.free(centres, box.width - edge, box.height - edge, 0.0)
+    free = obstacles.free(centres, box.width - edge, box.height - edge, 0.0, APART)
     clear = CAPTION_CLEAR
-    free &= obstacles.free(captions, wide - edge, high - clear, clear)
+    free &= obstacles.free(captions, wide - edge, high - edge, clear, APART)
     if not free.any():
         return None
     best = int(free.argmax())
@@ -100,7 +115,10 @@ def add_inset(sketch: Sketch, inset: Inset, spot: Corner) -> None:
     assert drawn is not None
     index = setting.panel.number(drawn.stroke)
     marks = [replace(mark.moved(spot.origin), growth=None) for mark in inset.marks]
-    marks.append(text_at(inset.caption, inset.caption, spot.caption, CAPTION_SIZE, "notes"))
+    above = spot.caption + 0.5j * (len(inset.caption) - 1) * CAPTION_PITCH
+    for number, runs in enumerate(inset.caption):
+        at = above - 1j * number * CAPTION_PITCH
+        marks.append(text_at(runs, runs, at, CAPTION_SIZE, "notes"))
     stroke = setting.panel.strokes[index]
     sketch.add(stroke, Level.STROKE, setting.after(index), marks)
     caption = Placed(spot.caption, *inset.caption_box).box

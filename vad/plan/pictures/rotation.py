@@ -14,7 +14,7 @@ from vad.plan.geometry import Rect
 from vad.plan.growth import Trimming
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.labels.placing import CLEARANCE, Placed, beside, place
+from vad.plan.labels.placing import APART, CLEARANCE, Placed, Wish, beside, place
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import roman, symbols
@@ -105,13 +105,13 @@ def _beside_arc(arc: Bow, wide: float, high: float, obstacles: Obstacles) -> Pla
         for share in SHARES:
             way = cmath.exp(1j * math.radians(arc.start + share * arc.sweep))
             centres.append(beside(arc.centre + arc.radius * way, way, gap, wide, high))
-        free = obstacles.free(centres, wide, high, CLEARANCE)
+        free = obstacles.free(centres, wide, high, CLEARANCE, APART)
         if free.any():
             placed = Placed(centres[int(free.argmax())], wide, high)
             obstacles.box(placed.box)
             return placed
     way = cmath.exp(1j * math.radians(arc.start + 0.5 * arc.sweep))
-    return place(obstacles, arc.centre + arc.radius * way, way, wide, high)
+    return place(obstacles, Wish(arc.centre + arc.radius * way, way, wide, high))
 
 
 def add_sense(sketch: Sketch, index: int | None, shape: Arc, sense: float) -> None:
@@ -130,7 +130,7 @@ def add_sense(sketch: Sketch, index: int | None, shape: Arc, sense: float) -> No
         line = arc_line(centre, radius, middle - span / 2, span)
         out = cmath.exp(1j * math.radians(middle))
         spot = beside(centre + radius * out, out, 0.010, wide, high)
-        if not obstacles.free([spot], wide, high, CLEARANCE)[0]:
+        if not obstacles.free([spot], wide, high, CLEARANCE, APART)[0]:
             continue
         if not all(obstacles.edge.holds(point, -0.006) for point in line):
             continue

@@ -15,14 +15,21 @@ from vad.plan.pictures import machine
 from vad.plan.pictures.bars import bar_of, slit_of
 from vad.plan.pictures.constructions import add_drawn_line, add_square, line_of
 from vad.plan.pictures.guides import add_guide, name_guide
-from vad.plan.pictures.rotation import add_angle, add_sense, angle_arc, block_arc, visible_part
+from vad.plan.pictures.rotation import (
+    add_angle,
+    add_sense,
+    angle_arc,
+    arc_line,
+    block_arc,
+    visible_part,
+)
 from vad.plan.pictures.sizes import part_size
 from vad.plan.pictures.speed import add_speed
 from vad.plan.pictures.supports import add_axes, add_pivots
 from vad.plan.pictures.tools import compass
 from vad.plan.pictures.vectors import swelling
 from vad.plan.pictures.yoke import yoke_of
-from vad.plan.roles import BLOCK_RIM
+from vad.plan.roles import BLOCK_RIM, CONSTRUCTION
 from vad.plan.scale import fill
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Sheet
@@ -44,7 +51,7 @@ def draw(setting: Setting) -> Sketch:
         own = isinstance(stroke.shape, Guide) and name_guide(sketch, index, stroke.shape, size)
         vertices += [own] if own else []
     for vertex in vertices:
-        index = min(vertex.since)
+        index = vertex.since
         mark = joint_of(sketch, vertex)
         sketch.add(panel.strokes[index], Level.DOT, setting.after(index), [mark])
         sketch.obstacles.disc(vertex.at, machine.JOINT_REACH * size)
@@ -57,6 +64,7 @@ def draw(setting: Setting) -> Sketch:
     for _, shape in angles:
         block_arc(sketch.obstacles, angle_arc(sketch, shape))
     add_pivots(sketch, vertices, size)
+    _block_constructions(sketch)
     label_vertices(sketch, vertices, machine.JOINT_REACH * size, NEAR)
     for index, shape in angles:
         add_angle(sketch, index, shape)
@@ -177,11 +185,30 @@ def add_block(sketch: Sketch, index: int, shape: Block) -> None:
 
 def _add_compass_arc(sketch: Sketch, index: int, shape: Arc) -> None:
     """Add a compass arc, which goes when the mechanism is finished, and the compass."""
-    setting, scale = sketch.setting, sketch.scale
+    setting, arc = sketch.setting, _compass_arc(sketch, shape)
     stroke = setting.panel.strokes[index]
     row = setting.row(stroke.link)
-    radius = shape.radius * scale.factor
-    arc = visible_part(Bow(scale(shape.centre), radius, shape.start, shape.sweep), setting.room)
     mark = Mark(arc, "compass arc", row, Trimming())
     sketch.add(stroke, Level.CONSTRUCTION, setting.during(index), [mark], setting.end)
     _passing(sketch, index, Level.CONSTRUCTION, compass(arc, row, setting.room))
+
+
+def _block_constructions(sketch: Sketch) -> None:
+    """Add what is drawn in passing to what labels keep clear of."""
+    setting = sketch.setting
+    for index, stroke in enumerate(setting.panel.strokes):
+        span, shape = (setting.during(index), setting.end), stroke.shape
+        if isinstance(shape, Arc) and stroke.kind == "construction":
+            arc = _compass_arc(sketch, shape)
+            curve = arc_line(arc.centre, arc.radius, arc.start, arc.sweep)
+            sketch.obstacles.line(curve, CONSTRUCTION / 2, span)
+        elif isinstance(shape, Line):
+            placed = line_of(sketch, index, {})
+            sketch.obstacles.line([placed.start, placed.end], CONSTRUCTION / 2, span)
+
+
+def _compass_arc(sketch: Sketch, shape: Arc) -> Bow:
+    """Return what shows of a compass arc."""
+    scale, radius = sketch.scale, shape.radius * sketch.scale.factor
+    arc = Bow(scale(shape.centre), radius, shape.start, shape.sweep)
+    return visible_part(arc, sketch.setting.room)

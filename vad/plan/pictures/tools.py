@@ -8,10 +8,11 @@ from __future__ import annotations
 import cmath
 import math
 from dataclasses import dataclass
-from itertools import product
+from itertools import pairwise, product
 
 from vad.plan.geometry import SHORTEST, Rect
 from vad.plan.growth import Growth, Sliding, Turning
+from vad.plan.labels.obstacles import Obstacles
 from vad.plan.marks import Bow, Mark, area, disc, line
 
 STUB = 0.080
@@ -77,45 +78,55 @@ class SetSquare:
         waits = [(end - _lead(self.size, self.ahead)) / length for end in self.reach]
         shares = sorted({0.0, 1.0, *(share for share in waits if 0.0 < share < 1.0)})
         spots = [_corner(share * length, self.size, self.ahead, self.reach) for share in shares]
-        last = self.start + spots[-1] * self.way
         slide = Sliding(
             tuple(
                 (share, (spot - spots[-1]) * self.way)
                 for share, spot in zip(shares, spots, strict=True)
             )
         )
-        outer = [last + corner for corner in _shape(self.way, self.side, self.size, self.ahead)]
-        lengths = [abs(outer[2] - outer[1]), abs(outer[0] - outer[2]), abs(outer[1] - outer[0])]
-        incentre = sum(
-            (length * point for length, point in zip(lengths, outer, strict=True)), 0j
-        ) / sum(lengths)
-        window = [incentre + WINDOW * (point - incentre) for point in reversed(outer)]
+        outer, window = self.rings(length)
         return [
             area(outer, "set square", growth=slide, hole=window),
             area(outer, "set square edge", growth=slide, hole=window),
         ]
 
+    def rings(self, length: float) -> tuple[list[complex], list[complex]]:
+        """Return its outline and that of its window, where a line of ``length`` is drawn."""
+        rest = self.start + _corner(length, self.size, self.ahead, self.reach) * self.way
+        outer = [rest + corner for corner in _shape(self.way, self.side, self.size, self.ahead)]
+        lengths = [abs(outer[2] - outer[1]), abs(outer[0] - outer[2]), abs(outer[1] - outer[0])]
+        incentre = sum(
+            (length * point for length, point in zip(lengths, outer, strict=True)), 0j
+        ) / sum(lengths)
+        return outer, [incentre + WINDOW * (point - incentre) for point in reversed(outer)]
+
 
 def place_square(
-    start: complex, end: complex, way: complex, labels: list[complex], room: Rect
+    start: complex, end: complex, way: complex, labels: list[complex], obstacles: Obstacles
 ) -> SetSquare | None:
     """Return a set square on the emptier side of a line, None where there is no room for any.
 
-    That is the side where it slides over fewer of the ``labels``, which are given by their middles.
+    That is the side where it slides over fewer of the ``labels``, which are given by their middles,
+    and comes to rest on fewer of those among the ``obstacles``.
 
-    It lies within ``room`` wherever it slides: on the other side, with its right angle behind or
+    It lies within the panel wherever it slides: on the other side, with its right angle behind or
     smaller, if need be; at an edge it waits for the pencil.
     """
     found: list[tuple[float, SetSquare]] = []
-    inner, length = room.inside(0.003), ((end - start) * way.conjugate()).real
+    inner, length = obstacles.edge.inside(0.003), ((end - start) * way.conjugate()).real
     for side in sorted((1j * way, -1j * way), key=lambda side: side.imag):
         for size, ahead in product(SIZES, (1, -1)):
             corners = [start + by for by in _shape(way, side, size, ahead)]
             reach = _sliding(corners, way, inner)
             if reach and _covers(length, size, ahead, reach):
+                square = SetSquare(start, way, side, size, ahead, reach)
+                edges = [
+                    edge for ring in square.rings(length) for edge in pairwise([*ring, ring[0]])
+                ]
                 crowd = sum(_swept(label - start, way, side, size, length) for label in labels)
+                crowd += sum(not obstacles.clear_of_labels(*edge, 0.0) for edge in edges)
                 cost = crowd + 4.0 * (1.0 - size) + 0.1 * (ahead < 0)
-                found.append((cost, SetSquare(start, way, side, size, ahead, reach)))
+                found.append((cost, square))
     return min(found, key=lambda each: each[0])[1] if found else None
 
 

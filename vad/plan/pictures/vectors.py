@@ -5,6 +5,9 @@ In come a panel's strokes and its place, out goes a `Sketch`.
 
 from __future__ import annotations
 
+import math
+from itertools import product
+
 from vad.plan.geometry import Rect
 from vad.plan.growth import Growth, Scaling
 from vad.plan.items import ALWAYS, FOREVER, Level
@@ -22,8 +25,9 @@ from vad.strokes.language import Language
 from vad.strokes.sheet import Arrow, Dot, Line
 
 DOT = 0.0068
-NEAR = (0.014, 0.020, 0.027)
+NEAR = (0.014, 0.020, 0.027, 0.034)
 INSET_SIZES = (1.0, 0.8, 0.64)
+CAPTION_ROOMS = (math.inf, 0.18)  # in one line or, rather than at a smaller size, in two
 SMALLEST = 0.05  # of a dot, as it begins to swell
 
 
@@ -33,7 +37,8 @@ def draw(setting: Setting) -> Sketch:
     inset = setting.panel.inset
     if inset:
         rule = Language(setting.sheet.language).say("coriolis rule")
-        insets = [draw_inset(inset, rule, setting, size) for size in INSET_SIZES]
+        sizes = product(INSET_SIZES, CAPTION_ROOMS)
+        insets = [draw_inset(inset, rule, setting, size, room) for size, room in sizes]
         sketch = _with_inset(setting, insets, sketch)
     points = [vertex.at for vertex in find_vertices(setting.panel, sketch.scale)]
     placed = place_vectors(sketch)
@@ -67,7 +72,7 @@ def _sketch(setting: Setting, room: Rect) -> Sketch:
                 setting.after(index),
             )
     for vertex in vertices:
-        index = min(vertex.since)
+        index = vertex.since
         sketch.add(panel.strokes[index], Level.DOT, setting.after(index), [dot(vertex.at)])
         sketch.obstacles.disc(vertex.at, DOT + DOT_RIM, (setting.after(index), FOREVER))
     label_vertices(sketch, vertices, 0.0, NEAR)

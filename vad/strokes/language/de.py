@@ -5,6 +5,7 @@ PHRASES = {
     "results": "Ergebnisse",
     "given": "gegeben",
     "colon": ": ",
+    "legend": "grau: gegeben",
     "coriolis rule": "Coriolis: v um 90° mit ω gedreht",
     # Umlauf
     "stroke": "Hub",

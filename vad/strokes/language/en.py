@@ -5,6 +5,7 @@ PHRASES = {
     "results": "Results",
     "given": "given",
     "colon": ": ",
+    "legend": "grey: given",
     "coriolis rule": "Coriolis: v turned 90° with ω",
     # a turn
     "stroke": "stroke",

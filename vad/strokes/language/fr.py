@@ -4,6 +4,7 @@ _PHRASES = {
     # la page
     "results": "Résultats",
     "given": "donné",
+    "legend": "gris : donné",
     "colon": " : ",
     "coriolis rule": "Coriolis : v tournée de 90° avec ω",
     # un tour
