@@ -32,7 +32,11 @@ def test_the_largest_number_of_a_column_is_written_as_everywhere(
     ("unit", "values", "shown"),
     [
         ("mm/s", (-371.94, 0.0, -0.04, 9.96, 1250.0), ["−372", "0", "0", "10", "1250"]),
-        ("mm/s", (57543.2, -2345.0, 12.0), ["57\N{NARROW NO-BREAK SPACE}543", "−2\N{NARROW NO-BREAK SPACE}345", "12"]),
+        (
+            "mm/s",
+            (57543.2, -2345.0, 12.0),
+            ["57\N{NARROW NO-BREAK SPACE}543", "−2\N{NARROW NO-BREAK SPACE}345", "12"],
+        ),
         ("rad/s²", (2.5e7, -1e3), ["2,500×107", "0,000×107"]),  # 7 is raised
         ("°", (359.98, 7.0, 120.04), ["0,0", "7,0", "120,0"]),
     ],
