@@ -151,6 +151,15 @@ def test_placed_labels_never_overlap_however_many_there_are():
             assert apart_x or box.bottom >= other.top or other.bottom >= box.top
 
 
+def test_a_leader_that_must_cross_something_crosses_the_thinner():
+    obstacles = Obstacles(Rect(0, 0, 1, 1))
+    obstacles.line([0.53j, 1 + 0.53j], 0.02)
+    obstacles.line([0.47j, 1 + 0.47j], 0.001)
+    placed = place(obstacles, Wish(0.5 + 0.5j, 1j, 0.10, 0.053))
+    assert placed.leader
+    assert placed.box.top < 0.47
+
+
 def test_coincident_points_share_a_dot_and_a_label():
     sheet = slider_crank()
     panel, sketch = sheet.panel("velocity"), planned(sheet).sketches["velocity"]

@@ -4,15 +4,20 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 import vad
 from tests.plan.overlaps import planned
+from vad.painting.agg_painter import AggPainter
+from vad.painting.painter import Looks
 from vad.plan.board import Plan
 from vad.plan.items import Item
 from vad.plan.marks import Disc, Mark, Polygon, Polyline
 from vad.plan.pictures import machine
+from vad.plan.roles import DOT_RIM
 from vad.strokes.sheet import Arrow, Block
+from vad.style import load_style, style_names
 
 TURN = tuple(range(0, 360, 45))
 SHAPER: dict[str, Any] = {"rod": 100, "ram_height": 180}
@@ -126,6 +131,24 @@ def test_where_no_two_bodies_meet_is_a_dot():
         assert dot(lever, point(lever, "C")).role == role
     trammel = drawn("elliptical-trammel", angle=60)
     assert dot(trammel, point(trammel, "P")).role == "point"
+
+
+@pytest.mark.parametrize("style", style_names())
+def test_a_point_shows_on_a_bar_of_its_own_colour(style: str):
+    board, look = drawn("elliptical-trammel", high=1440, angle=45), load_style(style)
+    painter, looks = AggPainter(board.form), Looks(look)
+    painter.begin(board.form, look.background)
+    for item in board.shown(board.finished):
+        for mark in item.marks:
+            painter.paint(mark.shape, looks(mark))
+
+    def colour(at: complex) -> np.uint32:
+        return painter.words[1440 - 1 - int(1440 * at.imag), int(1440 * at.real)]
+
+    bar = point(board, "B") - point(board, "A")
+    rim = point(board, "P") + bar / abs(bar) * (machine.POINT + DOT_RIM / 2)
+    assert colour(point(board, "P")) == painter.word(look.text)
+    assert colour(rim) == painter.word(look.background)
 
 
 @pytest.mark.parametrize("rod", [None, 300])

@@ -64,6 +64,11 @@ def test_the_other_assembly_and_shape_of_page(name: str):
         assert overlaps(sheet, (1280, 720) if step % 2 else (1024, 768)) == []
 
 
+def test_the_letter_of_a_given_velocity_keeps_off_those_of_the_points():
+    sheet = vad.draw(vad.solve(vad.DoubleSlider(), position=600))
+    assert overlaps(sheet, (960, 720), lesson=True) == []
+
+
 def test_a_point_never_stands_in_two_labels():
     sheet = vad.draw(vad.solve(vad.FourBar(crank=1), angle=130, omega=100))
     for sketch in planned(sheet).sketches.values():

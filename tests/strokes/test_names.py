@@ -8,6 +8,7 @@ import pytest
 
 import vad
 from tests.strokes.poses import MECHANISMS, sheets
+from vad.strokes.language import languages
 
 FORM = re.compile(
     r"pole|[A-Z]\.(fixed|found|crossing|image)"
@@ -65,6 +66,13 @@ def test_names_are_the_same_in_every_language() -> None:
         for code in ("en", "de")
     )
     assert english == german
+
+
+@pytest.mark.parametrize("code", languages())
+def test_a_parameter_called_after_a_point_bears_its_letter(code: str) -> None:
+    sheet = vad.draw(vad.solve(vad.DoubleSlider(guide_a=10, guide_b=100)), language=code)
+    names = [name for name, _, _ in sheet.parameters]
+    assert [name[-2:] for name in names[1:]] == [" A", " B"]
 
 
 @pytest.mark.parametrize("mechanism", MECHANISMS.values(), ids=list(MECHANISMS))

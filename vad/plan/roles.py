@@ -90,7 +90,7 @@ ROLES: dict[str, Role] = {
     "block light": Role(line="row", width=LIGHT * 1.3 * BLOCK_RIM, join="round", alpha=0.20),
     "slot": Role(line="row", width=BLOCK_RIM, join="round"),
     "joint": Role(fill="ground", line="text", width=JOINT_RIM),
-    "point": Role(fill="text"),
+    "point": Role(fill="text", line="ground", width=DOT_RIM),
     "pivot": Role(fill="ground", line="text", width=0.0026),
     "rail": Role(line="grey", width=0.0026),
     "hatching": Role(line="grey", width=0.0022),

@@ -6,9 +6,9 @@ Pure geometry: in come shapes with the beats in which they show, out goes which 
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -87,13 +87,14 @@ class Obstacles:
             free &= ~_meets(at, sides, starts, ends, halves).any(axis=1)
         return free
 
-    def crossed(self, start: complex, end: complex) -> Literal["nothing", "strokes", "labels"]:
-        """Tell what a leader from ``start`` to ``end`` would pass through, the worst of it."""
+    def covered(self, start: complex, end: complex) -> float:
+        """Return how much of a leader would lie on strokes; it never runs through a label."""
         if not self.clear_of_labels(start, end, 1.5 * PIXEL):
-            return "labels"
+            return math.inf
         steps = max(2, int(abs(end - start) / (3.0 * PIXEL)))
         centres = [start + (end - start) * i / steps for i in range(1, steps)]
-        return "nothing" if self.free(centres, 0.0, 0.0, PIXEL).all() else "strokes"
+        lies_on = ~self.free(centres, 0.0, 0.0, PIXEL)
+        return float(lies_on.sum()) * abs(end - start) / steps
 
     def clear_of_labels(self, start: complex, end: complex, half_width: float) -> bool:
         """Tell whether a straight stroke would meet no box."""

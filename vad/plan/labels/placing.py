@@ -23,6 +23,7 @@ APART = 0.020 + 0.010j
 LEADER = 0.06
 WAYS = 32  # about a dot
 MOST_LEADERS = 160  # tried at each distance
+LENGTH_COUNTS = 0.5  # of a leader, beside how much of it lies on strokes
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,11 +150,11 @@ def _apart(spot: Placed, other: Placed) -> bool:
 
 
 def _far_off(obstacles: Obstacles, wish: Wish) -> Placed:
-    """Place a label away from its dot; one whose leader crosses nothing is preferred."""
-    fallback: Placed | None = None
+    """Place a label away from its dot: its leader crosses nothing, else little, and is short."""
+    least, best = math.inf, None
     bare: Placed | None = None
     for tight, centres in _far(obstacles.edge, wish):
-        if fallback or (bare and tight):
+        if best or (bare and tight):
             break
         clear, apart = (0.5 * PIXEL, 0j) if tight else (CLEARANCE, APART)
         free = obstacles.free(centres, wish.wide, wish.high, clear, apart)
@@ -161,14 +162,15 @@ def _far_off(obstacles: Obstacles, wish: Wish) -> Placed:
             spot = _led(wish, centres[int(index)])
             if not spot.leader:
                 return _settle(obstacles, spot)
-            crossed = obstacles.crossed(*spot.leader)
-            if crossed == "nothing":
+            covered = obstacles.covered(*spot.leader)
+            if not covered:
                 return _settle(obstacles, spot)
-            if crossed == "strokes":
-                fallback = fallback or spot
+            start, end = spot.leader
+            if covered + LENGTH_COUNTS * abs(end - start) < least:
+                least, best = covered + LENGTH_COUNTS * abs(end - start), spot
             bare = bare or Placed(spot.centre, wish.wide, wish.high)
     last = Placed(wish.around(GAP, 1)[0], wish.wide, wish.high)
-    return _settle(obstacles, fallback or bare or last)
+    return _settle(obstacles, best or bare or last)
 
 
 def _far(edge: Rect, wish: Wish) -> Iterator[tuple[bool, list[complex]]]:

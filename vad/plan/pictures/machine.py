@@ -12,7 +12,7 @@ import math
 from vad.plan.geometry import SHORTEST, direction_of
 from vad.plan.growth import Growth
 from vad.plan.marks import Mark, area, disc, line, lines
-from vad.plan.roles import BLOCK_RIM, JOINT_RIM
+from vad.plan.roles import BLOCK_RIM, DOT_RIM, JOINT_RIM
 
 JOINT = 0.0105
 JOINT_REACH = JOINT + JOINT_RIM / 2
@@ -38,8 +38,8 @@ def joint(at: complex, growth: Growth | None = None, size: float = 1.0) -> Mark:
 
 
 def point(at: complex, growth: Growth | None = None, size: float = 1.0) -> Mark:
-    """Return a point that is no joint."""
-    return disc(at, POINT * size, "point", growth=growth)
+    """Return a point that is no joint, with a rim that shows it on a bar of its own colour."""
+    return disc(at, POINT * size + DOT_RIM / 2, "point", growth=growth)
 
 
 def hatching(

@@ -10,7 +10,7 @@ from itertools import product
 
 from vad.plan.geometry import direction_of
 from vad.plan.items import Level
-from vad.plan.labels.placing import CLEARANCE, Placed, beside
+from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
@@ -58,7 +58,7 @@ def add_speed(sketch: Sketch, key: str, speed: float, size: float) -> None:
         spot = beside(at, side, CLEAR + CLEARANCE, wide, high)
         if not obstacles.free(line, 0.0, 0.0, CLEAR).all():
             continue
-        if obstacles.free([spot], wide, high, CLEARANCE)[0]:
+        if obstacles.free([spot], wide, high, CLEARANCE, APART)[0]:
             arrow = vector(start, end, row, "speed", whole=True)
             marks = [replace(mark, growth=None) for mark in arrow]
             marks.append(text_at(runs, runs, spot, SIZE, "tag", row))

@@ -165,7 +165,10 @@ PHRASES = {
 }
 
 #: Names of links, slides and parameters that differ from the program's own.
-NAMES: dict[str, str] = {}
+NAMES = {
+    "guide_a": "guide A",
+    "guide_b": "guide B",
+}
 
 #: Nouns have no gender, and all the same article.
 GENDERS: dict[str, str] = {}
