@@ -107,8 +107,7 @@ def test_a_tiny_ground_does_not_hide_the_rates_against_the_crank() -> None:
         vad.FourBar(crank=1e-199, rocker=1e140),
         vad.FourBar(ground=1e-199, rocker=1e140),
         vad.SliderCrank(crank=1e-199, rod=1.0, offset=1e140),
-        vad.SliderCrank(crank=1.0, rod=1e-199, offset=1e140),
-        vad.FourBar(coupler=1e-199, rocker=1e140),
+        vad.Whitworth(ground=1.0, crank=1e199, arm=1.0, rod=1e-199),
     ],
     ids=str,
 )

@@ -128,3 +128,63 @@ def test_many_poses_and_no_pose():
         vad.turn(vad.solve(vad.FourBar(), angle=[1.0, 2.0]))
     with pytest.raises(vad.AssemblyError, match="nowhere"):
         vad.turn(vad.FourBar(crank=500))
+
+
+def test_a_crank_turns_from_0_to_360_degrees_and_the_cycle_closes():
+    turn = vad.turn(vad.solve(vad.FourBar(), angle=90.0, omega=-3.0))
+    cycle = turn.cycle
+    assert (cycle.driver, cycle.output, turn.course.ends) == ("crank", "rocker", (360.0, 180.0))
+    assert turn.share(0) == pytest.approx(0.75)  # of a turn the other way round
+    assert turn.course.inputs(turn.course.opening)["angle"] == pytest.approx(0.0)
+    for tracks in cycle.tracks.values():
+        for way in tracks.values():
+            assert way[-1] == pytest.approx(way[0], abs=1e-6)
+    assert abs(cycle.curves["position"].values[1:] - cycle.curves["position"].values[:-1]).max() < 2
+
+
+@pytest.mark.parametrize("mechanism", [vad.Whitworth(rod=300), vad.GateActuator()])
+def test_the_points_of_a_pose_lie_on_the_ways_of_the_cycle(mechanism):
+    turn = vad.turn(mechanism, fps=90)
+    for frame in range(0, turn.frames, 45):
+        sheet, place = turn.pose(frame), turn.share(frame) * 720
+        if abs(place - round(place)) > 1e-6:
+            continue
+        for panel in sheet.panels:
+            ways = turn.cycle.tracks[panel.name]
+            arrows = [s.shape for s in panel.strokes if hasattr(s.shape, "head")]
+            ends = {a.head: a.end for a in arrows} | {a.tail: a.start for a in arrows}
+            size = max(abs(way).max() for way in ways.values())
+            for letter in ends.keys() & ways.keys():
+                assert abs(ways[letter][round(place)] - ends[letter]) < 1e-9 * size, letter
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "output", "ratio"),
+    [
+        # sin of half the lever's swing is 50 : 120 and 40 : 90; by the textbook's formula.
+        (vad.CrankSlottedLever(), "lever", 1.7528),
+        (vad.Whitworth(rod=300), "ram", 1.8304),
+        (vad.SliderCrank(), "slider", 1.0),
+        (vad.SliderCrank(offset=30), "slider", None),
+        (vad.ScotchYoke(), "yoke", 1.0),
+        (vad.GateActuator(), "arm", 1.0),
+        (vad.EllipticalTrammel(), "slider_b", 1.0),
+    ],
+)
+def test_what_comes_out_and_its_quick_return(mechanism, output: str, ratio: float | None):
+    cycle = vad.turn(mechanism).cycle
+    if ratio is None:  # both dead centres: crank and rod in line, stretched and folded
+        stretched, folded = math.asin(30 / 200), math.asin(30 / 80)
+        ratio = (math.pi + folded - stretched) / (math.pi - folded + stretched)
+    assert cycle.output == output
+    assert cycle.ratio == pytest.approx(ratio, abs=1e-3)
+    assert (cycle.back is None) == (ratio == 1.0)
+
+
+def test_the_slope_of_the_position_is_the_velocity():
+    """So it is for the eye, too: the curves share their axis."""
+    turn = vad.turn(vad.SliderCrank())
+    x, v = (turn.cycle.curves[name].values for name in ("position", "velocity"))
+    step = math.tau / 720 / 10.0  # seconds from sample to sample at 10 rad/s
+    slope = (x[2:] - x[:-2]) / (2 * step)
+    assert slope == pytest.approx(v[1:-1], abs=0.2)

@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 from vad.plan.lettering.glyphs import width
-from vad.plan.turning.fixed_width import Figures
-from vad.strokes.sheet import Cell
+from vad.plan.turning.fixed_width import fixed_width
 from vad.written import number
 
 
@@ -25,12 +24,24 @@ from vad.written import number
 def test_the_largest_number_of_a_column_is_written_as_everywhere(
     unit: str, values: tuple[float, ...]
 ):
-    cells = [Cell("v", value, unit) for value in values]
-    shown = "".join(run.text for run in Figures(cells)(cells[0]) if run.shown)
+    shown = "".join(run.text for run in fixed_width(unit, values).bare(values[0]))
     assert shown == number(values[0], unit).replace("⁶", "6")  # raised, as a run
 
 
-def test_thousands_are_parted_alike_in_all_of_a_column():
-    cells = [Cell("v", value, "mm/s") for value in (57543.2, -2345.0, 12.0)]
-    figures = Figures(cells, ",")
-    assert len({width(figures(cell), 1.0) for cell in cells}) == 1
+@pytest.mark.parametrize(
+    ("unit", "values", "shown"),
+    [
+        ("mm/s", (-371.94, 0.0, -0.04, 9.96, 1250.0), ["−372", "0", "0", "10", "1250"]),
+        (
+            "mm/s",
+            (57543.2, -2345.0, 12.0),
+            ["57\N{NARROW NO-BREAK SPACE}543", "−2\N{NARROW NO-BREAK SPACE}345", "12"],
+        ),
+        ("rad/s²", (2.5e7, -1e3), ["2,500×107", "0,000×107"]),  # 7 is raised
+        ("°", (359.98, 7.0, 120.04), ["0,0", "7,0", "120,0"]),
+    ],
+)
+def test_numbers_are_always_as_wide(unit: str, values: tuple[float, ...], shown: list[str]):
+    form = fixed_width(unit, values, ",")
+    assert ["".join(run.text for run in form.bare(value)) for value in values] == shown
+    assert len({width(form.runs(value), 1.0) for value in values}) == 1

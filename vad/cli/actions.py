@@ -30,10 +30,18 @@ def solve(mechanism: Mechanism, inputs: Inputs, as_json: bool = False) -> None:
     click.echo(json.dumps(motion.to_dict(), ensure_ascii=False) if as_json else motion.table())
 
 
-def draw(mechanism: Mechanism, inputs: Inputs, output: str, **options: Any) -> None:
-    """Write a pose as a picture, or its strokes as data, or a few poses side by side."""
+def draw(
+    mechanism: Mechanism, inputs: Inputs, output: str, turn: bool = False, **options: Any
+) -> None:
+    """Write a pose as a picture, or its strokes as data; or a few poses, or a whole turn."""
     at = options.pop("at", None)
-    kind = format_of(Sheet if at is None else Multiples, output)  # before anything is worked out
+    if turn and at is not None:
+        raise UsageError("--turn and --at: choose one of them")
+    if turn and "blank" in options:
+        raise UsageError("--blank is for one pose, not for a turn")
+    made = Turn if turn else Sheet if at is None else Multiples
+    kind = format_of(Sheet, output)  # before anything is worked out
+    format_of(made, output)
     if "paper" in options and kind != ".pdf":
         raise UsageError(f"--paper is for PDF, not for '{output}'", hint="as in -o sheet.pdf")
     if "blank" in options and kind == ".json":
@@ -41,11 +49,12 @@ def draw(mechanism: Mechanism, inputs: Inputs, output: str, **options: Any) -> N
             f"--blank is for pictures, not for '{output}'", hint="as in -o problem.pdf"
         )
     look = _pop(options, "style", "size", "paper", "blank")
-    drawn: Sheet | Multiples
-    if at is None:
-        drawn = vad.draw(vad.solve(mechanism, **inputs), **options)
-    else:
+    drawn: Sheet | Multiples | Turn
+    if at is not None:
         drawn = _multiples(mechanism, inputs, at, **options)
+    else:
+        motion = vad.solve(mechanism, **inputs)
+        drawn = (vad.turn if turn else vad.draw)(motion, **options)
     vad.save(drawn, output, **look)
     written(output)
 

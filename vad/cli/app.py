@@ -113,6 +113,9 @@ _SIZE = click.Option(
     ["--size"], callback=values.size(), metavar="WxH", help="in pixels  [1280x720]"
 )
 _PAPER = named_option("paper", "paper", paper_names(), "a PDF in true scale, to be measured")
+_POSITIONS = click.Option(
+    ["--turn"], is_flag=True, help="a full turn: the ways of all points, in twelve positions"
+)
 _AT = click.Option(
     ["--at"],
     callback=values.places(),
@@ -164,7 +167,7 @@ for verb in (
         "draw",
         "Draw the polygons of one pose.",
         actions.draw,
-        [_output(FORMATS[Sheet]), *_SHEET, _SIZE, _PAPER, _BLANK, _AT],
+        [_output(FORMATS[Sheet]), *_SHEET, _SIZE, _PAPER, _BLANK, _AT, _POSITIONS],
     ),
     MechanismGroup(
         "animate",

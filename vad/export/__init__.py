@@ -54,6 +54,9 @@ FORMATS: dict[type, dict[str, str]] = {
     Turn: {
         ".mp4": "vad.export.mp4.mp4",
         ".gif": "vad.export.gif.gif",
+        ".png": "vad.export.png",
+        ".svg": "vad.export.svg",
+        ".pdf": "vad.export.pdf",
         FOLDER: "vad.export.frames",
     },
     Still: {
@@ -103,8 +106,8 @@ def save(
     thing
         A `Sheet` (.png, .svg, .pdf, .json), a `Lesson` (.mp4, .gif, .pdf with a page a step,
         .srt, .vtt, or a folder of PNG frames: a path that ends in ``/``, has no extension, or is
-        an existing folder), a `Turn` (.mp4, .gif or a folder), or a `Still` of a lesson or
-        `Multiples` (.png, .svg, .pdf).
+        an existing folder), a `Turn` (.mp4, .gif or a folder; .png, .svg and .pdf with twelve
+        numbered positions), or a `Still` of a lesson or `Multiples` (.png, .svg, .pdf).
     path
         Where to.  What stands there is replaced when the new file is complete, and not before.
     beside

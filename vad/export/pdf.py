@@ -1,4 +1,7 @@
-"""A picture as PDF: in comes a sheet or a step of a lesson, out goes one page of vector paths."""
+"""A picture as PDF: one page of vector paths.
+
+In comes a sheet, a step of a lesson, or a turn with numbered positions.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,7 @@ from typing import BinaryIO
 
 from vad.errors import UsageError
 from vad.lecture.still import Still
+from vad.lecture.turn import Turn
 from vad.painting.pdf_painter import PdfPainter
 from vad.painting.posed import posed
 from vad.strokes.multiples import Multiples
@@ -14,7 +18,7 @@ from vad.strokes.sheet import Sheet
 
 
 def write(
-    thing: Sheet | Still | Multiples,
+    thing: Sheet | Still | Turn | Multiples,
     target: BinaryIO,
     size: tuple[int, int] | None = None,
     style: str | None = None,

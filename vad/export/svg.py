@@ -1,4 +1,7 @@
-"""A picture as SVG: in comes a sheet or a step of a lesson, out go its shapes, and it in words."""
+"""A picture as SVG: its shapes, and it in words.
+
+In comes a sheet, a step of a lesson, or a turn with numbered positions.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +9,7 @@ from collections.abc import Sequence
 from typing import BinaryIO
 
 from vad.lecture.still import Still
+from vad.lecture.turn import Turn
 from vad.painting.posed import posed
 from vad.painting.svg_painter import SvgPainter, Text
 from vad.strokes.multiples import Multiples
@@ -13,7 +17,7 @@ from vad.strokes.sheet import Sheet
 
 
 def write(
-    thing: Sheet | Still | Multiples,
+    thing: Sheet | Still | Turn | Multiples,
     target: BinaryIO,
     size: tuple[int, int] | None = None,
     style: str | None = None,

@@ -138,12 +138,17 @@ def _hidden(solver: Solver, grid: NDArray[np.float64]) -> list[float]:
     ]
     if not loops:
         return []
-    states = [_nearness(solver, place, loops) for place in grid]
+    closes = solver.closes(grid)
+    crossing = np.abs(solver.sines(grid)[loops]).min(axis=0)
+    near = [
+        s if c else _nearness(solver, x, loops)[1]
+        for x, s, c in zip(grid, crossing, closes, strict=True)
+    ]
     found = []
     for i in range(1, len(grid) - 1):
-        (before, far), (closes, near), (after, other) = states[i - 1 : i + 2]
-        if before == closes == after and far > near <= other and near < _NEAR:
-            found += _beyond(solver, grid[i - 1], grid[i + 1], closes, loops)
+        alike = closes[i - 1] == closes[i] == closes[i + 1]
+        if alike and near[i - 1] > near[i] <= near[i + 1] and near[i] < _NEAR:
+            found += _beyond(solver, grid[i - 1], grid[i + 1], bool(closes[i]), loops)
     return found
 
 

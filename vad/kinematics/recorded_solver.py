@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from vad.kinematics.evaluation import Evaluation
@@ -53,6 +54,11 @@ class RecordedSolver:
             outputs = [_without_sign(x) for x in _parts([value])]
             self._results[result] = Program(self._known(order_of(result)), outputs)
         return self._results[result]
+
+    @cached_property
+    def sines(self) -> Program:
+        """What leads from the driver's place to the sine of each loop."""
+        return Program(self._inputs[:1], self._evaluation.pose.sine)
 
     def _known(self, order: int) -> tuple[Recorded, ...]:
         """Return the inputs and the numbers of an order and of those below."""

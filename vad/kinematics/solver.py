@@ -93,6 +93,12 @@ class Solver:
         """Tell for many places of the driver whether the links close."""
         return self.recorded.order(0).many([places], places.size)[0]
 
+    def sines(self, places: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return for many places of the driver the sines of every loop, as rows."""
+        found = np.empty((len(self.loops), places.size))
+        self.recorded.sines.play([places], list(found))
+        return found
+
     @cached_property
     def routes(self) -> Routes:
         """The ways along which points are reached."""

@@ -60,11 +60,21 @@ class Course:
             )
         )
 
-    def share(self, phase: float) -> float:
-        """Return the rate of the driver as a share of its greatest, from −1 to 1."""
+    @property
+    def opening(self) -> float:
+        """The phase at which the driver passes 0°, or the lower end of its swing."""
         if self.swing is not None:
-            return -math.sin(self.swing[2] + math.tau * phase) if self.swing[3] else 0.0
-        return math.copysign(1.0, self.given[1]) if self.given[1] else 0.0
+            return (math.pi - self.swing[2]) / math.tau % 1.0
+        place, rate, _ = self.given
+        return math.copysign(1.0, -rate) * place / 360.0 % 1.0
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """The driver's place at the opening and half a cycle later: the ends of a swing."""
+        if self.swing is not None:
+            middle, half = self.swing[:2]
+            return middle - half, middle + half
+        return (0.0, 180.0) if math.copysign(1.0, self.given[1]) > 0 else (360.0, 180.0)
 
 
 def course(motion: Motion) -> Course:

@@ -17,6 +17,7 @@ from vad.strokes.sheet import Sheet
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
     from vad.lecture.course import Course
+    from vad.lecture.cycle import Cycle
     from vad.mechanisms.mechanism import Mechanism
 
 SECONDS = 8.0
@@ -46,6 +47,17 @@ class Turn:
     def sheet(self) -> Sheet:
         """The sheet of the first frame."""
         return self.pose(0)
+
+    @property
+    def cycle(self) -> Cycle:
+        """The whole turn solved at once: the ways of its points, and what comes out."""
+        from vad.lecture.cycle import cycle_of
+
+        return cycle_of(self.mechanism, self.course, self.panels, self.language, _LATER)
+
+    def share(self, frame: int) -> float:
+        """Return the share of the cycle at a frame: 0 where the driver passes 0°."""
+        return (frame / self.frames - self.course.opening) % 1.0
 
     def pose(self, frame: int) -> Sheet:
         """Return the sheet of one frame."""

@@ -60,6 +60,8 @@ class _Incremental:
         self._beat: int | None = None
         self._near = 0.0
         self._dirty: Box = EMPTY
+        #: Of each region what it showed at first since its last change, painted.
+        self._beneath: dict[str, tuple[list[Item], Words]] = {}
         self.pixels = self._painter.pixels
 
     def show(self, moment: Moment) -> Box:
@@ -115,15 +117,31 @@ class _Incremental:
         """Repaint the regions that look different; keep what lies beneath the top as base."""
         self._cut(self._dirty)[:] = self._base[window(self._dirty)]
         for region, items in regions.items():
-            area = self._pixels_of(self._board.regions[region])
-            self._cut(area)[:] = self._ground
-            for item in items[: _first_growing(items, beat)]:
-                for mark in item.marks:
-                    self._painter.paint(mark.shape, self._looks(mark))
+            self._repaint(region, items[: _first_growing(items, beat)])
         self._base[:] = self._words
         self._dirty = EMPTY
         for mark, spot in top:
             if spot is not None:
+                self._painter.paint(mark.shape, self._looks(mark))
+
+    def _repaint(self, region: str, items: list[Item]) -> None:
+        """Paint a region; what it showed at first the last time, too, is painted already."""
+        area = self._cut(self._pixels_of(self._board.regions[region]))
+        before, picture = self._beneath.get(region, ([], None))
+        kept = _shared(before, items)
+        if picture is not None and kept == len(before):
+            area[:] = picture
+        else:
+            area[:] = self._ground
+            self._paint(items[:kept])
+            self._beneath[region] = items[:kept], area.copy()
+        self._paint(items[kept:])
+        if picture is None:
+            self._beneath[region] = items, area.copy()
+
+    def _paint(self, items: list[Item]) -> None:
+        for item in items:
+            for mark in item.marks:
                 self._painter.paint(mark.shape, self._looks(mark))
 
     def _at(self, top: list[tuple[Mark, Box | None]], share: float) -> list[tuple[Mark, Box, bool]]:
@@ -187,6 +205,14 @@ class _Incremental:
             min(max(math.ceil(area.right * unit), 0), width),
             min(max(height - math.floor(area.bottom * unit), 0), height),
         )
+
+
+def _shared(one: list[Item], other: list[Item]) -> int:
+    """Return how many items two lists begin with alike."""
+    alike = (first is second for first, second in zip(one, other, strict=False))
+    return next(
+        (number for number, same in enumerate(alike) if not same), min(len(one), len(other))
+    )
 
 
 def _growing(item: Item, beat: int | None) -> bool:

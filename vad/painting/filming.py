@@ -25,4 +25,4 @@ def filmed(film: Lesson | Turn, most: float = math.inf) -> Iterator[Frame]:
     from vad.plan.turning.turn_board import TurnBoard
 
     states = ((Moment(number), 1) for number in range(film.frames))
-    return frames(TurnBoard(film, style.key), states, style)
+    return frames(TurnBoard(film), states, style)

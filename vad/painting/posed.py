@@ -13,6 +13,7 @@ from vad.lecture.lesson import Lesson
 from vad.lecture.moment import Moment
 from vad.lecture.still import Still, part
 from vad.lecture.timeline import check_size
+from vad.lecture.turn import Turn
 from vad.painting.agg_painter import AggPainter
 from vad.painting.painter import Painter, play
 from vad.plan.board import Board, Plan, plan
@@ -59,7 +60,7 @@ class Posed:
 
 
 def posed(
-    thing: Sheet | Still | Multiples,
+    thing: Sheet | Still | Turn | Multiples,
     size: tuple[int, int] | None = None,
     style: str | None = None,
     paper: str | None = None,
@@ -67,19 +68,25 @@ def posed(
 ) -> Posed:
     """Return a picture on its page; a step of a lesson has a size and a style already.
 
-    ``paper`` is the name of a size of paper, whose format and true scale the page takes; ``blank``
-    names panels of a sheet that are left to be drawn.
+    A turn stands still, with twelve numbered positions; it has its own size and style unless
+    others are given.  ``paper`` is the name of a size of paper, whose format and true scale the
+    page takes; ``blank`` names panels of a sheet that are left to be drawn.
     """
     if blank is not None and not isinstance(thing, Sheet):
-        what = "a step of a lesson" if isinstance(thing, Still) else "several poses"
-        raise UsageError(f"blank: not for {what}", hint="for a whole sheet")
+        what = {Still: "a step of a lesson", Turn: "a turn", Multiples: "several poses"}
+        raise UsageError(f"blank: not for {what[type(thing)]}", hint="for a whole sheet")
     if isinstance(thing, Still):
         lesson = thing.lesson
         return Posed(board_of(lesson), thing.moment, load_style(lesson.style), thing.drawn)
-    form = screen(SIZE if size is None else check_size(size))
+    usual = (thing.size, thing.style) if isinstance(thing, Turn) else (SIZE, STYLE)
+    form = screen(usual[0] if size is None else check_size(size))
     if paper is not None:
         form = paper_format(paper)
-    look = load_style(STYLE if style is None else style)
+    look = load_style(usual[1] if style is None else style)
+    if isinstance(thing, Turn):
+        from vad.plan.turning.numbered_turn import NumberedTurn
+
+        return Posed(NumberedTurn(thing, form), Moment(0), look, thing.sheet)
     if isinstance(thing, Multiples):
         several = MultiplesBoard(thing, form)
         return Posed(several, Moment(0), look, thing.sheets[0], thing.sheets[1:])

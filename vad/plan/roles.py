@@ -112,6 +112,18 @@ ROLES: dict[str, Role] = {
     "compass arc": Role(line="row", width=0.75 * CONSTRUCTION, dash=(6.7, 4.3)),
     "right angle": Role(line="row", width=0.0022),
     "stub": Role(line="row", width=0.0022, alpha=0.7),
+    # a turn
+    "hodograph": Role(line="row", width=0.0026, join="round", alpha=0.40),
+    "tail": Role(line="row", width=0.0046, join="round"),
+    "return way": Role(line="text", width=0.0040, join="round", alpha=0.85),
+    "position": Role(fill="row"),
+    "numeral": Role(fill="row", halo=0.6 * HALO),
+    "dimension": Role(line="grey", width=0.0020),
+    "return": Role(fill="hairline", alpha=0.30),
+    "curve": Role(line="text", width=0.0046, join="round"),
+    "curve ahead": Role(line="grey", width=0.0026, join="round", alpha=0.60),
+    "axis line": Role(line="grey", width=0.0018),
+    "cursor": Role(line="row", width=0.0026),
     # the Coriolis inset
     "inset lever": Role(line="row", width=0.0066, cap="round"),
     "inset block": Role(fill="tint", line="row", width=0.0030),

@@ -5,7 +5,7 @@ In comes any data of a sheet, out goes its equal, which reads back from a file b
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import fields
 from functools import cache
 from typing import Any
@@ -19,22 +19,22 @@ def canonical(value: Any) -> Any:
     >>> canonical((-0.0, complex(-0.0, 2.0), "−0"))
     (0.0, 2j, '−0')
     """
-    match value:
-        case None | str() | int():
-            return value
-        case complex():
-            return complex(float(value.real) + 0.0, float(value.imag) + 0.0)
-        case float():
-            return float(value) + 0.0
-        case tuple():
-            return tuple(map(canonical, value))
-        case Mapping():
-            return {key: canonical(each) for key, each in value.items()}
-        case _:  # a data class
-            cls: Any = type(value)
-            return cls(*(canonical(getattr(value, name)) for name in _attributes(cls)))
+    cls: Any = type(value)
+    return _way(cls)(value)
 
 
 @cache
-def _attributes(cls: Any) -> tuple[str, ...]:
-    return tuple(field.name for field in fields(cls))
+def _way(cls: Any) -> Callable[[Any], Any]:
+    """Return how data of a type become canonical."""
+    if issubclass(cls, str | int | type(None)):
+        return lambda value: value
+    if issubclass(cls, complex):
+        return lambda value: complex(float(value.real) + 0.0, float(value.imag) + 0.0)
+    if issubclass(cls, float):
+        return lambda value: float(value) + 0.0
+    if issubclass(cls, tuple):
+        return lambda value: tuple(map(canonical, value))
+    if issubclass(cls, Mapping):
+        return lambda value: {key: canonical(each) for key, each in value.items()}
+    names = [field.name for field in fields(cls)]
+    return lambda value: cls(*[canonical(getattr(value, name)) for name in names])

@@ -5,9 +5,9 @@ In comes the scene of a pose, out goes a `Panel`; a kind is one file of `vad.str
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vad.strokes.sheet import Cell, CoriolisInset, Equation, Panel, Picture, Stroke
 
@@ -30,6 +30,11 @@ def no_cells(scene: Scene, name: str) -> tuple[Cell, ...]:
     return ()
 
 
+def no_tracks(scene: Scene) -> Mapping[str, Any]:
+    """Follow no point."""
+    return {}
+
+
 @dataclass(frozen=True, slots=True)
 class Diagram:
     """A kind of diagram.
@@ -50,6 +55,8 @@ class Diagram:
         From a scene to its strokes.
     link, slide
         From a scene and the name of a link or slide to the cells that it adds to that row.
+    tracks
+        From a scene to where its lettered points are: complex arrays where it has many poses.
     usual
         Whether it is drawn where nobody asks for it by name.
     """
@@ -62,6 +69,7 @@ class Diagram:
     pose: Callable[[Scene], Drawing]
     link: Callable[[Scene, str], tuple[Cell, ...]] = no_cells
     slide: Callable[[Scene, str], tuple[Cell, ...]] = no_cells
+    tracks: Callable[[Scene], Mapping[str, Any]] = no_tracks
     usual: bool = True
 
     def panel(self, scene: Scene) -> Panel:

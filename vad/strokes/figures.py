@@ -90,42 +90,58 @@ class Figures:
 
         What is measured last is settled first: its factors are the results of what came before.
         """
-        digits: dict[str, int] = {}
-        notation = replace(notation, digits=digits)
+        calculator = _Calculator(notation)
         before = None
-        while before != digits:
-            before = dict(digits)
+        while before != calculator.digits:
+            before = dict(calculator.digits)
             for result, factors in reversed(self._products):
-                while not _holds(result, factors, notation):
-                    finer = _to_refine(result, factors, notation)
+                while not calculator.agrees(result, factors):
+                    finer = calculator.to_refine(result, factors)
                     if finer is None:
                         break
-                    digits[key(finer.value)] = _count(finer, notation) + 1
-        return notation
+                    calculator.refine(finer)
+        return calculator.notation
 
 
-def _holds(result: Figure, factors: tuple[Figure, ...], notation: Notation) -> bool:
-    """Tell whether the printed factors give the printed result, and that clearly: no tie."""
-    printed = result.printed(notation)
-    product = Decimal(1)
-    for factor in factors:
-        power = Decimal(factor.power)
-        product = _EXACT.multiply(product, _EXACT.power(factor.printed(notation), power))
-    last = Decimal(1).scaleb(int(printed.as_tuple().exponent))
-    return 2 * abs(_EXACT.subtract(product, printed)) < last
+class _Calculator:
+    """What a pocket calculator makes of printed numbers, while their digits are settled."""
 
+    def __init__(self, notation: Notation) -> None:
+        self.digits: dict[str, int] = {}
+        self.notation = replace(notation, digits=self.digits)
+        self._printed: dict[Figure, Decimal] = {}
 
-def _to_refine(result: Figure, factors: tuple[Figure, ...], notation: Notation) -> Figure | None:
-    """Return the number that is to have a further digit; None where no digits are left."""
-    most = min(_count(result, notation) + MORE, _ALL)
-    rounded = [f for f in factors if float(f.printed(notation)) != notation.scaled(f.value, f.unit)]
-    rough = [f for f in rounded if _count(f, notation) < most]
-    coarsest = min(rough, key=lambda factor: _count(factor, notation), default=result)
-    return coarsest if _count(coarsest, notation) < _ALL else None
+    def agrees(self, result: Figure, factors: tuple[Figure, ...]) -> bool:
+        """Tell whether the printed factors give the printed result, and that clearly: no tie."""
+        printed = self._read(result)
+        product = Decimal(1)
+        for factor in factors:
+            power = Decimal(factor.power)
+            product = _EXACT.multiply(product, _EXACT.power(self._read(factor), power))
+        last = Decimal(1).scaleb(int(printed.as_tuple().exponent))
+        return 2 * abs(_EXACT.subtract(product, printed)) < last
 
+    def to_refine(self, result: Figure, factors: tuple[Figure, ...]) -> Figure | None:
+        """Return the number that is to have a further digit; None where no digits are left."""
+        most = min(self._count(result) + MORE, _ALL)
+        scaled = self.notation.scaled
+        rounded = [f for f in factors if float(self._read(f)) != scaled(f.value, f.unit)]
+        rough = [f for f in rounded if self._count(f) < most]
+        coarsest = min(rough, key=self._count, default=result)
+        return coarsest if self._count(coarsest) < _ALL else None
 
-def _count(figure: Figure, notation: Notation) -> int:
-    """Return the significant digits of a number as it is written."""
-    if figure.given:
-        return max(GIVEN, notation.digits.get(key(figure.value), 0))
-    return max(MEASURED, len(figure.printed(notation).as_tuple().digits))
+    def refine(self, figure: Figure) -> None:
+        """Give a number a further digit, wherever it stands."""
+        self.digits[key(figure.value)] = self._count(figure) + 1
+        self._printed.clear()
+
+    def _read(self, figure: Figure) -> Decimal:
+        if figure not in self._printed:
+            self._printed[figure] = figure.printed(self.notation)
+        return self._printed[figure]
+
+    def _count(self, figure: Figure) -> int:
+        """Return the significant digits of a number as it is written."""
+        if figure.given:
+            return max(GIVEN, self.digits.get(key(figure.value), 0))
+        return max(MEASURED, len(self._read(figure).as_tuple().digits))

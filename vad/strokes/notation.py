@@ -37,8 +37,10 @@ class Notation:
 
     def unit(self, unit: str) -> str:
         """Return the unit in which the numbers of ``unit`` are written."""
+        if not self.metres:
+            return unit
         length, per, time = unit.partition("/")
-        return f"m/{time}" if self.metres and per and length in _TO_A_METRE else unit
+        return f"m/{time}" if per and length in _TO_A_METRE else unit
 
     def scaled(self, value: float, unit: str) -> float:
         """Return a value of ``unit`` in the unit in which it is written."""
@@ -46,7 +48,7 @@ class Notation:
 
     def plain(self, value: float, unit: str = "", given: bool = False) -> str:
         """Write a value of ``unit`` in the notation of programs."""
-        digits = self.digits.get(key(value), 0)
+        digits = self.digits.get(key(value), 0) if self.digits else 0
         return plain(self.scaled(value, unit), self.unit(unit), given, digits)
 
     def number(self, value: float, unit: str = "", given: bool = False) -> str:

@@ -126,10 +126,17 @@ class Scene:
         given = isinstance(bar.length, float) or length_of(bar.length) == self.driver
         return Figure(self.size(bar), unit, given, power)
 
+    @cached_property
+    def _velocity(self) -> Rates:
+        return self.motion.velocity
+
+    @cached_property
+    def _acceleration(self) -> Rates:
+        return self.motion.acceleration
+
     def orders(self, order: int) -> tuple[Rates, ...]:
         """Return the rates up to an order, solved for no further than that."""
-        motion = self.motion
-        return (motion.velocity,) if order == 1 else (motion.velocity, motion.acceleration)
+        return (self._velocity,) if order == 1 else (self._velocity, self._acceleration)
 
     def rate(self, name: str, order: int) -> float:
         """Return ω or α of a link."""

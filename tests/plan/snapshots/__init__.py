@@ -58,7 +58,7 @@ def _still(scene: str) -> Iterable[str]:
 def _turn(scene: str) -> Iterable[str]:
     name, dimensions, inputs = SCENES[scene]
     motion = vad.solve(vad.MECHANISMS[name](**dimensions), **inputs)
-    board = TurnBoard(vad.turn(motion, fps=10), KEY)
+    board = TurnBoard(vad.turn(motion, fps=10))
     for frame in (0, 29):
         yield f"frame {frame}"
         yield from written(board.shown(frame))

@@ -17,6 +17,7 @@ from vad.export.boxes import bands, parted
 from vad.export.gif.image import image_bytes
 from vad.export.palette import Palette, coarse
 from vad.export.source import Film, Progress, painted, rate
+from vad.lecture.turn import Turn
 from vad.painting.picture import EMPTY, Box, Frame, union
 
 Bytes = NDArray[np.uint8]
@@ -25,6 +26,8 @@ Bytes = NDArray[np.uint8]
 MOST = 9.0
 #: Many players take a delay of less than 2 hundredths of a second for a tenth.
 _SHORTEST = 2
+#: In a turn all moves at once, and a picture stands at least so long; that halves the file.
+_SHORTEST_OF_TURN = 7
 _LONGEST = 0xFFFF
 #: After a pause as long as this, a picture may come in that many bands; see `_Film.show`.
 _PAUSE, _BANDS = 10, 3
@@ -39,6 +42,7 @@ def write(lesson: Film, stream: BinaryIO, *, progress: Progress | None = None) -
         size=lesson.size,
         rate=rate(lesson.fps),
         palette=coarse(lesson.style),
+        shortest=_SHORTEST_OF_TURN if isinstance(lesson, Turn) else _SHORTEST,
     )
 
 
@@ -49,13 +53,14 @@ def encode(
     size: tuple[int, int],
     rate: Fraction,
     palette: Palette,
+    shortest: int = _SHORTEST,
 ) -> None:
     """Encode ``frames`` of ``size`` (width, height) at ``rate`` frames a second.
 
     Times are rounded to hundredths of a second from the start, so that they do not add up to an
-    error.  Above 50 frames a second, some pictures are left out.
+    error.  Pictures that would stand for less than ``shortest`` hundredths are left out.
     """
-    film = _Film(stream, size, palette)
+    film = _Film(stream, size, palette, shortest)
     done = 0
     for frame, boxes in parted(frames, size):
         for box in boxes:
@@ -72,9 +77,12 @@ def _hundredths(seconds: Fraction) -> int:
 class _Film:
     """A GIF in the making; holds the last image back until its duration is known."""
 
-    def __init__(self, stream: BinaryIO, size: tuple[int, int], palette: Palette) -> None:
+    def __init__(
+        self, stream: BinaryIO, size: tuple[int, int], palette: Palette, shortest: int
+    ) -> None:
         self._stream = stream
         self._palette = palette
+        self._shortest = shortest
         self._bits = max(2, int(len(palette.colours) - 1).bit_length())
         self._now: Bytes = np.zeros(size[::-1], np.uint8)
         self._shown: Bytes = np.zeros(size[::-1], np.uint8)
@@ -101,7 +109,7 @@ class _Film:
             return
         rest = 0 if self._held is None else start - self._held[0]
         if self._held is not None:
-            start = max(start, self._held[0] + _SHORTEST)
+            start = max(start, self._held[0] + self._shortest)
         if start >= end:
             return
         boxes = bands(self._now, self._shown, self._stale, _BANDS if rest >= _PAUSE else 1)

@@ -138,17 +138,16 @@ class TwoAngles:
         spread = total * total
         root = _root(below, above, 4.0 * r * q, square + spread, square + difference * difference)
         # Both feet from Heron's factor: the short bar's from no difference of the long ones.
-        half = (0.5 * self.side) * root
-        square = nonzero(square)  # else the bars fold onto each other and may turn together
-        sideways = half / square
-        twice = 2.0 * square
         along = above + (2.0 * difference) * r, (2.0 * difference) * q - above
-        # A strut without length may point anywhere; a bar that is nothing beside others has none.
-        some, other = nonzero(r), nonzero(q)
-        first = times(gap, vector(along[0] / nonzero(some * twice), sideways / some))
-        second = times(gap, vector(along[1] / nonzero(other * twice), sideways / other))
-        sine = half / nonzero(some * other)
-        return first, second, select((r == 0.0) & (half == 0.0), 0.0, sine)
+        sideways = self.side * root
+        # Over no gap the bars fold onto each other and may turn together; a strut without length
+        # may point anywhere.
+        twice = 2.0 * square
+        at_r, at_q = nonzero(twice * r), nonzero(twice * q)
+        first = times(gap, vector(along[0] / at_r, sideways / at_r))
+        second = times(gap, vector(along[1] / at_q, sideways / at_q))
+        sine = sideways / nonzero(2.0 * r * q)
+        return first, second, select((r == 0.0) & (root == 0.0), 0.0, sine)
 
     @staticmethod
     def miss(triangle: Triangle) -> float:
@@ -186,12 +185,11 @@ class AngleAndLength:
 
     def close(self, gap: Number, u: Number) -> tuple[Number, Number, Number]:
         """Return the bar's unit vector seen along g, the length s and the sine of normal and g."""
-        r = self.r
         below, above, height = self._rise(gap, u)
-        spread = r + abs(height)
-        root = self.side * _root(below, above, 2.0 * r, spread, spread)
-        some = nonzero(r)
-        return vector(root / some, height / some), root - dot(self.g, gap), -root / some
+        spread = self.r + abs(height)
+        root = self.side * _root(below, above, 2.0 * self.r, spread, spread)
+        r = nonzero(self.r)  # a bar that is nothing beside others
+        return vector(root / r, height / r), root - dot(self.g, gap), -root / r
 
     def miss(self, gap: Number, u: Number) -> float:
         """Return by how much the line of one pose is too far away."""

@@ -16,7 +16,7 @@ TITLE = 0.037
 SCALE = 0.030
 LONGEST_BAR = 0.12
 SHORTEST_BAR = 0.03
-LEAST_TITLE = 0.024
+LEAST_TITLE, LEAST_SCALE = 0.024, 0.020
 GAP = 0.0125  # from the bar to its value
 APART = 0.0225  # the least from title to bar
 RISE = 0.0098  # of the bar above the baseline
@@ -41,10 +41,13 @@ def head(
         runs = _stated(panel, value, notation)
     else:
         value, runs = _fitting(panel, scale, right - left - width(title, TITLE), notation)
-    length, start = value * scale.factor, right - width(runs, SCALE)
+    length = value * scale.factor
+    beside = right - left - width(title, LEAST_TITLE) - APART - length - GAP
+    size = fitted(runs, SCALE, LEAST_SCALE, beside)
+    start = right - width(runs, size)
     room = start - GAP - length - APART - left
     marks = _head(panel, place, fitted(title, TITLE, LEAST_TITLE, room))
-    marks.append(Mark(Lettering(runs, complex(start, place.title), SCALE), "notes"))
+    marks.append(Mark(Lettering(runs, complex(start, place.title), size), "notes"))
     end, y = start - GAP, place.title + RISE
     first = end - length
     marks.append(line([complex(first, y), complex(end, y)], "scale bar"))

@@ -1,1 +1,1 @@
-"""A mechanism in motion: the page of a turn, with labels that glide and numbers that keep still."""
+"""A mechanism in motion: the page of a turn, its hodographs and curves, and labels that glide."""

@@ -1,6 +1,6 @@
-"""Numbers that change without wobbling: each column has its decimals, and room for every digit.
+"""Numbers that change without wobbling: all of a kind have as many decimals and as much room.
 
-In come all cells of a turn, out goes the type of any cell, always as wide as the widest.
+In come all values of a quantity, out goes the type of any of them, always as wide as the widest.
 """
 
 from __future__ import annotations
@@ -9,23 +9,23 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from vad.plan.lettering.runs import Run, Runs, roman
-from vad.strokes.sheet import Cell
 from vad.written import MEASURED, MINUS, THIN_SPACE, WRITTEN_OUT, in_turn, power_of_ten, typeset
 
 
 @dataclass(frozen=True, slots=True)
 class FixedWidth:
-    """How the numbers of one unit are written.
+    """How the numbers of one quantity are written.
 
     They are multiples of ten to the ``power``, with so many ``digits`` before and ``decimals``
-    after the point; ``signed`` where some are
-    negative; ``point`` is the decimal sign.
+    after the point; ``signed`` where some are negative, ``turns`` where they are degrees;
+    ``point`` is the decimal sign.
     """
 
     digits: int
     decimals: int
     signed: bool
     power: int = 0
+    turns: bool = False
     point: str = "."
 
     def runs(self, value: float) -> Runs:
@@ -36,6 +36,7 @@ class FixedWidth:
         >>> "".join(run.text for run in FixedWidth(3, 1, True).runs(-7.25) if run.shown)
         '−7.2'
         """
+        value = in_turn(value) if self.turns else value
         size = round(abs(value) / 10.0**self.power, self.decimals)
         text = f"{size:.{self.decimals}f}"
         negative = value < 0 and float(text) != 0
@@ -49,29 +50,20 @@ class FixedWidth:
         tail = power_of_ten(self.power) if self.power else ""
         return blank + roman((MINUS if negative else "") + shown + tail)
 
-
-class Figures:
-    """The forms of all columns of a turn, by their units."""
-
-    def __init__(self, cells: Iterable[Cell], point: str = ".") -> None:
-        values: dict[str, list[float]] = {}
-        for cell in cells:
-            values.setdefault(cell.unit, []).append(cell.value)
-        self._forms = {unit: _form(unit, known, point) for unit, known in values.items()}
-
-    def __call__(self, cell: Cell) -> Runs:
-        """Return a cell's number in the form of its column."""
-        value = in_turn(cell.value) if cell.unit == "°" else cell.value
-        return self._forms[cell.unit].runs(value)
+    def bare(self, value: float) -> Runs:
+        """Return a number as wide as it is."""
+        return tuple(run for run in self.runs(value) if run.shown)
 
 
-def _form(unit: str, values: list[float], point: str) -> FixedWidth:
-    peak = max(abs(value) for value in values)
-    signed = any(value < 0 for value in values)
+def fixed_width(unit: str, values: Iterable[float], point: str = ".") -> FixedWidth:
+    """Return how to write ``values``: the largest has as many digits as anywhere else."""
+    known = list(values)
+    peak = max(map(abs, known), default=0.0)
+    signed = any(value < 0 for value in known)
     if unit == "°":
-        return FixedWidth(3, 1, signed, 0, point)
+        return FixedWidth(3, 1, signed, turns=True, point=point)
     # Rounded to the digits first: 9999.7 reads 10000.
     power = int(f"{peak:.{MEASURED - 1}e}".partition("e")[2])
     if not WRITTEN_OUT[0] <= power < WRITTEN_OUT[1]:
-        return FixedWidth(1, MEASURED - 1, signed, power, point)
-    return FixedWidth(max(power, 0) + 1, max(MEASURED - 1 - power, 0), signed, 0, point)
+        return FixedWidth(1, MEASURED - 1, signed, power, point=point)
+    return FixedWidth(max(power, 0) + 1, max(MEASURED - 1 - power, 0), signed, point=point)

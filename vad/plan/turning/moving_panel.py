@@ -1,159 +1,197 @@
 """Panels in motion: one panel of a turn, with what stands still, and any pose of the rest.
 
-In come the panel's poses over the turn and its place, out go sketches; the scale, the supports
-and the orbits of the labels are chosen once for all poses.
+In come the panel's poses over the turn and its place, out go items; the scale, the supports and
+the ways of the labels are chosen once for all poses.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from vad.plan.geometry import Rect
+from vad.lecture.cycle import Cycle
 from vad.plan.items import Item, Level
-from vad.plan.labels.obstacles import Obstacles
-from vad.plan.labels.vertices import corners, text_at
+from vad.plan.labels.obstacles import PIXEL, Obstacles
+from vad.plan.labels.placing import Placed
+from vad.plan.labels.tags import SMALL_SIZE
+from vad.plan.labels.vertices import LETTER, text_at
+from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
-from vad.plan.marks import line
-from vad.plan.pictures import machine
-from vad.plan.pictures.arrows import vector_of
-from vad.plan.pictures.straight import vector
-from vad.plan.pictures.vectors import DOT, dot
-from vad.plan.roles import DOT_RIM, ROLES
-from vad.plan.scale import fill
 from vad.plan.sketch import Setting, Sketch
-from vad.plan.turning.moving_skeleton import Skeleton
-from vad.plan.turning.orbits import Orbit, find_orbit, stand
-from vad.plan.turning.seats import Seat, letter_size, seats
-from vad.plan.turning.spots import CORIOLIS, groups, spots
-from vad.strokes.sheet import Arrow, Panel
+from vad.plan.turning.crowd import Crowd
+from vad.plan.turning.hodographs import Complexes, Hodographs
+from vad.plan.turning.moving_skeleton import MovingSkeleton
+from vad.plan.turning.moving_vectors import MovingVectors
+from vad.plan.turning.springs import Ballast, Boxes, Spring, find_spring
+from vad.plan.turning.turn_scale import mechanism_scale, polygon_scale
+from vad.strokes.sheet import Arrow, Block, Panel
 
-#: A polygon this much larger than at most times may leave the panel for a while.
-_RARE, _LARGE = 80.0, 2.2
-CLIPPED = 0.010  # from the panel's edge, a vector that leaves it ends
+CORIOLIS = "2ωv"
+FADING = 0.025  # from the edge on, a label fades; and below that length, that of a vector
 
 
 @dataclass(frozen=True, slots=True)
 class Name:
-    """A label in motion: the letters at its dot, their row if they name a vector, its orbit."""
+    """A label in motion: the letters at its dot, or `CORIOLIS`; its row if it names a vector."""
 
-    text: str
+    letters: tuple[str, ...]
     row: int | None
-    radius: float
-    orbit: Orbit
+    spring: Spring
+
+    @property
+    def text(self) -> str:
+        """What is written."""
+        return ", ".join(self.letters)
+
+    @property
+    def size(self) -> float:
+        """The size of its type."""
+        return SMALL_SIZE if self.text == CORIOLIS else LETTER
 
 
 class MovingPanel:
-    """One panel of a turn.
+    """One panel of a turn; ``poses`` are evenly spaced over it, from the one that is given."""
 
-    ``poses`` are evenly spaced over it, ``rates`` are those of the driver as shares of the
-    greatest.
-    """
-
-    def __init__(self, setting: Setting, poses: Sequence[Panel], rates: Sequence[float]) -> None:
-        self._setting = setting
-        position = setting.panel.picture == "skeleton"
-        points = [point for pose in _usual(poses, position) for point in corners(pose)]
-        self.scale = fill(points, setting.room, position)
-        self._skeleton = Skeleton(setting, poses, self.scale) if position else None
-        self._radius = machine.JOINT_REACH if position else DOT + DOT_RIM
-        if self._skeleton:
-            self._skeleton.settle(poses, rates)
-        strokes = [self.obstacles(*each) for each in zip(poses, rates, strict=True)]
-        self._names = self._place(poses, strokes)
+    def __init__(self, setting: Setting, poses: Sequence[Panel], cycle: Cycle, opening: float):
+        self._setting, self._opening = setting, opening
+        self.room = setting.room
+        tracks = cycle.tracks[setting.panel.name]
+        is_skeleton = setting.panel.picture == "skeleton"
+        if is_skeleton:
+            scale = mechanism_scale(setting, poses)
+            self.picture: MovingSkeleton | MovingVectors = MovingSkeleton(setting, poses, scale)
+        else:
+            scale = polygon_scale(setting, poses)
+            self.picture = MovingVectors(setting, scale)
+        self.scale = scale
+        fixed = {letter for letter, way in tracks.items() if np.ptp(way) == 0}
+        rows = {letter: setting.row(_owner(letter, fixed, poses)) for letter in tracks}
+        self.hodographs = Hodographs(tracks, rows, scale, setting.room)
+        drawn, straight = self.hodographs.drawn, self.hodographs.straight
+        #: The letters whose way is drawn: in a mechanism, that of a block is its guide.
+        self.ways = [each for each in drawn if not (is_skeleton and each in straight)]
+        self.names = self._place(poses)
 
     def still(self) -> list[Item]:
         """Return the items that are the same in all poses."""
-        return self._skeleton.still.items if self._skeleton else []
+        ways = self.hodographs.still(self.ways)
+        region = self._setting.panel.name
+        found = [Item("", region, Level.GROUND, tuple(ways))] if ways else []
+        return [*found, *lasting(self.picture.still)]
 
-    def items(self, panel: Panel, phase: float, rate: float) -> list[Item]:
-        """Return the items of one pose; ``rate`` is the driver's, as a share of its greatest."""
-        sketch = self._sketch(panel, rate)
-        for name, box in self.labels(panel, phase):
-            runs = symbols(name.text)
-            role = "tag" if name.text == CORIOLIS else "letter"
-            text = text_at(runs, runs, box.centre, letter_size(name.text), role, name.row)
-            sketch.add(None, Level.LABEL, 0, [text])
-        # What shows only while a stroke is drawn has no place in a turn.
-        return [item for item in sketch.items if item.until > sketch.setting.end]
+    def items(self, panel: Panel, phase: float) -> list[Item]:
+        """Return the items of one pose at a phase from the one that is given."""
+        sketch = self.pose(panel, phase)
+        sketch.add(None, Level.GLOW, 0, self.hodographs.tails(self.ways, phase - self._opening))
+        return lasting(sketch)
 
-    def labels(self, panel: Panel, phase: float) -> list[tuple[Name, Rect]]:
-        """Return the labels of one pose with their ink boxes."""
-        found, taken = [], Obstacles(self._setting.room)
-        for name, seat in zip(self._names, self._seats(panel), strict=True):
-            placed = seat and stand(name.orbit, phase, seat, taken, name.radius)
-            if seat and placed:
-                taken.box(placed.box)
-                found.append((replace(name, text=seat.text), placed.box))
-        return found
-
-    def obstacles(self, panel: Panel, rate: float) -> Obstacles:
-        """Return the strokes of one pose, which labels keep clear of."""
-        return self._sketch(panel, rate).obstacles
-
-    def _sketch(self, panel: Panel, rate: float) -> Sketch:
-        if self._skeleton:
-            return self._skeleton.pose(panel, rate)
-        room = self._setting.room
-        sketch = Sketch(replace(self._setting, panel=panel), self.scale, Obstacles(room))
-        for index, stroke in enumerate(panel.strokes):
-            if isinstance(stroke.shape, Arrow):
-                self._vector(sketch, index)
-        for letter, spot in spots(panel, self.scale).items():
-            if letter != CORIOLIS and room.holds(spot.at):
-                sketch.add(None, Level.DOT, 0, [dot(spot.at)])
-                sketch.obstacles.disc(spot.at, DOT + DOT_RIM)
+    def pose(self, panel: Panel, phase: float) -> Sketch:
+        """Return one pose with its labels."""
+        sketch = self.picture.pose(panel)
+        for name, placed, alpha in self.labels(panel, phase):
+            runs, role = symbols(name.text), "letter" if name.row is None else "tag"
+            text = text_at(runs, runs, placed.centre, name.size, role, name.row)
+            sketch.add(None, Level.LABEL, 0, [replace(text, alpha=alpha)])
+            sketch.obstacles.box(placed.box)
         return sketch
 
-    def _vector(self, sketch: Sketch, index: int) -> None:
-        """Add a vector as far as it lies in the panel; its head shows if its end does."""
-        stroke, room = sketch.setting.panel.strokes[index], sketch.setting.room
-        whole = vector_of(sketch, index)
-        if room.holds(whole.end) and room.holds(whole.start):
-            sketch.add(stroke, Level.STROKE, 0, whole.marks())
-            whole.block(sketch.obstacles, 0)
-            return
-        ends = whole.seen is not None and room.inside(CLIPPED).clipped(whole.seen, whole.end)
-        if not ends:
-            return
-        if room.holds(whole.end):
-            marks = vector(*ends, whole.row, whole.role, whole.whole)
-        else:
-            marks = [line(ends, whole.role, whole.row)]
-        sketch.add(stroke, Level.STROKE, 0, marks)
-        sketch.obstacles.line(ends, ROLES[whole.role].width / 2)
+    def labels(self, panel: Panel, phase: float) -> list[tuple[Name, Placed, float]]:
+        """Return the labels that show at a phase, where they stand, and their share of ink."""
+        found = []
+        for name in self.names:
+            dot, alpha = self._dot(name.letters, panel, phase)
+            offset, ink = name.spring.at(phase)
+            if alpha * ink > 0.0:
+                size = ink_size(symbols(name.text), name.size)
+                found.append((name, Placed(dot + offset, *size), alpha * ink))
+        return found
 
-    def _place(self, poses: Sequence[Panel], strokes: Sequence[Obstacles]) -> list[Name]:
-        placed = [Obstacles(self._setting.room) for _ in poses]
-        # A vector that vanishes for an instant keeps its letters; one that is never there has none.
-        self._letters = {letter for pose in poses for letter in spots(pose, self.scale)}
-        found = groups([spots(pose, self.scale, self._letters) for pose in poses])
-        self._groups = sorted(found, key=lambda letters: CORIOLIS in letters)  # points come first
-        here = [self._seats(pose) for pose in poses]
+    def dot(self, name: Name, panel: Panel, phase: float) -> complex:
+        """Return what a label stands beside: its dot, or the middle of its vector."""
+        return self._dot(name.letters, panel, phase)[0]
+
+    def _dot(self, letters: tuple[str, ...], panel: Panel, phase: float) -> tuple[complex, float]:
+        """Return the dot of a label and the label's share of ink."""
+        alpha, room = 1.0, self._setting.room
+        if CORIOLIS in letters:
+            arrows = [arrow for arrow, _ in _coriolis(panel)]
+            if not arrows:
+                return complex("nan"), 0.0
+            start, end = self.scale(arrows[0].start), self.scale(arrows[0].end)
+            at = (start + end) / 2
+            alpha = min(max(abs(end - start) / FADING - 1.0, 0.0), 1.0)
+        else:
+            at = self.hodographs.at(letters[0], phase - self._opening)
+        near = min(at.real - room.left, room.right - at.real, at.imag - room.bottom)
+        near = min(near, room.top - at.imag)
+        return (at, min(alpha, max(near, 0.0) / FADING)) if near > 0.0 else (at, 0.0)
+
+    def _place(self, poses: Sequence[Panel]) -> list[Name]:
+        phases = [number / len(poses) for number in range(len(poses))]
+        room = self._setting.room
+        sketches = [self.picture.pose(pose) for pose in poses]
+        ways = Obstacles(room)
+        for mark in self.hodographs.still(self.ways):
+            for piece in mark.shape.pieces:  # type: ignore[union-attr]
+                ways.line(piece, 0.0)
+        strokes = Crowd(room, [sketch.obstacles for sketch in sketches])
+        among = Ballast(room, strokes, Crowd(room, [ways]), self.picture.radius)
+        dots = {}
+        twists = [link for pose in poses for _, link in _coriolis(pose)]
+        for letters in [*self._groups(), *([(CORIOLIS,)] if twists else [])]:
+            places = [self._dot(letters, *each) for each in zip(poses, phases, strict=True)]
+            dots[letters] = np.array([at if alpha > 0.0 else np.nan for at, alpha in places])
+        placed: Boxes = []
         names = []
-        for index, letters in enumerate(self._groups):
-            row, radius = None, self._radius if self._skeleton else 0.0
-            if CORIOLIS in letters:
-                row = self._coriolis_row(poses)
-            orbit = find_orbit([pose[index] for pose in here], strokes, placed, radius)
-            names.append(Name(", ".join(letters), row, radius, orbit))
+        for letters, own in dots.items():
+            text = ", ".join(letters)
+            row = self._setting.row(twists[0]) if text == CORIOLIS else None
+            # A vector's name belongs to no dot.
+            others = [o for o in dots if CORIOLIS not in o and o != letters]
+            rivals = [] if CORIOLIS in letters else [dots[other] for other in others]
+            size = ink_size(symbols(text), SMALL_SIZE if text == CORIOLIS else LETTER)
+            spring = find_spring(own, size, rivals, among, placed)
+            names.append(Name(letters, row, spring))
         return names
 
-    def _seats(self, panel: Panel) -> list[Seat | None]:
-        here = spots(panel, self.scale, self._letters)
-        return seats(here, self._groups, self._setting.room, self._radius)
+    def _groups(self) -> list[tuple[str, ...]]:
+        """Return the letters in groups that share a dot all through, what moves least first."""
+        tracks = self.hodographs.tracks
+        found: list[list[str]] = []
+        for letter, way in tracks.items():
+            same = [group for group in found if _apart(tracks[group[0]], way) < PIXEL]
+            if not same:
+                found.append([letter])
+            elif not np.ptp(way):  # the lever's point under a pin goes without saying
+                same[0].append(letter)
+        return [tuple(group) for group in sorted(found, key=lambda g: g[0] in self.ways)]
 
-    def _coriolis_row(self, poses: Sequence[Panel]) -> int | None:
-        links = [s.link for pose in poses for s in pose.strokes if s.component == "coriolis"]
-        return self._setting.row(links[0])
+
+def lasting(sketch: Sketch) -> list[Item]:
+    """Return what stands when all strokes are drawn, as it stays."""
+    return [
+        replace(item, since=0, marks=tuple(replace(mark, growth=None) for mark in item.marks))
+        for item in sketch.items
+        if item.until > sketch.setting.end
+    ]
 
 
-def _usual(poses: Sequence[Panel], position: bool) -> list[Panel]:
-    """Return the poses whose polygons are not much larger than most."""
-    if position:
-        return list(poses)
-    sizes = np.array([max(abs(point) for point in corners(pose)) for pose in poses])
-    limit = _LARGE * np.percentile(sizes, _RARE)
-    return [pose for pose, size in zip(poses, sizes, strict=True) if size <= limit]
+def _owner(letter: str, fixed: Collection[str], poses: Sequence[Panel]) -> str | None:
+    """Return the link or slide in whose ink a point's way is drawn: what leads there at once."""
+    strokes = [stroke for pose in poses[:2] for stroke in (*pose.strokes, *pose.zeros)]
+    blocks = [s for s in strokes if isinstance(s.shape, Block) and s.label == letter]
+    arrows = [s for s in strokes if isinstance(s.shape, Arrow) and s.shape.head == letter]
+    direct = [s for s in arrows if isinstance(s.shape, Arrow) and s.shape.tail in fixed]
+    return next((stroke.link for stroke in (*direct, *blocks, *arrows)), None)
+
+
+def _coriolis(panel: Panel) -> list[tuple[Arrow, str | None]]:
+    """Return the Coriolis vectors of a pose and their links."""
+    strokes = [(s.shape, s.link) for s in panel.strokes if s.component == "coriolis"]
+    return [(shape, link) for shape, link in strokes if isinstance(shape, Arrow)]
+
+
+def _apart(one: Complexes, other: Complexes) -> float:
+    return float(np.nanmax(np.abs(one - other)))

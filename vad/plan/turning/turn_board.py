@@ -9,93 +9,111 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from vad.lecture.turn import Turn
-from vad.plan.board import arrange, regions_of, rows_of
+from vad.plan.board import rows_of
 from vad.plan.format import Format, screen
 from vad.plan.geometry import Rect
 from vad.plan.items import Item, Level
-from vad.plan.marks import Mark
-from vad.plan.page.foot import Foot, placed
+from vad.plan.marks import Mark, lines
 from vad.plan.page.heads import head
-from vad.plan.page.table import table
 from vad.plan.page.title import title_marks
 from vad.plan.sketch import Setting
-from vad.plan.turning.fixed_width import Figures
+from vad.plan.turning.chart import Chart, dial, driver_ticks
+from vad.plan.turning.clock import Clock
 from vad.plan.turning.moving_panel import MovingPanel
+from vad.plan.turning.springs import POSES
+from vad.plan.turning.turn_layout import lay_out_turn
+from vad.strokes.notation import Notation
 from vad.strokes.sheet import Sheet
-
-#: Poses from which scale, columns and the ways of the labels are found.
-POSES = 120
 
 
 class TurnBoard:
-    """A turn laid out on a page; ``key`` is the length of the line before a row's name."""
+    """A turn laid out on a page; ``form`` is that of its size unless another is given."""
 
-    def __init__(self, turn: Turn, key: float) -> None:
+    #: Rows of words below each curve.
+    tick_rows = 1
+
+    def __init__(self, turn: Turn, form: Format | None = None) -> None:
         self.turn = turn
-        self.form: Format = screen(turn.size)
-        phases = [number / POSES for number in range(POSES)]
-        poses = [turn.at(phase) for phase in phases]
-        # The equations name all vectors, though one may vanish in the pose that is given.
-        sheet = max([turn.sheet, *poses], key=lambda p: sum(len(q.strokes) for q in p.panels))
+        self.form: Format = form or screen(turn.size)
+        self.cycle = turn.cycle
+        self._poses = {number / POSES: turn.at(number / POSES) for number in range(POSES)}
+        poses = list(self._poses.values())
         # Units that change from pose to pose could not be followed.
-        sheet = replace(sheet, notation=replace(sheet.notation, metres=False))
-        rates = [turn.course.share(phase) for phase in phases]
-        self.page, feet = arrange(sheet, self.form, 0)
-        self.regions: Mapping[str, Rect] = regions_of(self.page)
-        rows = rows_of(sheet)
-        self.panels: dict[str, MovingPanel] = {
-            panel.name: MovingPanel(
-                Setting(sheet, panel, self.page.panels[panel.name].drawing, rows),
-                [pose.panels[index] for pose in poses],
-                rates,
-            )
-            for index, panel in enumerate(sheet.panels)
-        }
-        cells = (
-            cell
-            for pose in poses
-            for row in pose.rows
-            for cells in row.cells.values()
-            for cell in cells
-        )
-        figures = Figures(cells, sheet.notation.point)
-        self._table = table(sheet, self.page, key, figures)
+        metres = any(pose.notation.metres for pose in poses)
+        notation = Notation(poses[0].notation.point, metres)
+        sheet = replace(poses[0], notation=notation)
+        names = [panel.name for panel in sheet.panels]
+        layout = lay_out_turn(self.form, names)
+        self.page = layout.page
+        self.regions: Mapping[str, Rect] = layout.regions
         self._order = {name: number for number, name in enumerate(self.regions)}
-        marks = self._still(sheet, feet, rows)
-        self._items = [Item("", name, Level.GROUND, tuple(each)) for name, each in marks]
+        self.panels: dict[str, MovingPanel] = {}
+        self.clock: Clock | None = None
+        rows = rows_of(sheet)
+        for index, panel in enumerate(sheet.panels):
+            room = self.page.panels[panel.name].drawing
+            if panel.picture == "skeleton":
+                self.clock = Clock(self.cycle, turn.course, sheet, room)
+                room = Rect(room.left, room.bottom, room.right, room.top - self.clock.height)
+            setting = Setting(sheet, panel, room, rows, 0, self.form.centimetre)
+            same = [pose.panels[index] for pose in poses]
+            self.panels[panel.name] = MovingPanel(setting, same, self.cycle, turn.course.opening)
+        self.charts = self._charts(sheet, layout.charts)
+        self.ticks = driver_ticks(turn.course, self.cycle.place.unit, notation)
+        marks = self._still(sheet)
+        self.unmoved = [Item("", name, Level.GROUND, tuple(each)) for name, each in marks if each]
         for moving in self.panels.values():
-            self._items += moving.still()
+            self.unmoved += moving.still()
 
     def shown(self, beat: int) -> list[Item]:
         """Return the items of one frame, in painting order."""
-        turn = self.turn
-        phase, sheet = beat / turn.frames, turn.pose(beat)
-        items = [*self._items, Item("", "results", Level.LABEL, tuple(self._cells(sheet)))]
+        phase, share = beat / self.turn.frames, self.turn.share(beat)
+        sheet = self._poses.get(phase) or self.turn.at(phase)
+        items = [*self.unmoved]
         for panel in sheet.panels:
-            items += self.panels[panel.name].items(panel, phase, turn.course.share(phase))
+            items += self.panels[panel.name].items(panel, phase)
+            if panel.picture == "skeleton" and self.clock:
+                items.append(self.item(panel.name, self.clock.marks(share)))
+        for name, chart in self.charts.items():
+            items.append(self.item(f"{name} curve", [*chart.moving(share), *chart.words(share)]))
+        return self.sorted(items)
+
+    def sorted(self, items: list[Item]) -> list[Item]:
+        """Return items in painting order."""
         return sorted(items, key=lambda item: (self._order[item.region], item.level))
 
-    def _cells(self, sheet: Sheet) -> Iterator[Mark]:
-        for panel in sheet.panels:
-            for index, row in enumerate(sheet.rows):
-                for entry in self._table.cells(index, row, panel.name, False):
-                    yield from entry.marks
+    def item(self, region: str, marks: list[Mark]) -> Item:
+        """Return marks that stand above all else in a region."""
+        return Item("", region, Level.LABEL, tuple(marks))
 
-    def _still(
-        self, sheet: Sheet, feet: Mapping[str, Foot], rows: Mapping[str, int]
-    ) -> Iterator[tuple[str, list[Mark]]]:
-        """Yield what never changes: title, heads, equations and the frame of the table."""
+    def _charts(self, sheet: Sheet, places: Mapping[str, Rect]) -> dict[str, Chart]:
+        charts: dict[str, Chart] = {}
+        cycle = self.cycle
+        driver = dial(sheet, cycle.driver, cycle.place)
+        for name, curve in cycle.curves.items():
+            output = dial(sheet, cycle.output, curve)
+            first = not charts
+            charts[name] = Chart(cycle, output, driver, places[name], first, self.tick_rows)
+        return charts
+
+    def _still(self, sheet: Sheet) -> Iterator[tuple[str, list[Mark]]]:
+        """Yield what never changes: title, heads, and the curves with their ticks."""
         yield "title", title_marks(sheet, self.page)
-        yield "results", self._table.frame()
         for panel in sheet.panels:
-            place = self.page.panels[panel.name]
-            scale = self.panels[panel.name].scale
-            yield f"{panel.name} head", head(panel, place, scale, None, sheet.notation)
-            terms = placed(feet[panel.name], place.equations, place.drawing.centre.real)
-            yield (
-                f"{panel.name} foot",
-                [
-                    Mark(text, "term", rows.get(term.link or "")) if term else Mark(text, "term")
-                    for text, term in terms
-                ],
-            )
+            moving, place = self.panels[panel.name], self.page.panels[panel.name]
+            centimetre = self.form.centimetre
+            marks = head(panel, place, moving.scale, centimetre, sheet.notation)
+            yield f"{panel.name} head", marks
+            if panel.picture == "skeleton":
+                yield panel.name, self._return_way(moving)
+        for name, chart in self.charts.items():
+            ticks = chart.scale(self.ticks, self.tick_rows - 1)
+            yield f"{name} curve", [*chart.still(), *ticks]
+
+    def _return_way(self, moving: MovingPanel) -> list[Mark]:
+        """Return the part of the crank pin's way in which the output returns."""
+        cycle, links = self.cycle, self.turn.mechanism.links
+        pin = links.get(cycle.driver, "")[-1:]
+        if cycle.back is None or pin not in moving.ways:
+            return []
+        return [lines([moving.hodographs.stretch(pin, *cycle.back).tolist()], "return way")]

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 from vad.kinematics.linkage import angle_of, length_of
 from vad.strokes.diagram import Diagram, Drawing
 from vad.strokes.polygon import polygon
-from vad.strokes.scene import Scene
+from vad.strokes.scene import Scene, image_letter
 from vad.strokes.sheet import Cell
 
 
@@ -40,4 +43,10 @@ def slide(scene: Scene, name: str) -> tuple[Cell, ...]:
     return cell, Cell("2ωv", motion.coriolis, unit(scene))
 
 
-DIAGRAM = Diagram("acceleration", "Acceleration", 2, "vectors", unit, pose, link, slide)
+def tracks(scene: Scene) -> Mapping[str, Any]:
+    """Return where the images of the points are in the polygon."""
+    motion = scene.motion
+    return {image_letter(letter, 2): motion.point(letter).acceleration for letter in motion.points}
+
+
+DIAGRAM = Diagram("acceleration", "Acceleration", 2, "vectors", unit, pose, link, slide, tracks)

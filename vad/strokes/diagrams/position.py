@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 from vad.kinematics.linkage import angle_of, length_of
 from vad.strokes.construct import construct
 from vad.strokes.diagram import Diagram
@@ -32,4 +35,10 @@ def slide(scene: Scene, name: str) -> tuple[Cell, ...]:
     return (Cell(scene.slide_symbol(name), place, unit(scene), given),)
 
 
-DIAGRAM = Diagram("position", "Position", 0, "skeleton", unit, construct, link, slide)
+def tracks(scene: Scene) -> Mapping[str, Any]:
+    """Return where the points of the mechanism are."""
+    motion = scene.motion
+    return {letter: motion.point(letter).position for letter in motion.points}
+
+
+DIAGRAM = Diagram("position", "Position", 0, "skeleton", unit, construct, link, slide, tracks)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 from vad.kinematics.linkage import angle_of, length_of
 from vad.strokes.diagram import Diagram, Drawing
 from vad.strokes.polygon import polygon
-from vad.strokes.scene import Scene
+from vad.strokes.scene import Scene, image_letter
 from vad.strokes.sheet import Cell
 
 
@@ -37,4 +40,10 @@ def slide(scene: Scene, name: str) -> tuple[Cell, ...]:
     return (Cell("v", velocity, unit(scene), given),)
 
 
-DIAGRAM = Diagram("velocity", "Velocity", 1, "vectors", unit, pose, link, slide)
+def tracks(scene: Scene) -> Mapping[str, Any]:
+    """Return where the images of the points are in the polygon."""
+    motion = scene.motion
+    return {image_letter(letter, 1): motion.point(letter).velocity for letter in motion.points}
+
+
+DIAGRAM = Diagram("velocity", "Velocity", 1, "vectors", unit, pose, link, slide, tracks)

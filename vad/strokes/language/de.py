@@ -7,6 +7,13 @@ PHRASES = {
     "colon": ": ",
     "legend": "grau: gegeben",
     "coriolis rule": "Coriolis: v um 90° mit ω gedreht",
+    # Umlauf
+    "stroke": "Hub",
+    "forward": "Hinlauf",
+    "return": "Rücklauf",
+    "ratio": "Verhältnis",
+    "swings": "{part} schwingt zwischen {low} und {high}",
+    "slides": "{part} läuft zwischen {low} und {high}",
     # Lageplan
     "fixed": "{letter} ist ein festes Gelenk.",
     "fixed point": "{letter} ist ein fester Punkt.",

@@ -7,6 +7,13 @@ PHRASES = {
     "colon": ": ",
     "legend": "grey: given",
     "coriolis rule": "Coriolis: v turned 90° with ω",
+    # a turn
+    "stroke": "stroke",
+    "forward": "forward",
+    "return": "return",
+    "ratio": "ratio",
+    "swings": "{part} swings between {low} and {high}",
+    "slides": "{part} moves between {low} and {high}",
     # position
     "fixed": "{letter} is a fixed pivot.",
     "fixed point": "{letter} is a fixed point.",

@@ -7,6 +7,13 @@ _PHRASES = {
     "legend": "gris : donné",
     "colon": " : ",
     "coriolis rule": "Coriolis : v tournée de 90° dans le sens de ω",
+    # un tour
+    "stroke": "course",
+    "forward": "aller",
+    "return": "retour",
+    "ratio": "rapport",
+    "swings": "{part} oscille entre {low} et {high}",
+    "slides": "{part} se déplace entre {low} et {high}",
     # position
     "fixed": "{letter} est un pivot fixe.",
     "fixed point": "{letter} est un point fixe.",

@@ -1,0 +1,197 @@
+"""The page of a turn: hodographs, curves with a cursor, the clock, and the still with numbers."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import vad
+from vad.cli.run import run
+from vad.plan.format import paper, screen
+from vad.plan.items import Item
+from vad.plan.marks import Disc, Lettering, Mark, Polyline
+from vad.plan.turning.numbered_turn import NumberedTurn
+from vad.plan.turning.thinning import TOLERANCE, thinned
+from vad.plan.turning.turn_board import TurnBoard
+from vad.plan.turning.turn_layout import lay_out_turn
+
+
+@pytest.fixture(scope="module")
+def board() -> TurnBoard:
+    return TurnBoard(vad.turn(vad.Whitworth(rod=300)))
+
+
+def marks(items: list[Item], role: str, region: str = "") -> list[Mark]:
+    return [m for i in items if i.region.startswith(region) for m in i.marks if m.role == role]
+
+
+def texts(items: list[Item], region: str) -> list[str]:
+    shapes = [m.shape for i in items if i.region == region for m in i.marks]
+    written = [shape for shape in shapes if isinstance(shape, Lettering)]
+    return ["".join(run.text for run in text.runs if run.shown) for text in written]
+
+
+def points(found: list[Mark]) -> list[complex]:
+    shapes = [mark.shape for mark in found if isinstance(mark.shape, Polyline)]
+    return [z for shape in shapes for piece in shape.pieces for z in piece]
+
+
+def test_each_panel_has_its_picture_above_its_curve(board: TurnBoard):
+    shown = board.shown(0)
+    for name, chart in board.charts.items():
+        assert chart.box.top < board.page.panels[name].drawing.bottom
+        for role in ("curve", "curve ahead", "cursor", "return"):
+            assert marks(shown, role, f"{name} curve"), (name, role)
+        assert marks(shown, "hodograph", name)
+    assert not marks(shown, "term", "velocity foot")
+
+
+@pytest.mark.parametrize("frame", [0, 57, 130, 239])
+def test_the_dark_curve_ends_at_the_cursor_with_the_value_of_the_pose(board: TurnBoard, frame: int):
+    shown, sheet = board.shown(frame), board.turn.pose(frame)
+    ram = next(row for row in sheet.rows if row.key == "ram")
+    for name, chart in board.charts.items():
+        region = f"{name} curve"
+        (cursor,) = marks(shown, "cursor", region)
+        x = points([cursor])[0].real
+        (dot,) = (m.shape for m in marks(shown, "dot", region) if isinstance(m.shape, Disc))
+        value = ram.cells[name][0].value
+        low, high = chart.box.bottom, chart.box.top
+        values = board.cycle.curves[name].values
+        share = (value - values.min()) / (values.max() - values.min())
+        assert dot.centre == pytest.approx(complex(x, low + share * (high - low)), abs=1e-4)
+        dark = points(marks(shown, "curve", region))
+        assert dark[-1] == pytest.approx(dot.centre)
+        assert max(z.real for z in dark) <= x + 1e-9
+
+
+def test_the_vertices_leave_the_hodographs_on_which_they_run(board: TurnBoard):
+    for frame in (0, 80, 160):
+        shown = board.shown(frame)
+        for name in board.charts:
+            ways = np.array(points(marks(shown, "hodograph", name)))
+            tails = marks(shown, "tail", name)
+            assert tails
+            assert max(m.alpha for m in tails) == 1.0
+            for tail in tails:
+                for z in points([tail])[1:-1]:
+                    assert abs(ways - z).min() < 0.02
+
+
+def test_the_clock_says_which_way_the_ram_runs(board: TurnBoard):
+    """At 60° forward, at 240° back: by the textbook cos 63.6° = 40/90, and 2 · 63.6° = 127°."""
+    words = ["forward 233°", "return 127°", "ratio 1.83"]
+    for frame, dark in ((0, "forward 233°"), (120, "return 127°")):
+        shown = board.shown(frame)
+        assert [text for text in texts(shown, "position") if text in words] == words
+        roles = {
+            "".join(run.text for run in m.shape.runs): m.role
+            for i in shown
+            for m in i.marks
+            if isinstance(m.shape, Lettering)
+        }
+        assert [word for word in words if roles[word] == "words"] == [dark]
+    assert "stroke 120 mm" in texts(board.shown(0), "position")
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "crank AB swings between 16.5° and 117.0°"),
+        ("de", "Kurbel AB schwingt zwischen 16,5° und 117,0°"),
+        ("fr", "manivelle AB oscille entre 16,5° et 117,0°"),
+    ],
+)
+def test_a_crank_that_cannot_go_round_says_so(language: str, said: str):
+    turn = vad.turn(vad.FourBar(crank=130), panels="position", language=language)
+    assert said in texts(TurnBoard(turn).shown(0), "position")
+
+
+def test_units_are_the_same_in_all_poses_of_a_turn():
+    """Where 1e5 mm/s² are passed at times only, metres are written all through."""
+    turn = vad.turn(vad.solve(vad.SliderCrank(crank=40), omega=50), panels="acceleration")
+    board = TurnBoard(turn)
+    assert {turn.pose(frame).notation.metres for frame in range(0, 240, 20)} == {True, False}
+    for frame in range(0, 240, 20):
+        shown = board.shown(frame)
+        written = [*texts(shown, "acceleration curve"), *texts(shown, "acceleration head")]
+        assert sum(text.endswith("m/s2") for text in written) == 2  # raised, as a run
+        assert not any("mm/s" in text for text in written)
+
+
+def test_a_polygon_shows_whole_vectors_and_few_letters(board: TurnBoard):
+    names = {name: {label.text for label in p.names} for name, p in board.panels.items()}
+    assert names == {
+        "position": {"A", "B", "C", "D", "E"},
+        "velocity": {"a, d", "b", "q", "c", "e"},
+        "acceleration": {"a′, d′", "b′", "q′", "c′", "e′", "2ωv"},
+    }
+
+
+def test_rare_peaks_leave_the_panel_and_the_curve_keeps_them():
+    parallelogram = vad.FourBar(ground=100, crank=40, coupler=100, rocker=40)  # it folds
+    board = TurnBoard(vad.turn(parallelogram, panels="acceleration"))
+    panel, curve = board.panels["acceleration"], board.cycle.curves["acceleration"].values
+    ways = np.concatenate(list(panel.hodographs.tracks.values()))
+    assert not all(panel.room.holds(z) for z in ways)
+    seen = points(marks(board.shown(0), "hodograph", "acceleration"))
+    assert all(panel.room.holds(z) for z in seen)
+    top = max(z.imag for z in points(marks(board.shown(0), "curve ahead")))
+    assert board.charts["acceleration"].at(0.0, curve.max()).imag == pytest.approx(top, abs=2e-4)
+
+
+@pytest.mark.parametrize("form", [screen((1280, 720)), screen((960, 720)), paper("A4")])
+def test_the_still_of_a_turn_numbers_twelve_positions(form):
+    turn = vad.turn(vad.SliderCrank(), panels=("velocity", "acceleration"))
+    still = NumberedTurn(turn, form)
+    shown = still.shown(0)
+    numbers = [str(number) for number in range(1, 13)]
+    for name in ("velocity", "acceleration"):
+        assert set(numbers) <= set(texts(shown, name))
+        assert [t for t in texts(shown, f"{name} curve") if t in numbers] == [*numbers, "1"]
+        way = still.panels[name].hodographs
+        dots = [m.shape for m in marks(shown, "position", name) if isinstance(m.shape, Disc)]
+        for number in range(12):
+            pose = way.at("b" if name == "velocity" else "b′", number / 12)
+            assert min(abs(dot.centre - pose) for dot in dots) < 1e-9
+    assert not marks(shown, "cursor")
+
+
+def test_the_page_fits_every_shape():
+    for size in ((1280, 720), (960, 720), (720, 720), (720, 960), (2560, 1080)):
+        layout = lay_out_turn(screen(size), ["position", "velocity", "acceleration"])
+        boxes = [p.drawing for p in layout.page.panels.values()] + list(layout.charts.values())
+        for number, box in enumerate(boxes):
+            assert 0 < box.left < box.right < layout.page.width
+            assert 0 < box.bottom < box.top < layout.page.height
+            for other in boxes[:number]:
+                apart = box.left >= other.right or other.left >= box.right
+                assert apart or box.bottom >= other.top or other.bottom >= box.top
+    with pytest.raises(vad.UsageError, match="no room"):
+        lay_out_turn(screen((1280, 720)), [str(number) for number in range(60)])
+
+
+def test_a_thinned_line_is_nowhere_off():
+    share = np.linspace(0.0, 1.0, 721)
+    line = 0.2 * np.exp(2j * np.pi * share) + 0.01 * np.exp(-6j * np.pi * share)
+    kept = thinned(line)
+    assert len(kept) < 0.5 * len(line)
+    starts, ends = line[kept][:-1], line[kept][1:]
+    chords = ends - starts
+    along = np.clip(((line[:, None] - starts) * chords.conj()).real / np.abs(chords) ** 2, 0, 1)
+    assert abs(line[:, None] - starts - along * chords).min(axis=1).max() <= TOLERANCE
+
+
+def test_a_turn_is_drawn_on_the_command_line(tmp_path, capsys):
+    words = ["draw", "scotch-yoke", "--turn", "--panels", "velocity", "-o"]
+    assert run([*words, f"{tmp_path}/turn.pdf", "--paper", "A4"]) == 0
+    assert (tmp_path / "turn.pdf").read_bytes().startswith(b"%PDF")
+    for wrong, said in (
+        ("turn.json", "a turn cannot be saved as"),
+        ("turn.mp4", "a picture cannot be saved as"),
+        ("turn.pdf --blank velocity", "--blank is for one pose"),
+        ("turn.pdf --at 30,60", "choose one of them"),
+    ):
+        name, *more = wrong.split()
+        assert run([*words, f"{tmp_path}/{name}", *more]) == 2
+        assert said in capsys.readouterr().err

@@ -1,0 +1,244 @@
+"""The curve under a panel: what comes out, over what goes in, with a cursor.
+
+In come a curve of a cycle and its place, out go marks; the dot's value stands above.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from vad.lecture.course import Course
+from vad.lecture.cycle import Curve, Cycle
+from vad.plan.geometry import Rect
+from vad.plan.lettering.glyphs import fitted, width
+from vad.plan.lettering.runs import Runs, roman, symbols
+from vad.plan.marks import Lettering, Mark, area, disc, line, lines
+from vad.plan.pictures.vectors import dot
+from vad.plan.turning.clock import written_end
+from vad.plan.turning.fixed_width import fixed_width
+from vad.plan.turning.thinning import thinned
+from vad.strokes.notation import Notation
+from vad.strokes.sheet import Sheet
+from vad.written import with_unit
+
+VALUE = 0.0335
+LEAST_VALUE = 0.020
+NAMED = 0.68  # of the size of its type, to which a line shrinks to keep a name
+VALUE_BASELINE = 0.030  # below the upper edge
+TICK = 0.028
+TICK_BASELINE = 0.036  # below the curve
+ABOVE, BELOW = 0.058, 0.050  # the curve, for the words
+ROW = 0.030  # from one row of words below the curve to the next
+GAP = 0.012  # from a tick's words to the curve
+BESIDE = 0.026  # right of the curve, for half of the last tick
+SMALL_DOT = 0.0048
+MARGIN = 0.008  # of the shading, above and below the curve
+CLOSEST = 0.034  # ticks nearer than this to one another lose the zero
+
+
+@dataclass(frozen=True, slots=True)
+class Dial:
+    """What a chart says of one quantity: whose it is, its ink, and how its numbers are written."""
+
+    name: str
+    row: int | None
+    curve: Curve
+    notation: Notation
+
+    @property
+    def unit(self) -> str:
+        """The unit in which it is written."""
+        return self.notation.unit(self.curve.unit)
+
+    def number(self, value: float, bare: bool = False) -> Runs:
+        """Return a value without its unit: as wide as all others, or ``bare``."""
+        notation, unit = self.notation, self.curve.unit
+        known = [notation.scaled(each, unit) for each in self.known]
+        form = fixed_width(self.unit, known, notation.point)
+        return (form.bare if bare else form.runs)(notation.scaled(value, unit))
+
+    def reading(self, value: float, named: bool = True) -> Runs:
+        """Return a value with its symbol and unit, and the name of the row if ``named``."""
+        name = roman(f"{self.name} ") if named else ()
+        unit = roman(with_unit("", self.unit))
+        return (*name, *symbols(self.curve.symbol), *roman(" = "), *self.number(value), *unit)
+
+    @property
+    def known(self) -> list[float]:
+        """The values that are known."""
+        values = self.curve.values
+        return list(map(float, values[np.isfinite(values)])) or [0.0]
+
+
+def dial(sheet: Sheet, key: str, curve: Curve) -> Dial:
+    """Return the dial of a row of the results."""
+    number = next(index for index, row in enumerate(sheet.rows) if row.key == key)
+    return Dial(sheet.rows[number].title, number, curve, sheet.notation)
+
+
+class Chart:
+    """The curve of one panel in its place; ``driver`` is given where it is read above, too."""
+
+    def __init__(
+        self,
+        cycle: Cycle,
+        output: Dial,
+        driver: Dial,
+        place: Rect,
+        first: bool,
+        rows: int = 1,
+    ) -> None:
+        self._cycle, self._place = cycle, place
+        self._output, self._driver, self._first = output, driver, first
+        known = output.known
+        self._low, self._high = min(known), max(known)
+        self._ticks = {value: output.number(value, True) for value in (self._low, self._high)}
+        if self._low < 0.0 < self._high:
+            self._ticks[0.0] = roman("0")
+        widest = max(width(runs, TICK) for runs in self._ticks.values())
+        self.box = Rect(
+            place.left + widest + GAP,
+            place.bottom + BELOW + (rows - 1) * ROW,
+            place.right - BESIDE,
+            place.top - ABOVE,
+        )
+        each = zip(cycle.shares.tolist(), output.curve.values.tolist(), strict=True)
+        self._points = [self.at(*place) for place in each]
+        self._kept: list[int] = thinned(np.array(self._points)).tolist()
+
+    def at(self, share: float, value: float) -> complex:
+        """Return where a value stands at a share of the cycle."""
+        box, span = self.box, self._high - self._low
+        up = (value - self._low) / span if span else 0.5
+        return complex(box.left + share * box.width, box.bottom + up * box.height)
+
+    def value(self, share: float) -> float:
+        """Return the output's value at a share of the cycle."""
+        return _value(self._cycle, self._output.curve, share)
+
+    def still(self) -> list[Mark]:
+        """Return shading, ticks and the whole curve, pale."""
+        marks = [area(_corners(part), "return") for part in self._returns()]
+        box = self.box
+        for value, runs in self._ticks.items():
+            y = self.at(0.0, value).imag
+            near = min(abs(y - self.at(0.0, end).imag) for end in (self._low, self._high))
+            ends = complex(box.left, y), complex(box.right, y)
+            marks.append(line(ends, "axis line" if value == 0.0 else "hairline"))
+            if value in (self._low, self._high) or near > CLOSEST:
+                at = complex(box.left - GAP - width(runs, TICK), y - 0.33 * TICK)
+                marks.append(Mark(Lettering(runs, at, TICK), "notes"))
+        return [*marks, lines(self._pieces(1.0), "curve ahead")]
+
+    def scale(self, ticks: Sequence[tuple[float, str]], row: int = 0) -> list[Mark]:
+        """Return one row of the words below the curve, as many as have room."""
+        texts = [(share, roman(text)) for share, text in ticks]
+        room = self.box.width / max(len(texts) - 1, 1)
+        if max(width(runs, TICK) for _, runs in texts) + GAP / 2 > room:
+            texts = texts[::2]
+        y = self.box.bottom - TICK_BASELINE - row * ROW
+        return [
+            Mark(Lettering(runs, complex(self._x(share) - width(runs, TICK) / 2, y), TICK), "notes")
+            for share, runs in texts
+        ]
+
+    def moving(self, share: float) -> list[Mark]:
+        """Return the curve up to the cursor, the cursor and its dot."""
+        box, x = self.box, self._x(share)
+        cursor = complex(x, box.bottom - MARGIN), complex(x, box.top + MARGIN)
+        marks = [lines(pieces, "curve")] if (pieces := self._pieces(share)) else []
+        marks.append(line(cursor, "cursor", self._driver.row))
+        value = self.value(share)
+        return [*marks, dot(self.at(share, value))] if math.isfinite(value) else marks
+
+    def numbered(self, shares: Sequence[float]) -> list[Mark]:
+        """Return the whole curve with a dot and a line at each of some shares."""
+        box = self.box
+        uprights = [(complex(self._x(x), box.bottom), complex(self._x(x), box.top)) for x in shares]
+        dots = [self.at(share, self.value(share)) for share in shares]
+        return [
+            lines(uprights, "hairline"),
+            lines(self._pieces(1.0), "curve"),
+            *(disc(at, SMALL_DOT, "position") for at in dots if math.isfinite(at.imag)),
+        ]
+
+    def heading(self) -> list[Mark]:
+        """Return what the curve shows, and in which unit."""
+        output, y = self._output, self._place.top - VALUE_BASELINE
+        comma = f", {output.unit}" if output.unit else ""
+        runs = (*roman(f"{output.name} "), *symbols(output.curve.symbol), *roman(comma))
+        return [Mark(Lettering(runs, complex(self._place.left, y), VALUE), "words")]
+
+    def words(self, share: float) -> list[Mark]:
+        """Return the value at the cursor, and in the first chart the driver's."""
+        y, room = self._place.top - VALUE_BASELINE, self._place.width
+        output = self._output.reading(self.value(share))
+        if not self._first:
+            size = fitted(output, VALUE, LEAST_VALUE, room)
+            return [Mark(Lettering(output, complex(self._place.left, y), size), "words")]
+        place = _value(self._cycle, self._driver.curve, share)
+        driver = self._driver.reading(place)
+        if (width(output, VALUE) + width(driver, VALUE)) * NAMED > room - VALUE:
+            driver = self._driver.reading(place, named=False)
+        size = fitted((*output, *driver), VALUE, LEAST_VALUE, room - VALUE)
+        right = complex(self._place.right - width(driver, size), y)
+        return [
+            Mark(Lettering(output, complex(self._place.left, y), size), "words"),
+            Mark(Lettering(driver, right, size), "term", self._driver.row),
+        ]
+
+    def _x(self, share: float) -> float:
+        return self.box.left + share * self.box.width
+
+    def _pieces(self, share: float) -> list[list[complex]]:
+        """Return the curve up to a share, in pieces where there is no value."""
+        last = share * (len(self._cycle.shares) - 1)
+        points = [self._points[number] for number in self._kept if number < last]
+        points.append(self.at(share, self.value(share)))
+        pieces: list[list[complex]] = [[]]
+        for point in points:
+            if math.isfinite(point.imag):
+                pieces[-1].append(point)
+            elif pieces[-1]:
+                pieces.append([])
+        return [piece for piece in pieces if len(piece) > 1]
+
+    def _returns(self) -> list[Rect]:
+        """Return the parts of the chart in which the output returns."""
+        if self._cycle.back is None:
+            return []
+        first, last = self._cycle.back
+        spans = [(first, min(last, 1.0)), (0.0, last - 1.0)] if last > 1.0 else [(first, last)]
+        box = self.box
+        return [
+            Rect(self._x(start), box.bottom - MARGIN, self._x(end), box.top + MARGIN)
+            for start, end in spans
+        ]
+
+
+def driver_ticks(course: Course, unit: str, notation: Notation) -> list[tuple[float, str]]:
+    """Return what stands below the curves: right angles of a crank, the ends of a swing."""
+    low, high = course.ends
+    if course.swing:
+        bare = unit if unit == "°" else ""
+        ends = [written_end(value, bare, notation) for value in (low, high)]
+        return [(0.0, ends[0]), (0.5, ends[1]), (1.0, ends[0])]
+    step = 90.0 if high > low else -90.0
+    return [(k / 4, f"{low + k * step:g}°") for k in range(5)]
+
+
+def _value(cycle: Cycle, curve: Curve, share: float) -> float:
+    return float(np.interp(share, cycle.shares, curve.values))
+
+
+def _corners(box: Rect) -> list[complex]:
+    return [
+        complex(box.left, box.bottom),
+        complex(box.right, box.bottom),
+        complex(box.right, box.top),
+        complex(box.left, box.top),
+    ]

@@ -1,0 +1,140 @@
+"""Hodographs: the closed ways on which the vertices of a panel run, with a comet's tail each.
+
+In come the tracks of a cycle and the panel's scale, out go marks, cut off at the panel's edge.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vad.plan.geometry import SHORTEST, Rect
+from vad.plan.labels.obstacles import PIXEL
+from vad.plan.marks import Mark, lines
+from vad.plan.scale import Scale
+from vad.plan.turning.thinning import Ints, thinned
+
+Complexes = NDArray[np.complex128]
+
+TAIL = 75.0 / 360.0  # of the cycle
+TAIL_STEPS = 6
+END = 0.011  # half of the tick at either end of a straight way
+INSET = 0.004  # from the panel's edge, a way that leaves it ends
+
+
+class Hodographs:
+    """The ways of a panel's points on the page.
+
+    Attributes
+    ----------
+    tracks
+        The points on the page, complex arrays of shape (n,) over the cycle, by letter: all of them,
+        those that stand still, too.
+    drawn
+        The letters whose way is drawn: it moves, is no other's, and is defined all through.
+    straight
+        The letters among them whose way is straight.
+    """
+
+    def __init__(
+        self,
+        tracks: Mapping[str, Complexes],
+        rows: Mapping[str, int | None],
+        scale: Scale,
+        room: Rect,
+    ) -> None:
+        self.tracks = {letter: scale.origin + scale.factor * z for letter, z in tracks.items()}
+        self.drawn: list[str] = []
+        self.straight: list[str] = []
+        self._rows, self._room = rows, room.inside(INSET)
+        self._kept: dict[str, Ints] = {}
+        for letter, way in self.tracks.items():
+            if not np.isfinite(way).all() or np.ptp(way.real) + np.ptp(way.imag) < 2 * PIXEL:
+                continue
+            if any(np.abs(way - self.tracks[other]).max() < PIXEL for other in self.drawn):
+                continue
+            self.drawn.append(letter)
+            self._kept[letter] = thinned(way)
+            if _extent(way)[1] < PIXEL:
+                self.straight.append(letter)
+
+    def row(self, letter: str) -> int | None:
+        """Return the row in whose ink the way of a point is drawn."""
+        return self._rows.get(letter)
+
+    def at(self, letter: str, share: float) -> complex:
+        """Return where a point is at a share of the cycle."""
+        way = self.tracks[letter]
+        place = share % 1.0 * (len(way) - 1)
+        first = min(int(place), len(way) - 2)
+        return complex(way[first] + (place - first) * (way[first + 1] - way[first]))
+
+    def still(self, letters: Sequence[str]) -> list[Mark]:
+        """Return the ways of some letters; a straight one has a tick at either end."""
+        marks = []
+        for letter in letters:
+            row, way = self._rows.get(letter), self.tracks[letter]
+            if letter in self.straight:
+                marks.append(lines(self._straight(way), "hodograph", row))
+            else:
+                marks.append(lines(self._seen(way[self._kept[letter]]), "hodograph", row))
+        return [mark for mark in marks if mark.shape.pieces]  # type: ignore[union-attr]
+
+    def tails(self, letters: Sequence[str], share: float) -> list[Mark]:
+        """Return the last stretch of each way that is run through, fading backwards."""
+        marks = []
+        for letter in letters:
+            if letter in self.straight:
+                continue
+            for step in range(TAIL_STEPS):
+                ends = [share - TAIL * (1 - (step + by) / TAIL_STEPS) for by in (0, 1)]
+                pieces = self._seen(self.stretch(letter, *ends))
+                if pieces:
+                    mark = lines(pieces, "tail", self._rows.get(letter))
+                    alpha = (step + 1) / TAIL_STEPS
+                    marks.append(Mark(mark.shape, mark.role, mark.row, alpha=alpha))
+        return marks
+
+    def stretch(self, letter: str, start: float, end: float) -> Complexes:
+        """Return the points of a way between two shares of the cycle."""
+        count = len(self.tracks[letter]) - 1
+        turns = np.arange(np.floor(start), np.floor(end) + 1)
+        places = (turns[:, None] * count + self._kept[letter][:-1]).ravel()
+        between = places[(places > start * count) & (places < end * count)].astype(int)
+        middle = self.tracks[letter][between % count]
+        return np.concatenate([[self.at(letter, start)], middle, [self.at(letter, end)]])
+
+    def _straight(self, way: Complexes) -> list[tuple[complex, complex]]:
+        """Return a straight way with its ticks, as far as it lies in the panel."""
+        along, _ = _extent(way)
+        ends = complex(way[along.argmin()]), complex(way[along.argmax()])
+        tick = END * 1j * (ends[1] - ends[0]) / abs(ends[1] - ends[0])
+        pieces = [self._room.clipped(*ends)]
+        pieces += [self._room.clipped(end - tick, end + tick) for end in ends]
+        return [piece for piece in pieces if piece]
+
+    def _seen(self, way: Complexes) -> list[list[complex]]:
+        """Return the pieces of a way that lie in the panel."""
+        room, points = self._room, way.tolist()
+        inside = (way.real >= room.left) & (way.real <= room.right)
+        if (inside & (way.imag >= room.bottom) & (way.imag <= room.top)).all():
+            return [points]
+        pieces: list[list[complex]] = []
+        for ends in pairwise(points):
+            seen = room.clipped(*ends)
+            if seen and pieces and abs(pieces[-1][-1] - seen[0]) < SHORTEST:
+                pieces[-1].append(seen[1])
+            elif seen:
+                pieces.append(list(seen))
+        return pieces
+
+
+def _extent(way: Complexes) -> tuple[NDArray[np.float64], float]:
+    """Return how far along its longest chord each point of a way lies, and how wide it is."""
+    far = way[np.abs(way - way[0]).argmax()]
+    near = way[np.abs(way - far).argmax()]
+    turned = (way - near) * np.conj(far - near) / max(abs(far - near), 1e-12)
+    return turned.real, float(np.ptp(turned.imag))

@@ -1,0 +1,88 @@
+"""The still of a turn: hodographs and curves with twelve numbered positions.
+
+In comes a turn, out goes a board that shows its first pose, and where all points are when the
+driver has gone another twelfth of its way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from vad.lecture.turn import Turn
+from vad.plan.format import Format
+from vad.plan.items import Item, Level
+from vad.plan.labels.obstacles import PIXEL
+from vad.plan.labels.placing import Placed, beside, fan
+from vad.plan.labels.vertices import text_at
+from vad.plan.lettering.glyphs import ink_size
+from vad.plan.lettering.runs import roman
+from vad.plan.marks import Mark, disc
+from vad.plan.sketch import Sketch
+from vad.plan.turning.moving_panel import MovingPanel, lasting
+from vad.plan.turning.turn_board import TurnBoard
+
+POSITIONS = 12
+NUMERAL = 0.024
+DOT = 0.0048
+GAPS = (0.011, 0.018, 0.026)  # from a position to its number
+_STEP = 1e-3  # of the cycle: so far on, a way shows its direction
+
+
+class NumberedTurn(TurnBoard):
+    """A turn that stands still; position 1 is where the driver passes 0°."""
+
+    tick_rows = 2
+
+    def __init__(self, turn: Turn, form: Format | None = None) -> None:
+        super().__init__(turn, form)
+        shares = [number / POSITIONS for number in range(POSITIONS)]
+        items = [*self.unmoved]
+        for panel in turn.sheet.panels:
+            moving = self.panels[panel.name]
+            sketch = moving.pose(panel, 0.0)
+            _number(sketch, moving, shares)
+            items += lasting(sketch)
+            if panel.picture == "skeleton" and self.clock:
+                items.append(self.item(panel.name, self.clock.marks()))
+        ticks = [(share, f"{number}") for number, share in enumerate([*shares, 1.0], 1)]
+        ticks[-1] = (1.0, "1")
+        for name, chart in self.charts.items():
+            marks = [*chart.numbered([*shares, 1.0]), *chart.heading(), *chart.scale(ticks)]
+            items.append(self.item(f"{name} curve", marks))
+        self._shown = self.sorted(items)
+
+    def shown(self, beat: int) -> list[Item]:
+        """Return all items: nothing moves."""
+        return self._shown
+
+
+def _number(sketch: Sketch, moving: MovingPanel, shares: Sequence[float]) -> None:
+    """Add the positions of all points that move, each with its number where there is room."""
+    ways, room = moving.hodographs, sketch.setting.room
+    spots = [
+        (letter, number, ways.at(letter, share))
+        for letter in sorted(ways.drawn, key=lambda letter: letter in ways.straight)
+        for number, share in enumerate(shares, 1)
+    ]
+    spots = [spot for spot in spots if room.holds(spot[2])]
+    dots: list[Mark] = []
+    for letter, _, at in spots:
+        dots.append(disc(at, DOT, "position", ways.row(letter)))
+        sketch.obstacles.disc(at, DOT)
+    numerals: list[Mark] = []
+    for letter, number, at in spots:
+        share = shares[number - 1]
+        ahead = ways.at(letter, share + _STEP) - ways.at(letter, share - _STEP)
+        middle = sum((other for name, _, other in spots if name == letter), 0j) / POSITIONS
+        across = 1j * ahead / abs(ahead) if abs(ahead) > 1e-9 else 1j
+        outward = across if ((at - middle) * across.conjugate()).real >= 0 else -across
+        runs = roman(str(number))
+        box = ink_size(runs, NUMERAL)
+        centres = [beside(at, way, gap, *box) for gap in GAPS for way in fan(outward, 16)]
+        free = sketch.obstacles.free(centres, *box, PIXEL)
+        if free.any():
+            centre = centres[int(free.argmax())]
+            sketch.obstacles.box(Placed(centre, *box).box)
+            numerals.append(text_at(runs, runs, centre, NUMERAL, "numeral", ways.row(letter)))
+    sketch.add(None, Level.GLOW, 0, dots)
+    sketch.add(None, Level.LABEL, 0, numerals)

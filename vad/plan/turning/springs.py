@@ -1,0 +1,227 @@
+"""Labels on springs: each keeps to its side of its dot, and glides where strokes press it.
+
+In come the dots and strokes of evenly spaced poses, out goes where each label stands about its dot
+all through a turn.  Of all ways round that never move it faster than the eye follows, the one that
+costs least is found (dynamic programming over direction and distance, closed), and then smoothed.
+Where a stroke sweeps past so that there is no way round it, the label fades until it has passed.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vad.plan.geometry import Rect
+from vad.plan.labels.obstacles import PIXEL
+from vad.plan.labels.placing import CLEARANCE, beside
+from vad.plan.turning.crowd import Crowd
+
+Reals = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Complexes = NDArray[np.complex128]
+Bools = NDArray[np.bool_]
+
+DIRECTIONS = 48
+GAPS = (0.007, 0.014, 0.024, 0.036, 0.050, 0.066)
+#: How far a label may move about its dot from one pose to the next, of `POSES` in a turn.
+POSES = 120
+FASTEST = 11.0 * PIXEL
+
+# What a label pays in each pose: for standing where it should not …
+_CROSSED, _OUTSIDE, _COVERED, _MISREAD, _CLOSE, _ON_WAY = 30.0, 60.0, 40.0, 8.0, 2.0, 0.4
+_PER_CELL = 0.15
+_FAR = np.array([0.0, 0.1, 0.4, 1.0, 2.0, 3.5])
+_STIFF = 0.5  # … and for moving on as fast as it may.
+_APART = (0.020, 0.006)  # between labels, aside and above
+_NEARER = 1.3  # by this factor a label is nearer to its own dot than to any other
+_MET = 2.0 * PIXEL  # so near to a stroke a label shows no more
+_FADE = 3  # poses in which it fades
+_LAPS = 3  # the middle one is free of its beginning and of its end
+_MOVES = [(turn, step) for turn in range(-3, 4) for step in (-1, 0, 1)]
+_SMOOTHING = np.array([1.0, 2.0, 3.0, 2.0, 1.0]) / 9.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Ballast:
+    """What the labels of a panel are placed among.
+
+    Attributes
+    ----------
+    edge
+        The panel.
+    strokes
+        What they keep clear of in each pose.
+    ways
+        What they would rather not cover: the hodographs.
+    radius
+        That of every dot.
+    """
+
+    edge: Rect
+    strokes: Crowd
+    ways: Crowd
+    radius: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Spring:
+    """Where a label's centre stands from its dot, and how much ink it has; shape (poses,)."""
+
+    offsets: Complexes
+    ink: Reals
+
+    def at(self, phase: float) -> tuple[complex, float]:
+        """Return the offset at a phase, 0 to 1, and the share of ink."""
+        count = len(self.offsets)
+        place = phase % 1.0 * count
+        first, share = int(place) % count, place % 1.0
+        last = (first + 1) % count
+        offset = (1 - share) * self.offsets[first] + share * self.offsets[last]
+        return complex(offset), float((1 - share) * self.ink[first] + share * self.ink[last])
+
+
+Boxes = list[tuple[Complexes, tuple[float, float]]]
+
+
+def find_spring(
+    dots: Complexes,
+    size: tuple[float, float],
+    rivals: Sequence[Complexes],
+    among: Ballast,
+    placed: Boxes,
+) -> Spring:
+    """Return how a label moves about its dot, and add its boxes to those ``placed``.
+
+    Parameters
+    ----------
+    dots
+        Where its dot is in each pose, NaN where it is not to be seen; shape (poses,).
+    size
+        Of its ink.
+    rivals
+        Where the other dots are.
+    among
+        Its panel.
+    placed
+        The labels that stand already: their centres in each pose, and their sizes.
+    """
+    table = _table(size, among.radius)
+    seen = np.isfinite(dots)
+    costs = _costs(np.where(seen, dots, among.edge.centre), table, size, rivals, among, placed)
+    costs[~seen] = 0.0
+    path = _cheapest(costs, *_moves(table))
+    offsets = _smooth(table[path])
+    centres = np.where(seen, dots, among.edge.centre) + offsets
+    met = among.strokes.count(centres[:, None], size, _MET)[:, 0] > 0
+    met |= _covered(centres[:, None], size, placed, (0.0, 0.0))[:, 0]
+    ink = _ink(met & seen)
+    placed.append((np.where(seen & (ink > 0.0), centres, np.nan), size))
+    return Spring(offsets, ink)
+
+
+def _table(size: tuple[float, float], radius: float) -> Complexes:
+    """Return the places of a label about its dot, direction by direction."""
+    ways = np.exp(1j * math.tau * np.arange(DIRECTIONS) / DIRECTIONS).tolist()
+    return np.array([beside(0j, way, gap + radius, *size) for way in ways for gap in GAPS])
+
+
+def _costs(
+    dots: Complexes,
+    table: Complexes,
+    size: tuple[float, float],
+    rivals: Sequence[Complexes],
+    among: Ballast,
+    placed: Boxes,
+) -> Reals:
+    """Return what each place (columns) costs in each pose (rows)."""
+    centres = dots[:, None] + table
+    half, edge = (size[0] / 2, size[1] / 2), among.edge
+    x, y = centres.real, centres.imag
+    inside = (x - half[0] >= edge.left) & (x + half[0] <= edge.right)
+    inside &= (y - half[1] >= edge.bottom) & (y + half[1] <= edge.top)
+    cost: Reals = np.where(inside, 0.0, _OUTSIDE) + np.tile(_FAR, DIRECTIONS)
+    crossed = among.strokes.count(centres, size, 0.5 * PIXEL)
+    cost += np.where(crossed > 0, _CROSSED + _PER_CELL * crossed, 0.0)
+    cost += np.where(among.strokes.count(centres, size, CLEARANCE) > 0, _CLOSE, 0.0)
+    cost += np.where(among.ways.count(centres, size, 0.0) > 0, _ON_WAY, 0.0)
+    cost += np.where(_covered(centres, size, placed, _APART), _COVERED, 0.0)
+    own = _distance(table[None, :], half)
+    for rival in rivals:
+        away = _distance(centres - rival[:, None], half)
+        cost += np.where(away < np.minimum(_NEARER * own, 0.05), _MISREAD, 0.0)
+    return cost
+
+
+def _covered(
+    centres: Complexes, size: tuple[float, float], placed: Boxes, apart: tuple[float, float]
+) -> Bools:
+    """Tell where a label would be nearer to another one than it may be."""
+    found = np.zeros(centres.shape, dtype=np.bool_)
+    for others, (wide, high) in placed:
+        away = centres - others[:, None]
+        aside = np.abs(away.real) < (size[0] + wide) / 2 + apart[0]
+        found |= aside & (np.abs(away.imag) < (size[1] + high) / 2 + apart[1])
+    return found
+
+
+def _ink(met: Bools) -> Reals:
+    """Return the ink of a label that fades out before each pose in which it is met."""
+    away = np.full(len(met), np.inf)
+    for distance in range(_FADE + 2):
+        near = np.roll(met, distance) | np.roll(met, -distance)
+        away = np.minimum(away, np.where(near, float(distance), np.inf))
+    ink: Reals = np.clip((away - 1.0) / _FADE, 0.0, 1.0)
+    return ink
+
+
+def _distance(away: Complexes, half: tuple[float, float]) -> Reals:
+    """Return how far the boxes about some centres are from 0."""
+    aside = np.maximum(np.abs(away.real) - half[0], 0.0)
+    above = np.maximum(np.abs(away.imag) - half[1], 0.0)
+    distance: Reals = np.hypot(aside, above)
+    return distance
+
+
+def _moves(table: Complexes) -> tuple[Ints, Reals]:
+    """Return from where each place can be reached, and at what price; inf is too far."""
+    states = np.arange(len(table))
+    way, gap = np.divmod(states, len(GAPS))
+    sources, prices = [], []
+    for turn, step in _MOVES:
+        before = gap - step
+        source = (way - turn) % DIRECTIONS * len(GAPS) + np.clip(before, 0, len(GAPS) - 1)
+        length = np.abs(table - table[source]) / FASTEST
+        allowed = (before == np.clip(before, 0, len(GAPS) - 1)) & (length <= 1.0)
+        sources.append(source)
+        prices.append(np.where(allowed, _STIFF * length**2, np.inf))
+    return np.array(sources), np.array(prices)
+
+
+def _cheapest(costs: Reals, sources: Ints, prices: Reals) -> Ints:
+    """Return the place at each pose on the cheapest closed way."""
+    count, states = costs.shape
+    columns = np.arange(states)
+    best, came = costs[0].copy(), []
+    for number in range(1, _LAPS * count):
+        table = best[sources] + prices
+        choice = table.argmin(axis=0)
+        came.append(sources[choice, columns])
+        best = table[choice, columns] + costs[number % count]
+    path = [int(best.argmin())]
+    for source in reversed(came):
+        path.append(int(source[path[-1]]))
+    path.reverse()
+    return np.array(path[count : 2 * count])
+
+
+def _smooth(values: Complexes) -> Complexes:
+    """Return a closed row of values, each averaged with its neighbours."""
+    reach = len(_SMOOTHING) // 2
+    smoothed = np.zeros_like(values)
+    for shift, weight in zip(range(-reach, reach + 1), _SMOOTHING, strict=True):
+        smoothed += weight * np.roll(values, shift)
+    return smoothed
