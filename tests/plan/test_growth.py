@@ -12,9 +12,12 @@ import pytest
 from tests.plan.snapshots import SCENES, lesson
 from vad.painting.posed import board_of
 from vad.plan.board import Plan
+from vad.plan.geometry import Rect
 from vad.plan.growth import Fading, Growth, Scaling, Sliding, Trimming, Turning
 from vad.plan.items import Item
+from vad.plan.labels.obstacles import Obstacles
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Polygon, Polyline
+from vad.plan.pictures.tools import HINGE, compass
 from vad.strokes.sheet import Arrow
 
 EVERY = pytest.mark.parametrize("scene", SCENES)
@@ -149,6 +152,19 @@ def test_the_compass_stands_in_its_centre_and_does_not_change_its_span(scene: st
             assert abs(foot - centre) < NEAR
             assert abs(hinge - foot) == pytest.approx(abs(end - hinge))
             assert abs(end - foot) == pytest.approx(abs(tip - centre))
+
+
+def test_the_compass_comes_to_rest_beside_labels():
+    """It swings to the other side, or opens wider, as often as a label stands on its leg."""
+    obstacles = Obstacles(Rect(0.0, 0.0, 0.6, 0.5))
+    arc = Bow(0.2 + 0.25j, 0.2, -14.0, 28.0)
+    for _ in range(4):
+        leg = next(mark for mark in compass(arc, 0, obstacles) if mark.role == "compass leg")
+        foot, hinge, tip = points(leg)
+        assert obstacles.clear_of_labels(foot, hinge, HINGE)
+        assert obstacles.clear_of_labels(hinge, tip, HINGE)
+        x, y = hinge.real, hinge.imag
+        obstacles.box(Rect(x - 0.01, y - 0.01, x + 0.01, y + 0.01))
 
 
 @EVERY

@@ -30,10 +30,11 @@ def test_subscripts_and_superscripts_become_scripts():
 
 
 def test_a_caption_tells_the_point_a_from_the_article_and_seconds_from_the_point_s():
-    names = {"a", "s", "ab", "AB"}
+    names = {"a", "d", "s", "ab", "AB"}
     words = Language("en").upright
     assert italics(sentence("a line through a, perpendicular to AB", names, words)) == "a AB"
-    assert italics(sentence("the fixed point a has zero velocity", names, words)) == "a"
+    assert italics(sentence("a fixed point, so a and d lie here", names, words)) == "a d"
+    assert italics(sentence("a fixed point, so a lies here", names, words)) == "a"
     assert italics(sentence("ab = 600 mm/s along s", names)) == "ab s"
     assert italics(sentence("Durch a parallel", names)) == "a"
 

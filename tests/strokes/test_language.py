@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import string
 from importlib import import_module
 
 import pytest
 
 import vad
+from tests.strokes.motions import everything, in_every_language, strokes
 from vad.strokes.language import Language, languages
 
 
@@ -23,6 +25,15 @@ def test_all_phrases_are_there(code: str) -> None:
     assert {key: gaps(phrase) for key, phrase in other.items()} == {
         key: gaps(phrase) for key, phrase in english.items()
     }
+
+
+@in_every_language
+@everything
+def test_every_caption_is_a_sentence(name: str, code: str) -> None:
+    """It ends in one full stop, and has no gaps and no doubled signs."""
+    for _, _, stroke in strokes(name, code):
+        assert re.fullmatch(r".*[^\s.,;:]\.", stroke.caption), stroke.caption
+        assert not re.search(r"\s\s|[{}\x02\x03]|\s[.,]", stroke.caption), stroke.caption
 
 
 def test_german_translates_what_it_names_and_leaves_the_rest() -> None:

@@ -72,7 +72,7 @@ WORDING = {
         square=re.compile("(?:perpendicular to|⟂) (?P<bar>[A-Z]{2})"),
         with_it=re.compile("in the sense of (?P<rate>[ωα])"),
         turned=re.compile("v turned 90° with (?P<omega>ω.)"),
-        slotted=re.compile("(?P<head>[A-Z]) lies on the line through (?P<tail>[A-Z])"),
+        slotted=re.compile("passes through (?P<tail>[A-Z]), and (?P<head>[A-Z]) lies on its line"),
         whose=re.compile(
             "the (?:velocity|acceleration) of (?P<head>[A-Z])(?: relative to (?P<tail>[A-Z]))?"
         ),
@@ -92,7 +92,9 @@ WORDING = {
         square=re.compile("(?:senkrecht zu|⟂) (?P<bar>[A-Z]{2})"),
         with_it=re.compile("im Sinn von (?P<rate>[ωα])"),
         turned=re.compile("v um 90° mit (?P<omega>ω.) gedreht"),
-        slotted=re.compile("(?P<head>[A-Z]) liegt auf der Geraden durch (?P<tail>[A-Z])"),
+        slotted=re.compile(
+            "geht durch (?P<tail>[A-Z]), und (?P<head>[A-Z]) liegt auf seiner Geraden"
+        ),
         whose=re.compile(
             "die (?:Geschwindigkeit|Beschleunigung) von (?P<head>[A-Z])"
             "(?: gegenüber (?P<tail>[A-Z]))?"
@@ -112,12 +114,12 @@ WORDING = {
         seen=re.compile("vu de (?P<tail>[A-Z]), (?P<head>[A-Z]) se déplace (?P<way>.+)[.]"),
         own=re.compile("est la vitesse de (?P<head>[A-Z]), (?P<way>.+)[.]"),
         sideways=re.compile(
-            "en travers de (?P<bar>[A-Z]{2}), (?P<head>[A-Z]) se déplace (?P<way>.+)[.]"
+            "perpendiculairement à (?P<bar>[A-Z]{2}), (?P<head>[A-Z]) se déplace (?P<way>.+)[.]"
         ),
         square=re.compile("(?:perpendiculairement à|⟂) (?P<bar>[A-Z]{2})"),
         with_it=re.compile("dans le sens de (?P<rate>[ωα])"),
-        turned=re.compile("v tournée de 90° avec (?P<omega>ω.)"),
-        slotted=re.compile("(?P<head>[A-Z]) est sur la droite qui passe par (?P<tail>[A-Z])"),
+        turned=re.compile("v tournée de 90° dans le sens de (?P<omega>ω.)"),
+        slotted=re.compile("passe par (?P<tail>[A-Z]), et (?P<head>[A-Z]) est sur son axe"),
         whose=re.compile(
             "(?:la vitesse|l’accélération) de (?P<head>[A-Z])(?: par rapport à (?P<tail>[A-Z]))?"
         ),

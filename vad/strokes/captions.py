@@ -20,15 +20,18 @@ class Captions:
 
     def pole(self, letters: list[str]) -> str:
         """Say which points lie at the pole."""
-        one = "" if len(letters) > 1 else " one"
         points = self._scene.motion.points
-        named = [
+        *named, last = [
             letter
             if letter[0].upper() in points
             else self._say("on the guide", letter=letter, point=letter[0].upper())
             for letter in letters
         ]
-        return self._say(f"pole {self._panel}{one}", letters=", ".join(named))
+        if not named:
+            point = letters[0][0].upper()
+            return self._say(f"pole {self._panel} one", point=point, letters=last)
+        both = self._say("and", first=", ".join(named), last=last)
+        return self._say(f"pole {self._panel}", letters=both)
 
     def still(self) -> str:
         """Say that nothing moves."""

@@ -201,7 +201,7 @@ class _Construction:
         if (line.conjugate() * towards).real < 0:
             line = -line
         shape = Line(self.at(head), line, self.at(tail))
-        parts: dict[str, object] = {"head": tail, "pin": head}
+        parts: dict[str, object] = {"head": tail, "pin": head, "link": self._owner(slide)}
         name = f"{slide.ends}.line"
         label = self.scene.say("parallel", line=self.scene.line(slide))
         self._draw(name, "construction", label, shape, "slot line", parts, link=slide.name)
@@ -219,11 +219,15 @@ class _Construction:
                 self._block(step, "result", "block")
 
     def _slot(self, slide: Slide) -> None:
-        owner = next(s for s in self._slides() if s.ends[1] == slide.ends[0]).name
+        owner = self._owner(slide)
         line = self.scene.heading(self.frame.line(slide, self.motion.pose))
         guide = Guide(self.at(slide.ends[0]), line)
         parts: dict[str, object] = {"head": slide.ends[1], "link": owner}
         self._draw(f"{slide.ends}.slot", "guide", "", guide, "slot", parts, link=owner)
+
+    def _owner(self, slide: Slide) -> str:
+        """Return what bears the slot along which a block slides."""
+        return next(other for other in self._slides() if other.ends[1] == slide.ends[0]).name
 
     def _images(self, known: set[Scalar]) -> None:
         for bar in self.linkage.images:

@@ -23,16 +23,12 @@ def describe(sheet: Sheet) -> str:
     """Return what the panels show, step by step, and what was measured."""
     say = Language(sheet.language).say
     lines = [
-        panel.title + say("colon") + " ".join(_ended(s.caption) for s in panel.strokes)
+        panel.title + say("colon") + " ".join(s.caption for s in panel.strokes)
         for panel in sheet.panels
     ]
     rows = "; ".join(_row(row, sheet) for row in sheet.rows)
     lines.append(f"{say('results')}{say('colon')}{rows}.")
     return "\n".join(lines)
-
-
-def _ended(caption: str) -> str:
-    return caption if caption.endswith((".", "!", "?")) else caption + "."
 
 
 def _row(row: Row, sheet: Sheet) -> str:

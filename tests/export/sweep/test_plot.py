@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import io
+import re
 from itertools import combinations
 
 import matplotlib as mpl
@@ -28,7 +29,10 @@ def settings():
 
 def plots(motion) -> list[Axes]:
     """Return the plots of a sweep: positions, velocities and accelerations of links and slides."""
-    figure, symbols = Figure((16, 12)), {"block": "s", "ram": "x", "slider": "x"}
+    figure, symbols = (
+        Figure((16, 12)),
+        {"block": "s", "ram": "x", "slider": "x", "slider_a": "x", "slider_b": "y"},
+    )
     plot._curves(figure, results_of(motion), symbols, load_style("paper"))
     return figure.axes
 
@@ -66,6 +70,19 @@ def test_names_and_symbols_are_those_of_the_sheet():
         "block $\\mathit{B}$": "#AA3377",
         "ram $\\mathit{E}$": "#000000",
     }
+
+
+def test_the_numbers_of_an_axis_are_parted_like_all_others():
+    axes = plots(vad.solve(vad.EllipticalTrammel(), angle=TURN))
+    axes[-1].figure.draw_without_rendering()
+    seen = {label.get_text() for each in axes for label in each.get_yticklabels()}
+    assert any(r"20\,000" in text for text in seen)
+    assert not any(re.search(r"\d{5}", text) for text in seen)
+
+
+def test_a_strut_is_named_by_its_own_ends():
+    results = results_of(vad.solve(vad.GateActuator(), position=RANGES["gate-actuator"]))
+    assert [(row.name, row.letters) for row in results.slides] == [("actuator", "DB")]
 
 
 @pytest.mark.parametrize("name", ["four-bar", "crank-slotted-lever", "gate-actuator"])

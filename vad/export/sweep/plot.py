@@ -17,7 +17,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator, MultipleLocator
+from matplotlib.ticker import MaxNLocator, MultipleLocator, ScalarFormatter
 
 from vad.export.sweep.ends import Ending, name_ends
 from vad.export.sweep.ranges import largest, limits, unwrapped
@@ -27,7 +27,7 @@ from vad.strokes.language import Language
 from vad.strokes.scene import Scene
 from vad.style import Style, load_style
 from vad.units import scene_unit
-from vad.written import WRITTEN_OUT, quantity, sign
+from vad.written import THIN_SPACE, WRITTEN_OUT, quantity, sign, typeset
 
 _SIZE, _DPI = (1600, 1200), 100
 _SYMBOLS = {
@@ -44,6 +44,7 @@ _RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 #: Ticks of an angle stand at 15°, 30°, 45°, 60°, 90° …, all others at round numbers.
 _ANGLES, _NUMBERS = (1, 1.5, 3, 4.5, 6, 9, 10), (1, 2, 2.5, 5, 10)
 _HARD_SPACE = "\N{NO-BREAK SPACE}"
+_ENGLISH = Language("en")
 
 
 def plot(motion: Motions, results: Results, file: IO[bytes]) -> None:
@@ -54,7 +55,7 @@ def plot(motion: Motions, results: Results, file: IO[bytes]) -> None:
         mpl.rcParams.update(_settings(style))
         figure = Figure((_SIZE[0] / _DPI, _SIZE[1] / _DPI), dpi=_DPI, facecolor=style.background)
         _head(figure, motion, style)
-        scene = Scene(solve(motion.mechanism), Language("en"))  # any pose tells what slides where
+        scene = Scene(solve(motion.mechanism), _ENGLISH)  # any pose tells what slides where
         symbols = {row.name: scene.slide_symbol(row.name) for row in results.slides}
         _curves(figure, results, symbols, style)
         title = f"{motion.mechanism.title}: a sweep of its {results.place.quantity}"
@@ -80,7 +81,8 @@ def _head(figure: Figure, motion: Motions, style: Style) -> None:
     mechanism, (_, *rates) = motion.mechanism, motion.inputs.items()
     quantities = {field.name: field.metadata["quantity"] for field in fields(mechanism)}
     given = [
-        (_words(name), value, quantities[name]) for name, value in mechanism.parameters().items()
+        (_ENGLISH.name(name), value, quantities[name])
+        for name, value in mechanism.parameters().items()
     ]
     given += [(f"{_SYMBOLS[name]} =", value, name) for name, value in rates]
     items = [
@@ -147,6 +149,7 @@ def _dress(plot: Axes, curves: Sequence[Column], symbol: str, scale: float, styl
     plot.tick_params(length=0, pad=8)
     steps = _ANGLES if quantity == "angle" else _NUMBERS
     plot.yaxis.set_major_locator(MaxNLocator(5, steps=steps))
+    plot.yaxis.set_major_formatter(_Parted())
     low, high = limits(np.concatenate([curve.values for curve in curves]))
     room = 0.06 * (high - low)
     if high - low <= _NOTHING * scale:
@@ -160,6 +163,7 @@ def _dress(plot: Axes, curves: Sequence[Column], symbol: str, scale: float, styl
 def _input_axis(plot: Axes, results: Results) -> None:
     given = results.place
     driver = _name(results.driver)
+    plot.xaxis.set_major_formatter(_Parted())
     plot.set_xlabel(f"{given.quantity} of the {driver}, {_unit(given.unit)}")
     plot.xaxis.set_major_locator(MaxNLocator(6, steps=_NUMBERS))
     low, high = float(given.values.min()), float(given.values.max())
@@ -175,7 +179,8 @@ def _points(share: float) -> float:
 
 def _name(row: Curves) -> str:
     """Return a row's name with its letters in italics: rod BC, slider B."""
-    return f"{_words(row.name).removesuffix(' ' + row.letters.lower())} $\\mathit{{{row.letters}}}$"
+    name = _ENGLISH.name(row.name).removesuffix(" " + row.letters.lower())
+    return f"{name} $\\mathit{{{row.letters}}}$"
 
 
 def _unit(name: str) -> str:
@@ -189,5 +194,11 @@ def _powers(text: str) -> str:
     return re.sub(f"[{_RAISED}]+", lambda power: f"$^{{{power[0].translate(plain)}}}$", text)
 
 
-def _words(name: str) -> str:
-    return name.replace("_", " ")
+class _Parted(ScalarFormatter):
+    """The numbers of an axis, in thousands like all others."""
+
+    def __call__(self, value: float, position: int | None = None) -> str:
+        text = super().__call__(value, position)
+        return re.sub(
+            r"(?<![.\d])\d{5,}", lambda whole: typeset(whole[0]).replace(THIN_SPACE, r"\,"), text
+        )

@@ -50,7 +50,8 @@ class Results:
 def results_of(motion: Motions) -> Results:
     """Return what is written of a motion: its input, its links and its slides."""
     unit, driver = motion.mechanism.length_unit, motion.linkage.driver
-    links, slides = motion.mechanism.links, motion.mechanism.slides
+    links = motion.mechanism.links
+    slides = motion.mechanism.slides | links  # a link that grows slides between its own ends
     name, places = next(iter(motion.inputs.items()))
 
     def row(owner: str, letters: str, moving: object, quantities: tuple[str, ...]) -> Curves:

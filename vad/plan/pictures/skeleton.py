@@ -73,6 +73,8 @@ def draw(setting: Setting) -> Sketch:
     for index, stroke in enumerate(panel.strokes):
         if isinstance(stroke.shape, Line):
             add_square(sketch, index, line_of(sketch, index, {}))
+        elif isinstance(stroke.shape, Arc) and stroke.kind == "construction":
+            _add_compass(sketch, index, stroke.shape)
     return sketch
 
 
@@ -184,13 +186,20 @@ def add_block(sketch: Sketch, index: int, shape: Block) -> None:
 
 
 def _add_compass_arc(sketch: Sketch, index: int, shape: Arc) -> None:
-    """Add a compass arc, which goes when the mechanism is finished, and the compass."""
+    """Add a compass arc, which goes when the mechanism is finished."""
     setting, arc = sketch.setting, _compass_arc(sketch, shape)
     stroke = setting.panel.strokes[index]
     row = setting.row(stroke.link)
     mark = Mark(arc, "compass arc", row, Trimming())
     sketch.add(stroke, Level.CONSTRUCTION, setting.during(index), [mark], setting.end)
-    _passing(sketch, index, Level.CONSTRUCTION, compass(arc, row, setting.room))
+
+
+def _add_compass(sketch: Sketch, index: int, shape: Arc) -> None:
+    """Add the compass that draws an arc, clear of the labels placed so far."""
+    setting, arc = sketch.setting, _compass_arc(sketch, shape)
+    row = setting.row(setting.panel.strokes[index].link)
+    obstacles = sketch.obstacles.during((setting.during(index), setting.over(index)))
+    _passing(sketch, index, Level.CONSTRUCTION, compass(arc, row, obstacles))
 
 
 def _block_constructions(sketch: Sketch) -> None:

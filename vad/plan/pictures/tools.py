@@ -177,10 +177,11 @@ def _sliding(corners: list[complex], way: complex, room: Rect) -> tuple[float, f
     return (low, high) if low <= high else None
 
 
-def compass(arc: Bow, row: int | None, room: Rect) -> list[Mark]:
+def compass(arc: Bow, row: int | None, obstacles: Obstacles) -> list[Mark]:
     """Return a pair of compasses that turns about the centre of an arc, and the pencil in it.
 
-    Its hinge stays in ``room`` all the way: the legs open wider, where they must.
+    Its hinge stays within the panel all the way: the legs open wider, where they must.  It comes
+    to rest on as few labels among the ``obstacles`` as can be.
     """
     tip = arc.curve()[-1]
     span = abs(tip - arc.centre)
@@ -189,17 +190,20 @@ def compass(arc: Bow, row: int | None, room: Rect) -> list[Mark]:
     up = 1j * (tip - arc.centre) / span if span > SHORTEST else 1j
     if up.imag < 0:
         up = -up
-    middle, inner = (arc.centre + tip) / 2, room.inside(HINGE)
+    middle, inner = (arc.centre + tip) / 2, obstacles.edge.inside(HINGE)
     hinges = [middle + part * rise * side for part in RISES for side in (up, -up)]
     turns = [cmath.exp(-1j * math.radians(arc.sweep * part / 8)) for part in range(9)]
-    hinge = next(
-        (
-            spot
-            for spot in hinges
-            if all(inner.holds(arc.centre + (spot - arc.centre) * turn) for turn in turns)
-        ),
-        middle,
-    )
+    inside = [
+        spot
+        for spot in hinges
+        if all(inner.holds(arc.centre + (spot - arc.centre) * turn) for turn in turns)
+    ]
+
+    def crowd(spot: complex) -> int:
+        legs = (arc.centre, spot), (spot, tip)
+        return sum(not obstacles.clear_of_labels(*leg, HINGE) for leg in legs)
+
+    hinge = min(inside, key=crowd, default=middle)
     turning = Turning(arc.centre, ((0.0, -arc.sweep), (1.0, 0.0)))
     return [
         line([arc.centre, hinge, tip], "compass leg", growth=turning),

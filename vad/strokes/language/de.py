@@ -37,7 +37,7 @@ PHRASES = {
         "Länge {link:des}."
     ),
     "lever line": "{link:Der} geht von {tail} aus durch {pin}.",
-    "slot line": "{head} liegt auf der Geraden durch {pin} in Richtung des Schlitzes.",
+    "slot line": "Der Schlitz {link:des} geht durch {pin}, und {head} liegt auf seiner Geraden.",
     "found": "{letter} liegt im Schnittpunkt.",
     "arcs cross": "{letter} liegt, wo sich die beiden Bögen schneiden.",
     "on guide": "{letter} liegt, wo der Bogen die Führung schneidet.",
@@ -59,8 +59,12 @@ PHRASES = {
     "pole acceleration": (
         "Der Pol: feste Punkte haben die Beschleunigung null, also liegen {letters} hier."
     ),
-    "pole velocity one": "Der Pol: der feste Punkt {letters} hat die Geschwindigkeit null.",
-    "pole acceleration one": "Der Pol: der feste Punkt {letters} hat die Beschleunigung null.",
+    "pole velocity one": (
+        "Der Pol: der feste Punkt {point} hat die Geschwindigkeit null, also liegt {letters} hier."
+    ),
+    "pole acceleration one": (
+        "Der Pol: der feste Punkt {point} hat die Beschleunigung null, also liegt {letters} hier."
+    ),
     "on the guide": "{letter} ({point} auf der Führung)",
     "still": "Der Antrieb steht still und mit ihm alles andere: das Polygon ist sein Pol.",
     "velocity of": "die Geschwindigkeit von {head}",
@@ -69,31 +73,31 @@ PHRASES = {
     "acceleration of relative": "die Beschleunigung von {head} gegenüber {tail}",
     "tangential velocity whole": (
         "{label} = {omega}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Sinn von {omega}: "
-        "{whose}"
+        "{whose}."
     ),
     "normal": (
-        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, von {head} nach {tail}"
+        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, von {head} nach {tail}."
     ),
     "normal whole": (
         "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, von {head} nach {tail}: "
-        "{whose}"
+        "{whose}."
     ),
     "tangential acceleration": (
-        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Sinn von {alpha}"
+        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Sinn von {alpha}."
     ),
     "tangential acceleration whole": (
         "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Sinn von {alpha}: "
-        "{whose}"
+        "{whose}."
     ),
     "sliding velocity": (
-        "{label} = {value} {unit}, {way}: die gegebene Geschwindigkeit längs {line:des}"
+        "{label} = {value} {unit}, {way}: die gegebene Geschwindigkeit längs {line:des}."
     ),
     "sliding acceleration": (
-        "{label} = {value} {unit}, {way}: die gegebene Beschleunigung längs {line:des}"
+        "{label} = {value} {unit}, {way}: die gegebene Beschleunigung längs {line:des}."
     ),
     "coriolis": (
         "{label} = 2·{omega}·v = 2 × {rate} × {speed} = {value} {unit}, "
-        "v um 90° mit {omega} gedreht"
+        "v um 90° mit {omega} gedreht."
     ),
     "across velocity": (
         "Durch {point} senkrecht zu {bar}: gegenüber {tail} kann sich {head} nur so bewegen, "
@@ -158,15 +162,16 @@ PHRASES = {
     "image acceleration": "dem Beschleunigungsbild",
     "image": (
         "{letter} aus {image} {link:des}: {part} = {whole}·{bar}/{base} = "
-        "{known} × {size}/{length} = {own} {unit}{also}"
+        "{known} × {size}/{length} = {own} {unit}{also}."
     ),
     "image against": (
         "{letter} aus {image} {link:des}, auf der anderen Seite: {part} = {whole}·{bar}/{base} = "
-        "{known} × {size}/{length} = {own} {unit}{also}"
+        "{known} × {size}/{length} = {own} {unit}{also}."
     ),
     "image whose": ", {whose}",
     "image other": "; {label} = {value} {unit}",
     # Wörter
+    "and": "{first} und {last}",
     "the pole": "den Pol",
     "of point": "von {head}",
     "parallel": "∥ {line}",
@@ -198,7 +203,7 @@ NAMES = {
     "lever": "Schleife",
     "link": "Glied",
     "arm": "Arm",
-    "actuator": "Spindel",
+    "actuator": "Zylinder",
     "ground": "Gestell",
     "slider": "Schieber",
     "block": "Stein",
@@ -224,7 +229,7 @@ GENDERS = {
     "lever": "f",
     "link": "n",
     "arm": "m",
-    "actuator": "f",
+    "actuator": "m",
     "slider": "m",
     "block": "m",
     "ram": "m",

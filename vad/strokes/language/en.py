@@ -33,7 +33,7 @@ PHRASES = {
         "length of the {link}."
     ),
     "lever line": "The {link} from {tail} passes through {pin}.",
-    "slot line": "{head} lies on the line through {pin} in the direction of the slot.",
+    "slot line": "The slot of the {link} passes through {pin}, and {head} lies on its line.",
     "found": "{letter} is where they meet.",
     "arcs cross": "{letter} is where the two arcs cross.",
     "on guide": "{letter} is where the arc meets the guide.",
@@ -49,8 +49,12 @@ PHRASES = {
     "pole acceleration": (
         "The pole: every fixed point has zero acceleration, so {letters} lie here."
     ),
-    "pole velocity one": "The pole: the fixed point {letters} has zero velocity.",
-    "pole acceleration one": "The pole: the fixed point {letters} has zero acceleration.",
+    "pole velocity one": (
+        "The pole: the fixed point {point} has zero velocity, so {letters} lies here."
+    ),
+    "pole acceleration one": (
+        "The pole: the fixed point {point} has zero acceleration, so {letters} lies here."
+    ),
     "on the guide": "{letter} ({point} on the guide)",
     "still": "The driver stands still, and so does everything else: the polygon is its pole.",
     "velocity of": "the velocity of {head}",
@@ -59,29 +63,29 @@ PHRASES = {
     "acceleration of relative": "the acceleration of {head} relative to {tail}",
     "tangential velocity whole": (
         "{label} = {omega}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} in the sense of "
-        "{omega}: {whose}"
+        "{omega}: {whose}."
     ),
     "normal": (
-        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, from {head} towards {tail}"
+        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, from {head} towards {tail}."
     ),
     "normal whole": (
         "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, from {head} towards {tail}: "
-        "{whose}"
+        "{whose}."
     ),
     "tangential acceleration": (
         "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} in the sense of "
-        "{alpha}"
+        "{alpha}."
     ),
     "tangential acceleration whole": (
         "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} in the sense of "
-        "{alpha}: {whose}"
+        "{alpha}: {whose}."
     ),
-    "sliding velocity": "{label} = {value} {unit}, {way}: the given velocity along the {line}",
+    "sliding velocity": "{label} = {value} {unit}, {way}: the given velocity along the {line}.",
     "sliding acceleration": (
-        "{label} = {value} {unit}, {way}: the given acceleration along the {line}"
+        "{label} = {value} {unit}, {way}: the given acceleration along the {line}."
     ),
     "coriolis": (
-        "{label} = 2·{omega}·v = 2 × {rate} × {speed} = {value} {unit}, v turned 90° with {omega}"
+        "{label} = 2·{omega}·v = 2 × {rate} × {speed} = {value} {unit}, v turned 90° with {omega}."
     ),
     "across velocity": (
         "Through {point}, perpendicular to {bar}: relative to {tail}, {head} can move no other "
@@ -144,15 +148,16 @@ PHRASES = {
     "image acceleration": "the acceleration image",
     "image": (
         "{letter} by {image} of the {link}: {part} = {whole}·{bar}/{base} = "
-        "{known} × {size}/{length} = {own} {unit}{also}"
+        "{known} × {size}/{length} = {own} {unit}{also}."
     ),
     "image against": (
         "{letter} by {image} of the {link}, on the other side: {part} = {whole}·{bar}/{base} = "
-        "{known} × {size}/{length} = {own} {unit}{also}"
+        "{known} × {size}/{length} = {own} {unit}{also}."
     ),
     "image whose": ", {whose}",
     "image other": "; {label} = {value} {unit}",
     # words
+    "and": "{first} and {last}",
     "the pole": "the pole",
     "of point": "of {head}",
     "parallel": "∥ {line}",
@@ -165,10 +170,7 @@ PHRASES = {
 }
 
 #: Names of links, slides and parameters that differ from the program's own.
-NAMES = {
-    "guide_a": "guide A",
-    "guide_b": "guide B",
-}
+NAMES = {"guide_a": "guide A", "guide_b": "guide B"}
 
 #: Nouns have no gender, and all the same article.
 GENDERS: dict[str, str] = {}
@@ -178,4 +180,4 @@ ARTICLES: dict[str, dict[str, str]] = {}
 POINT = "."
 
 #: The article that is also the name of a point, which stands in italics.
-UPRIGHT = r"a(?= (?!has\b)[a-z]{3,})"
+UPRIGHT = r"a(?= (?!(?:and|lies)\b)[a-z]{3,})"

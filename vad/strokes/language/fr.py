@@ -6,7 +6,7 @@ _PHRASES = {
     "given": "donné",
     "legend": "gris : donné",
     "colon": " : ",
-    "coriolis rule": "Coriolis : v tournée de 90° avec ω",
+    "coriolis rule": "Coriolis : v tournée de 90° dans le sens de ω",
     # un tour
     "stroke": "course",
     "forward": "aller",
@@ -27,7 +27,7 @@ _PHRASES = {
     "driven bar": "{link:Le} {bar} = {size} {unit} fait un angle de {angle}° avec l’axe x.",
     "driven slide": "{slide:Le} {head} se trouve en {symbol} = {value} {unit} sur sa glissière.",
     "driven slide from": (
-        "{slide:Le} {head} se trouve en {symbol} = {value} {unit} sur sa glissière, à compter de "
+        "{slide:Le} {head} se trouve en {symbol} = {value} {unit} sur sa glissière, mesuré depuis "
         "{tail}."
     ),
     "angle": "L’angle {link:du} se mesure depuis l’axe x, dans le sens trigonométrique.",
@@ -37,15 +37,15 @@ _PHRASES = {
         "donnée {link:du}."
     ),
     "lever line": "{link:Le} part de {tail} et passe par {pin}.",
-    "slot line": "{head} est sur la droite qui passe par {pin} dans la direction de la rainure.",
+    "slot line": "La rainure {link:du} passe par {pin}, et {head} est sur son axe.",
     "found": "{letter} est à leur intersection.",
     "arcs cross": "{letter} est à l’intersection des deux arcs.",
     "on guide": "{letter} est à l’intersection de l’arc et de la glissière.",
-    "on slot": "{letter} est à l’intersection de la glissière et de la droite de la rainure.",
+    "on slot": "{letter} est à l’intersection de la glissière et de l’axe de la rainure.",
     "on lever": "{letter} est le point {link:du} qui se trouve sous {pin} dans cette position.",
     "bar": "{link:Le} {bar} fait un angle {symbol} = {angle}° avec l’axe x.",
     "block": "{slide:Le} {head} se trouve en {symbol} = {value} {unit}.",
-    "block from": "{slide:Le} {head} se trouve en {symbol} = {value} {unit}, à compter de {tail}.",
+    "block from": "{slide:Le} {head} se trouve en {symbol} = {value} {unit}, mesuré depuis {tail}.",
     "tip": "{letter} est sur {link:le}, à {size} {unit} de {tail}.",
     "tip against": "{letter} est sur {link:le}, à {size} {unit} de {tail}, de l’autre côté.",
     # polygones
@@ -53,8 +53,12 @@ _PHRASES = {
     "pole acceleration": (
         "Le pôle : l’accélération de tout point fixe est nulle, donc {letters} sont ici."
     ),
-    "pole velocity one": "Le pôle : la vitesse du point fixe {letters} est nulle.",
-    "pole acceleration one": "Le pôle : l’accélération du point fixe {letters} est nulle.",
+    "pole velocity one": (
+        "Le pôle : la vitesse du point fixe {point} est nulle, donc {letters} est ici."
+    ),
+    "pole acceleration one": (
+        "Le pôle : l’accélération du point fixe {point} est nulle, donc {letters} est ici."
+    ),
     "on the guide": "{letter} ({point} sur la glissière)",
     "still": (
         "L’élément moteur est immobile, et tout le reste aussi : le polygone se réduit à son pôle."
@@ -65,30 +69,30 @@ _PHRASES = {
     "acceleration of relative": "l’accélération de {head} par rapport à {tail}",
     "tangential velocity whole": (
         "{label} = {omega}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} dans le sens de "
-        "{omega} : {whose}"
+        "{omega} : {whose}."
     ),
     "normal": (
-        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, de {head} vers {tail}"
+        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, de {head} vers {tail}."
     ),
     "normal whole": (
         "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, de {head} vers {tail} : "
-        "{whose}"
+        "{whose}."
     ),
     "tangential acceleration": (
         "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} dans le sens de "
-        "{alpha}"
+        "{alpha}."
     ),
     "tangential acceleration whole": (
         "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} dans le sens de "
-        "{alpha} : {whose}"
+        "{alpha} : {whose}."
     ),
-    "sliding velocity": ("{label} = {value} {unit}, {way} : la vitesse donnée le long {line:du}"),
+    "sliding velocity": "{label} = {value} {unit}, {way} : la vitesse donnée le long {line:du}.",
     "sliding acceleration": (
-        "{label} = {value} {unit}, {way} : l’accélération donnée le long {line:du}"
+        "{label} = {value} {unit}, {way} : l’accélération donnée le long {line:du}."
     ),
     "coriolis": (
         "{label} = 2·{omega}·v = 2 × {rate} × {speed} = {value} {unit}, "
-        "v tournée de 90° avec {omega}"
+        "v tournée de 90° dans le sens de {omega}."
     ),
     "across velocity": (
         "Par {point}, perpendiculairement à {bar} : par rapport à {tail}, {head} ne peut pas se "
@@ -134,7 +138,7 @@ _PHRASES = {
     ),
     "measured omega strut": (
         "{label} = {value} {unit}, donc {omega} = {label}/{bar} = {value}/{size} = {rate} rad/s, "
-        "{sense} : en travers de {bar}, {head} se déplace {way}."
+        "{sense} : perpendiculairement à {bar}, {head} se déplace {way}."
     ),
     "measured alpha": (
         "{label} = {value} {unit}, donc {alpha} = {label}/{bar} = {value}/{size} = {rate} rad/s², "
@@ -153,15 +157,16 @@ _PHRASES = {
     "image acceleration": "l’image des accélérations",
     "image": (
         "{letter} par {image} {link:du} : {part} = {whole}·{bar}/{base} = "
-        "{known} × {size}/{length} = {own} {unit}{also}"
+        "{known} × {size}/{length} = {own} {unit}{also}."
     ),
     "image against": (
         "{letter} par {image} {link:du}, de l’autre côté : {part} = {whole}·{bar}/{base} = "
-        "{known} × {size}/{length} = {own} {unit}{also}"
+        "{known} × {size}/{length} = {own} {unit}{also}."
     ),
     "image whose": ", {whose}",
     "image other": " ; {label} = {value} {unit}",
     # mots
+    "and": "{first} et {last}",
     "the pole": "le pôle",
     "of point": "de {head}",
     "parallel": "∥ {line}",
