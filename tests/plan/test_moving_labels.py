@@ -1,4 +1,4 @@
-"""Labels of turns: none lies on a stroke or upon another, and each glides about its own dot."""
+"""Labels of turns: none lies on a stroke or upon another; in the film each glides about its dot."""
 
 from __future__ import annotations
 
@@ -8,7 +8,9 @@ import pytest
 
 import vad
 from vad.plan.labels.placing import Placed
-from vad.plan.turning.turn_board import TurnBoard
+from vad.plan.lettering.glyphs import typeset
+from vad.plan.marks import Lettering, Mark, Polyline
+from vad.plan.turning.numbered_turn import NumberedTurn
 
 FRAMES = 240  # of the 8 s that a turn takes
 EVERY = 15
@@ -18,14 +20,15 @@ MOST = 6.0 / 720.0  # on the page, from one frame to the next
 CASES = {
     **{name: vad.MECHANISMS[name]() for name in vad.MECHANISMS},
     "crank-slotted-lever": vad.CrankSlottedLever(rod=100, ram_height=180),
-    "whitworth": vad.Whitworth(rod=300),
+    "whitworth": vad.Whitworth(rod=300, ram_height=0),
     "swing": vad.FourBar(crank=130),
 }
 
 
 @cache
-def board(name: str) -> TurnBoard:
-    return TurnBoard(vad.turn(CASES[name]))
+def board(name: str) -> NumberedTurn:
+    """Return the still of a turn: its panels are those of the film."""
+    return NumberedTurn(vad.turn(CASES[name]))
 
 
 def _meet(one: Placed, other: Placed) -> bool:
@@ -61,6 +64,36 @@ def test_labels_lie_on_no_stroke_and_glide(name: str):
                 assert abs(offsets[1] - offsets[0]) <= MOST, (label.text, frame)
     assert met <= 0.01 * frames
     assert inked >= 0.7 * labels  # what fades comes back
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_no_number_meets_a_stroke_a_letter_or_another_number(name: str):
+    here = board(name)
+    shown, sheet, numbered = here.shown(0), here.turn.at(0.0), 0
+    for pose in sheet.panels:
+        panel = here.panels[pose.name]
+        marks = [m for item in shown if item.region == pose.name for m in item.marks]
+        strokes = panel.picture.pose(pose).obstacles
+        for way in (mark.shape for mark in marks if mark.role == "hodograph"):
+            assert isinstance(way, Polyline)
+            for piece in way.pieces:
+                strokes.line(piece, 0.0)
+        taken = [placed for _, placed, _ in panel.labels(pose, 0.0)]
+        for numeral in (_ink_box(mark) for mark in marks if mark.role == "numeral"):
+            assert strokes.free([numeral.centre], numeral.wide, numeral.high, 0.0)[0]
+            assert not any(_meet(numeral, other) for other in taken)
+            taken.append(numeral)
+            numbered += 1
+    assert numbered >= 30
+
+
+def _ink_box(mark: Mark) -> Placed:
+    text = mark.shape
+    assert isinstance(text, Lettering)
+    ink = typeset(text.runs)
+    middle = complex(ink.left + ink.right, ink.bottom + ink.top) / 2
+    wide, high = ink.right - ink.left, ink.top - ink.bottom
+    return Placed(text.at + text.size * middle, text.size * wide, text.size * high)
 
 
 def test_a_label_belongs_to_the_dot_of_its_letters():

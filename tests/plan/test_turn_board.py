@@ -157,6 +157,22 @@ def test_the_still_of_a_turn_numbers_twelve_positions(form):
     assert not marks(shown, "cursor")
 
 
+def test_numbers_there_and_back_stand_on_either_side_of_a_straight_way():
+    """At 2 and 12, and at 4 and 10, the slider has the same acceleration."""
+    still = NumberedTurn(vad.turn(vad.SliderCrank(), panels="acceleration"))
+    way = still.panels["acceleration"].hodographs
+    (axis,) = {round(way.at("c′", k / 12).imag, 9) for k in range(12)}
+    numerals = marks(still.shown(0), "numeral", "acceleration")
+    row = way.row("c′")
+    sides = {
+        "".join(run.text for run in mark.shape.runs): mark.shape.at.imag - axis
+        for mark in numerals
+        if mark.row == row
+    }
+    assert sides["2"] > 0 > sides["12"]
+    assert sides["4"] > 0 > sides["10"]
+
+
 def test_the_page_fits_every_shape():
     for size in ((1280, 720), (960, 720), (720, 720), (720, 960), (2560, 1080)):
         layout = lay_out_turn(screen(size), ["position", "velocity", "acceleration"])

@@ -136,7 +136,11 @@ def _near(obstacles: Obstacles, wish: Wish) -> list[Placed]:
     centres = [centre for _, centre in spots]
     free = obstacles.free(centres, wish.wide, wish.high, CLEARANCE, APART)
     found = [(spots[i][0], Placed(centres[i], wish.wide, wish.high)) for i in np.flatnonzero(free)]
-    return [spot for gap, spot in found if gap <= wish.near[0] or _belongs(spot, wish)]
+    return [
+        spot
+        for gap, spot in found
+        if gap <= wish.near[0] or belongs(spot.box, wish.at, wish.rivals)
+    ]
 
 
 def _apart(spot: Placed, other: Placed) -> bool:
@@ -192,10 +196,10 @@ def _grid(edge: Rect, at: complex, step: float) -> list[complex]:
     return sorted(points, key=lambda point: abs(point - at))
 
 
-def _belongs(spot: Placed, wish: Wish) -> bool:
+def belongs(box: Rect, at: complex, rivals: Iterable[complex]) -> bool:
     """Tell whether a label stands clearly nearer to its dot than to any rival."""
-    own = _distance(spot.box, wish.at)
-    return all(_distance(spot.box, rival) > 1.4 * own for rival in wish.rivals)
+    own = _distance(box, at)
+    return all(_distance(box, rival) > 1.4 * own for rival in rivals)
 
 
 def _distance(box: Rect, point: complex) -> float:

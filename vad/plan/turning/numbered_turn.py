@@ -12,19 +12,23 @@ from vad.lecture.turn import Turn
 from vad.plan.format import Format
 from vad.plan.items import Item, Level
 from vad.plan.labels.obstacles import PIXEL
-from vad.plan.labels.placing import Placed, beside, fan
+from vad.plan.labels.placing import Placed, belongs, beside, fan
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import roman
 from vad.plan.marks import Mark, disc
 from vad.plan.sketch import Sketch
+from vad.plan.turning.hodographs import Hodographs
 from vad.plan.turning.moving_panel import MovingPanel, lasting
 from vad.plan.turning.turn_board import TurnBoard
 
 POSITIONS = 12
 NUMERAL = 0.024
 DOT = 0.0048
-GAPS = (0.011, 0.018, 0.026)  # from a position to its number
+GAPS = (0.006, 0.012, 0.020, 0.030)  # from a position to its number
+CLEAR = 0.003  # between a number and a stroke
+APART = 0.009 + 0.004j  # between numbers and letters, aside and above: "1 2" is not "12"
+DIRECTIONS, ON_ONE_SIDE = 16, 5  # tried about a position; of a straight way
 _STEP = 1e-3  # of the cycle: so far on, a way shows its direction
 
 
@@ -58,31 +62,50 @@ class NumberedTurn(TurnBoard):
 
 def _number(sketch: Sketch, moving: MovingPanel, shares: Sequence[float]) -> None:
     """Add the positions of all points that move, each with its number where there is room."""
-    ways, room = moving.hodographs, sketch.setting.room
+    ways, room, obstacles = moving.hodographs, sketch.setting.room, sketch.obstacles
     spots = [
         (letter, number, ways.at(letter, share))
         for letter in sorted(ways.drawn, key=lambda letter: letter in ways.straight)
         for number, share in enumerate(shares, 1)
     ]
     spots = [spot for spot in spots if room.holds(spot[2])]
+    for mark in ways.still(moving.ways):
+        for piece in mark.shape.pieces:  # type: ignore[union-attr]
+            obstacles.line(piece, 0.0)
     dots: list[Mark] = []
     for letter, _, at in spots:
         dots.append(disc(at, DOT, "position", ways.row(letter)))
-        sketch.obstacles.disc(at, DOT)
+        obstacles.disc(at, DOT)
     numerals: list[Mark] = []
     for letter, number, at in spots:
-        share = shares[number - 1]
-        ahead = ways.at(letter, share + _STEP) - ways.at(letter, share - _STEP)
-        middle = sum((other for name, _, other in spots if name == letter), 0j) / POSITIONS
-        across = 1j * ahead / abs(ahead) if abs(ahead) > 1e-9 else 1j
-        outward = across if ((at - middle) * across.conjugate()).real >= 0 else -across
         runs = roman(str(number))
         box = ink_size(runs, NUMERAL)
-        centres = [beside(at, way, gap, *box) for gap in GAPS for way in fan(outward, 16)]
-        free = sketch.obstacles.free(centres, *box, PIXEL)
+        aside = _aside(ways, letter, shares[number - 1])
+        fanned = fan(aside, DIRECTIONS)[: ON_ONE_SIDE if letter in ways.straight else DIRECTIONS]
+        others = [z for name, _, z in spots if name == letter and abs(z - at) > PIXEL]
+        centres = [
+            centre
+            for gap in GAPS
+            for centre in (beside(at, way, DOT + gap, *box) for way in fanned)
+            if belongs(Placed(centre, *box).box, at, others)
+        ]
+        free = obstacles.free(centres, *box, CLEAR, APART)
         if free.any():
             centre = centres[int(free.argmax())]
-            sketch.obstacles.box(Placed(centre, *box).box)
+            obstacles.box(Placed(centre, *box).box)
             numerals.append(text_at(runs, runs, centre, NUMERAL, "numeral", ways.row(letter)))
     sketch.add(None, Level.GLOW, 0, dots)
     sketch.add(None, Level.LABEL, 0, numerals)
+
+
+def _aside(ways: Hodographs, letter: str, share: float) -> complex:
+    """Return the direction from a position to its number: out of a loop.
+
+    Of a straight way it is the side to the left of the motion, so that numbers there and back
+    stand on either side.
+    """
+    ahead = ways.at(letter, share + _STEP) - ways.at(letter, share - _STEP)
+    across = 1j * ahead / abs(ahead) if abs(ahead) > 1e-9 else 1j
+    away = ways.at(letter, share) - complex(ways.tracks[letter].mean())
+    inward = letter not in ways.straight and (away * across.conjugate()).real < 0
+    return -across if inward else across
