@@ -30,6 +30,7 @@ CLEAR = 0.003  # between a number and a stroke
 APART = 0.009 + 0.004j  # between numbers and letters, aside and above: "1 2" is not "12"
 DIRECTIONS, ON_ONE_SIDE = 16, 5  # tried about a position; of a straight way
 _STEP = 1e-3  # of the cycle: so far on, a way shows its direction
+_AT_REST = 1e-5  # on the page, in that time
 
 
 class NumberedTurn(TurnBoard):
@@ -102,10 +103,11 @@ def _aside(ways: Hodographs, letter: str, share: float) -> complex:
     """Return the direction from a position to its number: out of a loop.
 
     Of a straight way it is the side to the left of the motion, so that numbers there and back
-    stand on either side.
+    stand on either side; where the motion turns back it is beyond the end.
     """
     ahead = ways.at(letter, share + _STEP) - ways.at(letter, share - _STEP)
-    across = 1j * ahead / abs(ahead) if abs(ahead) > 1e-9 else 1j
     away = ways.at(letter, share) - complex(ways.tracks[letter].mean())
+    across = 1j * ahead if abs(ahead) > _AT_REST else away
+    across = across / abs(across) if across else 1j
     inward = letter not in ways.straight and (away * across.conjugate()).real < 0
     return -across if inward else across
