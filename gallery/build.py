@@ -51,7 +51,7 @@ FILM = 960, 540
 PAUSES = 0.3
 #: Hundredths of a second from frame to frame; a film takes the first with which it is small enough.
 DELAYS = (4, 5, 6, 7, 8, 10)
-MOST_BYTES = 300_000
+MOST_BYTES = 330_000
 CELL, COLUMNS, GAP = (990, 600), 2, 40
 SHEET_STYLE = "paper"
 
