@@ -29,7 +29,8 @@ class Columns:
         self._spans = [(drawing.left, drawing.right) for drawing in drawings.values()]
         if len({round(drawing.width, 9) for drawing in drawings.values()}) == 1:
             lefts = [self._spans[0][0] + VALUES, *(left for left, _ in self._spans[1:])]
-            rights = [right for _, right in self._spans]
+            # A long number reaches into the gutter before it shrinks.
+            rights = [*(right + CLEAR for _, right in self._spans[:-1]), self._spans[-1][1]]
             self._places = dict(zip(drawings, zip(lefts, rights, strict=True), strict=True))
         else:
             self._spans = [(page.left, page.right)]
