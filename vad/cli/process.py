@@ -121,8 +121,15 @@ def signals_held_back() -> Iterator[None]:
 
 
 def be_done() -> None:
-    """Let signals do nothing from now on: Python is about to end this process."""
+    """Ignore signals from now on: Python is about to end this process.
+
+    It takes the handlers away before it does, and a signal that came then would kill it; nor has
+    it anything to say of one that is pending.
+    """
     _heard.held_back = True
+    sys.unraisablehook = lambda _: None
+    for each in _SIGNALS:
+        signal.signal(each, signal.SIG_IGN)
 
 
 def abandon_stdout() -> None:
