@@ -82,7 +82,7 @@ class Scene:
             for text in texts:
                 text.set_visible(places.index(place) < finished)
         if state.beat:
-            panel, stroke = places[finished - 1 + growing_now]
+            panel, stroke = places[min(finished - 1 + growing_now, len(places) - 1)]
             strokes = self._panels[panel].strokes
             self._caption.set_text(_mathematics(strokes[stroke].caption, words=True))
             self._count.set_text(f"{stroke + 1} / {len(strokes)}")
