@@ -57,7 +57,7 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
     between = 0.5 * (limits[1:] + limits[:-1])
     grid = np.unique(np.concatenate([grid, limits, between]))
     grid = np.union1d(grid, _hidden(solver, grid[::_STRIDE]))
-    closes = _closes(solver, grid)
+    closes = solver.closes(grid)
     if closes.all():
         return [(float(grid[0]), float(grid[-1]))]
     ends = [
@@ -122,10 +122,6 @@ def _steepness(frame: ReferenceFrame) -> float:
     return min((sine for sine in sines if sine), default=1.0)
 
 
-def _closes(solver: Solver, values: NDArray[np.float64]) -> NDArray[np.bool_]:
-    return solver.closes(values)
-
-
 def _hidden(solver: Solver, grid: NDArray[np.float64]) -> list[float]:
     """Return places on the other side of a limit than both of their neighbours in the grid.
 
@@ -185,11 +181,11 @@ def _edge(
     for end in (inside, outside):
         if end in limits:
             return end
-    if not _closes(solver, np.array([inside]))[0]:
+    if not solver.closes(np.array([inside]))[0]:
         inside, outside = outside, inside
     middle = 0.5 * (inside + outside)
     while abs(outside - inside) > tolerance and middle not in (inside, outside):
-        if _closes(solver, np.array([middle]))[0]:
+        if solver.closes(np.array([middle]))[0]:
             inside = middle
         else:
             outside = middle
