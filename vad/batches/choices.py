@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import Any
 
+from vad.batches.place import written_at
 from vad.errors import InputError, shown, unknown
 from vad.units import read
 
@@ -28,12 +29,14 @@ _STEP = "add a step, as in { from = 0, to = 355, step = 5 }"
 class Quantity:
     """What a number measures: its kind, as `vad.units` has it, and the unit of lengths.
 
-    ``usual`` is the value of which shares are taken, None where there is none.
+    ``usual`` is the value of which shares are taken, None where there is none; only what is
+    ``signed`` may be zero or negative.
     """
 
     kind: str
     length_unit: str
     usual: float | None = None
+    signed: bool = True
 
     def number(self, value: object) -> float:
         """Return a number, or a text with a unit, in the scene's unit.
@@ -41,7 +44,7 @@ class Quantity:
         Raises
         ------
         vad.errors.InputError
-            If it is neither.
+            If it is neither, or not positive where it must be.
         """
         if isinstance(value, str):
             number = read(value, self.kind, self.length_unit)
@@ -51,6 +54,8 @@ class Quantity:
             raise InputError(f"must be a number, got {shown(value)}", _FORMS)
         if not math.isfinite(number):
             raise InputError(f"must be a finite number, got {number}")
+        if not self.signed and number <= 0.0:
+            raise InputError(f"must be positive, got {number:g}")
         return number
 
 
@@ -117,7 +122,9 @@ def _between(table: Mapping[str, Any], quantity: Quantity) -> tuple[float, ...]:
     if low > high:
         raise InputError(f"from {low:g} to {high:g} is no range", "the smaller one first")
     if "step" in table:
-        return _stepped(low, high, quantity.number(table["step"]))
+        with written_at("step"):
+            step = replace(quantity, signed=False).number(table["step"])
+            return _stepped(low, high, step)
     if low <= 0.0 <= high:
         raise InputError(f"there is no nice way from {low:g} to {high:g}", _STEP)
     found = nice(low, high)
@@ -138,10 +145,8 @@ def _about(share: object, usual: float | None) -> tuple[float, float]:
 
 def _stepped(low: float, high: float, step: float) -> tuple[float, ...]:
     """Return the numbers of an even range, as exact as they are written."""
-    if step <= 0.0:
-        raise InputError(f"step: must be positive, got {step:g}")
     first, last, each = (Decimal(repr(number)) for number in (low, high, step))
     count = int((last - first) / each) + 1
     if count > _MOST:
-        raise InputError(f"step: makes {count} numbers, more than {_MOST}")
+        raise InputError(f"makes {count} numbers, more than {_MOST}")
     return tuple(float(first + number * each) for number in range(count))

@@ -42,6 +42,8 @@ class Folder:
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self.path = Path(path)
+        if self.path.is_file():
+            raise ExportError(f"{shown(str(path))} is a file, not a folder", "name another folder")
         try:
             self.path.mkdir(exist_ok=True)
         except (OSError, ValueError) as error:

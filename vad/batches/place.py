@@ -9,8 +9,8 @@ from vad.errors import InputError, VadError
 
 
 @contextmanager
-def written_at(place: str, name: str = "") -> Iterator[None]:
-    """Put a place, and the name of what is wrong there, in front of every error of the block.
+def written_at(place: str) -> Iterator[None]:
+    """Put a place, or the name of what is wrong there, in front of every error of the block.
 
     Raises
     ------
@@ -19,7 +19,7 @@ def written_at(place: str, name: str = "") -> Iterator[None]:
 
     Examples
     --------
-    >>> with written_at("sheets.toml, line 7", "crank"):
+    >>> with written_at("sheets.toml, line 7"), written_at("crank"):
     ...     raise InputError("must be positive, got -4")
     Traceback (most recent call last):
     vad.errors.InputError: sheets.toml, line 7: crank: must be positive, got -4
@@ -27,6 +27,4 @@ def written_at(place: str, name: str = "") -> Iterator[None]:
     try:
         yield
     except VadError as error:
-        said = str(error).removeprefix(f"{name}: ")
-        where = f"{place}: {name}" if name else place
-        raise InputError(f"{where}: {said}", error.hint) from None
+        raise InputError(f"{place}: {error}", error.hint) from None

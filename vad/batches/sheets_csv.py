@@ -17,7 +17,7 @@ from typing import Any
 from vad.batches.job import Done, Job, Recipe
 from vad.batches.place import written_at
 from vad.batches.subject import kind_of, offered, text_of
-from vad.batches.wanted import MOST, WORDS, recipe
+from vad.batches.wanted import MOST, WORDS, read_word, recipe
 from vad.errors import InputError, VadError, unknown
 
 _LISTS = ("files", "blank", "panels")
@@ -60,7 +60,7 @@ def read_csv(text: str, path: Path) -> Rows:
         try:
             with written_at(place):
                 cells = _cells(columns, row)
-                count = WORDS["count"](_typed("count", cells.pop("count", "1")))
+                count = read_word("count", _typed("count", cells.pop("count", "1")))
                 read += [(place, line, _recipe(cells, path))] * count
         except VadError as error:
             read.append((place, line, error))
@@ -112,13 +112,11 @@ def _recipe(cells: Mapping[str, str], path: Path) -> Recipe:
     words: dict[str, Any] = {}
     for name, cell in cells.items():
         if name in WORDS:
-            with written_at(name):
-                words[name] = WORDS[name](_typed(name, cell))
+            words[name] = read_word(name, _typed(name, cell))
     vary = []
     for name, cell in cells.items():
         if name not in WORDS and name != "mechanism":
-            with written_at(name):
-                vary.append((name, offered(kind, name, cell, words.get("length_unit"))))
+            vary.append((name, offered(kind, name, cell, words.get("length_unit"))))
     return recipe(mechanism, text, tuple(vary), words)
 
 

@@ -13,7 +13,7 @@ from typing import Any
 from vad.batches.job import Job
 from vad.batches.place import written_at
 from vad.batches.subject import kind_of, offered, text_of
-from vad.batches.wanted import WORDS, recipe
+from vad.batches.wanted import read_word, recipe
 from vad.errors import InputError, shown, unknown
 
 #: The least sine where nothing else is said: lines cross at more than 11.5°.
@@ -41,7 +41,7 @@ class _Tables:
 
     @contextmanager
     def at(self, table: str, key: str = "") -> Iterator[None]:
-        with written_at(self.place(table, key), key):
+        with written_at(self.place(table, key)):
             yield
 
 
@@ -57,16 +57,14 @@ def read_toml(text: str, path: Path) -> list[Job]:
     _check_tables(source)
     words: dict[str, Any] = {}
     for word, value in source.table("sheet").items():
-        with source.at("sheet", word):
-            if word in WORDS:
-                words[word] = WORDS[word](value)
-            elif word != "mechanism":
-                raise unknown("word", word, ["mechanism", *WORDS])
+        if word != "mechanism":
+            with source.at("sheet", word):
+                words[word] = read_word(word, value)
     with source.at("sheet", "mechanism"):
         mechanism = source.table("sheet").get("mechanism")
         if not isinstance(mechanism, str):
-            message = "is missing" if mechanism is None else f"no name: {shown(mechanism)}"
-            raise InputError(message, 'as in mechanism = "four-bar"')
+            said = "is missing" if mechanism is None else f"must be a name, got {shown(mechanism)}"
+            raise InputError(f"mechanism: {said}", 'as in mechanism = "four-bar"')
         body = text_of(mechanism, path.parent)
         kind = kind_of(mechanism, body)
     vary = []
@@ -125,6 +123,7 @@ def _keep(source: _Tables) -> float:
             if word != "sine":
                 raise unknown("word", word, ["sine"])
             if not isinstance(value, int | float) or isinstance(value, bool) or not 0 <= value < 1:
-                raise InputError(f"must be from 0 to below 1, got {shown(value)}", "try 0.35")
+                wanted = "must be from 0 to below 1"
+                raise InputError(f"sine: {wanted}, got {shown(value)}", "try 0.35")
             return float(value)
     return KEEP

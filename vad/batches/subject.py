@@ -9,6 +9,7 @@ from typing import Any
 
 from vad.batches.choices import Quantity, choices
 from vad.batches.job import Value
+from vad.batches.place import written_at
 from vad.errors import InputError, one_of, unknown
 from vad.mechanisms import MECHANISMS, Mechanism
 
@@ -57,6 +58,8 @@ def offered(
             raise InputError("the list is empty", f"as in [{', '.join(map(repr, words))}]")
         return tuple(one_of("assembly", each, words) for each in listed)
     else:
-        raise unknown("parameter", name, [*found, *kind.inputs])
+        raise unknown("parameter", name, [*numbers, *kind.inputs, "assembly"])
     unit = length_unit or str(found["length_unit"].default)
-    return choices(value, Quantity(measured, unit, usual))
+    signed = name in kind.inputs or found[name].metadata["signed"]
+    with written_at(name):
+        return choices(value, Quantity(measured, unit, usual, signed))

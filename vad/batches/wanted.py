@@ -10,8 +10,9 @@ from pathlib import Path
 from typing import Any
 
 from vad.batches.job import Recipe
-from vad.errors import InputError, UsageError, one_of, shown
-from vad.export import FOLDER, FORMATS, format_of
+from vad.batches.place import written_at
+from vad.errors import InputError, one_of, shown, unknown
+from vad.export import FOLDER, FORMATS
 from vad.lecture.lesson import Lesson
 from vad.plan.format import paper_names
 from vad.strokes.diagrams import DIAGRAMS
@@ -105,6 +106,20 @@ WORDS: dict[str, Callable[[object], Any]] = {
 _OPTIONS = ("panels", "language", "style", "paper", "size", "fps", "speed", "length_unit")
 
 
+def read_word(word: str, value: object) -> Any:
+    """Return what stands behind a word.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If there is no such word, or it cannot stand there.
+    """
+    if word not in WORDS:
+        raise unknown("word", word, ["mechanism", *WORDS])
+    with written_at(word):
+        return WORDS[word](value)
+
+
 def is_problem(name: str) -> bool:
     """Tell whether a file is one to be filled in."""
     return name.startswith(PROBLEM)
@@ -115,14 +130,15 @@ def is_film(name: str) -> bool:
 
     Raises
     ------
-    vad.errors.UsageError
-        If nothing is saved so.
+    vad.errors.InputError
+        If it is neither.
     """
-    if Path(name).suffix.lower() in FORMATS[Sheet]:
-        return False
-    if format_of(Lesson, name) == FOLDER:
-        raise UsageError(f"{shown(name)} is no file", 'as in "key.pdf"')
-    return True
+    kind = Path(name).suffix.lower()
+    kinds = dict.fromkeys((*FORMATS[Sheet], *FORMATS[Lesson]))
+    kinds.pop(FOLDER)
+    if kind not in kinds:
+        raise InputError(f"{shown(name)} is no file of a sheet", f"known: {', '.join(kinds)}")
+    return kind not in FORMATS[Sheet]
 
 
 def recipe(

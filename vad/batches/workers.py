@@ -12,7 +12,7 @@ from typing import Any
 
 from vad.batches.job import Job, Product
 from vad.batches.making import make
-from vad.errors import ExportError, UsageError, shown
+from vad.errors import ExportError, InputError, shown
 
 #: Seconds in which a cluster must answer.
 _PATIENCE = 10
@@ -32,7 +32,7 @@ def products(jobs: Sequence[Job], workers: int, cluster: str | None) -> Iterator
 
     Raises
     ------
-    vad.errors.UsageError
+    vad.errors.InputError
         If a library that is needed for that is not installed, or nobody answers at the address.
     vad.errors.ExportError
         If a worker dies.
@@ -51,7 +51,7 @@ def products(jobs: Sequence[Job], workers: int, cluster: str | None) -> Iterator
                 return_as="generator_unordered",
                 batch_size=1,
             )
-            yield from parallel(joblib.delayed(make)(job) for job in jobs)
+            yield from parallel(joblib.delayed(_elsewhere)(job) for job in jobs)
     except Exception as error:
         if not _is_death(error):
             raise
@@ -59,19 +59,27 @@ def products(jobs: Sequence[Job], workers: int, cluster: str | None) -> Iterator
         raise ExportError("a worker died, perhaps for want of memory", hint) from error
 
 
+def _elsewhere(job: Job) -> Product:
+    """Make a sheet in a worker; Ctrl+C reaches it, too, but what follows is its master's affair."""
+    try:
+        return make(job)
+    except KeyboardInterrupt:
+        return Product(job, error=InputError("interrupted"))
+
+
 def needed(module: str, extra: str) -> Any:
     """Return a module that comes with an extra.
 
     Raises
     ------
-    vad.errors.UsageError
+    vad.errors.InputError
         If it is not installed.
     """
     try:
         return import_module(module)
     except ImportError:
         hint = f"pip install 'vad-diagrams[{extra}]'"
-        raise UsageError(f"{module.partition('.')[0]} is not installed", hint) from None
+        raise InputError(f"{module.partition('.')[0]} is not installed", hint) from None
 
 
 def _client(address: str) -> Any:
@@ -82,7 +90,7 @@ def _client(address: str) -> Any:
     except Exception as error:  # of the many kinds that its transports have
         said = str(error).partition("\n")[0] or type(error).__name__
         message = f"cluster: nobody answers at {shown(address)} ({said})"
-        raise UsageError(message, "as in tcp://127.0.0.1:8786, where dask scheduler runs") from None
+        raise InputError(message, "as in tcp://127.0.0.1:8786, where dask scheduler runs") from None
 
 
 def _is_death(error: Exception) -> bool:

@@ -9,10 +9,11 @@ from vad.cli import completion, values
 from vad.cli.groups import HelpfulCommand
 from vad.cli.process import say
 from vad.cli.progress import progress, written
+from vad.errors import UsageError
 
 
 @click.command("batch", cls=HelpfulCommand)
-@click.argument("sheets", metavar="SHEETS", shell_complete=completion.a_file)
+@click.argument("sheets", metavar="SHEETS", required=False, shell_complete=completion.a_file)
 @click.option(
     "-o",
     "--output",
@@ -28,7 +29,7 @@ from vad.cli.progress import progress, written
 @click.pass_context
 def command(
     ctx: click.Context,
-    sheets: str,
+    sheets: str | None,
     output: str,
     jobs: int | None,
     cluster: str | None,
@@ -39,6 +40,8 @@ def command(
     SHEETS is a .toml file with [sheet], [vary] and [keep], or a .csv file with one row a sheet.
     What stands in FOLDER already, made from the same settings, is not made again.
     """
+    if sheets is None:
+        raise UsageError("batch needs a file of sheets", "vad batch sheets.toml -o sheets/")
     with progress(output) as moved:
         made = vad.batch(
             sheets,
