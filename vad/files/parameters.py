@@ -17,8 +17,24 @@ from vad.units import read
 
 #: Names of inputs, and of what every mechanism has.
 RESERVED = frozenset(
-    ("angle", "omega", "alpha", "position", "velocity", "acceleration", "assembly", "length_unit")
-    + ("name", "title", "points", "links", "slides", "inputs", "linkage", "parameters")
+    {
+        "angle",
+        "omega",
+        "alpha",
+        "position",
+        "velocity",
+        "acceleration",
+        "assembly",
+        "length_unit",
+        "name",
+        "title",
+        "points",
+        "links",
+        "slides",
+        "inputs",
+        "linkage",
+        "parameters",
+    }
 )
 
 
