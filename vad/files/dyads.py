@@ -19,7 +19,7 @@ from vad.files.description import (
     LinkLine,
     SliderLine,
 )
-from vad.files.source import Source
+from vad.files.tables import Source
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from vad.files.description import Description
-from vad.files.source import Source
+from vad.files.tables import Source
 
 
 class Mobility(NamedTuple):

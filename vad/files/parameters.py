@@ -12,7 +12,7 @@ from typing import Any
 from vad.errors import InputError, shown
 from vad.files.description import Cartesian, Parameter
 from vad.files.expressions import Expression
-from vad.files.source import Source
+from vad.files.tables import Source
 from vad.units import read
 
 #: Names of inputs, and of what every mechanism has.

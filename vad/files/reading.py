@@ -14,7 +14,7 @@ from vad.files.description import Cartesian, Description, Driver, Guide, Link, P
 from vad.files.guidework import guides
 from vad.files.linkwork import letters, link
 from vad.files.parameters import Numbers
-from vad.files.source import Source
+from vad.files.tables import Source
 from vad.units import check_length_unit, read
 
 #: What a driver that turns and one that slides is given: its place, and two rates.
