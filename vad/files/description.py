@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from vad.files.expressions import Expression
+from vad.files.places import Place
 
 Values = Mapping[str, float]
 Pair = tuple[str, str]
@@ -214,7 +215,7 @@ class Description:
     links: Mapping[str, Link]
     guides: Mapping[str, Guide]
     driver: Driver
-    assembly: Mapping[str, str | complex]
+    assembly: Mapping[str, Place]
     pose: Mapping[str, Cartesian]
 
     @property

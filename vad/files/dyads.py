@@ -209,4 +209,5 @@ def _with_link(known: _Known, link: Link, unknown: list[Link]) -> Iterator[Dyad]
                 far = known.one_of(other)
                 if far is not None:
                     moved = known.points[far] and not known.points[held]
+                    moved = (moved and not link.cylinder) or other.cylinder
                     yield Dyad("RRR", point, (other, link) if moved else (link, other))

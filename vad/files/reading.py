@@ -14,6 +14,7 @@ from vad.files.description import Cartesian, Description, Driver, Guide, Link, P
 from vad.files.guidework import guides
 from vad.files.linkwork import letters, link
 from vad.files.parameters import Numbers
+from vad.files.places import HINT, Place, place_of
 from vad.files.tables import Source
 from vad.units import check_length_unit, read
 
@@ -22,8 +23,6 @@ INPUTS = {
     "angle": ("angle", "omega", "alpha"),
     "length": ("position", "velocity", "acceleration"),
 }
-PLACES = ("upper", "lower", "left", "right")
-PARALLEL = "parallel"
 
 
 def describe(source: Source) -> Description:
@@ -142,19 +141,15 @@ def _input(source: Source, name: str, word: str, value: Any, unit: str) -> float
     return number
 
 
-def _assembly(source: Source) -> dict[str, str | complex]:
+def _assembly(source: Source) -> dict[str, Place]:
     """Return which place each point takes: a word, or where it is nearest to."""
-    places: dict[str, str | complex] = {}
+    places = {}
     for point, value in source.table("assembly").items():
         _check_point(source, "assembly", point)
-        pair = isinstance(value, list | tuple) and len(value) == 2
-        if pair and all(isinstance(x, int | float) and math.isfinite(x) for x in value):
-            places[point] = complex(*value)
-        elif value in (*PLACES, PARALLEL):
-            places[point] = str(value)
-        else:
-            hint = "upper, lower, left, right, parallel, or coordinates near it"
-            raise source.error("assembly", point, f"{point}: {shown(value)} is no place", hint)
+        place = place_of(value)
+        if place is None:
+            raise source.error("assembly", point, f"{point}: {shown(value)} is no place", HINT)
+        places[point] = place
     return places
 
 

@@ -7,10 +7,57 @@ positive x axis.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from vad.errors import InputError
-from vad.files.description import Apex, Aside, Beyond, Description, Link, Polar, Values
+from vad.files.description import (
+    Apex,
+    Aside,
+    Beyond,
+    Cartesian,
+    Description,
+    Link,
+    Polar,
+    Values,
+)
+from vad.files.expressions import Expression
+from vad.files.tables import Source
 from vad.kinematics.numbers import direction, fold
+
+
+def check_numbers(source: Source, description: Description, values: Values) -> None:
+    """Check with the numbers of the file that every place and every shape exists.
+
+    Raises
+    ------
+    vad.errors.InputError
+        With its line, for an expression without a value, or a triangle that does not close.
+    """
+
+    def check(table: str, key: str, find: Callable[[], object]) -> None:
+        try:
+            find()
+        except InputError as error:
+            name = "" if str(error).startswith(f"{key}: ") else f"{key}: "
+            raise source.error(table, key, f"{name}{error}", error.hint) from None
+
+    for point, place in description.fixed.items():
+        check("fixed", point, lambda each=place: _evaluated(each, values))
+    for point, place in description.pose.items():
+        check("pose", point, lambda each=place: _evaluated(each, values))
+    for point, guide in description.guides.items():
+        check("guides", point, lambda each=guide.line: _evaluated(each, values))
+    for name, link in description.links.items():
+        check("links", name, lambda each=link: places_on(each, description, values))
+
+
+def _evaluated(thing: object, values: Values) -> None:
+    """Evaluate all expressions of a place or a line."""
+    for part in vars(thing).values():
+        if isinstance(part, Expression):
+            part(values)
+        elif isinstance(part, Cartesian):
+            _evaluated(part, values)
 
 
 def fixed_points(description: Description, values: Values) -> dict[str, complex]:
@@ -51,17 +98,28 @@ def places_on(link: Link, description: Description, values: Values) -> dict[str,
         return {p: (pose[p] - pose[tail]) * along.conjugate() for p in link.points} | {
             head: complex(abs(axis))
         }
-    places = {tail: 0j, head: complex(link.length(values))}
+    places = {tail: 0j, head: complex(_positive(link, link.length, values))}
     for point, rule in link.rules.items():
         if isinstance(rule, Beyond):
-            places[point] = places[rule.start] + rule.sense * rule.length(values)
+            places[point] = places[rule.start] + rule.sense * _positive(link, rule.length, values)
         elif isinstance(rule, Aside):
             line = places[rule.other] - places[rule.start]
             turn = direction(fold(rule.sense * rule.angle(values)))
-            places[point] = places[rule.start] + rule.length(values) * (line / abs(line)) * turn
+            places[point] = (
+                places[rule.start]
+                + _positive(link, rule.length, values) * (line / abs(line)) * turn
+            )
         elif isinstance(rule, Apex):
             places[point] = _apex(link, point, rule, places, values)
     return places
+
+
+def _positive(link: Link, length: Expression, values: Values) -> float:
+    """Return a length, which an expression may have made negative."""
+    value = length(values)
+    if value <= 0.0:
+        raise InputError(f"{link.name}: {length.text} must be positive, got {value:g}")
+    return value
 
 
 def _apex(
@@ -69,7 +127,10 @@ def _apex(
 ) -> complex:
     """Return the third corner of a triangle; its height comes from Heron's factors."""
     base = places[rule.second] - places[rule.first]
-    a, b, c = rule.from_first(values), rule.from_second(values), abs(base)
+    a, b, c = (
+        *(_positive(link, each, values) for each in (rule.from_first, rule.from_second)),
+        abs(base),
+    )
     factors = (a + b + c), (a + b - c), (c + a - b), (c - a + b)
     if min(factors) < 0.0:
         sides = " and ".join((f"{c:g}, {a:g}", f"{b:g}"))

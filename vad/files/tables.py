@@ -5,14 +5,16 @@ In comes TOML, out goes a `Source`, which says where what is wrong stands.
 
 from __future__ import annotations
 
+import json
 import re
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from datetime import date, time
 from pathlib import Path
 from typing import Any
 
-from vad.errors import InputError, unknown
+from vad.errors import InputError, shown, unknown
 
 #: What may stand in a file: single words, and tables.
 WORDS = ("title", "unit", "about", "source")
@@ -50,9 +52,39 @@ class Source:
     def error(self, table: str, key: str, message: str, hint: str | None = None) -> InputError:
         """Return the error about what stands under ``key``, with its place."""
         line = self.lines.get((table, key)) or self.lines.get((table, ""))
-        if line is None:
-            return InputError(f"{self.name}: {message}" if self.name else message, hint)
-        return InputError(f"{self.name}, line {line}: {message}", hint)
+        place = f"{self.name}, line {line}" if line else self.name or table
+        return InputError(f"{place}: {message}" if place else message, hint)
+
+    def packed(self) -> str:
+        """Return all that it holds as one text, from which `unpacked` makes it again.
+
+        Raises
+        ------
+        vad.errors.InputError
+            For a value that no file could hold.
+        """
+        lines = [[*place, line] for place, line in self.lines.items()]
+        try:
+            return json.dumps([self.name, self.tables, lines], default=_plain)
+        except (TypeError, ValueError, RecursionError) as error:
+            raise InputError(f"tables: {error}", "numbers, text, and tables of them") from None
+
+    @classmethod
+    def unpacked(cls, text: str) -> Source:
+        """Return the source that was packed."""
+        name, tables, lines = json.loads(text)
+        return cls(name, tables, {(table, key): line for table, key, line in lines})
+
+
+def _plain(value: object) -> object:
+    """Return numpy's numbers, complex ones and dates as a file holds them."""
+    if isinstance(value, complex):
+        return [value.real, value.imag]
+    if isinstance(value, date | time):
+        return str(value)
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"{shown(value)} is neither a number nor text")
 
 
 def read_file(path: str | Path) -> Source:
@@ -68,10 +100,12 @@ def read_file(path: str | Path) -> Source:
         with path.open("rb") as file:
             data = file.read(LONGEST + 1)
         text = data.decode("utf-8-sig")
-    except OSError as error:
-        raise InputError(f"{path.name}: {error.strerror or error}") from None
     except UnicodeDecodeError:
         raise InputError(f"{path.name}: is no text in UTF-8") from None
+    except OSError as error:
+        raise InputError(f"'{path}': {error.strerror or error}") from None
+    except ValueError:
+        raise InputError(f"{shown(str(path))}: is no name of a file") from None
     if len(data) > LONGEST:
         raise InputError(f"{path.name}: is longer than any mechanism ({LONGEST} bytes)")
     return read_text(text, path.name)
