@@ -94,32 +94,40 @@ class _Assembling:
         words: dict[str, str] = {}
         places: dict[str, tuple[complex, complex]] = {}
         for count, dyad in enumerate(self.dyads, start=1):
-            point = dyad.point
-            if not dyad.two_places:
-                self._place(count, sides, self.value)
+            asked = {point: wanted[point] for point in dyad.points if point in wanted}
+            sides[dyad.point] = self._side(count, sides, asked)
+            there = self._places(count, sides, self.value)
+            if not (asked or dyad.two_places):
                 continue
-            want = wanted.get(point)
-            sides[point] = self._side(count, sides, want)
-            other = {**sides, point: -sides[point]}
-            there, away = (self._place(count, each, self.value) for each in (sides, other))
-            places[point] = there, away
-            known = [want] if isinstance(want, str) else words_for(there, away)
-            if known:
-                words[point] = known[0]
-        parallel = frozenset(point for point in words if words[point] == PARALLEL)
+            away = self._places(count, {**sides, dyad.point: -sides[dyad.point]}, self.value)
+            for point in asked or [dyad.points[0]]:
+                want = asked.get(point)
+                known = [want] if isinstance(want, str) else words_for(there[point], away[point])
+                places[point] = there[point], away[point]
+                words |= dict.fromkeys([point], *known[:1]) if known else {}
+        parallel = frozenset(dyad.point for dyad in self.dyads if words.get(dyad.point) == PARALLEL)
         return Assembly(sides, words, places, parallel)
 
-    def _side(self, count: int, sides: Mapping[str, float], want: Place | None) -> float:
-        """Return the side on which the point of the last of ``count`` dyads is wanted."""
-        point, value = self.dyads[count - 1].point, self.value
-        if want is None:
+    def _side(self, count: int, sides: Mapping[str, float], asked: Mapping[str, Place]) -> float:
+        """Return the side that the last of ``count`` dyads has in the places that are asked for."""
+        dyad, value = self.dyads[count - 1], self.value
+        if not asked and dyad.two_places:
+            point = dyad.points[0]
             posed = self._pose_value(point)
             if posed is not None:
-                want, value = self.pose[point], posed
-        if want is None or want == PARALLEL:
+                asked, value = {point: self.pose[point]}, posed
+        asked = {point: want for point, want in asked.items() if want != PARALLEL}
+        if not asked:
             return 1.0
-        both = [self._place(count, {**sides, point: side}, value) for side in (1.0, -1.0)]
-        return (1.0, -1.0)[_choose(point, want, both)]
+        one, other = (
+            self._places(count, {**sides, dyad.point: side}, value) for side in (1.0, -1.0)
+        )
+        chosen = {p: _choose(p, want, (one[p], other[p])) for p, want in asked.items()}
+        if len(set(chosen.values())) > 1:
+            point, *others = chosen
+            message = f"{point}: cannot be so while {others[0]} is {asked[others[0]]}"
+            raise UnplacedError(point, message, "one of them is enough")
+        return (1.0, -1.0)[next(iter(chosen.values()))]
 
     def _pose_value(self, point: str) -> float | None:
         """Return where the driver stands in the pose, which has a point; None if it has not."""
@@ -132,18 +140,20 @@ class _Assembling:
             return None
         return math.degrees(cmath.phase(known[link.base[1]] - known[link.base[0]]))
 
-    def _place(self, count: int, sides: Mapping[str, float], value: float) -> complex:
-        """Return where the point of the last of ``count`` dyads is."""
-        point = self.dyads[count - 1].point
-        solver = self._solver(count, sides)
+    def _places(self, count: int, sides: Mapping[str, float], value: float) -> dict[str, complex]:
+        """Return where the points of the last of ``count`` dyads are."""
+        dyad, solver = self.dyads[count - 1], self._solver(count, sides)
+        motion = Evaluation(solver, (value, 0.0, 0.0))
         try:
-            motion = Evaluation(solver, (value, 0.0, 0.0))
-            return complex(evaluate(("point", point, "position"), motion))
+            motion.pose  # noqa: B018  # raises where the links do not close
         except OpenLoopError as gap:
             miss = f"{gap.miss * solver.frame.scale:.4g} {self.description.unit}"
-            message = f"with these lengths {point} cannot be reached at the driver's place"
+            message = f"with these lengths {dyad.point} cannot be reached at the driver's place"
             hint = self._other_way(count, sides)
-            raise UnplacedError(point, f"{message}: it misses by {miss}", hint) from None
+            raise UnplacedError(dyad.point, f"{message}: it misses by {miss}", hint) from None
+        return {
+            point: complex(evaluate(("point", point, "position"), motion)) for point in dyad.points
+        }
 
     def _solver(self, count: int, sides: Mapping[str, float]) -> Solver:
         linkage = linkage_of(self.description, self.dyads[:count], self.values, sides)
@@ -152,7 +162,7 @@ class _Assembling:
     def _other_way(self, count: int, sides: Mapping[str, float]) -> str | None:
         """Say which earlier dyad would have to take its other place."""
         for dyad in self.dyads[: count - 1]:
-            if dyad.two_places:
+            if dyad.reversible:
                 solver = self._solver(count, {**sides, dyad.point: -sides[dyad.point]})
                 try:
                     solver.positions(self.value)

@@ -36,17 +36,27 @@ class Dyad:
         The links that it finds, that which the driver moves first.
     guides
         The guides whose slides it finds.
+    points
+        The points that it finds, the one in which its chains meet first.
     """
 
     kind: str
     point: str
     links: tuple[Link, ...] = ()
     guides: tuple[Guide, ...] = ()
+    points: tuple[str, ...] = ()
 
     @property
     def two_places(self) -> bool:
-        """Whether its point can be at two places."""
-        return self.kind in ("RRR", "RRP")
+        """Whether its points can be at two places."""
+        slot = self.guides[0].line if self.kind == "RPR" and self.guides else None
+        aside = isinstance(slot, LinkLine) and slot.offset is not None
+        return self.kind in ("RRR", "RRP") or (aside and bool(self.points))
+
+    @property
+    def reversible(self) -> bool:
+        """Whether its points can be at two places once a slot is counted from either side."""
+        return self.two_places or (self.kind == "RPR" and bool(self.points))
 
     def __str__(self) -> str:
         return ", ".join([link.name for link in self.links] or [g.slide for g in self.guides])
@@ -103,11 +113,14 @@ def dyads(description: Description, driver: Driver | None = None) -> list[Dyad]:
     known = _Known(description, driver or description.driver)
     found: list[Dyad] = []
     while dyad := next(_dyads(known), None):
-        found.append(dyad)
+        before = set(known.points)
+        if dyad.point not in before:
+            known.points[dyad.point] = True
         for link in dyad.links:
             known.learn(link)
         for guide in dyad.guides:
             known.points.setdefault(guide.point, True)
+        found.append(replace(dyad, points=tuple(p for p in known.points if p not in before)))
     missing = [name for name in description.links if name not in known.links]
     missing += [g.slide for g in description.guides.values() if g.point not in known.points]
     if missing:

@@ -69,7 +69,7 @@ def linkage_of(
     values
         Its parameters, in its unit of length and in degrees.
     sides
-        The side of each dyad that has two places, +1.0 or -1.0, by its point; +1.0 if left out.
+        The side of each dyad, +1.0 or -1.0, by its point; +1.0 if left out.
     parallel
         The points of dyads that are parallelograms and stay so.
 
@@ -110,17 +110,19 @@ class _Linking:
         loops = []
         for dyad in dyads:
             first, second = _without_beginning(*self._chains_of(dyad))
-            side = sides.get(dyad.point, 1.0) if dyad.two_places else 1.0
+            side = sides.get(dyad.point, 1.0) if dyad.reversible else 1.0
             loops.append(Loop(first, second, side, dyad.point in parallel))
             for link in dyad.links:
                 self._learn(link)
+        ground = self._ground(loops)
+        here = {self.pivot, ground[0]} if ground else {self.pivot}
         return Linkage(
             angle_of(driver.name) if driver.kind == "angle" else length_of(driver.name),
             tuple(loops),
             images=tuple(self._images(loops)),
             pivot=self.pivot,
-            ground=self._ground(loops),
-            fixed={point: at for point, at in self.fixed.items() if point != self.pivot},
+            ground=ground,
+            fixed={point: self.fixed[point] for point in self.fixed if point not in here},
             place=self.fixed[self.pivot],
         )
 
@@ -157,24 +159,15 @@ class _Linking:
                 self.chains[point] = (*self.chains[held], self._bar(link, held, point))
 
     def _bar(self, link: Link, tail: str, head: str) -> Bar:
-        """Return the vector between two points of a link.
-
-        It is written with the link where it lies in the link's line, or else in the order of the
-        link's points.
-        """
-        at = self.shapes[link.name]
-        vector = at[head] - at[tail]
+        """Return the vector from one point of a link to another."""
+        vector = self.shapes[link.name][head] - self.shapes[link.name][tail]
         if vector == 0:
             raise InputError(f"{link.name}: {tail} and {head} are at the same place")
-        straight = vector.imag == 0.0
-        order = link.points.index
-        if vector.real < 0.0 if straight else order(head) < order(tail):
-            return -self._bar(link, head, tail)
-        turn = 1.0 + 0j if straight else vector / abs(vector)
-        return Bar(tail + head, link.name, abs(vector), turn=turn)
+        size = abs(vector)
+        return Bar(tail + head, link.name, size, turn=vector / size)
 
     def _slide(self, guide: Guide, tail: str | None = None) -> Slide:
-        """Return the slide along a line that does not turn, from its own fixed point or ``tail``."""
+        """Return the slide along a line that does not turn, from its own point or ``tail``."""
         line, point, values = guide.line, guide.point, self.values
         if isinstance(line, SliderLine):
             return Slide(line.through + point, guide.slide, fold(line.angle(values)))
@@ -208,7 +201,7 @@ class _Linking:
         if along == 0:
             tail, head = line.pair
             raise InputError(f"{line.link}: {tail} and {head} are at the same place")
-        turn = complex(1.0) if along.imag == 0.0 < along.real else along / abs(along)
+        turn = along / abs(along)
         start = held or line.pair[0]
         shift = (zero - at[start]) * turn.conjugate()
         aside = shift.imag + (line.offset(self.values) if line.offset else 0.0)
@@ -237,7 +230,7 @@ class _Linking:
             self.chains[dyad.point] = (*self.chains[slide.tail], slide)
             return arm, self.chains[dyad.point]
         if dyad.kind == "RPR":
-            return self._slotted(*links, *guides)
+            return self._slotted(links[0], guides[0] if guides else None)
         if dyad.kind == "PRP":
             # Both chains begin at the first point that slides, and the polygon with it.
             one, other = (self._slide(guide, self.pivot) for guide in guides)
@@ -258,7 +251,7 @@ class _Linking:
             return (*self.chains[held], stroke, Bar(end + head, link.name, link.name))
         return (*self.chains[held], self._bar(link, held, point))
 
-    def _slotted(self, link: Link, guide: Guide | None = None) -> tuple[Chain, Chain]:
+    def _slotted(self, link: Link, guide: Guide | None) -> tuple[Chain, Chain]:
         """Return the chains of a link that is found by the pin in its slot, or of a cylinder."""
         if guide is None:
             tail, pin = link.base
@@ -283,8 +276,7 @@ class _Linking:
             for point in link.points:
                 if point not in reached:
                     reached.add(point)
-                    bar = self._bar(link, starts[0], point)
-                    yield -bar if bar.reverse else bar
+                    yield self._bar(link, starts[0], point)
 
 
 def _without_beginning(first: Chain, second: Chain) -> tuple[Chain, Chain]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import partial
 
 from vad.errors import InputError
 from vad.files.description import (
@@ -33,22 +34,25 @@ def check_numbers(source: Source, description: Description, values: Values) -> N
     vad.errors.InputError
         With its line, for an expression without a value, or a triangle that does not close.
     """
-
-    def check(table: str, key: str, find: Callable[[], object]) -> None:
+    found: list[tuple[str, str, Callable[[], object]]] = [
+        (table, key, partial(_evaluated, thing, values))
+        for table, things in (("fixed", description.fixed), ("pose", description.pose))
+        for key, thing in things.items()
+    ]
+    found += [
+        ("guides", key, partial(_evaluated, guide.line, values))
+        for key, guide in description.guides.items()
+    ]
+    found += [
+        ("links", name, partial(places_on, link, description, values))
+        for name, link in description.links.items()
+    ]
+    for table, key, find in found:
         try:
             find()
         except InputError as error:
             name = "" if str(error).startswith(f"{key}: ") else f"{key}: "
             raise source.error(table, key, f"{name}{error}", error.hint) from None
-
-    for point, place in description.fixed.items():
-        check("fixed", point, lambda each=place: _evaluated(each, values))
-    for point, place in description.pose.items():
-        check("pose", point, lambda each=place: _evaluated(each, values))
-    for point, guide in description.guides.items():
-        check("guides", point, lambda each=guide.line: _evaluated(each, values))
-    for name, link in description.links.items():
-        check("links", name, lambda each=link: places_on(each, description, values))
 
 
 def _evaluated(thing: object, values: Values) -> None:

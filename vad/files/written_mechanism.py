@@ -74,7 +74,7 @@ class Written:
     def _error_at(self, point: str, error: VadError) -> InputError:
         if point in self.source.table("assembly"):
             return self.source.error("assembly", point, str(error), error.hint)
-        dyad = next(dyad for dyad in self.dyads if dyad.point == point)
+        dyad = next(dyad for dyad in self.dyads if point in (dyad.point, *dyad.points))
         table, key = ("links", dyad.links[0].name) if dyad.links else ("guides", point)
         return self.source.error(table, key, str(error), error.hint)
 
@@ -126,7 +126,7 @@ def _places(written: Written, given: Mapping[Any, Any]) -> dict[str, Place]:
     vad.errors.InputError
         For what is no place, or no point that has two.
     """
-    points = [dyad.point for dyad in written.dyads if dyad.two_places]
+    points = [point for dyad in written.dyads if dyad.reversible for point in dyad.points]
     places = {}
     for point, value in given.items():
         if point not in points:
