@@ -261,7 +261,8 @@ class _Linking:
         else:
             pin = guide.point
             bar, slide = self._slot(guide, self._held(link))
-        return (*self.chains[pin], -slide), (*self.chains[bar.tail], bar)
+        to_pin, to_slot = (*self.chains[pin], -slide), (*self.chains[bar.tail], bar)
+        return (to_pin, to_slot) if pin not in self.fixed else (to_slot, to_pin)
 
     def _images(self, loops: Sequence[Loop]) -> Iterator[Bar]:
         """Yield bars to the points of links that no loop reaches."""

@@ -127,7 +127,7 @@ class Numbers:
         except InputError as wrong:
             unknown = wrong
         try:
-            return read(value, "length" if quantity == "number" else quantity, self.unit)
+            return read(value, quantity, self.unit)
         except InputError as wrong:
             # What begins with a digit is a quantity with its unit, anything else an expression.
             best = wrong if value.strip()[:1].isdigit() else unknown
