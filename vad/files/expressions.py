@@ -85,7 +85,9 @@ class Expression:
             raise wrong from None
         for name in sorted(names):
             if name not in dimensions:
-                raise unknown("dimension", name, dimensions)
+                wrong = unknown("dimension", name, dimensions)
+                hint = wrong.hint if dimensions else f"write {name} = 100 under [dimensions]"
+                raise InputError(str(wrong), hint)
         return cls(text, names, tree)
 
     def __call__(self, values: Mapping[str, float]) -> float:

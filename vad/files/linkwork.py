@@ -149,7 +149,8 @@ class _LinkReader:
             known.append(point)
         for angle in angles:
             text = "".join(angle)
-            raise self.error(f"{text}: no distance leads to {angle[2]}", f"add {angle[1:]} = …")
+            hint = f"add {angle[1]}{angle[2]} = 100"
+            raise self.error(f"{text}: no distance leads to {angle[2]}", hint)
         return rules
 
     def _aside(

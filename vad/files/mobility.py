@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from vad.files.description import Description
+from vad.files.description import Description, FrameLine, LinkLine
 from vad.files.tables import Source
 
 
@@ -44,6 +44,7 @@ def check_mobility(source: Source, description: Description) -> Mobility:
     vad.errors.InputError
         For any other, with a hint where its cause can be seen.
     """
+    _check_connected(source, description)
     found = mobility(description)
     if found.freedoms == 1:
         return found
@@ -60,6 +61,27 @@ def check_mobility(source: Source, description: Description) -> Mobility:
     else:
         hint = "a link that only repeats a parallelogram can be left out"
     raise source.error(table, key, f"Grübler: {found}, not 1", hint)
+
+
+def _check_connected(source: Source, description: Description) -> None:
+    """Refuse links that hang together with nothing that is fixed."""
+    groups = [set(link.points) for link in description.links.values()]
+    joined = set(description.fixed)
+    for guide in description.guides.values():
+        line = guide.line
+        if isinstance(line, FrameLine):
+            joined.add(guide.point)
+        elif isinstance(line, LinkLine):
+            groups.append({guide.point, *line.pair})
+        else:
+            groups.append({guide.point, line.through})
+    while new := set().union(*(group for group in groups if group & joined)) - joined:
+        joined |= new
+    loose = [name for name, link in description.links.items() if not joined & set(link.points)]
+    if loose:
+        verb = "shares" if len(loose) == 1 else "share"
+        message = f"{', '.join(loose)}: {verb} no point with the rest"
+        raise source.error("links", loose[0], message)
 
 
 def _at(points: list[str]) -> str:

@@ -53,6 +53,11 @@ class Written:
         """The numbers of the file."""
         return {name: each.default for name, each in self.description.parameters.items()}
 
+    @property
+    def choices(self) -> list[str]:
+        """The points that can be at two places."""
+        return [point for dyad in self.dyads if dyad.reversible for point in dyad.points]
+
     def assembly(self, given: Mapping[str, Place]) -> Assembly:
         """Return the sides for places that are given in place of the file's own."""
         wanted = {**self.description.assembly, **given}
@@ -66,6 +71,11 @@ class Written:
         vad.errors.InputError
             With its line, for a point that cannot take its place.
         """
+        for point in self.description.assembly:
+            if point not in self.choices:
+                message = f"{point}: has one place only"
+                hint = f"two places have {', '.join(self.choices)}" if self.choices else None
+                raise self.source.error("assembly", point, message, hint)
         try:
             return self.assembly({})
         except UnplacedError as error:
@@ -126,11 +136,10 @@ def _places(written: Written, given: Mapping[Any, Any]) -> dict[str, Place]:
     vad.errors.InputError
         For what is no place, or no point that has two.
     """
-    points = [point for dyad in written.dyads if dyad.reversible for point in dyad.points]
     places = {}
     for point, value in given.items():
-        if point not in points:
-            raise unknown("point with two places", point, points)
+        if point not in written.choices:
+            raise unknown("point with two places", point, written.choices)
         place = place_of(value)
         if place is None:
             raise InputError(f"assembly: {point}: {shown(value)} is no place", HINT)
