@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     )
     from vad.export import save
     from vad.export.data.sheet_json import sheet_from_json
+    from vad.files.loading import load, mechanism
     from vad.kinematics.motion import Motion, Motions, solve
     from vad.lecture.lesson import Lesson
     from vad.lecture.still import Still, still
@@ -74,6 +75,8 @@ __all__ = [
     "animate",
     "batch",
     "draw",
+    "load",
+    "mechanism",
     "multiples",
     "save",
     "sheet_from_json",
@@ -102,6 +105,8 @@ _HOMES = {
     "batch": "vad.batches.batch",
     "sweep": "vad.batches.blocks_of_poses",
     "sheet_from_json": "vad.export.data.sheet_json",
+    "load": "vad.files.loading",
+    "mechanism": "vad.files.loading",
     "MECHANISMS": "vad.mechanisms",
     "Mechanism": "vad.mechanisms",
     "VadError": "vad.errors",
