@@ -30,7 +30,7 @@ def cells(answers: Mapping[str, Any]) -> dict[str, Any]:
         return f"{name} [{units[kin.get(quantity, quantity)]}]"
 
     row: dict[str, Any] = {"mechanism": answers["mechanism"], **answers["parameters"]}
-    row |= {"assembly": answers["assembly"] or "", "length_unit": units["length"]}
+    row |= {"assembly": _assembly(answers["assembly"]), "length_unit": units["length"]}
     row |= answers["input"]
     for rows in ("links", "slides"):
         for owner, results in answers[rows].items():
@@ -41,3 +41,16 @@ def cells(answers: Mapping[str, Any]) -> dict[str, Any]:
             for axis, value in zip(_AXES, vector, strict=True):
                 row[head(f"{letter} {quantity} {axis}", quantity)] = value
     return row
+
+
+def _assembly(assembly: str | Mapping[str, Any] | None) -> str:
+    """Return an assembly as it stands in a cell.
+
+    Examples
+    --------
+    >>> _assembly("open"), _assembly({"B": "left", "G": "upper"})
+    ('open', 'B=left G=upper')
+    """
+    if isinstance(assembly, Mapping):
+        return " ".join(f"{point}={place}" for point, place in assembly.items())
+    return assembly or ""

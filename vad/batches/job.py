@@ -11,8 +11,8 @@ from typing import Any
 from vad import __version__
 from vad.errors import VadError
 
-#: What a parameter may be: a number in the scene's unit, or the word of an assembly.
-Value = float | str
+#: What a parameter may be: a number in the scene's unit; an assembly's word, or places by point.
+Value = float | str | Mapping[str, Any]
 
 
 @dataclass(frozen=True)

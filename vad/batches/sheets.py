@@ -7,7 +7,8 @@ from pathlib import Path
 
 from vad.batches.sheets_csv import Rows, read_csv
 from vad.batches.sheets_toml import read_toml
-from vad.errors import InputError, UsageError, shown
+from vad.errors import UsageError, shown
+from vad.files.tables import text_of
 
 #: No class is so large.
 _LONGEST = 10_000_000
@@ -30,20 +31,5 @@ def read_sheets(path: str | os.PathLike[str]) -> Rows:
     kind = file.suffix.lower()
     if kind not in (".toml", ".csv"):
         raise UsageError(f"sheets cannot be read from {shown(str(path))}", _HINT)
-    text = _text(file)
+    text = text_of(file, _LONGEST)
     return read_csv(text, file) if kind == ".csv" else Rows(read_toml(text, file))
-
-
-def _text(file: Path) -> str:
-    try:
-        with file.open("rb") as stream:
-            data = stream.read(_LONGEST + 1)
-        text = data.decode("utf-8-sig")
-    except (OSError, ValueError) as error:
-        if isinstance(error, UnicodeDecodeError):
-            raise InputError(f"{file.name}: is no text in UTF-8") from None
-        said = getattr(error, "strerror", None) or str(error)
-        raise InputError(f"{file.name}: {said.lower()}") from None
-    if len(data) > _LONGEST:
-        raise InputError(f"{file.name}: is longer than {_LONGEST} bytes")
-    return text.replace("\r\n", "\n")

@@ -16,7 +16,7 @@ from typing import Any
 
 from vad.batches.job import Done, Job, Recipe
 from vad.batches.place import written_at
-from vad.batches.subject import kind_of, offered, text_of
+from vad.batches.subject import kind_of, offered, text_beside
 from vad.batches.wanted import MOST, WORDS, read_word, recipe
 from vad.errors import InputError, VadError, unknown
 
@@ -84,7 +84,7 @@ def _check_columns(columns: list[str], rows: list[list[str]], path: Path) -> Non
     for row in rows:
         name = dict(zip(columns, row, strict=False)).get("mechanism", "").strip()
         try:
-            kind = kind_of(name, text_of(name, path.parent))
+            kind = kind_of(name, text_beside(path, name))
         except VadError:
             continue
         known |= {each.name for each in fields(kind)} | set(kind.inputs)
@@ -107,7 +107,7 @@ def _recipe(cells: Mapping[str, str], path: Path) -> Recipe:
     if "mechanism" not in cells:
         raise InputError("mechanism: is missing", "as in four-bar")
     mechanism = cells["mechanism"]
-    text = text_of(mechanism, path.parent)
+    text = text_beside(path, mechanism)
     kind = kind_of(mechanism, text)
     words: dict[str, Any] = {}
     for name, cell in cells.items():
