@@ -97,6 +97,9 @@ def _nearest(
     places = np.concatenate([np.linspace(low, high, _SAMPLES) for low, high in ranges])
     sines = np.abs(solver.sines(places))
     sines[np.isnan(sines)] = np.inf
+    sines[[loop.parallel for loop in solver.linkage.loops]] = np.inf  # which pass where it is 0
+    if not np.isfinite(sines).any():
+        return None
     loop, at = np.unravel_index(np.argmin(sines), sines.shape)
     return Nearest(float(places[at]), int(loop) + 1, float(sines[loop, at]))
 
@@ -107,8 +110,9 @@ def _equation(loop: Loop) -> str:
     ground = ["".join(starts)] if starts[0] != starts[1] else []
     sides = []
     for chain, other in ((loop.first, loop.second), (loop.second, loop.first)):
-        vectors = [step.ends for step in chain if not step.reverse]
-        vectors += [step.ends for step in reversed(other) if step.reverse]
+        onward = [step.ends for step in chain if not step.reverse]
+        back = [step.ends for step in reversed(other) if step.reverse]
+        vectors = [*back, *onward] if not ground and other[0].reverse else [*onward, *back]
         sides.append([*(ground if chain is loop.second else []), *vectors])
     return " = ".join(" + ".join(side) or "0" for side in sides)
 
