@@ -55,8 +55,9 @@ def _angle(evaluation: Evaluation, name: str, order: int) -> Number:
     if angle_of(name) == frame.linkage.driver:
         return positive(evaluation.driver_angle)
     if name in pose.leaning:
-        return degrees_of(pose.leaning[name], frame.guides[name])
-    return degrees_of(_turned(evaluation, pose.unit[name]))
+        leaning = turned(pose.leaning[name], frame.found_along[name].conjugate())
+        return degrees_of(leaning, frame.guides[name])
+    return degrees_of(_turned(evaluation, frame.unit(name, pose)))
 
 
 def _turning(evaluation: Evaluation, name: str, order: int) -> Number:
