@@ -108,7 +108,7 @@ def test_the_lesson_itself_is_right():
         (PLACE, f'{PLACE}\nP = "lower"', 12, "C: cannot be so while P is lower", "enough"),
         (PLACE, 'C = "parallel"', 12, "BC and the side opposite it differ by 20", "equal"),
         (DC, "DC = 20", 12, "C cannot be reached at the driver's place: it misses by 12.82", None),
-        (ROCKER, GUIDE + "{ y = 0 }", 13, "neither of its two places is the upper", "right or left"),
+        (ROCKER, GUIDE + "{ y = 0 }", 13, "neither of its two places is the upper", "right"),
         (PLACE, f"{PLACE}\n[pose]\nA = [3, 4]", 14, "A: is a fixed point already", None),
         # mobility
         (DC, "DC = 80, DA = 100", 8, "pinned to the frame at D and A, so it cannot move", None),
