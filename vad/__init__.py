@@ -2,7 +2,8 @@
 
 Four verbs: `solve` a mechanism, `draw` its sheet, `animate` it as a lesson, `save` either one;
 `turn` is a film of a whole turn, `multiples` a few poses side by side, `still` one step of a
-lesson, `sheet_from_json` a sheet that was saved.
+lesson, `sheet_from_json` a sheet that was saved; `batch` makes sheets by the hundred, and `sweep`
+solves arrays that are larger than memory.
 Each part is loaded when it is first used.
 
 >>> import vad
@@ -14,6 +15,8 @@ Each part is loaded when it is first used.
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from vad.batches.batch import batch
+    from vad.batches.blocks_of_poses import sweep
     from vad.errors import (
         AssemblyError,
         DeadCentreError,
@@ -70,6 +73,7 @@ __all__ = [
     "VadError",
     "Whitworth",
     "animate",
+    "batch",
     "draw",
     "load",
     "mechanism",
@@ -78,6 +82,7 @@ __all__ = [
     "sheet_from_json",
     "solve",
     "still",
+    "sweep",
     "turn",
 ]
 
@@ -97,6 +102,8 @@ _HOMES = {
     "still": "vad.lecture.still",
     "Still": "vad.lecture.still",
     "save": "vad.export",
+    "batch": "vad.batches.batch",
+    "sweep": "vad.batches.blocks_of_poses",
     "sheet_from_json": "vad.export.data.sheet_json",
     "load": "vad.files.loading",
     "mechanism": "vad.files.loading",

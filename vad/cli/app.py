@@ -8,7 +8,7 @@ from collections.abc import Iterable
 import click
 
 from vad import __version__
-from vad.cli import actions, catalogue, check, compare, completion, values
+from vad.cli import actions, batch_command, catalogue, check, compare, completion, values
 from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import named_option
 from vad.errors import unknown
@@ -197,4 +197,5 @@ for verb in (
 ):
     app.add_command(verb)
 app.add_command(compare.command)
+app.add_command(batch_command.command)
 app.add_command(check.command)
