@@ -1,12 +1,15 @@
 """The drawings of a page: in comes a plan, out go its panels as SVG, and how their strokes grow.
 
-A group bears the beats between which it shows, ``data-s`` and ``data-u``.  What grows has an empty
-group in its place of the painting order, which the player fills while the stroke is drawn.
+A group bears the beats between which it shows, ``data-s`` and ``data-u``.  A mark that grows in the
+first of them has a group of its own, which names its growth by number, ``data-g``.
 """
 
 from __future__ import annotations
 
-from vad.page.samples import Sampler, Segment
+from itertools import groupby
+from typing import Any
+
+from vad.page.growths import grown
 from vad.page.themed import Inks, Themed
 from vad.painting.svg.classes import Classes
 from vad.painting.svg.elements import Elements
@@ -16,7 +19,7 @@ from vad.painting.svg.set_text import SetText
 from vad.plan.board import Plan
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
-from vad.plan.items import FOREVER
+from vad.plan.items import FOREVER, Item
 from vad.plan.marks import Mark
 
 
@@ -30,46 +33,45 @@ class Inker:
     style
         What names their colours.
     growths
-        Of everything that grows its beat, and how it comes about.
+        How each mark that grows comes about: see `vad.page.growths`.
     """
 
     def __init__(self, form: Format, style: Themed, faces: Faces) -> None:
         self.classes = Classes()
-        self.growths: list[tuple[int, list[Segment]]] = []
         self.style = style
+        self.growths: list[list[Any]] = []
         self._grid, self._inks = Grid(form), Inks(style)
         self._elements = Elements(self._grid, self.classes, SetText(self.classes, faces))
-        self._sampler = Sampler(self._grid, self._elements, self._inks)
 
     def drawing(self, plan: Plan, panel: str) -> str:
         """Return the groups of a panel, in painting order."""
-        groups: list[tuple[str, str]] = []
-        for item in plan.items:
-            if item.region != panel:
-                continue
-            since, home = item.since, ""
-            if item.grows:
-                home = f' data-g="{len(self.growths)}"'
-                self.growths.append((item.since, self._sampler.segments(item)))
-                groups.append((when(since, since + 1, plan.finished) + home, ""))
-                since += 1
-            if since < item.until:
-                beats = when(since, item.until, plan.finished)
-                if groups and groups[-1][0] == beats:
-                    beats, before = groups.pop()
-                    groups.append((beats, before + self.marks(item.marks)))
-                else:
-                    groups.append((beats, self.marks(item.marks)))
-        return "".join(f"<g{beats}>{marks}</g>" for beats, marks in groups)
 
-    def marks(self, marks: tuple[Mark, ...]) -> str:
-        """Return marks as elements."""
-        return "".join(self._elements.of(each.shape, self._inks(each)) for each in marks)
+        def beats(item: Item) -> tuple[int, int]:
+            return item.since, item.until
+
+        items = [item for item in plan.items if item.region == panel]
+        return "".join(
+            f"<g{when(*span, plan.finished)}>{''.join(self._item(item) for item in group)}</g>"
+            for span, group in groupby(items, beats)
+        )
+
+    def mark(self, mark: Mark) -> str:
+        """Return a mark as it stays."""
+        return self._elements.of(mark.shape, self._inks(mark))
 
     def view(self, area: Rect) -> str:
         """Return the view of an area of the page."""
         corner, unit = self._grid.at(complex(area.left, area.top)), self._grid.unit
         return " ".join((*corner, number(area.width * unit), number(area.height * unit)))
+
+    def _item(self, item: Item) -> str:
+        return "".join(
+            self._growing(mark) if mark.growth else self.mark(mark) for mark in item.marks
+        )
+
+    def _growing(self, mark: Mark) -> str:
+        self.growths.append(grown(mark, self._grid))
+        return f'<g data-g="{len(self.growths) - 1}">{self.mark(mark)}</g>'
 
 
 def when(since: int, until: int, finished: int) -> str:

@@ -5,66 +5,55 @@
 // vad/page/document.py writes; data is that of vad/page/parts.py. After each change it hears
 // "vad:step" with x as its detail.
 
-const SVG = "http://www.w3.org/2000/svg";
-const NUMBERS = { M: 2, L: 2, C: 6, Z: 0 };
 const smooth = (t) => t * t * (3 - 2 * t);
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
-// A shape of vad/page/samples.py, which knows how its element looks from numbers.
-function shape([name, commands, fades]) {
-  if (commands === "T") {
-    const group = document.createElementNS(SVG, "g");
-    group.innerHTML = name;
-    return [group, 2, (n) => group.setAttribute("transform", `translate(${n[0] / 10} ${n[1] / 10})`),
-      fades && group.lastElementChild];
-  }
-  const circle = commands === "O";
-  const element = document.createElementNS(SVG, circle ? "circle" : "path");
-  element.setAttribute("class", name);
-  if (circle) {
-    const set = (n) => ["cx", "cy", "r"].forEach((key, i) => element.setAttribute(key, n[i] / 10));
-    return [element, 3, set, fades && element];
-  }
-  const count = [...commands].reduce((sum, command) => sum + NUMBERS[command], 0);
-  const set = (n) => {
-    let at = 0;
-    const parts = [...commands].map((command) =>
-      command + n.slice(at, (at += NUMBERS[command])).map((each) => each / 10).join(" "));
-    element.setAttribute("d", parts.join(""));
-  };
-  return [element, count, set, fades && element];
+// The numbers at a share: linear between knots, constant beyond them.
+function between(knots, share) {
+  const next = knots.findIndex((knot) => knot[0] > share);
+  if (next <= 0) return knots.at(next).slice(1);
+  const low = knots[next - 1], high = knots[next], way = (share - low[0]) / (high[0] - low[0]);
+  return low.slice(1).map((from, i) => from + way * (high[i + 1] - from));
 }
 
-// What grows in one place: shows itself at a share.
-function growing(place, segments) {
-  const spans = segments.map(([kinds, knots]) => {
-    const sums = [knots[0]];
-    for (const [share, ...ways] of knots.slice(1)) {
-      const before = sums[sums.length - 1];
-      sums.push([share, ...ways.map((way, i) => before[i + 1] + way)]);
+// The first part of lines "Mx yldx dy…", piece after piece.
+function trimmed(data, part) {
+  const pieces = data.split("M").slice(1).map((piece) => piece.match(/-?(\d+\.?\d*|\.\d+)/g).map(Number));
+  const lengths = pieces.map((n) => n.map((_, i) => i > 1 && i % 2 ? Math.hypot(n[i - 1], n[i]) : 0));
+  let left = part * lengths.flat().reduce((sum, each) => sum + each, 0), drawn = "";
+  pieces.forEach((n, k) => {
+    if (left > 0) drawn += `M${n[0]} ${n[1]}l`;
+    for (let i = 3; i < n.length && left > 0; i += 2) {
+      const share = Math.min(1, left / (lengths[k][i] || 1));
+      drawn += ` ${n[i - 1] * share} ${n[i] * share}`;
+      left -= lengths[k][i];
     }
-    return { kinds, knots: sums };
   });
-  let shown = null, shapes = [];
-  return (share) => {
-    const part = 1000 * share;
-    const span = spans.findLast((each) => each.knots[0][0] <= part) ?? spans[0];
-    if (span !== shown) {
-      shown = span;
-      shapes = span.kinds.map(shape);
-      place.replaceChildren(...shapes.map(([element]) => element));
-    }
-    const last = span.knots.length - 1;
-    const next = clamp(span.knots.findIndex((knot) => knot[0] > part), 0, last) || last;
-    const low = span.knots[Math.max(next - 1, 0)], high = span.knots[next];
-    const way = clamp((part - low[0]) / (high[0] - low[0] || 1), 0, 1);
-    const numbers = low.slice(1).map((from, i) => from + way * (high[i + 1] - from));
-    let at = 0;
-    for (const [, count, set, fading] of shapes) {
-      set(numbers.slice(at, (at += count)));
-      if (fading) fading.style.opacity = numbers[at++] / 100;
-    }
+  return drawn;
+}
+
+function arc(part, x, y, radius, start, sweep) {
+  const at = (degrees) => {
+    const angle = degrees * Math.PI / 180;
+    return `${x + radius * Math.cos(angle)} ${y - radius * Math.sin(angle)}`;
   };
+  const turn = part * sweep, flags = `${+(Math.abs(turn) > 180)} ${+(turn < 0)}`;
+  return part > 0 ? `M${at(start)}A${radius} ${radius} 0 ${flags} ${at(start + turn)}` : "";
+}
+
+// Shows a growing mark at a share; at 1 it is as it stays. See vad/page/growths.py.
+function growing(group, [kind, knots, x, y, ...bow]) {
+  const elements = [...group.children];
+  const data = elements.map((each) => each.getAttribute("d")), radii = elements.map((each) => +each.getAttribute("r"));
+  const shows = {
+    trim: ([part]) => elements.forEach((each, i) => each.setAttribute("d", part < 1 ? trimmed(data[i], part) : data[i])),
+    bow: ([part]) => elements.forEach((each, i) => each.setAttribute("d", part < 1 ? arc(part, x, y, ...bow) : data[i])),
+    slide: ([right, down]) => group.setAttribute("transform", `translate(${right} ${down})`),
+    turn: ([degrees]) => group.setAttribute("transform", `rotate(${degrees} ${x} ${y})`),
+    scale: ([factor]) => elements.forEach((each, i) => each.setAttribute("r", factor * radii[i])),
+    fade: ([alpha]) => (group.lastElementChild.style.opacity = alpha),
+  };
+  return (share) => shows[kind](between(knots, share));
 }
 
 export function mount(root, data, { address = true } = {}) {
@@ -85,10 +74,8 @@ export function mount(root, data, { address = true } = {}) {
     lesson = { ...next, links: all(".steps a"), chapters: all(".chapters button"), pictures: all(".drawing svg") };
     lesson.timed = all("[data-s], [data-u]").map((element) =>
       [element, +(element.dataset.s ?? 0), +(element.dataset.u ?? Infinity)]);
-    lesson.growing = all("[data-g]").map((place) => {
-      const [since, segments] = lesson.grow[place.dataset.g];
-      return [since, place, growing(place, segments)];
-    });
+    lesson.growing = all("[data-g]").map((group) =>
+      [+group.parentNode.dataset.s, growing(group, lesson.grow[group.dataset.g])]);
     scrub.max = strokes();
     beat = spoken = -1;
     paint(at);
@@ -99,7 +86,7 @@ export function mount(root, data, { address = true } = {}) {
     const shown = calm.matches ? Math.ceil(x) : x, done = Math.floor(shown);
     const now = shown === strokes() ? 2 * done + 1 : 2 * done + (shown > done);
     if (now !== beat) turn(now, done);
-    for (const [since, , show] of lesson.growing) if (since === now) show(smooth(shown - done));
+    for (const [since, show] of lesson.growing) if (since === now) show(smooth(shown - done));
     scrub.value = x;
     scrub.style.setProperty("--share", x / strokes());
     say(Math.ceil(x) - 1);
@@ -107,12 +94,13 @@ export function mount(root, data, { address = true } = {}) {
   }
 
   function turn(now, done) {
+    const was = beat;
     beat = now;
     for (const [element, since, until] of lesson.timed) {
       element.classList.toggle("off", now < since || now >= until);
       element.classList.toggle("new", now === since);
     }
-    for (const [since, place] of lesson.growing) if (since !== now) place.replaceChildren();
+    for (const [since, show] of lesson.growing) if (since === was) show(1);
     lesson.pictures.forEach((picture, i) => {
       const first = lesson.first[i], whole = (lesson.first[i + 1] ?? strokes()) - first;
       const label = { panel: lesson.panels[i][1], done: clamp(done - first, 0, whole), count: whole };

@@ -47,7 +47,7 @@ def _key(number: int, key: float, inker: Inker) -> str:
     """Return the line of a row in its ink, on a view of its own."""
     mark = line([complex(0.0, 0.5), complex(key, 0.5)], "key", number)
     view = inker.view(Rect(0.0, 0.48, key, 0.52))
-    return f'<svg class="key" viewBox="{view}" aria-hidden="true">{inker.marks((mark,))}</svg>'
+    return f'<svg class="key" viewBox="{view}" aria-hidden="true">{inker.mark(mark)}</svg>'
 
 
 def _cells(plan: Plan, panel: Panel, row: Row, words: Words) -> str:
