@@ -6,6 +6,7 @@ In comes a lesson, out goes HTML that asks for nothing: its security policy forb
 from __future__ import annotations
 
 import json
+import re
 from base64 import b64encode
 from functools import cache
 from hashlib import sha256
@@ -27,8 +28,9 @@ _START = (
 
 @cache
 def asset(name: str) -> str:
-    """Return the text of a file of the page: ``player.html``, ``player.css`` or ``player.js``."""
-    return (files(__package__) / name).read_text("utf-8")
+    """Return a file of the page, ``player.html``, ``.css`` or ``.js``, without its comments."""
+    text = (files(__package__) / name).read_text("utf-8")
+    return re.sub(r"^\s*(//[^\n]*\n\s*)*|/\*.*?\*/\s*", "", text, flags=re.MULTILINE | re.DOTALL)
 
 
 def document(lesson: Lesson, start: int = 0) -> str:

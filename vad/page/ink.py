@@ -1,12 +1,12 @@
 """The drawings of a page: in comes a plan, out go its panels as SVG, and how their strokes grow.
 
-A group bears the beats between which it shows, ``data-s`` and ``data-u``.  A mark that grows in the
-first of them has a group of its own, which names its growth by number, ``data-g``.
+A group bears the beats between which it shows, ``data-b="3 5 9"``: from 3 until 5, and from 9 on.
+A mark that grows in the first of them has a group of its own, which names its growth, ``data-g``.
 """
 
 from __future__ import annotations
 
-from itertools import groupby
+from collections.abc import Iterable
 from typing import Any
 
 from vad.page.growths import grown
@@ -19,7 +19,7 @@ from vad.painting.svg.set_text import SetText
 from vad.plan.board import Plan
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
-from vad.plan.items import FOREVER, Item
+from vad.plan.items import ALWAYS, FOREVER, Level, Span
 from vad.plan.marks import Mark
 
 
@@ -45,14 +45,14 @@ class Inker:
 
     def drawing(self, plan: Plan, panel: str) -> str:
         """Return the groups of a panel, in painting order."""
-
-        def beats(item: Item) -> tuple[int, int]:
-            return item.since, item.until
-
-        items = [item for item in plan.items if item.region == panel]
+        groups: dict[tuple[Level, str], list[Span]] = {}
+        for item in plan.items:
+            if item.region == panel:
+                # What shows again and again, as the light on a link, is written once.
+                key = item.level, "".join(map(self._mark, item.marks))
+                groups.setdefault(key, []).append((item.since, item.until))
         return "".join(
-            f"<g{when(*span, plan.finished)}>{''.join(self._item(item) for item in group)}</g>"
-            for span, group in groupby(items, beats)
+            f"<g{when(spans, plan.finished)}>{marks}</g>" for (_, marks), spans in groups.items()
         )
 
     def mark(self, mark: Mark) -> str:
@@ -64,18 +64,24 @@ class Inker:
         corner, unit = self._grid.at(complex(area.left, area.top)), self._grid.unit
         return " ".join((*corner, number(area.width * unit), number(area.height * unit)))
 
-    def _item(self, item: Item) -> str:
-        return "".join(
-            self._growing(mark) if mark.growth else self.mark(mark) for mark in item.marks
-        )
-
-    def _growing(self, mark: Mark) -> str:
+    def _mark(self, mark: Mark) -> str:
+        if not mark.growth:
+            return self.mark(mark)
         self.growths.append(grown(mark, self._grid))
         return f'<g data-g="{len(self.growths) - 1}">{self.mark(mark)}</g>'
 
 
-def when(since: int, until: int, finished: int) -> str:
-    """Return the attributes of what shows between two beats, and is off where it does not last."""
-    says = f' data-s="{since}"' if since else ""
-    says += f' data-u="{until}"' if until != FOREVER else ""
-    return says + ("" if since <= finished < until else ' class="off"')
+def when(spans: Iterable[Span], finished: int) -> str:
+    """Return the attribute of what shows in spans of beats, and is off where it does not last.
+
+    Examples
+    --------
+    >>> when([(3, 5), (9, FOREVER)], 20), when([(3, 5)], 20), when([ALWAYS], 20)
+    (' data-b="3 5 9"', ' data-b="3 5" class="off"', '')
+    """
+    spans = list(spans)
+    if spans == [ALWAYS]:
+        return ""
+    beats = " ".join(str(beat) for span in spans for beat in span if beat != FOREVER)
+    off = all(not since <= finished < until for since, until in spans)
+    return f' data-b="{beats}"' + (' class="off"' if off else "")

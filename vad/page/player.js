@@ -56,10 +56,18 @@ function growing(group, [kind, knots, x, y, ...bow]) {
   return (share) => shows[kind](between(knots, share));
 }
 
+// The beats between which an element shows: "3 5 9" is from 3 until 5, and from 9 on.
+function spans(element) {
+  const beats = element.dataset.b.split(" ").map(Number), pairs = [];
+  for (let i = 0; i < beats.length; i += 2) pairs.push([beats[i], beats[i + 1] ?? Infinity]);
+  return pairs;
+}
+
 export function mount(root, data, { address = true } = {}) {
   const one = (selector) => root.querySelector(selector);
   const all = (selector) => [...root.querySelectorAll(selector)];
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
+  const stacked = matchMedia("(max-width: 42rem)");
   const over = new AbortController();
   const scrub = one(".scrub"), status = one("[role=status]"), speed = one(".speed");
   const caption = one(".caption p"), count = one(".count"), dialog = one("dialog");
@@ -71,11 +79,10 @@ export function mount(root, data, { address = true } = {}) {
 
   function load(next, at = 0) {
     stop();
-    lesson = { ...next, links: all(".steps a"), chapters: all(".chapters button"), pictures: all(".drawing svg") };
-    lesson.timed = all("[data-s], [data-u]").map((element) =>
-      [element, +(element.dataset.s ?? 0), +(element.dataset.u ?? Infinity)]);
+    lesson = { ...next, links: all(".steps a"), chapters: all(".chapters button"), pictures: all(".drawing svg"), panel: 0 };
+    lesson.timed = all("[data-b]").map((element) => [element, spans(element)]);
     lesson.growing = all("[data-g]").map((group) =>
-      [+group.parentNode.dataset.s, growing(group, lesson.grow[group.dataset.g])]);
+      [spans(group.parentNode)[0][0], growing(group, lesson.grow[group.dataset.g])]);
     scrub.max = strokes();
     beat = spoken = -1;
     paint(at);
@@ -96,9 +103,9 @@ export function mount(root, data, { address = true } = {}) {
   function turn(now, done) {
     const was = beat;
     beat = now;
-    for (const [element, since, until] of lesson.timed) {
-      element.classList.toggle("off", now < since || now >= until);
-      element.classList.toggle("new", now === since);
+    for (const [element, times] of lesson.timed) {
+      element.classList.toggle("off", !times.some(([since, until]) => since <= now && now < until));
+      element.classList.toggle("new", times[0][0] === now);
     }
     for (const [since, show] of lesson.growing) if (since === was) show(1);
     lesson.pictures.forEach((picture, i) => {
@@ -113,6 +120,8 @@ export function mount(root, data, { address = true } = {}) {
     if (stroke === spoken) return;
     spoken = stroke;
     const panel = panelOf(stroke), words = lesson.spoken[stroke] ?? lesson.words.begin;
+    if (panel !== lesson.panel && stacked.matches) lesson.pictures[panel].closest(".panel").scrollIntoView({ block: "nearest" });
+    lesson.panel = panel;
     if (stroke < 0) caption.textContent = words;
     else caption.innerHTML = lesson.links[stroke].innerHTML;
     const first = lesson.first[panel], whole = (lesson.first[panel + 1] ?? strokes()) - first;
