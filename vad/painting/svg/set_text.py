@@ -16,8 +16,8 @@ from vad.plan.lettering.runs import Face
 from vad.plan.marks import Lettering
 from vad.style import Look
 
-#: The rest is for programs that ignore the fonts of a file; STIX itself has the same widths.
-_SETTING = f"font-family:{FAMILY},STIXGeneral,serif;font-kerning:none;white-space:pre"
+#: For programs that ignore the fonts of a file; STIX itself has the same widths.
+_OTHERS = "STIXGeneral,serif"
 _FACES: dict[Face, str] = {
     "roman": "",
     "italic": "font-style:italic",
@@ -31,6 +31,8 @@ class SetText:
 
     def __init__(self, classes: Classes) -> None:
         self._classes = classes
+        self._family = classes.shared(FAMILY)
+        self._setting = f"font-family:{self._family},{_OTHERS};font-kerning:none;white-space:pre"
         self._letters: dict[Face, set[str]] = {}
         self._beneath: set[str] = set()
 
@@ -41,7 +43,7 @@ class SetText:
             return ""
         whole = len(line) == 1 and line[0][0].size == 1.0
         name = self._classes.name(
-            _SETTING,
+            self._setting,
             f"font-size:{number(text.size * grid.unit)}px",
             *(_says(line[0]) if whole else ()),
             filled(look),
@@ -59,7 +61,7 @@ class SetText:
     def rules(self) -> str:
         """Return the rules that bring the fonts."""
         return "".join(
-            f"@font-face{{font-family:{FAMILY};{_FACES[face] or 'font-style:normal'};"
+            f"@font-face{{font-family:{self._family};{_FACES[face] or 'font-style:normal'};"
             f"src:url({data_uri(face, letters)})}}\n"
             for face, letters in sorted(self._letters.items())
         )
@@ -88,7 +90,8 @@ class SetText:
         The halo lies beneath the whole line: painted with each stretch, it would cover the end of
         the one before.
         """
-        halo, home = self._classes.name(drawn(look.under, grid.unit)), named("t", element)
+        halo = self._classes.name(drawn(look.under, grid.unit))
+        home = self._classes.shared(named("t", element))
         use = f'<use href="#{home}" class="{halo}"/>\n'
         if home in self._beneath:
             return use + element
