@@ -2,7 +2,8 @@
 
 Four verbs: `solve` a mechanism, `draw` its sheet, `animate` it as a lesson, `save` either one;
 `turn` is a film of a whole turn, `multiples` a few poses side by side, `still` one step of a
-lesson, `sheet_from_json` a sheet that was saved.
+lesson, `sheet_from_json` a sheet that was saved.  `show` shows any of them in a browser; a notebook
+does so by itself.
 Each part is loaded when it is first used.
 
 >>> import vad
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
     from vad.mechanisms.scotch_yoke import ScotchYoke
     from vad.mechanisms.slider_crank import SliderCrank
     from vad.mechanisms.whitworth import Whitworth
+    from vad.notebook import show
     from vad.strokes.draw import draw
     from vad.strokes.multiples import Multiples, multiples
     from vad.strokes.sheet import Sheet
@@ -73,6 +75,7 @@ __all__ = [
     "multiples",
     "save",
     "sheet_from_json",
+    "show",
     "solve",
     "still",
     "turn",
@@ -94,6 +97,7 @@ _HOMES = {
     "still": "vad.lecture.still",
     "Still": "vad.lecture.still",
     "save": "vad.export",
+    "show": "vad.notebook",
     "sheet_from_json": "vad.export.data.sheet_json",
     "MECHANISMS": "vad.mechanisms",
     "Mechanism": "vad.mechanisms",
