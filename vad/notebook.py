@@ -27,6 +27,7 @@ from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
 from vad.lecture.timeline import SMALLEST
 from vad.lecture.turn import Turn
+from vad.page.document import document
 from vad.painting.posed import Posed, posed
 from vad.painting.svg_painter import SvgPainter
 from vad.strokes.multiples import Multiples
@@ -57,7 +58,7 @@ def bundle(
         "text/plain": lambda: _words(thing),
         "image/png": lambda: _pixels(seen()),
     }
-    if isinstance(thing, Lesson) and ".html" in FORMATS[Lesson]:
+    if isinstance(thing, Lesson):
         forms["text/html"] = lambda: _framed(thing)
     elif isinstance(thing, Turn):
         forms["text/html"] = lambda: _film(thing, lambda: _pixels(seen()))
@@ -144,12 +145,10 @@ def _drawing(thing: Thing, seen: Posed) -> str:
 
 def _framed(lesson: Lesson) -> str:
     """Return a page in a frame that has no access to the notebook."""
-    page = io.BytesIO()
-    import_module("vad.export.html").write(lesson, page)
     return (
         f'<iframe sandbox="allow-scripts" allow="fullscreen" title="{escape(title(lesson.sheet))}" '
         'style="width:100%;aspect-ratio:1280/835;border:0" '
-        f'srcdoc="{escape(page.getvalue().decode())}"></iframe>'
+        f'srcdoc="{escape(document(lesson))}"></iframe>'
     )
 
 
