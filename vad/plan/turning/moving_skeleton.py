@@ -38,12 +38,15 @@ class MovingSkeleton:
         self.still = Sketch(first, scale, Obstacles(setting.room))
         add_axes(self.still, [])
         guides = [s for s in frame if isinstance(s.shape, Guide) and s.shape.side is not None]
-        ways = [self._guide(poses, stroke) for stroke in guides]
+        self._ways = [self._guide(poses, stroke) for stroke in guides]
         strokes = [self.pose(pose).obstacles for pose in poses]
         for _, point in fixed_points(poses[0]):
             self._pivot(scale(point), strokes)
+
+    def add_dimensions(self, poses: Sequence[Panel]) -> None:
+        """Write along each guide of the frame how far its block gets."""
         strokes = [self.pose(pose).obstacles for pose in poses]
-        for start, end, side in ways:
+        for start, end, side in self._ways:
             add_dimension(self.still, start, end, side, strokes)
 
     def pose(self, panel: Panel) -> Sketch:
