@@ -9,15 +9,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from vad.plan.board import rows_of
+from vad.plan.board import Plan, arrange, regions_of, rows_of
+from vad.plan.format import Format
 from vad.plan.items import Item
-from vad.plan.layout import Page
 from vad.plan.live.calm_scale import calm_scale
 from vad.plan.live.live_labels import Ways
 from vad.plan.live.live_polygon import live_polygon
 from vad.plan.live.live_skeleton import LiveSkeleton
 from vad.plan.scale import Scale
-from vad.plan.sketch import Setting
+from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.moving_panel import lasting
 from vad.strokes.sheet import Panel, Sheet
 
@@ -28,13 +28,13 @@ class LivePose:
 
     Attributes
     ----------
-    items
-        What shows of each panel, in painting order.
+    plan
+        All that shows of it.
     scales, ways
         The scale of each panel, and where its labels stand: for the next pose.
     """
 
-    items: Mapping[str, Sequence[Item]]
+    plan: Plan
     scales: Mapping[str, Scale]
     ways: Mapping[str, dict[str, float]]
 
@@ -46,14 +46,17 @@ class LiveBoard:
     ----------
     sheet
         One of its poses.
-    page
-        Where the panels stand.
+    form
+        The shape of the page.
+    lines
+        How many lines there are for a caption.
     poses
         The panels of its mechanism over all that the driver reaches.
     """
 
-    def __init__(self, sheet: Sheet, page: Page, poses: Sequence[Panel]) -> None:
-        self.page = page
+    def __init__(self, sheet: Sheet, form: Format, lines: int, poses: Sequence[Panel]) -> None:
+        self._form = form
+        self.page, _ = arrange(sheet, form, lines)
         self.skeletons: dict[str, LiveSkeleton] = {}
         for panel in sheet.panels:
             if panel.picture == "skeleton":
@@ -61,7 +64,8 @@ class LiveBoard:
 
     def pose(self, sheet: Sheet, scales: Mapping[str, Scale], ways: Mapping[str, Ways]) -> LivePose:
         """Return a pose; ``scales`` and ``ways`` are those of the pose before, if there was one."""
-        items: dict[str, Sequence[Item]] = {}
+        items: list[Item] = []
+        sketches: dict[str, Sketch] = {}
         kept: dict[str, Scale] = {}
         turned: dict[str, dict[str, float]] = {}
         for panel in sheet.panels:
@@ -71,13 +75,15 @@ class LiveBoard:
             if skeleton:
                 kept[name] = skeleton.scale
                 sketch, turned[name] = skeleton.pose(setting, before)
-                still = lasting(skeleton.still)
+                items += lasting(skeleton.still)
             else:
                 kept[name] = calm_scale(panel, setting.room, scales.get(name))
                 sketch, turned[name] = live_polygon(setting, kept[name], before)
-                still = []
-            items[name] = sorted([*still, *lasting(sketch)], key=lambda item: item.level)
-        return LivePose(items, kept, turned)
+            items += lasting(sketch)
+            sketches[name] = sketch
+        items.sort(key=lambda item: item.level)
+        plan = Plan(sheet, self._form, self.page, regions_of(self.page), tuple(items), sketches)
+        return LivePose(plan, kept, turned)
 
     def _setting(self, sheet: Sheet, panel: Panel) -> Setting:
         return Setting(sheet, panel, self.page.panels[panel.name].drawing, rows_of(sheet))
