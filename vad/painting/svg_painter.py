@@ -10,13 +10,14 @@ from html import escape
 from typing import Literal
 
 from vad.errors import one_of
-from vad.painting.svg.classes import Classes, drawn, filled
+from vad.painting.svg.classes import Classes
 from vad.painting.svg.drawn_text import DrawnText
+from vad.painting.svg.elements import Elements
 from vad.painting.svg.grid import Grid, number
 from vad.painting.svg.set_text import SetText
 from vad.plan.format import Format
 from vad.plan.items import Item
-from vad.plan.marks import Disc, Lettering, Outline
+from vad.plan.marks import Outline
 from vad.strokes.sheet import Sheet
 from vad.strokes.words import describe, title
 from vad.style import Look
@@ -71,6 +72,7 @@ class SvgPainter:
     def begin(self, form: Format, background: str) -> None:
         """Begin the picture with its ground."""
         self._grid = Grid(form)
+        self._shapes = Elements(self._grid, self._classes, self._text)
         self._elements.append(f'<rect width="100%" height="100%" fill="{background}"/>\n')
 
     def group(self, item: Item) -> None:
@@ -89,12 +91,7 @@ class SvgPainter:
 
     def paint(self, shape: Outline, look: Look) -> None:
         """Paint one shape."""
-        if isinstance(shape, Lettering):
-            self._elements.append(self._text.element(shape, look, self._grid))
-            return
-        if look.under:
-            self._shape(shape, drawn(look.under, self._grid.unit))
-        self._shape(shape, filled(look), drawn(look.pen, self._grid.unit, look.alpha))
+        self._elements.append(self._shapes.of(shape, look))
 
     def end(self) -> None:
         """End the picture."""
@@ -109,17 +106,6 @@ class SvgPainter:
             f"<style>\n{self._text.rules()}{self._classes.sheet()}</style>\n"
             f"{self._text.definitions()}{''.join(self._elements)}</svg>\n"
         )
-
-    def _shape(self, shape: Outline, *looks: str) -> None:
-        name = self._classes.name(*looks)
-        if isinstance(shape, Disc):
-            x, y = self._grid.at(shape.centre)
-            radius = number(shape.radius * self._grid.unit)
-            place = f'circle cx="{x}" cy="{y}" r="{radius}"'
-        else:
-            assert not isinstance(shape, Lettering)
-            place = f'path d="{self._grid.path(shape)}"'
-        self._elements.append(f'<{place} class="{name}"/>\n')
 
     def _unique(self, name: str, first: bool) -> str:
         """Return an id: the name for the first group in the stroke's panel, numbers for others."""

@@ -10,28 +10,21 @@ from html import escape
 
 from vad.painting.stretches import Stretch, stretches
 from vad.painting.svg.classes import Classes, drawn, filled, named
-from vad.painting.svg.font_subset import FAMILY, data_uri
+from vad.painting.svg.font_subset import FACES, FAMILY, Faces
 from vad.painting.svg.grid import Grid, number
-from vad.plan.lettering.runs import Face
 from vad.plan.marks import Lettering
 from vad.style import Look
 
 #: The rest is for programs that ignore the fonts of a file; STIX itself has the same widths.
 _SETTING = f"font-family:{FAMILY},STIXGeneral,serif;font-kerning:none;white-space:pre"
-_FACES: dict[Face, str] = {
-    "roman": "",
-    "italic": "font-style:italic",
-    "bold": "font-weight:bold",
-    "bolditalic": "font-style:italic;font-weight:bold",
-}
 
 
 class SetText:
-    """The text of one picture, and the letters that its fonts need."""
+    """The text of one picture; ``faces`` collects the letters that its fonts need."""
 
-    def __init__(self, classes: Classes) -> None:
+    def __init__(self, classes: Classes, faces: Faces | None = None) -> None:
         self._classes = classes
-        self._letters: dict[Face, set[str]] = {}
+        self._faces = faces or Faces()
         self._beneath: set[str] = set()
 
     def element(self, text: Lettering, look: Look, grid: Grid) -> str:
@@ -58,11 +51,7 @@ class SetText:
 
     def rules(self) -> str:
         """Return the rules that bring the fonts."""
-        return "".join(
-            f"@font-face{{font-family:{FAMILY};{_FACES[face] or 'font-style:normal'};"
-            f"src:url({data_uri(face, letters)})}}\n"
-            for face, letters in sorted(self._letters.items())
-        )
+        return self._faces.rules()
 
     def _spans(self, line: list[Stretch], text: Lettering, grid: Grid) -> str:
         """Return the stretches of a line, each where the board has it."""
@@ -79,7 +68,7 @@ class SetText:
 
     def _words(self, stretch: Stretch) -> str:
         words = "".join(letter.text for letter in stretch)
-        self._letters.setdefault(stretch[0].face, set()).update(words)
+        self._faces.add(stretch[0].face, words)
         return escape(words)
 
     def _haloed(self, element: str, look: Look, grid: Grid) -> str:
@@ -99,4 +88,4 @@ class SetText:
 def _says(stretch: Stretch) -> tuple[str, str]:
     """Return how a stretch differs from its line."""
     small = f"font-size:{number(stretch[0].size)}em" if stretch[0].size != 1.0 else ""
-    return _FACES[stretch[0].face], small
+    return FACES[stretch[0].face], small
