@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Awaitable, Callable
+from dataclasses import replace
 from typing import Any
 
 import anyio.to_thread
@@ -28,11 +29,12 @@ from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion, Quest
 from vad.gui.problems import problem
 from vad.gui.saving import MEDIA, Closing, saved
 from vad.gui.window import window
+from vad.strokes.language import languages
 
 _RETRY = {"retry-after": "5"}
 
 
-def application(key: Key, start: Question, closing: Closing) -> ASGIApp:
+def application(key: Key, start: ExportQuestion, closing: Closing) -> ASGIApp:
     """Return the server's application.
 
     Parameters
@@ -47,8 +49,10 @@ def application(key: Key, start: Question, closing: Closing) -> ASGIApp:
     thinking, filming = CapacityLimiter(1), CapacityLimiter(1)
 
     async def page(request: Request) -> Response:
+        code = request.query_params.get("lang", start.language)
+        shown = replace(start, language=code if code in languages() else start.language)
         nonce = request.state.nonce
-        return HTMLResponse(await anyio.to_thread.run_sync(window, start, nonce, limiter=thinking))
+        return HTMLResponse(await anyio.to_thread.run_sync(window, shown, nonce, limiter=thinking))
 
     def answer(kind: type[Question], work: Callable[[Any], dict[str, Any]]) -> Endpoint:
         async def asked(request: Request) -> Response:

@@ -1,4 +1,4 @@
-"""What can be set: in come the mechanisms' own fields, out go the boxes and sliders of the window."""
+"""What can be set: in come the mechanisms' own fields, out go boxes and sliders."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ import math
 from functools import cache
 from typing import Any
 
-from vad.gui.window_words import words
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import MECHANISMS, Mechanism
+from vad.page.phrases import phrases
 from vad.strokes.language import Language
 from vad.units import scene_unit
 
@@ -38,9 +38,9 @@ def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
     say, known = Language(language), {each.name: each for each in dataclasses.fields(kind)}
     unit = str(known["length_unit"].default)
     numbers = [each for each in known.values() if each.metadata["quantity"] in ("length", "angle")]
-    lengths = [each.default for each in numbers if each.metadata["quantity"] == "length"]
-    longest = max((abs(float(each)) for each in lengths if each), default=1.0)  # type: ignore[arg-type]
-    texts = words(language)
+    lengths: list[Any] = [e.default for e in numbers if e.metadata["quantity"] == "length"]
+    longest = max((abs(float(each)) for each in lengths if each), default=1.0)
+    texts = phrases(language)["window"]
     return {
         "title": say.name(kind.title),
         "unit": unit,
@@ -68,7 +68,8 @@ def _slider(field: dataclasses.Field[Any], longest: float) -> dict[str, float]:
     """Return the ends of a parameter's slider, and its step."""
     if field.metadata["quantity"] == "angle":
         return _ends(*_HALF, 1.0)
-    usual = abs(field.default or longest)
+    default: Any = field.default
+    usual = abs(default or longest)
     if field.metadata["signed"]:
         return _ends(-longest, longest, _step(longest))
     step = _step(usual)

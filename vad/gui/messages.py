@@ -10,7 +10,7 @@ import dataclasses
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, TypedDict, TypeVar
+from typing import Any, TypeVar
 
 from vad import units
 from vad.errors import InputError, UsageError, one_of, shown, unknown
@@ -23,13 +23,8 @@ LARGEST, MOST_FPS = (3840, 2160), 60.0
 Asked = TypeVar("Asked", bound="Question")
 #: A number in the scene's unit, or a text that has a unit of its own: "6 cm".
 Value = float | str
-
-
-class Look(TypedDict):
-    """The style of a picture, and its width and height in pixels."""
-
-    style: str
-    size: tuple[int, int]
+#: The scale of each panel: x and y of its origin on the page, and its factor.
+Scales = Mapping[str, tuple[float, float, float]]
 
 
 @dataclass(frozen=True)
@@ -50,6 +45,8 @@ class Question:
         Which panels are drawn; empty for the usual ones.
     language
         The language of all words.
+    style
+        How it looks.
     """
 
     mechanism: str
@@ -59,6 +56,7 @@ class Question:
     length_unit: str | None = None
     panels: tuple[str, ...] = ()
     language: str = "en"
+    style: str = "paper"
 
     @property
     def fields(self) -> tuple[str, ...]:
@@ -81,7 +79,7 @@ class Question:
             unit = units.check_length_unit(self.length_unit)
         quantities = {name: each.metadata["quantity"] for name, each in known.items()}
         numbers = {name: each for name, each in quantities.items() if each in ("length", "angle")}
-        given = _numbers("parameter", self.parameters, numbers, unit)
+        given: dict[str, Any] = _numbers("parameter", self.parameters, numbers, unit)
         if self.assembly is not None:
             given["assembly"] = self.assembly
         mechanism = kind(**given, length_unit=unit)
@@ -95,35 +93,29 @@ class PoseQuestion(Question):
     Attributes
     ----------
     scales
-        The scale of each panel in the pose before: x and y of its origin, and its factor.
+        Those of the pose before.
     ways
         Where each label of each panel stood from its dot in the pose before: degrees.
     """
 
-    scales: Mapping[str, tuple[float, float, float]] = field(default_factory=dict)
+    scales: Scales = field(default_factory=dict)
     ways: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
 class LessonQuestion(Question):
-    """The lecture of what is set; ``scales`` as for a pose."""
+    """The lecture of what is set; ``scales`` of polygons that are to be kept."""
 
-    scales: Mapping[str, tuple[float, float, float]] = field(default_factory=dict)
+    scales: Scales = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
 class ExportQuestion(Question):
-    """A file of what is set, in one of the styles; ``fps`` and ``speed`` are those of a film."""
+    """A file of what is set; ``fps`` and ``speed`` are those of a film."""
 
-    style: str = "paper"
     size: tuple[int, int] = (1280, 720)
     fps: float = 30.0
     speed: float = 1.0
-
-    @property
-    def look(self) -> Look:
-        """How a picture looks."""
-        return {"style": self.style, "size": self.size}
 
 
 def read(kind: type[Asked], data: object) -> Asked:
@@ -197,7 +189,7 @@ def _values(name: str, value: object) -> dict[str, Value]:
     }
 
 
-def _scales(name: str, value: object) -> dict[str, tuple[float, float, float]]:
+def _scales(name: str, value: object) -> Scales:
     found = {}
     for panel, each in _object(name, value).items():
         if not isinstance(each, list) or len(each) != 3:

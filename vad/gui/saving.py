@@ -11,14 +11,13 @@ from threading import Event
 
 import vad
 from vad.errors import ExportError
-from vad.export import FORMATS
 from vad.gui.messages import ExportQuestion
-from vad.strokes.sheet import Sheet
 
 #: Set when the server is to end.
 Closing = Event
 
-#: What a file is, by its extension.
+#: The extensions of pictures; and what any file is, by its extension.
+PICTURES = ("png", "svg", "pdf")
 MEDIA = {
     "png": "image/png",
     "svg": "image/svg+xml",
@@ -49,9 +48,11 @@ def saved(question: ExportQuestion, extension: str, closing: Closing) -> tuple[b
 
     with tempfile.TemporaryDirectory(prefix="vad-") as folder:
         path = Path(folder, name)
-        if f".{extension}" in FORMATS[Sheet] and extension != "html":
-            vad.save(sheet, path, **({} if extension == "json" else question.look))
+        if extension == "json":
+            vad.save(sheet, path)
+        elif extension in PICTURES:
+            vad.save(sheet, path, style=question.style, size=question.size)
         else:
-            lesson = vad.animate(sheet, fps=question.fps, speed=question.speed, **question.look)
-            vad.save(lesson, path, **({} if extension == "html" else {"progress": heed}))
+            film = vad.animate(sheet, question.fps, question.size, question.speed, question.style)
+            vad.save(film, path, progress=heed)
         return path.read_bytes(), name

@@ -16,14 +16,14 @@ import uvicorn
 from vad.errors import ExportError
 from vad.gui.app import application
 from vad.gui.guard import Key
-from vad.gui.messages import Question
+from vad.gui.messages import ExportQuestion
 
 _HOST = "127.0.0.1"
 _PATIENCE = 1  # seconds for what is being sent when the server ends
 
 
 @contextlib.contextmanager
-def served(start: Question, port: int = 0) -> Iterator[str]:
+def served(start: ExportQuestion, port: int = 0) -> Iterator[str]:
     """Serve the page while the block runs, and yield its address once it answers.
 
     Parameters

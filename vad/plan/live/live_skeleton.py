@@ -33,10 +33,11 @@ from vad.plan.pictures.speed import add_speed
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.moving_skeleton import MovingSkeleton
 from vad.plan.turning.turn_scale import mechanism_scale
-from vad.strokes.sheet import Arc, Panel
+from vad.strokes.sheet import Arc, Arrow, Panel
 
-_TURNS = range(0, 360, 15)
+_TURNS = range(0, 360, 30)
 _CLEAR = 0.010  # about the arrow
+GRIP = 0.027  # radius of the handle
 
 
 class LiveSkeleton:
@@ -44,9 +45,10 @@ class LiveSkeleton:
 
     def __init__(self, setting: Setting, poses: Sequence[Panel]) -> None:
         self.scale = mechanism_scale(setting, poses)
-        self._moving = MovingSkeleton(setting, poses, self.scale)
+        centres = {shape.centre for pose in poses for _, shape in _angles(pose)}
+        self._moving = MovingSkeleton(setting, poses, self.scale, angle=len(centres) == 1)
         self.still = self._moving.still
-        self._sense = self._free_sector(poses)
+        self._sense = self._free_sector(poses) if centres else None
 
     def pose(self, setting: Setting, ways: Ways) -> tuple[Sketch, dict[str, float]]:
         """Return the mechanism in one pose, and where its labels stand."""
@@ -56,6 +58,7 @@ class LiveSkeleton:
         for _, shape in arcs:
             block_arc(sketch.obstacles, angle_arc(sketch, shape))
         self._add_sense(sketch)
+        _clear_grip(sketch)
         vertices = find_vertices(setting.panel, self.scale)
         labels = KeptLabels(sketch, ways)
         labels.letter(vertices, self._moving.radius, NEAR)
@@ -65,38 +68,44 @@ class LiveSkeleton:
         return sketch, labels.ways
 
     def _add_sense(self, sketch: Sketch) -> None:
-        """Add the ω arrow of the driven link where it is clear in most poses."""
+        """Add the ω arrow of the driven link, about its pivot."""
         panel, sense = sketch.setting.panel, given_rate(sketch.setting.sheet, "ω")[1]
-        index = driven(panel)
-        if index is None or not sense or self._sense is None:
+        index, arcs = driven(panel), _angles(panel)
+        if index is None or not sense or not arcs or self._sense is None:
             return
-        centre, radius, span, middle = self._sense
-        sign = float(np.sign(sense))
+        radius, span, middle = self._sense
+        centre = self.scale(arcs[0][1].centre)
         row = sketch.setting.row(panel.strokes[index].link)
         letter, placed = sense_letter(centre, radius, middle, row)
-        marks = [*sense_arrow(centre, radius, middle, sign * span, row), letter]
+        sweep = math.copysign(span, sense)
+        marks = [*sense_arrow(centre, radius, middle, sweep, row), letter]
         sketch.add(panel.strokes[index], Level.LABEL, 0, marks)
         sketch.obstacles.box(placed.box)
         sketch.obstacles.line(arc_line(centre, radius, middle - span / 2, span), 0.004)
 
-    def _free_sector(self, poses: Sequence[Panel]) -> tuple[complex, float, float, float] | None:
-        """Return centre, radius, span and middle of the ω arrow that meets the fewest poses."""
-        centres = [self.scale(shape.centre) for pose in poses for _, shape in _angles(pose)[:1]]
-        if not centres:
-            return None
-        centre = centres[0]
-        places = list(product(SENSE_SIZES, _TURNS))
+    def _free_sector(self, poses: Sequence[Panel]) -> tuple[float, float, float]:
+        """Return radius, span and middle of the ω arrow that meets the fewest poses."""
+        places = [(*size, float(middle)) for size, middle in product(SENSE_SIZES[::2], _TURNS)]
         points, ends = [], [0]
-        for (radius, span), middle in places:
-            points += arc_line(centre, radius, middle - span / 2, span)
-            points.append(sense_letter(centre, radius, middle, None)[1].centre)
+        for radius, span, middle in places:
+            points += arc_line(0j, radius, middle - span / 2, span)
+            points.append(sense_letter(0j, radius, middle, None)[1].centre)
             ends.append(len(points))
         met = np.zeros(len(places))
         for pose in poses:
-            hit = ~self._moving.pose(pose).obstacles.free(points, 0.0, 0.0, _CLEAR)
+            centre = self.scale(_angles(pose)[0][1].centre)
+            spots = [centre + point for point in points]
+            hit = ~self._moving.pose(pose).obstacles.free(spots, 0.0, 0.0, _CLEAR)
             met += np.add.reduceat(hit, ends[:-1]) > 0
-        (radius, span), middle = places[int(met.argmin())]
-        return centre, radius, span, float(middle)
+        return places[int(met.argmin())]
+
+
+def _clear_grip(sketch: Sketch) -> None:
+    """Keep labels clear of the handle on what is driven."""
+    index = driven(sketch.setting.panel)
+    shape = None if index is None else sketch.setting.panel.strokes[index].shape
+    if isinstance(shape, Arrow):
+        sketch.obstacles.disc(sketch.scale(shape.end), GRIP)
 
 
 def _add_angle(sketch: Sketch, index: int, shape: Arc, labels: KeptLabels) -> None:
