@@ -6,6 +6,7 @@ In comes a lesson, out goes HTML that asks for nothing: its security policy forb
 from __future__ import annotations
 
 import json
+import re
 from base64 import b64encode
 from collections.abc import Sequence
 from functools import cache
@@ -21,6 +22,8 @@ from vad.page.themed import themes, variables
 from vad.strokes.words import title
 from vad.style import load_style
 
+#: The style of what is printed, if the page has it.
+_PRINTED = "paper"
 _START = (
     "mount(document.querySelector('.vad'),JSON.parse(document.getElementById('data').textContent))"
 )
@@ -28,8 +31,10 @@ _START = (
 
 @cache
 def asset(name: str) -> str:
-    """Return the text of a file of the page: ``player.html``, ``player.css`` or ``player.js``."""
-    return (files(__package__) / name).read_text("utf-8")
+    """Return a file of the page, ``player.html``, ``.css`` or ``.js``, without its comments."""
+    text = (files(__package__) / name).read_text("utf-8")
+    text = re.sub(r"^\s*(//[^\n]*\n\s*)*|/\*.*?\*/\s*", "", text, flags=re.MULTILINE | re.DOTALL)
+    return re.sub(r"(?<=[:;{},])\s+|\s+(?=[{}])", "", text) if name.endswith(".css") else text
 
 
 def document(lesson: Lesson, start: int = 0) -> str:
@@ -55,7 +60,7 @@ def document(lesson: Lesson, start: int = 0) -> str:
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         '<meta name="viewport" content="width=device-width,initial-scale=1">\n'
         f"<title>{escape(title(lesson.sheet))}</title>\n"
-        f"<style>\n{made.faces.rules()}{asset('player.css')}{colours(lesson.style)}{made.looks}"
+        f"<style>\n{made.faces.rules()}{asset('player.css')}{colours(lesson)}{made.looks}"
         f"</style>\n</head>\n<body>\n{section(lesson, made)}"
         f'<script type="application/json" id="data">{data}</script>\n'
         f'<script type="module">{script}</script>\n</body>\n</html>\n'
@@ -93,13 +98,14 @@ def player(
     )
 
 
-def colours(name: str) -> str:
-    """Return the rules that give a style's colours, and those of the other side of the board."""
-    own, *others = themes(load_style(name))
-    rules = f".vad{{{variables(own)}}}\n"
-    rules += "".join(f".vad[data-theme={each.name}]{{{variables(each)}}}\n" for each in others)
-    light = next((each for each in (own, *others) if each.name == "paper"), own)
-    return f"{rules}@media print{{.vad,.vad[data-theme]{{{variables(light)}}}}}\n"
+def colours(lesson: Lesson) -> str:
+    """Return the rules of a style's colours and of its other side, of which one is printed."""
+    rows = len(lesson.sheet.rows)
+    sides = sorted(themes(load_style(lesson.style)), key=lambda side: side.name != _PRINTED)
+    return f".vad{{{variables(sides[0], rows)}}}\n" + "".join(
+        f"@media screen{{.vad[data-theme={side.name}]{{{variables(side, rows)}}}}}\n"
+        for side in sides[1:]
+    )
 
 
 def _json(data: object) -> str:

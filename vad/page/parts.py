@@ -40,7 +40,7 @@ class Parts:
     data
         What the script plays: ``first`` strokes and ``panels`` by name and title, ``times`` of
         each stroke (seconds that it grows and rests), ``spoken`` captions, ``grow`` (see
-        `vad.page.samples`) and ``words``.
+        `vad.page.growths`) and ``words``.
     lines
         How many lines captions take.
     looks

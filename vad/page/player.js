@@ -5,72 +5,71 @@
 // vad/page/document.py writes; data is that of vad/page/parts.py. After each change it hears
 // "vad:step" with x as its detail.
 
-const SVG = "http://www.w3.org/2000/svg";
-const NUMBERS = { M: 2, L: 2, C: 6, Z: 0 };
 const smooth = (t) => t * t * (3 - 2 * t);
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
-// A shape of vad/page/samples.py, which knows how its element looks from numbers.
-function shape([name, commands, fades]) {
-  if (commands === "T") {
-    const group = document.createElementNS(SVG, "g");
-    group.innerHTML = name;
-    return [group, 2, (n) => group.setAttribute("transform", `translate(${n[0] / 10} ${n[1] / 10})`),
-      fades && group.lastElementChild];
-  }
-  const circle = commands === "O";
-  const element = document.createElementNS(SVG, circle ? "circle" : "path");
-  element.setAttribute("class", name);
-  if (circle) {
-    const set = (n) => ["cx", "cy", "r"].forEach((key, i) => element.setAttribute(key, n[i] / 10));
-    return [element, 3, set, fades && element];
-  }
-  const count = [...commands].reduce((sum, command) => sum + NUMBERS[command], 0);
-  const set = (n) => {
-    let at = 0;
-    const parts = [...commands].map((command) =>
-      command + n.slice(at, (at += NUMBERS[command])).map((each) => each / 10).join(" "));
-    element.setAttribute("d", parts.join(""));
-  };
-  return [element, count, set, fades && element];
+// The numbers at a share: linear between knots, constant beyond them.
+function between(knots, share) {
+  const next = knots.findIndex((knot) => knot[0] > share);
+  if (next <= 0) return knots.at(next).slice(1);
+  const low = knots[next - 1], high = knots[next], way = (share - low[0]) / (high[0] - low[0]);
+  return low.slice(1).map((from, i) => from + way * (high[i + 1] - from));
 }
 
-// What grows in one place: shows itself at a share.
-function growing(place, segments) {
-  const spans = segments.map(([kinds, knots]) => {
-    const sums = [knots[0]];
-    for (const [share, ...ways] of knots.slice(1)) {
-      const before = sums[sums.length - 1];
-      sums.push([share, ...ways.map((way, i) => before[i + 1] + way)]);
+// The first part of lines "Mx yldx dy…", piece after piece.
+function trimmed(data, part) {
+  const pieces = data.split("M").slice(1).map((piece) => piece.match(/-?(\d+\.?\d*|\.\d+)/g).map(Number));
+  const lengths = pieces.map((n) => n.map((_, i) => i > 1 && i % 2 ? Math.hypot(n[i - 1], n[i]) : 0));
+  let left = part * lengths.flat().reduce((sum, each) => sum + each, 0), drawn = "";
+  pieces.forEach((n, k) => {
+    if (left > 0) drawn += `M${n[0]} ${n[1]}l`;
+    for (let i = 3; i < n.length && left > 0; i += 2) {
+      const share = Math.min(1, left / (lengths[k][i] || 1));
+      drawn += ` ${n[i - 1] * share} ${n[i] * share}`;
+      left -= lengths[k][i];
     }
-    return { kinds, knots: sums };
   });
-  let shown = null, shapes = [];
-  return (share) => {
-    const part = 1000 * share;
-    const span = spans.findLast((each) => each.knots[0][0] <= part) ?? spans[0];
-    if (span !== shown) {
-      shown = span;
-      shapes = span.kinds.map(shape);
-      place.replaceChildren(...shapes.map(([element]) => element));
-    }
-    const last = span.knots.length - 1;
-    const next = clamp(span.knots.findIndex((knot) => knot[0] > part), 0, last) || last;
-    const low = span.knots[Math.max(next - 1, 0)], high = span.knots[next];
-    const way = clamp((part - low[0]) / (high[0] - low[0] || 1), 0, 1);
-    const numbers = low.slice(1).map((from, i) => from + way * (high[i + 1] - from));
-    let at = 0;
-    for (const [, count, set, fading] of shapes) {
-      set(numbers.slice(at, (at += count)));
-      if (fading) fading.style.opacity = numbers[at++] / 100;
-    }
+  return drawn;
+}
+
+function arc(part, x, y, radius, start, sweep) {
+  const at = (degrees) => {
+    const angle = degrees * Math.PI / 180;
+    return `${x + radius * Math.cos(angle)} ${y - radius * Math.sin(angle)}`;
   };
+  const turn = part * sweep, flags = `${+(Math.abs(turn) > 180)} ${+(turn < 0)}`;
+  return part > 0 ? `M${at(start)}A${radius} ${radius} 0 ${flags} ${at(start + turn)}` : "";
+}
+
+// Shows a growing mark at a share; at 1 it is as it stays. See vad/page/growths.py.
+function growing(mark, [kind, knots, x, y, ...bow]) {
+  const elements = mark.localName === "g" ? [...mark.children] : [mark];
+  const data = elements.map((each) => each.getAttribute("d")), radii = elements.map((each) => +each.getAttribute("r"));
+  const draw = (part, path) =>
+    elements.forEach((each, i) => each.setAttribute("d", part < 1 ? path(data[i], part) : data[i]));
+  const shows = {
+    trim: ([part]) => draw(part, trimmed),
+    bow: ([part]) => draw(part, () => arc(part, x, y, ...bow)),
+    slide: ([right, down]) => mark.setAttribute("transform", `translate(${right} ${down})`),
+    turn: ([degrees]) => mark.setAttribute("transform", `rotate(${degrees} ${x} ${y})`),
+    scale: ([factor]) => elements.forEach((each, i) => each.setAttribute("r", factor * radii[i])),
+    fade: ([alpha]) => (elements.at(-1).style.opacity = alpha),
+  };
+  return (share) => shows[kind](between(knots, share));
+}
+
+// The beats between which an element shows: "3 5 7 9", or "9" from which on.
+function spans(element) {
+  const beats = (element.dataset.b ?? element.dataset.s).split(" ").map(Number), pairs = [];
+  for (let i = 0; i < beats.length; i += 2) pairs.push([beats[i], beats[i + 1] ?? Infinity]);
+  return pairs;
 }
 
 export function mount(root, data, { address = true } = {}) {
   const one = (selector) => root.querySelector(selector);
   const all = (selector) => [...root.querySelectorAll(selector)];
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
+  const stacked = matchMedia("(max-width: 42rem)");
   const over = new AbortController();
   const scrub = one(".scrub"), status = one("[role=status]"), speed = one(".speed");
   const caption = one(".caption p"), count = one(".count"), dialog = one("dialog");
@@ -82,13 +81,10 @@ export function mount(root, data, { address = true } = {}) {
 
   function load(next, at = 0) {
     stop();
-    lesson = { ...next, links: all(".steps a"), chapters: all(".chapters button"), pictures: all(".drawing svg") };
-    lesson.timed = all("[data-s], [data-u]").map((element) =>
-      [element, +(element.dataset.s ?? 0), +(element.dataset.u ?? Infinity)]);
-    lesson.growing = all("[data-g]").map((place) => {
-      const [since, segments] = lesson.grow[place.dataset.g];
-      return [since, place, growing(place, segments)];
-    });
+    lesson = { ...next, links: all(".steps a"), chapters: all(".chapters button"), pictures: all(".drawing svg"), panel: 0 };
+    lesson.timed = all("[data-s], [data-b]").map((element) => [element, spans(element)]);
+    lesson.growing = all("[data-g]").map((mark) =>
+      [spans(mark.parentNode)[0][0], growing(mark, lesson.grow[mark.dataset.g])]);
     scrub.max = strokes();
     beat = spoken = -1;
     paint(at);
@@ -99,7 +95,7 @@ export function mount(root, data, { address = true } = {}) {
     const shown = calm.matches ? Math.ceil(x) : x, done = Math.floor(shown);
     const now = shown === strokes() ? 2 * done + 1 : 2 * done + (shown > done);
     if (now !== beat) turn(now, done);
-    for (const [since, , show] of lesson.growing) if (since === now) show(smooth(shown - done));
+    for (const [since, show] of lesson.growing) if (since === now) show(smooth(shown - done));
     scrub.value = x;
     scrub.style.setProperty("--share", x / strokes());
     say(Math.ceil(x) - 1);
@@ -107,12 +103,15 @@ export function mount(root, data, { address = true } = {}) {
   }
 
   function turn(now, done) {
+    const was = beat;
     beat = now;
-    for (const [element, since, until] of lesson.timed) {
-      element.classList.toggle("off", now < since || now >= until);
-      element.classList.toggle("new", now === since);
+    for (const [element, times] of lesson.timed) {
+      const shows = times.some(([since, until]) => since <= now && now < until);
+      element.classList.toggle("off", !shows);
+      element.classList.toggle("on", shows);
+      element.classList.toggle("new", times[0][0] === now);
     }
-    for (const [since, place] of lesson.growing) if (since !== now) place.replaceChildren();
+    for (const [since, show] of lesson.growing) if (since === was) show(1);
     lesson.pictures.forEach((picture, i) => {
       const first = lesson.first[i], whole = (lesson.first[i + 1] ?? strokes()) - first;
       const label = { panel: lesson.panels[i][1], done: clamp(done - first, 0, whole), count: whole };
@@ -125,6 +124,8 @@ export function mount(root, data, { address = true } = {}) {
     if (stroke === spoken) return;
     spoken = stroke;
     const panel = panelOf(stroke), words = lesson.spoken[stroke] ?? lesson.words.begin;
+    if (panel !== lesson.panel && stacked.matches) lesson.pictures[panel].closest(".panel").scrollIntoView({ block: "nearest" });
+    lesson.panel = panel;
     if (stroke < 0) caption.textContent = words;
     else caption.innerHTML = lesson.links[stroke].innerHTML;
     const first = lesson.first[panel], whole = (lesson.first[panel + 1] ?? strokes()) - first;

@@ -5,6 +5,8 @@ In come the sheet and the sketches of its panels, out goes HTML.
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from vad.page.ink import Inker, when
 from vad.page.wording import Words
 from vad.plan.board import Plan
@@ -32,8 +34,9 @@ def table(plan: Plan, key: float, inker: Inker, words: Words) -> str:
         + "</tr>"
         for number, row in enumerate(sheet.rows)
     )
-    widths = [VALUES, *(place.drawing.width for place in plan.page.panels.values())]
-    widths[1] -= VALUES
+    lefts = [place.drawing.left for place in plan.page.panels.values()]
+    ends = [lefts[0], lefts[0] + VALUES, *lefts[1:], plan.page.right]
+    widths = [end - start for start, end in pairwise(ends)]
     columns = "".join(f'<col style="width:{100 * each / sum(widths):.2f}%">' for each in widths)
     legend = words.of(roman(say("legend"))) if _has_given(sheet.rows) else ""
     return (
@@ -47,7 +50,7 @@ def _key(number: int, key: float, inker: Inker) -> str:
     """Return the line of a row in its ink, on a view of its own."""
     mark = line([complex(0.0, 0.5), complex(key, 0.5)], "key", number)
     view = inker.view(Rect(0.0, 0.48, key, 0.52))
-    return f'<svg class="key" viewBox="{view}" aria-hidden="true">{inker.marks((mark,))}</svg>'
+    return f'<svg class="key" viewBox="{view}" aria-hidden="true">{inker.mark(mark)}</svg>'
 
 
 def _cells(plan: Plan, panel: Panel, row: Row, words: Words) -> str:
@@ -58,7 +61,7 @@ def _cells(plan: Plan, panel: Panel, row: Row, words: Words) -> str:
     need = sum(width(_reading(plan, cell), SIZE) + EQUALS for cell in cells)
     small = f' style="font-size:{100 * room / need:.0f}%"' if need > room else ""
     written = "".join(_cell(plan, cell, words) for cell in cells)
-    return f'<td role="cell"><div{when(since, FOREVER, plan.finished)}{small}>{written}</div></td>'
+    return f'<td role="cell"><div{when([(since, FOREVER)])}{small}>{written}</div></td>'
 
 
 def _cell(plan: Plan, cell: Cell, words: Words) -> str:

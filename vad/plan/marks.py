@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from vad.plan.growth import Fading, Growth, Trimming
+from vad.plan.growth import Growth, Trimming
 from vad.plan.lettering.runs import Runs
 
 
@@ -146,11 +146,6 @@ class Mark:
     growth: Growth | None = None
     width: float = 1.0
     alpha: float = 1.0
-
-    @property
-    def fades(self) -> bool:
-        """Whether its alpha changes while its stroke is drawn."""
-        return isinstance(self.growth, Fading)
 
     def at(self, share: float) -> Mark | None:
         """Return the mark when ``share`` of its stroke is drawn, None while nothing shows."""

@@ -20,10 +20,16 @@ _SETTING = f"font-family:{FAMILY},STIXGeneral,serif;font-kerning:none;white-spac
 
 
 class SetText:
-    """The text of one picture; ``faces`` collects the letters that its fonts need."""
+    """The text of one picture.
 
-    def __init__(self, classes: Classes, faces: Faces | None = None) -> None:
-        self._classes = classes
+    ``faces`` collects the letters that its fonts need; ``setting`` is what no style sheet around it
+    says of all text.
+    """
+
+    def __init__(
+        self, classes: Classes, faces: Faces | None = None, setting: str = _SETTING
+    ) -> None:
+        self._classes, self._setting = classes, setting
         self._faces = faces or Faces()
         self._beneath: set[str] = set()
 
@@ -34,7 +40,7 @@ class SetText:
             return ""
         whole = len(line) == 1 and line[0][0].size == 1.0
         name = self._classes.name(
-            _SETTING,
+            self._setting,
             f"font-size:{number(text.size * grid.unit)}px",
             *(_says(line[0]) if whole else ()),
             filled(look),
@@ -60,9 +66,10 @@ class SetText:
         for stretch in line:
             says = _says(stretch)
             x, y = grid.at(text.at + text.size * stretch[0].at)
-            name = f'class="{self._classes.name(*says)}" ' if any(says) else ""
-            place = f'x="{x}"' if y == level else f'x="{x}" y="{y}"'
-            spans.append(f"<tspan {name}{place}>{self._words(stretch)}</tspan>")
+            name = f' class="{self._classes.name(*says)}"' if any(says) else ""
+            # The first one stands where its line does.
+            place = (f' x="{x}"' if spans else "") + (f' y="{y}"' if y != level else "")
+            spans.append(f"<tspan{name}{place}>{self._words(stretch)}</tspan>")
             level = y
         return "".join(spans)
 
