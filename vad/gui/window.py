@@ -39,6 +39,7 @@ def window(start: ExportQuestion, nonce: str) -> str:
     """
     code, say = start.language, Language(start.language)
     texts, own = phrases(code)["window"], phrases(code)["player"]
+    inks = len(load_style(start.style).inks)
     titles = [say.name(DIAGRAMS[name].title) for name in chosen(start.panels or None)]
     data = {"start": asdict(start), "catalogue": catalogue(code), "words": texts}
     return Template(_file("window.html")).substitute(
@@ -47,7 +48,7 @@ def window(start: ExportQuestion, nonce: str) -> str:
         nonce=nonce,
         style=start.style,
         themes=" ".join(style.name for style in themes(load_style(start.style))),
-        rules=_faces() + asset("player.css") + _file("window.css") + colours(start.style),
+        rules=_faces() + asset("player.css") + _file("window.css") + colours(start.style, inks),
         player=player(code, titles),
         strokes=escape(own["strokes"]),
         mechanisms=_options({name: say.name(kind.title) for name, kind in MECHANISMS.items()}),

@@ -60,7 +60,7 @@ def document(lesson: Lesson, start: int = 0) -> str:
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         '<meta name="viewport" content="width=device-width,initial-scale=1">\n'
         f"<title>{escape(title(lesson.sheet))}</title>\n"
-        f"<style>\n{made.faces.rules()}{asset('player.css')}{colours(lesson)}{made.looks}"
+        f"<style>\n{made.faces.rules()}{asset('player.css')}{colours(lesson.style, len(lesson.sheet.rows))}{made.looks}"
         f"</style>\n</head>\n<body>\n{section(lesson, made)}"
         f'<script type="application/json" id="data">{data}</script>\n'
         f'<script type="module">{script}</script>\n</body>\n</html>\n'
@@ -98,10 +98,9 @@ def player(
     )
 
 
-def colours(lesson: Lesson) -> str:
+def colours(name: str, rows: int) -> str:
     """Return the rules of a style's colours and of its other side, of which one is printed."""
-    rows = len(lesson.sheet.rows)
-    sides = sorted(themes(load_style(lesson.style)), key=lambda side: side.name != _PRINTED)
+    sides = sorted(themes(load_style(name)), key=lambda side: side.name != _PRINTED)
     return f".vad{{{variables(sides[0], rows)}}}\n" + "".join(
         f"@media screen{{.vad[data-theme={side.name}]{{{variables(side, rows)}}}}}\n"
         for side in sides[1:]
