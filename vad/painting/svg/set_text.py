@@ -18,6 +18,7 @@ from vad.style import Look
 #: For programs that ignore the fonts of a file; STIX itself has the same widths.
 _OTHERS = "STIXGeneral,serif"
 
+
 class SetText:
     """The text of one picture.
 
@@ -93,6 +94,7 @@ class SetText:
             return use + element
         self._beneath.add(home)
         return use + element.replace("<text", f'<text id="{home}"', 1)
+
 
 def _says(stretch: Stretch) -> tuple[str, str]:
     """Return how a stretch differs from its line."""
