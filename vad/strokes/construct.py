@@ -43,7 +43,7 @@ class _Construction:
 
     def at(self, letter: str) -> complex:
         """Return where a point is, in the user's frame and unit."""
-        return self.scene.outward(self.motion.solver.routes.position(letter, self.motion.pose))
+        return complex(self.motion.read(("point", letter, "position")))
 
     def drawing(self) -> Drawing:
         self._frame()
