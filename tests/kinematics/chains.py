@@ -1,175 +1,39 @@
 """Random chains of dyads: each is a linkage for the program and equations for the oracle.
 
 A chain is drawn in one pose: points are put anywhere, and lengths are measured off them.  So it
-always closes, the place of every point is known, and the oracle has its start.  The oracle knows no
-closed form: each dyad is the root of its equations in plain coordinates, and the rates
-are the next coefficients of power series in time.
+always closes, the place of every point is known, and the oracle has its start.
 """
 
 from __future__ import annotations
 
 import cmath
-import itertools
 import math
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
-from typing import Any, TypeGuard
+from collections.abc import Iterable, Iterator
+from typing import Any
 
-import numpy as np
 from mpmath import mp, mpf
 
+import vad
+from tests.kinematics.chain_oracle import DIGITS, Dyad, World, parts, square
+from tests.kinematics.chain_parts import Parts, along, area
 from tests.kinematics.families import Draw
-from tests.kinematics.hand_built import HandBuilt, turn
+from tests.kinematics.hand_built import turn
+from tests.kinematics.worst_cases import ratio, read
 from tests.oracle import Key, Series, series
-from vad.kinematics.linkage import Bar, Linkage, Loop, Scalar, Slide, Step, angle_of, length_of
+from vad.kinematics.linkage import Bar, Slide, angle_of, length_of
 
 KINDS = ("RRR", "RRP", "RRP on a link", "RPR", "RPR aside", "RPP")
 STARTS = ("crank", "trammel", "strut")
-DIGITS = 40
-STEP = 1e-7  # of the differences for condition numbers
-
-Numbers = Mapping[str, Any]
-# From the numbers, all that is known so far and a dyad's unknowns to what has to vanish.
-Equations = Callable[["World", list[Any]], list[Series]]
 
 
-@dataclass
-class World:
-    """What the oracle knows: its numbers, and points, directions of links and slides by name."""
-
-    numbers: Numbers
-    drive: Series
-    points: dict[str, Any] = field(default_factory=dict)
-    links: dict[str, Any] = field(default_factory=dict)
-    slides: dict[str, Any] = field(default_factory=dict)
-
-    def __getitem__(self, name: str) -> Series:
-        return Series(self.numbers[name])
-
-    def place(self, name: str) -> Any:
-        return self[f"{name}x"] + 1j * self[f"{name}y"]
-
-    def way(self, name: str) -> Any:
-        """Return the unit vector of an angle among the numbers."""
-        angle = self.numbers[name]
-        return Series(np.exp(1j * angle) if isinstance(angle, np.ndarray) else mp.expj(angle))
-
-
-@dataclass(frozen=True)
-class Dyad:
-    """One dyad for the oracle: a start for its unknowns, its equations, and what they tell."""
-
-    start: list[float]
-    equations: Equations
-    learn: Callable[[World, list[Any]], None]
-
-
-class Chain:
-    """A random chain, drawn dyad by dyad.
-
-    Attributes
-    ----------
-    numbers, angles
-        The numbers of the mechanism and of its input, and the names of those in degrees.
-    turning
-        The link on which each slide slides that has a Coriolis component.
-    """
+class Chain(Parts):
+    """A random chain: what drives, and dyads of given kinds hung on what is known."""
 
     def __init__(self, draw: Draw, start: str, kinds: Iterable[str]) -> None:
-        self.draw = draw
-        self.numbers: dict[str, float] = {}
-        self.angles: set[str] = set()
-        self.turning: dict[str, str] = {}
-        self.dyads: list[Dyad] = []
-        self._loops: list[Loop] = []
-        self._images: list[Bar] = []
-        self._fixed: dict[str, complex] = {}
-        self._at: dict[str, complex] = {}
-        self._paths: dict[str, tuple[Step, ...]] = {}
-        self._bodies: dict[str, set[str]] = {}
-        self._bases: dict[str, tuple[str, complex]] = {}
-        self._new = itertools.count(1)
-        self._pivot = self._fixed_point()
+        super().__init__(draw)
         getattr(self, f"_{start}")()
         for kind in kinds:
             getattr(self, "_" + kind.lower().replace(" ", "_"))(next(self._new))
-
-    # --- what is drawn ----------------------------------------------------------------------
-
-    def _number(self, name: str, value: float, angle: bool = False) -> float:
-        self.numbers[name] = value
-        if angle:
-            self.angles.add(name)
-        return value
-
-    def _angle(self, name: str) -> float:
-        return self._number(name, self.draw.uniform(-180, 180), angle=True)
-
-    def _anywhere(self, near: complex = 0j) -> complex:
-        return near + self.draw.length() * turn(self.draw.angle())
-
-    def _coordinates(self, name: str, at: complex) -> complex:
-        self._number(f"{name}x", at.real), self._number(f"{name}y", at.imag)
-        return at
-
-    def _fixed_point(self) -> str:
-        name = f"G{next(self._new)}"
-        self._at[name] = self._fixed[name] = self._coordinates(name, self._anywhere())
-        self._paths[name] = ()
-        self._bodies[name] = set()
-        return name
-
-    def _moving(self) -> str:
-        """Return a point that moves."""
-        return self.draw.choice([name for name, path in self._paths.items() if path])
-
-    def _other(self, bodies: set[str]) -> str:
-        """Return a point of none of these bodies, on which a dyad would be locked."""
-        free = [x for x, path in self._paths.items() if path and not self._bodies[x] & bodies]
-        return self.draw.choice(free) if free and self.draw.random() < 0.6 else self._fixed_point()
-
-    def _chains(self, first: tuple[Step, ...], second: tuple[Step, ...], side: float) -> None:
-        """Keep a loop without what its chains have in common."""
-        shared = sum(1 for _ in itertools.takewhile(lambda p: p[0] == p[1], zip(first, second)))
-        self._loops.append(Loop(first[shared:], second[shared:], side=side))
-
-    def _learn(self, point: str, at: complex, path: tuple[Step, ...]) -> None:
-        self._at[point], self._paths[point] = at, path
-        self._bodies.setdefault(point, set()).update(s.link for s in path[-1:] if is_bar(s))
-
-    def _corner(self, link: str, tail: str) -> Callable[[World], None]:
-        """Give a link a point anywhere, and return how the oracle finds it."""
-        head, length, angle = f"Y{link[1:]}", f"{link}y", f"{link}y_angle"
-        size = self._number(length, self.draw.length())
-        way = turn(self._angle(angle))
-        base = self._bases[link][1]
-        bar = Bar(tail + head, link, size, turn=way)
-        self._images.append(bar)
-        self._learn(head, self._at[tail] + size * way * base, (*self._paths[tail], bar))
-
-        def find(world: World) -> None:
-            arm = world.way(angle) * world.links[link]
-            world.points[head] = world.points[tail] + world[length] * arm
-
-        return find
-
-    def _bar(self, link: str, tail: str, head: str, at: complex) -> tuple[Bar, Callable[..., Any]]:
-        """Draw an unknown bar of a link that may lie at an angle to the link's own direction."""
-        vector, length, angle = at - self._at[tail], f"{link}_length", f"{link}_lean"
-        lean = turn(self._angle(angle)) if self.draw.random() < 0.5 else 1.0 + 0j
-        bar = Bar(tail + head, link, self._number(length, abs(vector)), turn=lean)
-        self._bases[link] = tail, vector / abs(vector) / lean
-        self._bodies[tail].add(link)
-        self._learn(head, at, (*self._paths[tail], bar))
-
-        def find(world: World, point: Any) -> None:
-            unit = (point - world.points[tail]) * (1 / world.numbers[length])
-            if lean != 1:
-                unit = unit * world.way(angle).each(lambda z: z.conjugate())
-            world.links[link] = unit
-            world.points[head] = point
-
-        return bar, find
 
     # --- what drives --------------------------------------------------------------------------
 
@@ -253,7 +117,7 @@ class Chain:
             world.links["c"], world.slides["c"] = point - world.points[foot], world.drive
             corner(world)
 
-        self.driver: Scalar = length_of("c")
+        self.driver = length_of("c")
         self.dyads.append(Dyad([at.real, at.imag], equations, learn))
 
     def _rates(self) -> None:
@@ -286,16 +150,6 @@ class Chain:
 
         self.dyads.append(Dyad([at.real, at.imag], equations, learn))
 
-    def _line(self, name: str, head: str, at: complex) -> tuple[Any, Any, float, Slide]:
-        """Draw a fixed line through a point, and return the point on it, twice, its start, it."""
-        degrees, along = self._angle(f"{name}_guide"), self.draw.sign() * self.draw.length()
-        origin = self._coordinates(f"{name}_origin", at - along * turn(degrees))
-
-        def point(world: World, length: Any) -> Any:
-            return world.place(f"{name}_origin") + length * world.way(f"{name}_guide")
-
-        return point, point, along, Slide(f"O{next(self._new)}{head}", name, degrees, origin)
-
     def _rrp(self, k: int) -> None:
         tail, head, link, name = self._moving(), f"X{k}", f"u{k}", f"s{k}"
         at = self._anywhere(self._at[tail])
@@ -315,20 +169,6 @@ class Chain:
             corner(world)
 
         self.dyads.append(Dyad([start], equations, learn))
-
-    def _slot(self, name: str, aside: bool = True) -> tuple[complex, complex, Callable[..., Any]]:
-        """Draw how a slot lies on its link: its turn, its offset, and its vector of a length."""
-        lean = turn(self._angle(f"{name}_lean"))
-        ahead = self._number(f"{name}_ahead", self.draw.sign() * self.draw.length())
-        beside = (
-            self._number(f"{name}_aside", self.draw.sign() * self.draw.length()) if aside else 0
-        )
-
-        def vector(world: World, length: Any) -> Any:
-            offset = world[f"{name}_ahead"] + 1j * (world[f"{name}_aside"] if aside else 0)
-            return (series(length) + offset) * world.way(f"{name}_lean")
-
-        return lean, complex(ahead, beside), vector
 
     def _rrp_on_a_link(self, k: int) -> None:
         carrier = self.draw.choice(list(self._bases))
@@ -419,165 +259,27 @@ class Chain:
 
         self.dyads.append(Dyad([start, abs(gap)], equations, learn))
 
-    # --- what comes of it ---------------------------------------------------------------------
 
-    @property
-    def inputs(self) -> dict[str, float]:
-        """The motion of the driver."""
-        turns = self.driver.kind == "angle"
-        names = ("angle", "omega", "alpha") if turns else ("position", "velocity", "acceleration")
-        return {name: self.numbers[name] for name in names}
+def errors(chain: Chain) -> Iterator[tuple[Key, float]]:
+    """Yield the error of every quantity of the program, in units of ε·κ.
 
-    def mechanism(self) -> HandBuilt:
-        """Return the chain for the program."""
-        pivot = self._pivot
-        fixed = {name: at for name, at in self._fixed.items() if name != pivot}
-        return HandBuilt(
-            Linkage(
-                self.driver,
-                tuple(self._loops),
-                tuple(self._images),
-                pivot=pivot,
-                fixed=fixed,
-                place=self._fixed[pivot],
-            )
-        )
-
-    def truth(self) -> dict[Key, Any]:
-        """Return every quantity to many digits."""
+    Of a point, x and y are measured each by itself; but its acceleration as a whole.
+    """
+    recipe = chain.recipe()
+    motion, conditions = vad.solve(chain.mechanism(), **chain.inputs), recipe.conditions()
+    for key, truth in recipe.truth().items():
+        found, (across, up, whole) = read(motion, key), conditions[key]
         with mp.workdps(DIGITS):
-            numbers = {name: mpf(value) for name, value in self.numbers.items()}
-            radians = {name: numbers[name] * mp.pi / 180 for name in self.angles}
-            return self._solve(numbers | radians, steps=4)
-
-    def conditions(self) -> dict[Key, tuple[Any, Any]]:
-        """Return |p·∂q/∂p| of every quantity, summed over all numbers, for x and y of vectors.
-
-        Every number is moved by itself, all of them at once as arrays.
-        """
-        count = len(self.numbers)
-        numbers = {}
-        for place, (name, value) in enumerate(self.numbers.items()):
-            value = math.radians(math.remainder(value, 360)) if name in self.angles else value
-            numbers[name] = np.full(count + 1, value)
-            numbers[name][place] += STEP * (1.0 if name == "angle" else value)
-        found = {}
-        for key, moved in self._solve(numbers, steps=6).items():
-            terms = (moved - moved[-1])[:-1]
             if key[2] == "angle":
-                terms = np.remainder(terms + math.pi, 2 * math.pi) - math.pi
-            value = moved[-1]
-            found[key] = tuple(
-                float(abs(part(value)) + np.abs(part(terms)).sum() / STEP)
-                for part in (np.real, np.imag, abs)
-            )
-        return found
-
-    def _solve(self, numbers: Numbers, steps: int) -> dict[Key, Any]:
-        place, rate, second = (numbers[name] for name in self.inputs)
-        drive = Series(place, rate, second / 2)
-        world = World(numbers, drive)
-        if self.driver.kind == "angle":
-            start = world.way("angle").c0
-            first = 1j * rate
-            world.drive = Series(start, start * first, start * (first * first + 1j * second) / 2)
-        world.points |= {name: world.place(name) for name in self._fixed}
-        for dyad in self.dyads:
-            zero = 0 * place
-            unknowns = [Series(start + zero, zero, zero) for start in dyad.start]
-            for _ in range(steps):
-                unknowns = _improved(dyad, world, unknowns, "c0")
-            for order in ("c1", "c2"):
-                unknowns = _improved(dyad, world, unknowns, order)
-            dyad.learn(world, unknowns)
-        for name in self._fixed:
-            del world.points[name]
-        return _quantities(world, self.turning)
-
-
-def _improved(dyad: Dyad, world: World, unknowns: list[Series], order: str) -> list[Series]:
-    """Return the unknowns after a step of Newton's method, or with their next coefficient."""
-    if not unknowns:
-        return []
-    columns = []
-    at_rest = World(world.numbers, still(world.drive))
-    at_rest.points = {name: still(x) for name, x in world.points.items()}
-    at_rest.links = {name: still(x) for name, x in world.links.items()}
-    for k in range(len(unknowns)):
-        moved = [Series(x.c0, 1 if i == k else 0) for i, x in enumerate(unknowns)]
-        columns.append([equation.c1 for equation in dyad.equations(at_rest, moved)])
-    right = [getattr(equation, order) for equation in dyad.equations(world, unknowns)]
-    steps = cramer([list(row) for row in zip(*columns, strict=True)], right)
-    return [
-        Series(*(getattr(x, c) - (step if c == order else 0) for c in ("c0", "c1", "c2")))
-        for x, step in zip(unknowns, steps, strict=True)
-    ]
-
-
-def _quantities(world: World, turning: Mapping[str, str]) -> dict[Key, Any]:
-    found: dict[Key, Any] = {}
-    for name, vector in world.links.items():
-        first, second = vector.c1 / vector.c0, 2 * vector.c2 / vector.c0
-        angle = vector.c0
-        many = isinstance(angle, np.ndarray)
-        found["link", name, "angle"] = np.angle(angle) if many else mp.arg(angle)
-        found["link", name, "omega"] = first.imag
-        found["link", name, "alpha"] = (second - first * first).imag
-    for kind, places in (("point", world.points), ("slide", world.slides)):
-        for name, place in places.items():
-            found[kind, name, "position"] = place.c0
-            found[kind, name, "velocity"] = place.c1
-            found[kind, name, "acceleration"] = 2 * place.c2
-    for name, link in turning.items():
-        twist = 2 * found["link", link, "omega"] * found["slide", name, "velocity"]
-        found["slide", name, "coriolis"] = abs(twist)
-    return found
-
-
-# --- arithmetic on series of numbers or arrays ------------------------------------------------
-
-
-def still(value: Any) -> Any:
-    return Series(value.c0) if isinstance(value, Series) else value
-
-
-def parts(vector: Any) -> list[Series]:
-    """Return x and y."""
-    return [series(vector).each(lambda z: z.real), series(vector).each(lambda z: z.imag)]
-
-
-def square(vector: Any) -> Series:
-    x, y = parts(vector)
-    return x * x + y * y
-
-
-def cramer(matrix: list[list[Any]], right: list[Any]) -> list[Any]:
-    """Solve up to three equations by determinants."""
-    whole = determinant(matrix)
-    return [
-        determinant([[*r[:k], b, *r[k + 1 :]] for r, b in zip(matrix, right, strict=True)]) / whole
-        for k in range(len(right))
-    ]
-
-
-def determinant(matrix: list[list[Any]]) -> Any:
-    if len(matrix) == 1:
-        return matrix[0][0]
-    return sum(
-        (-1) ** k * entry * determinant([[*row[:k], *row[k + 1 :]] for row in matrix[1:]])
-        for k, entry in enumerate(matrix[0])
-    )
-
-
-def is_bar(step: Step) -> TypeGuard[Bar]:
-    return isinstance(step, Bar)
-
-
-def area(a: complex, b: complex) -> float:
-    """Return the side on which b lies of a."""
-    return math.copysign(1.0, (a.conjugate() * b).imag)
-
-
-def along(a: complex, b: complex) -> float:
-    """Return whether a points along b."""
-    return math.copysign(1.0, (a.conjugate() * b).real)
+                miss = mpf(found) * mp.pi / 180 - truth
+                miss -= 2 * mp.pi * mp.nint(miss / (2 * mp.pi))
+            else:
+                miss = mp.mpmathify(found) - truth
+            if abs(miss) < mpf(10) ** (10 - DIGITS):  # zero, but for the oracle's last digits
+                yield key, 0.0
+            elif key[0] != "point":
+                yield key, ratio(miss, across)
+            elif key[2] == "acceleration":
+                yield key, ratio(miss, whole)
+            else:
+                yield key, max(ratio(miss.real, across), ratio(miss.imag, up))

@@ -42,6 +42,8 @@ class ReferenceFrame:
         All bars and slides.
     fixed
         The fixed points by name, from the pivot, in that unit and frame.
+    places
+        Those of them that the user gave by their coordinates, in the user's unit and axes.
     guides
         The directions of the guides on which bars end, by link, in the user's axes.
     found_along
@@ -58,32 +60,44 @@ class ReferenceFrame:
         self.found_along = _found_along(linkage)
         steps = [step for loop in linkage.loops for _, step in loop.steps()]
         self.steps: tuple[Step, ...] = (*steps, *linkage.images)
-        self.fixed = {linkage.pivot: 0j}
-        if linkage.ground:
-            self.fixed[linkage.ground[0]] = complex(linkage.ground[1] / self.scale)
-        self.fixed |= {name: self._inward(place) for name, place in linkage.fixed.items()}
+        self.places = {linkage.pivot: linkage.place, **linkage.fixed}
         guides = [
             step for step in steps if isinstance(step, Slide) and isinstance(step.along, float)
         ]
         moving = {step.head for step in steps}
         for slide in guides:
-            if slide.tail not in moving:
-                self.fixed.setdefault(slide.tail, self._inward(slide.origin))
+            if slide.tail not in moving and not self._is_ground(slide.tail):
+                self.places.setdefault(slide.tail, slide.origin)
+        self.fixed = {linkage.pivot: 0j}
+        if linkage.ground:
+            self.fixed[linkage.ground[0]] = complex(linkage.ground[1] / self.scale)
+        for name in self.places:
+            self.fixed.setdefault(name, self.between(linkage.pivot, name))
         self._lines = {
             slide.name: direction(difference(fold(float(slide.along)), self.angle))
             for slide in guides
         }
 
-    def _inward(self, point: complex) -> complex:
-        point = (point - self.linkage.place) / self.scale
-        return complex(times(point, self.turn.conjugate()))
+    def _is_ground(self, name: str) -> bool:
+        return self.linkage.ground is not None and self.linkage.ground[0] == name
+
+    def _inward(self, vector: complex) -> complex:
+        return complex(times(vector / self.scale, self.turn.conjugate()))
+
+    def between(self, tail: str, head: str) -> complex:
+        """Return the vector from one fixed point to another, rounded once where both are given."""
+        if tail in self.places and head in self.places:
+            return self._inward(self.places[head] - self.places[tail])
+        return self.fixed[head] - self.fixed[tail]
 
     def shift(self, slide: Slide) -> complex:
         """Return the vector from the tail of a slide to the zero of its line."""
         tail = slide.tail
         if isinstance(slide.along, str) or tail not in self.fixed:
             return 0j
-        return self._inward(slide.origin) - self.fixed[tail]
+        if tail in self.places:
+            return self._inward(slide.origin - self.places[tail])
+        return self._inward(slide.origin - self.linkage.place) - self.fixed[tail]
 
     def advance(self, slide: Slide) -> float:
         """Return the position of a slide's tail along the slide's own line."""

@@ -40,8 +40,7 @@ class LoopSolver:
         self.known = [(way, s) for way, s in loop.steps() if scalar_of(s) not in unknown]
         self._unknown_lengths = {s.name for s in (self.step, self.other) if isinstance(s, Slide)}
         starts = [chain[0].start for chain in (loop.first, loop.second)]
-        fixed = frame.fixed
-        self.offset = 0j if starts[0] == starts[1] else fixed[starts[1]] - fixed[starts[0]]
+        self.offset = 0j if starts[0] == starts[1] else frame.between(*starts)
         for way, step in loop.steps():
             if isinstance(step, Slide) and not step.through_tail:
                 self.offset += way * frame.shift(step)
