@@ -194,6 +194,18 @@ for verb in (
         ],
         ranged=True,
     ),
+    MechanismGroup(
+        "gui",
+        "Open a page on which a mechanism is turned by hand.",
+        actions.gui,
+        [
+            *_SHEET,
+            _SIZE,
+            click.Option(["--port"], type=int, help="the server's port  [any that is free]"),
+            click.Option(["--no-browser"], is_flag=True, help="print the address, open nothing"),
+        ],
+        usual="slider-crank",
+    ),
 ):
     app.add_command(verb)
 app.add_command(compare.command)

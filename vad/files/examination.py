@@ -14,6 +14,7 @@ import numpy as np
 
 from vad.files.dyads import Dyad
 from vad.files.written_mechanism import Written, WrittenMechanism
+from vad.kinematics.change_points import ChangePoint, change_points
 from vad.kinematics.linkage import Loop
 from vad.kinematics.reach import closing_range
 from vad.kinematics.solver import solver_of
@@ -62,12 +63,15 @@ class Examination:
         The ranges of the driver, in degrees or in the unit of length.
     nearest
         Where it is nearest to a dead centre; None for what has no dyad, or closes nowhere.
+    changes
+        Its change points, at which two motions go on.
     """
 
     mechanism: WrittenMechanism
     found: tuple[Found, ...]
     closes: tuple[tuple[float, float], ...]
     nearest: Nearest | None
+    changes: tuple[ChangePoint, ...]
 
 
 def examine(kind: type[WrittenMechanism]) -> Examination:
@@ -84,7 +88,8 @@ def examine(kind: type[WrittenMechanism]) -> Examination:
         )
         found.append(Found(dyad, _what(written, dyad), _equation(loop), choices))
     ranges = tuple(closing_range(mechanism))
-    return Examination(mechanism, tuple(found), ranges, _nearest(mechanism, ranges))
+    nearest, changes = _nearest(mechanism, ranges), change_points(mechanism)
+    return Examination(mechanism, tuple(found), ranges, nearest, changes)
 
 
 def _nearest(
@@ -97,6 +102,9 @@ def _nearest(
     places = np.concatenate([np.linspace(low, high, _SAMPLES) for low, high in ranges])
     sines = np.abs(solver.sines(places))
     sines[np.isnan(sines)] = np.inf
+    sines[[loop.parallel for loop in solver.linkage.loops]] = np.inf  # which pass where it is 0
+    if not np.isfinite(sines).any():
+        return None
     loop, at = np.unravel_index(np.argmin(sines), sines.shape)
     return Nearest(float(places[at]), int(loop) + 1, float(sines[loop, at]))
 
@@ -107,8 +115,9 @@ def _equation(loop: Loop) -> str:
     ground = ["".join(starts)] if starts[0] != starts[1] else []
     sides = []
     for chain, other in ((loop.first, loop.second), (loop.second, loop.first)):
-        vectors = [step.ends for step in chain if not step.reverse]
-        vectors += [step.ends for step in reversed(other) if step.reverse]
+        onward = [step.ends for step in chain if not step.reverse]
+        back = [step.ends for step in reversed(other) if step.reverse]
+        vectors = [*back, *onward] if not ground and other[0].reverse else [*onward, *back]
         sides.append([*(ground if chain is loop.second else []), *vectors])
     return " = ".join(" + ".join(side) or "0" for side in sides)
 

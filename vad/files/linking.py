@@ -203,15 +203,11 @@ class _Linking:
             raise InputError(f"{line.link}: {tail} and {head} are at the same place")
         turn = along / abs(along)
         start = held or line.pair[0]
-        shift = (zero - at[start]) * turn.conjugate()
-        aside = shift.imag + (line.offset(self.values) if line.offset else 0.0)
-        if shift.real:
-            raise InputError(
-                f"{line.link}: its slot must begin where it is held, at {start}",
-                hint=f"name {start} first, as in along = '{start}{line.pair[1]}'",
-            )
+        offset = (zero - at[start]) * turn.conjugate()
+        if line.offset:
+            offset += 1j * line.offset(self.values)
         under = self.under[guide.slide]
-        bar = Bar(start + under, line.link, guide.slide, turn=turn, aside=aside)
+        bar = Bar(start + under, line.link, guide.slide, turn=turn, offset=offset)
         return bar, Slide(under + guide.point, guide.slide, line.link, turn=turn)
 
     def _chains_of(self, dyad: Dyad) -> tuple[Chain, Chain]:

@@ -38,19 +38,23 @@ class Routes:
         return step if isinstance(step, Slide) and isinstance(step.along, float) else None
 
     def pin(self, letter: str) -> Bar | None:
-        """Return the driven crank, if a point is always where its pin is."""
-        hops = self._places[letter][1]
-        crank = hops[0][1] if hops else None
+        """Return a bar of the driven crank, if a point is always at its head."""
+        start, hops = self._places[letter]
+        way, crank = hops[0] if hops else (0, None)
         if not isinstance(crank, Bar) or angle_of(crank.link) != self._frame.linkage.driver:
             return None
         blocks = all(isinstance(s, Slide) and isinstance(s.along, str) for _, s in hops[1:])
-        return crank if blocks else None
+        forward = isinstance(crank.length, float) and way == 1
+        return crank if start in self._frame.places and forward and blocks else None
+
+    def start(self, letter: str) -> str:
+        """Return the fixed point at which the way to a point begins."""
+        return self._places[letter][0]
 
     def position(self, letter: str, pose: Pose) -> Number:
-        """Return the position of a point in the solver's unit and frame."""
-        start, hops = self._places[letter]
-        total: Number = self._frame.fixed[start]
-        for way, step in hops:
+        """Return where a point is from its `start`, in the solver's unit and frame."""
+        total: Number = 0j
+        for way, step in self._places[letter][1]:
             if isinstance(step, Slide):
                 total = total + way * self._frame.shift(step)
             total = total + way * self._frame.displacement(step, pose)
@@ -66,15 +70,16 @@ class Routes:
 
 
 def _place_costs(frame: ReferenceFrame) -> Costs:
-    """Cost lengths, for a short way rounds least, and links that only a later loop finds."""
-    later = {scalar for pair in frame.linkage.unknowns[1:] for scalar in pair}
+    """Cost lengths, for a short way rounds least, and links by the loops before they are found."""
+    pairs = enumerate(frame.linkage.unknowns)
+    before = {scalar: number for number, pair in pairs for scalar in pair}
 
     def cost(step: Step) -> float:
         if isinstance(step, Slide):
             return 1.0 if isinstance(step.along, str) else 1e-9
         # A lever's point under its block is where the pin is.
         size = 3.0 if isinstance(step.length, str) else abs(frame.size(step))
-        return size + 10.0 if angle_of(step.link) in later else size
+        return size + 10.0 * before.get(angle_of(step.link), 0)
 
     return {letter: abs(place) for letter, place in frame.fixed.items()}, cost
 
