@@ -43,7 +43,7 @@ class _Construction:
 
     def at(self, letter: str) -> complex:
         """Return where a point is, in the user's frame and unit."""
-        return self.scene.outward(self.motion.solver.routes.position(letter, self.motion.pose))
+        return complex(self.motion.read(("point", letter, "position")))
 
     def drawing(self) -> Drawing:
         self._frame()
@@ -188,7 +188,8 @@ class _Construction:
     def _lever_line(self, bar: Bar, end: str) -> tuple[str, dict[str, object]]:
         tail, point = self.at(bar.ends[0]), self.at(end)
         pin = next(hop for hop in self._slides() if end in hop.ends).ends.replace(end, "")
-        line = Line(tail, self.scene.heading(self.motion.pose.unit[bar.link]), point)
+        unit = self.frame.unit(bar.link, self.motion.pose, bar.turn)
+        line = Line(tail, self.scene.heading(unit), point)
         parts: dict[str, object] = {"link": bar.link, "tail": bar.ends[0], "pin": pin}
         name, label = f"{bar.ends}.line", bar.ends[0] + pin
         self._draw(name, "construction", label, line, "lever line", parts, link=bar.link)
