@@ -48,10 +48,10 @@ class ReferenceFrame:
         guides = [
             step for step in steps if isinstance(step, Slide) and isinstance(step.along, float)
         ]
-        moving = {step.ends[1] for step in steps}
+        moving = {step.head for step in steps}
         for slide in guides:
-            if slide.ends[0] not in moving:
-                self.fixed.setdefault(slide.ends[0], self._inward(slide.origin))
+            if slide.tail not in moving:
+                self.fixed.setdefault(slide.tail, self._inward(slide.origin))
         self._lines = {
             slide.name: direction(difference(fold(float(slide.along)), self.angle))
             for slide in guides
@@ -62,7 +62,7 @@ class ReferenceFrame:
 
     def shift(self, slide: Slide) -> complex:
         """Return the vector from the tail of a slide to the zero of its line."""
-        tail = slide.ends[0]
+        tail = slide.tail
         if isinstance(slide.along, str) or tail not in self.fixed:
             return 0j
         return self._inward(slide.origin) - self.fixed[tail]

@@ -98,8 +98,8 @@ def _shortest(
             (costs[tail] + cost(step), head, tail, (way, step))
             for step in frame.steps
             for way, tail, head in (
-                (1, step.ends[0], step.ends[1]),
-                (-1, step.ends[1], step.ends[0]),
+                (1, step.tail, step.head),
+                (-1, step.head, step.tail),
             )
             if tail in routes and head not in routes
         ]

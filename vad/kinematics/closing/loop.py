@@ -28,15 +28,14 @@ class LoopSolver:
         self, frame: ReferenceFrame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]
     ) -> None:
         self.frame = frame
-        self.side = side
+        self.loop = loop
+        self.side = side * loop.side
         unknown = {scalar_of(s): (way, s) for way, s in loop.steps() if scalar_of(s) in unknowns}
         # Bars before slides, as the closed forms take them.
         ordered = sorted(unknown.values(), key=lambda signed: isinstance(signed[1], Slide))
         (self.way, self.step), (self.other_way, self.other) = ordered
         self.known = [(way, s) for way, s in loop.steps() if scalar_of(s) not in unknown]
-        starts = [
-            chain[0].ends[1 if chain[0].reverse else 0] for chain in (loop.first, loop.second)
-        ]
+        starts = [chain[0].start for chain in (loop.first, loop.second)]
         fixed = frame.fixed
         self.offset = 0j if starts[0] == starts[1] else fixed[starts[1]] - fixed[starts[0]]
         for way, step in loop.steps():
@@ -44,7 +43,7 @@ class LoopSolver:
                 self.offset += way * frame.shift(step)
         self.crank = self._grounded_crank()
         self.inverted = self._longer_crank()
-        self.ground = (1, Bar("", GROUND, self.offset.real * frame.scale))
+        self.ground = (1, Bar("".join(starts), GROUND, self.offset.real * frame.scale))
         known = [self.ground] if self.inverted else self.known
         #: What moves by known amounts, for velocities and for accelerations.
         self.moving = known, [*known, *ordered]

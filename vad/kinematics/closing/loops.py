@@ -76,7 +76,7 @@ class TwoAnglesLoop(LoopSolver):
         if self.crank and sizes:
             named = dict(zip((self.step.link, self.other.link), sizes, strict=True))
             driver, side = self.frame.linkage.driver.name, self.side
-            if self.frame.linkage.parallel:
+            if self.loop.parallel:
                 self.equal = parallelogram(driver, self.crank, named)
             else:
                 self.equal = equal_bars(driver, side, self.crank, named)
@@ -249,7 +249,7 @@ class SlotLoop(LoopSolver):
 
     def why_dead(self) -> str:
         """Say that the pin stands on the pivot."""
-        link, pivot, pin = self.step.link, self.step.ends[0], self.step.ends[1]
+        link, pivot, pin = self.step.link, self.step.tail, self.step.head
         return f"{link}: {pin} stands on the pivot {pivot}, where the {link} may point anywhere"
 
 
