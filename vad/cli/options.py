@@ -116,6 +116,14 @@ def _field_option(field: dataclasses.Field[Any], unit: str) -> click.Option:
             metavar="UNIT",
             help=f"{text}  [{default}]",
         )
+    if quantity == "points":
+        return click.Option(
+            ["--point", name],
+            callback=values.points(unit),
+            multiple=True,
+            metavar="'NAME on LINK DISTANCE at ANGLE'",
+            help=f"{text}; may be given again  [none]",
+        )
     shown = "none" if default is None else f"{typed(default)} {scene_unit(quantity, unit)}"
     return _quantity_option([flag(name), name], quantity, f"{text}  [{shown}]", unit)
 

@@ -129,7 +129,7 @@ def problem_of(mechanism: Mechanism, inputs: Mapping[str, float]) -> Problem:
     -1 (1000.0) along (the angle of link)
     +1 (the length of slider_b) along (90.0)
     """
-    linkage = mechanism.linkage()
+    linkage = mechanism.marked()
     places = _fixed_points(linkage)
     equations = tuple(
         _equation(loop, unknowns, places)
