@@ -11,8 +11,12 @@ from vad.strokes.sheet import Equation, Term
 
 @dataclass
 class Side:
-    """The vectors of one chain in the order in which they were drawn."""
+    """The vectors of one chain in the order in which they were drawn.
 
+    ``start`` is the one from the pole to the vertex from which it begins, if that is another.
+    """
+
+    start: Term | None = None
     entries: list[tuple[Step, Term]] = field(default_factory=list)
 
     def add(self, step: Step, term: Term) -> None:
@@ -25,7 +29,8 @@ class Side:
 
     def forward(self) -> list[Term]:
         """Return the vectors that run with the chain."""
-        return [term for step, term in self.entries if not step.reverse]
+        begun = [self.start] if self.start else []
+        return begun + [term for step, term in self.entries if not step.reverse]
 
     def backward(self) -> list[Term]:
         """Return the vectors that run against it, so that each begins where the last ended."""
@@ -53,7 +58,7 @@ def of_position(scene: Scene, loop: Loop) -> Equation:
     """Return the equation of a loop of the mechanism itself, a ground link added."""
     fixed = scene.motion.frame.fixed
     sides = Side(), Side()
-    start = [_start(chain) for chain in (loop.first, loop.second)]
+    start = [chain[0].start for chain in (loop.first, loop.second)]
     second_start = start[1]
     if start[0] != start[1] and start[0] in fixed:
         if fixed[start[0]] == fixed[start[1]]:
@@ -64,14 +69,10 @@ def of_position(scene: Scene, loop: Loop) -> Equation:
         for step in chain:
             if isinstance(step, Slide) and isinstance(step.along, str):
                 continue  # the bar carries its length
-            label = scene.letters(step)
-            if side is sides[1] and step is chain[0] and label[0] == start[1]:
-                label = second_start + label[1]
+            tail, head = scene.ends(step)
+            if side is sides[1] and step is chain[0] and tail == start[1]:
+                tail = second_start
+            label = tail + head
             drawn = f"{step.ends}.bar" if isinstance(step, Bar) else f"{step.ends}.block"
             side.add(step, Term(label, scalar_of(step).name, drawn))
     return equation(loop, *sides)
-
-
-def _start(chain: tuple[Step, ...]) -> str:
-    first = chain[0]
-    return first.ends[1] if first.reverse else first.ends[0]

@@ -8,7 +8,7 @@ linkage and what is drawn of it, or a point's letter and how it is found.
 
 =========================  ====================================================================
 position                   ``A.fixed``, ``C.found``; ``DC.guide``, ``CB.slot``, ``DC.block``,
-                           ``AB.bar``, ``AB.angle``, ``BC.compass``, ``DQ.line``
+                           ``AB.bar``, ``AB.angle``, ``BC.compass``, ``DQ.line``, ``BCE.plate``
 velocity and acceleration  ``pole``, ``C.crossing``, ``C.image``; ``AB.normal``,
                            ``AB.tangential``, ``AB.whole``, ``QB.sliding``, ``QB.coriolis``,
                            ``BC.line``
@@ -121,7 +121,15 @@ class Block:
     travel: tuple[float, float] = (0.0, 0.0)
 
 
-Shape = Dot | Arrow | Line | Arc | Guide | Block
+@dataclass(frozen=True, slots=True)
+class Plate:
+    """A link of three points or more in the position panel: its ``corners`` with their letters."""
+
+    corners: tuple[complex, ...]
+    letters: tuple[str, ...]
+
+
+Shape = Dot | Arrow | Line | Arc | Guide | Block | Plate
 
 
 @dataclass(frozen=True, slots=True)
@@ -201,13 +209,26 @@ class CoriolisInset:
 
 
 @dataclass(frozen=True, slots=True)
+class ImageTriangle:
+    """The image of three points of a link, similar to them, tinted in the ink of the link.
+
+    It is shown from the stroke called ``stroke`` on.
+    """
+
+    link: str
+    corners: tuple[complex, ...]
+    stroke: str
+
+
+@dataclass(frozen=True, slots=True)
 class Panel:
     """One diagram of one pose: its strokes in drawing order.
 
     ``zeros`` holds what is not drawn in this pose, with its name, letters and place but without
     a caption: vectors of length zero, whole vectors that are no more than one of their parts,
     and, where nothing moves, the lines and crossings of the polygon.  Strokes and zeros together
-    have the same names in every pose.  ``title`` is its heading, ``picture`` how it is painted.
+    have the same names in every pose.  ``title`` is its heading, ``picture`` how it is painted,
+    ``triangles`` are the images of links with three points or more.
     """
 
     name: str
@@ -218,6 +239,7 @@ class Panel:
     zeros: tuple[Stroke, ...] = ()
     title: str = ""
     picture: Picture = "vectors"
+    triangles: tuple[ImageTriangle, ...] = ()
 
     def full(self, name: str) -> str:
         """Return the full name of a stroke of this panel: ``velocity:BC.line``."""
