@@ -52,7 +52,7 @@ class _Run:
 
 @dataclass(frozen=True, slots=True)
 class Bar(_Run):
-    """A vector that turns with a link: (length + i·aside) · turn · u, with u the link's direction.
+    """A vector that turns with a link: (length + offset) · turn · u, with u the link's direction.
 
     Attributes
     ----------
@@ -69,8 +69,9 @@ class Bar(_Run):
     turn
         Its direction in the axes of its link, as a unit vector: not 1 for the further sides of a
         link of three points or more.
-    aside
-        How far to the left of the slide's line its head lies: with a slide's length only.
+    offset
+        What is added to the length of a slide, as ahead + i·aside: a slot that runs beside the
+        tail, or is not measured from there.  With a slide's length only.
     """
 
     ends: str
@@ -78,16 +79,15 @@ class Bar(_Run):
     length: float | str
     reverse: bool = False
     turn: complex = 1.0 + 0j
-    aside: float = 0.0
+    offset: complex = 0j
 
     def __post_init__(self) -> None:
         points_of(self.ends)
         object.__setattr__(self, "length", _number(f"length of {self.ends}", self.length))
         object.__setattr__(self, "turn", _unit(f"turn of {self.ends}", self.turn))
-        object.__setattr__(self, "aside", _number(f"aside of {self.ends}", self.aside))
-        if self.aside and not isinstance(self.length, str):
+        if self.offset and not isinstance(self.length, str):
             raise InputError(
-                f"aside of {self.ends}: goes with the length of a slide",
+                f"offset of {self.ends}: goes with the length of a slide",
                 hint="a bar of one length has a turn",
             )
 

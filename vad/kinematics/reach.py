@@ -111,6 +111,7 @@ def _sizes(frame: ReferenceFrame) -> list[float]:
     """Return the lengths of all bars in the user's unit."""
     lengths = [step.length for step in frame.steps if isinstance(step, Bar)]
     lengths += [frame.linkage.ground[1]] if frame.linkage.ground else []
+    lengths += [abs(point - frame.linkage.place) for point in frame.linkage.fixed.values()]
     return [abs(length) for length in lengths if isinstance(length, float)]
 
 

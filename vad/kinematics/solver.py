@@ -145,6 +145,6 @@ class Solver:
     def why_dead(self, pose: Pose) -> str:
         """Say why a result is undetermined in a single pose."""
         for loop, sine in zip(self.loops, pose.sine, strict=True):
-            if sine == 0.0:
+            if sine == 0.0 and not loop.loop.parallel:
                 return loop.why_dead()
         return "the result is undetermined at this dead centre"

@@ -100,5 +100,5 @@ def _check_lengths(linkage: Linkage) -> None:
             if known.length != bar.length:
                 lengths = f"{known.length} and {bar.length}"
                 raise InputError(f"{bar.link}: {bar.ends} has two lengths, {lengths}")
-            if (known.turn, known.aside) != (bar.turn, bar.aside):
+            if (known.turn, known.offset) != (bar.turn, bar.offset):
                 raise InputError(f"{bar.link}: {bar.ends} has two directions")
