@@ -43,7 +43,7 @@ class _Construction:
             self._construct(loop, unknowns)
             self._ink(loop, unknowns)
             known.update(unknowns)
-            equations.append(of_position(self.scene, loop))
+            equations.append(of_position(self.scene, loop, self.ink.strokes))
         for bar in self.linkage.images:
             self._further(bar)
         return Drawing(tuple(self.ink.strokes), equations=tuple(equations))
@@ -151,7 +151,7 @@ class _Construction:
                     self._compass(step, end)
                     arcs += 1
             elif isinstance(step, Slide) and self._is_slot(step, unknowns):
-                self._slot_line(step)
+                self._link_slot_line(step, end)
                 phrase = ("on link slot", {"letter": end})
             elif isinstance(step, Slide) and isinstance(step.along, float):
                 if not self.scene.is_guide(step):
@@ -197,11 +197,8 @@ class _Construction:
         return "on lever", {"letter": end, "link": bar.link, "pin": pin}
 
     def _slot_line(self, slide: Slide) -> None:
-        """Draw the line of a slot through its block, or that of a known link through its end."""
+        """Draw the line of a slot through the block in it."""
         head, tail = slide.head, slide.tail
-        if isinstance(slide.along, str):
-            carrier = self._carrier(slide)
-            head, tail = carrier.tail, slide.head
         towards = self.scene.at(tail) - self.scene.at(head)
         line = self.scene.heading(self.frame.line(slide, self.motion.pose))
         if (line.conjugate() * towards).real < 0:
@@ -212,6 +209,17 @@ class _Construction:
         label = self.scene.say("parallel", line=self.scene.line(slide))
         self.ink.draw(name, "construction", label, shape, "slot line", parts, link=slide.name)
 
+    def _link_slot_line(self, slide: Slide, end: str) -> None:
+        """Draw the line of the slot in a known link, from where it is next to its first point."""
+        line = self.scene.heading(self.frame.line(slide, self.motion.pose))
+        at, start = self.scene.at(end), self.scene.at(self.ink.carrier(slide).tail)
+        towards = (line.conjugate() * (at - start)).real
+        shape = Line(at - towards * line, line if towards > 0 else -line, at)
+        label = self.scene.say("parallel", line=self.scene.line(slide))
+        parts = {"head": end, "link": slide.along}
+        name = f"{slide.ends}.line"
+        self.ink.draw(name, "construction", label, shape, "in slot", parts, link=slide.name)
+
     def _ink(self, loop: Loop, unknowns: tuple[Scalar, ...]) -> None:
         for step in (*loop.first, *loop.second):
             if scalar_of(step) in unknowns and isinstance(step, Bar):
@@ -220,7 +228,7 @@ class _Construction:
             if scalar_of(step) in unknowns and isinstance(step, Slide):
                 if step.head not in self.motion.points or step.name in self.motion.links:
                     continue  # a strut has no block
-                if not self.scene.is_guide(step) and self._has_slot(step):
+                if not self.scene.is_guide(step) and self.ink.has_slot(step):
                     self.ink.slot(step)
                 self.ink.block(step, "result", "block")
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from vad.kinematics.linkage import Bar, Loop, Slide, Step, scalar_of
 from vad.strokes.scene import Scene
-from vad.strokes.sheet import Equation, Term
+from vad.strokes.sheet import Equation, Plate, Stroke, Term
 
 
 @dataclass
@@ -54,8 +55,8 @@ def equation(loop: Loop, first: Side, second: Side) -> Equation:
     return Equation(tuple(left or nothing), tuple(right or nothing))
 
 
-def of_position(scene: Scene, loop: Loop) -> Equation:
-    """Return the equation of a loop of the mechanism itself, a ground link added."""
+def of_position(scene: Scene, loop: Loop, strokes: Sequence[Stroke]) -> Equation:
+    """Return the equation of a loop of the mechanism itself as drawn, a ground link added."""
     fixed = scene.motion.frame.fixed
     sides = Side(), Side()
     start = [chain[0].start for chain in (loop.first, loop.second)]
@@ -73,6 +74,13 @@ def of_position(scene: Scene, loop: Loop) -> Equation:
             if side is sides[1] and step is chain[0] and tail == start[1]:
                 tail = second_start
             label = tail + head
-            drawn = f"{step.ends}.bar" if isinstance(step, Bar) else f"{step.ends}.block"
-            side.add(step, Term(label, scalar_of(step).name, drawn))
+            side.add(step, Term(label, scalar_of(step).name, _drawn(step, strokes)))
     return equation(loop, *sides)
+
+
+def _drawn(step: Step, strokes: Sequence[Stroke]) -> str | None:
+    """Return the name of the stroke that draws a step: its own bar or block, or its plate."""
+    own = f"{step.ends}.bar" if isinstance(step, Bar) else f"{step.ends}.block"
+    link = scalar_of(step).name
+    plates = (s.name for s in strokes if isinstance(s.shape, Plate) and s.link == link)
+    return next((s.name for s in strokes if s.name == own), next(plates, None))

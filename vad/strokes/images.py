@@ -14,7 +14,7 @@ from vad.kinematics.linkage import Bar
 from vad.strokes.figures import Figure, Unit
 from vad.strokes.pencil import Pencil
 from vad.strokes.scene import Scene, image_letter
-from vad.strokes.sheet import Arrow, Dot, ImageTriangle, Line, Stroke
+from vad.strokes.sheet import Dot, ImageTriangle, Line, Stroke
 
 
 class Images:
@@ -55,7 +55,7 @@ class Images:
 
     def _construct(self, bar: Bar, base: Bar) -> None:
         """Find a point beside the line, where lines from two known corners cross."""
-        scene, pencil = self._scene, self._pencil
+        pencil = self._pencil
         corners = base.tail, base.head, bar.head
         letters = [pencil.letter(corner) for corner in corners]
         places = [pencil.place(corner) for corner in corners]

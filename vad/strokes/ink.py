@@ -74,9 +74,19 @@ class Ink:
         """Draw the slot of a moving link, in which a block slides."""
         owner = self.owner(slide)
         line = self.scene.heading(self.scene.motion.frame.line(slide, self.scene.motion.pose))
-        guide = Guide(self.scene.at(slide.tail), line)
+        moving = isinstance(slide.along, str)
+        guide = Guide(self.scene.at(slide.head if moving else slide.tail), line)
         parts: dict[str, object] = {"head": slide.head, "link": owner}
         self.draw(f"{slide.ends}.slot", "guide", "", guide, "slot", parts, link=owner)
+
+    def carrier(self, slide: Slide) -> Bar:
+        """Return the bar of a turning link that reaches to the point under a block."""
+        bars = (step for step in self.scene.motion.frame.steps if isinstance(step, Bar))
+        return next(bar for bar in bars if (bar.link, bar.length) == (slide.along, slide.name))
+
+    def has_slot(self, slide: Slide) -> bool:
+        """Tell whether a block has a slot of its own: in a yoke, or beside the line of its link."""
+        return isinstance(slide.along, float) or self.carrier(slide).offset.imag != 0.0
 
     def owner(self, slide: Slide) -> str:
         """Return what bears the slot along which a block slides."""

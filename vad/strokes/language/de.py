@@ -50,9 +50,11 @@ PHRASES = {
     ),
     "plate": "{link:Der} ist ein starres Stück mit den Ecken {corners}.",
     "third point": (
-        "{letter} liegt, wo sich die beiden Bögen schneiden: das Dreieck {corners} behält seinen Sinn."
+        "{letter} liegt, wo sich die beiden Bögen schneiden: das Dreieck {corners} behält seinen "
+        "Sinn."
     ),
     "on link slot": "{letter} liegt, wo der Bogen die Gerade des Schlitzes schneidet.",
+    "in slot": "{head} liegt auf der Geraden des Schlitzes {link:des}.",
     "tip": "{letter} liegt auf {link:dem}, {size} {unit} von {tail} entfernt.",
     "tip against": (
         "{letter} liegt auf {link:dem}, {size} {unit} von {tail} entfernt auf der anderen Seite."
@@ -175,7 +177,8 @@ PHRASES = {
     ),
     "image similar": (
         "{letter} aus {image} {link:des}: {triangle} ist ähnlich zu {corners}, im gleichen "
-        "Sinn beschriftet: {part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
+        "Sinn beschriftet: {part} = {whole}·{bar}/{base} = "
+        "{known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
         "Durch {point} unter dem Winkel {corner} = {angle}° des Glieds gegen {side}, im gleichen "

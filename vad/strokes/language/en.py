@@ -45,6 +45,7 @@ PHRASES = {
     "plate": "The {link} is one rigid piece with the corners {corners}.",
     "third point": "{letter} is where the two arcs cross: the triangle {corners} keeps its sense.",
     "on link slot": "{letter} is where the arc meets the line of the slot.",
+    "in slot": "{head} lies on the line of the slot of the {link}.",
     "tip": "{letter} lies on the {link}, {size} {unit} from {tail}.",
     "tip against": "{letter} lies on the {link}, {size} {unit} from {tail} on the other side.",
     # polygons
