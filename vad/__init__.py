@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     )
     from vad.export import save
     from vad.export.data.sheet_json import sheet_from_json
+    from vad.files.loading import load, mechanism
     from vad.kinematics.motion import Motion, Motions, solve
     from vad.lecture.lesson import Lesson
     from vad.lecture.still import Still, still
@@ -70,6 +71,8 @@ __all__ = [
     "Whitworth",
     "animate",
     "draw",
+    "load",
+    "mechanism",
     "multiples",
     "save",
     "sheet_from_json",
@@ -95,6 +98,8 @@ _HOMES = {
     "Still": "vad.lecture.still",
     "save": "vad.export",
     "sheet_from_json": "vad.export.data.sheet_json",
+    "load": "vad.files.loading",
+    "mechanism": "vad.files.loading",
     "MECHANISMS": "vad.mechanisms",
     "Mechanism": "vad.mechanisms",
     "VadError": "vad.errors",

@@ -8,11 +8,12 @@ from collections.abc import Iterable
 import click
 
 from vad import __version__
-from vad.cli import actions, catalogue, compare, completion, values
+from vad.cli import actions, catalogue, check, compare, completion, values
 from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import named_option
 from vad.errors import unknown
 from vad.export import FOLDER, FORMATS
+from vad.files.examples import example_names, example_path
 from vad.lecture.lesson import Lesson
 from vad.mechanisms import MECHANISMS
 from vad.plan.format import paper_names
@@ -95,6 +96,14 @@ def list_mechanisms(as_json: bool) -> None:
         click.echo(json.dumps(catalogue.entries(), ensure_ascii=False, indent=1))
     else:
         click.echo(catalogue.table())
+
+
+@app.command("example", cls=HelpfulCommand)
+@click.argument("name", required=False, shell_complete=completion.one_of(example_names()))
+def print_example(name: str | None) -> None:
+    """Print an example of a mechanism's file; without NAME, name them all."""
+    text = catalogue.examples() if name is None else example_path(name).read_text("utf-8")
+    click.echo(text.rstrip())
 
 
 _SHEET = [
@@ -188,3 +197,4 @@ for verb in (
 ):
     app.add_command(verb)
 app.add_command(compare.command)
+app.add_command(check.command)

@@ -18,6 +18,9 @@ SHORTEST, LONGEST = 1e-200, 1e200
 #: Characters of a unit, which stands behind every number.
 LONGEST_UNIT = 60
 
+#: The quantities of parameters that are numbers; a plain number has no unit.
+NUMBERS = ("length", "angle", "number")
+
 #: Every mechanism class by the name that the command line knows.
 MECHANISMS: dict[str, type[Mechanism]] = {}
 
@@ -92,10 +95,11 @@ class Mechanism:
     length_unit: str = unit("mm")
     points: Mapping[str, Place] = on_links()
 
-    def __init_subclass__(cls) -> None:
+    def __init_subclass__(cls, listed: bool = True) -> None:
         # Read-only: mechanisms share their defaults.
         cls.inputs = MappingProxyType(dict(cls.inputs))
-        MECHANISMS[cls.name] = cls
+        if listed:
+            MECHANISMS[cls.name] = cls
 
     def __post_init__(self) -> None:
         for parameter in fields(self):
@@ -155,6 +159,6 @@ class Mechanism:
         return {
             parameter.name: getattr(self, parameter.name)
             for parameter in fields(self)
-            if parameter.metadata["quantity"] in ("length", "angle")
+            if parameter.metadata["quantity"] in NUMBERS
             and getattr(self, parameter.name) is not None
         }
