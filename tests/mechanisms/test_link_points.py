@@ -16,7 +16,7 @@ import pytest
 import vad
 from vad.cli.run import run
 from vad.kinematics.linkage import points_of
-from vad.strokes.sheet import Arrow
+from vad.strokes.sheet import Arrow, Dot
 
 RAMS = {
     "crank-slotted-lever": {"rod": 100.0, "ram_height": 180.0},
@@ -29,6 +29,7 @@ def on_every_link() -> Iterator[tuple[str, str, float, float]]:
     for name, kind in vad.MECHANISMS.items():
         for link in kind.links:
             yield name, link, 30.0, 0.0
+            yield name, link, 45.0, -70.0
             yield name, link, -20.0, 0.0
 
 
@@ -71,16 +72,14 @@ def test_a_letter_that_is_not_reported_makes_way():
 
 
 @pytest.mark.parametrize("panel", ["position", "velocity", "acceleration"])
-@pytest.mark.parametrize("angle", [0.0])
+@pytest.mark.parametrize("angle", [0.0, 35.0])
 def test_it_is_drawn_in_every_panel(panel: str, angle: float):
     motion = with_point("four-bar", P=("coupler", 60, angle))
     point, letter = motion.point("P"), {"position": "P", "velocity": "p"}.get(panel, "p′")
     place = {"position": point.position, "velocity": point.velocity}.get(panel, point.acceleration)
-    heads = [
-        stroke.shape.end
-        for stroke in vad.draw(motion, panels=panel).panels[0].strokes
-        if isinstance(stroke.shape, Arrow) and stroke.shape.head == letter
-    ]
+    strokes = vad.draw(motion, panels=panel).panels[0].strokes
+    heads = [s.shape.end for s in strokes if isinstance(s.shape, Arrow) and s.shape.head == letter]
+    heads += [s.shape.at for s in strokes if isinstance(s.shape, Dot) and s.label == letter]
     assert heads
     for head in heads:
         assert head == pytest.approx(place, rel=1e-12)

@@ -15,7 +15,6 @@ from functools import cache
 from typing import NamedTuple
 
 from vad.errors import InputError
-from vad.kinematics.numbers import direction, fold
 
 # The name of a point: a letter, or a letter and a number.
 _POINT = r"[^\W\d_]\d*"
@@ -305,4 +304,6 @@ def turn_by(degrees: float) -> complex:
     >>> turn_by(90.0), turn_by(0.0)
     (1j, (1+0j))
     """
+    from vad.kinematics.numbers import direction, fold  # and numpy, which a list of names needs not
+
     return complex(direction(fold(degrees)))

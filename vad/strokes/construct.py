@@ -55,7 +55,7 @@ class _Construction:
         bars = {
             end
             for step in self.frame.steps
-            if isinstance(step, Bar)
+            if isinstance(step, Bar) or isinstance(step.along, str)
             for end in (step.tail, step.head)
         }
         ends = {end for pair in self.motion.mechanism.links.values() for end in points_of(pair)}
@@ -141,12 +141,9 @@ class _Construction:
         arcs = 0
         for step in (*loop.first, *loop.second):
             if isinstance(step, Bar) and scalar_of(step) in unknowns:
-                if any(
-                    scalar_of(other) in unknowns and other.name == step.length
-                    for other in loop.first
-                    if isinstance(other, Slide)
-                ):
-                    phrase = self._lever_line(step, end)
+                blocks = [s for s in loop.first if isinstance(s, Slide) and s.name == step.length]
+                if any(scalar_of(block) in unknowns for block in blocks):
+                    phrase = self._lever_line(step, end, blocks[0])
                 else:
                     self._compass(step, end)
                     arcs += 1
@@ -163,6 +160,18 @@ class _Construction:
             phrase = ("arcs cross", {"letter": end})
         self.ink.draw(f"{end}.found", "intersection", end, Dot(self.scene.at(end)), *phrase)
         self.found.add(end)
+        for step in (*loop.first, *loop.second):
+            if isinstance(step, Slide) and self._is_slot(step, unknowns):
+                self._under(step)
+
+    def _under(self, slide: Slide) -> None:
+        """Letter the point of a known link that lies under a block."""
+        if slide.tail not in self.found and slide.tail in self.motion.points:
+            self.found.add(slide.tail)
+            at = Dot(self.scene.at(slide.tail))
+            parts = {"letter": slide.tail, "link": slide.along, "pin": slide.head}
+            name = f"{slide.tail}.found"
+            self.ink.draw(name, "intersection", slide.tail, at, "on lever", parts)
 
     def _is_slot(self, slide: Slide, unknowns: tuple[Scalar, ...]) -> bool:
         """Tell whether a block slides on a turning link that is known before."""
@@ -186,14 +195,17 @@ class _Construction:
         name = f"{bar.ends}.compass"
         self.ink.draw(name, "construction", letters, arc, phrase, parts, link=bar.link)
 
-    def _lever_line(self, bar: Bar, end: str) -> tuple[str, dict[str, object]]:
-        tail, point = self.scene.at(bar.tail), self.scene.at(end)
-        hop = next(hop for hop in self.scene.slides if end in (hop.tail, hop.head))
-        pin = hop.head if end == hop.tail else hop.tail
-        line = Line(tail, self.scene.heading(self.motion.pose.unit[bar.link]), point)
-        parts: dict[str, object] = {"link": bar.link, "tail": bar.tail, "pin": pin}
-        name, label = f"{bar.ends}.line", bar.tail + pin
-        self.ink.draw(name, "construction", label, line, "lever line", parts, link=bar.link)
+    def _lever_line(self, bar: Bar, end: str, slide: Slide) -> tuple[str, dict[str, object]]:
+        """Draw the line of a lever through the block on it."""
+        pin = slide.head if end == slide.tail else slide.tail
+        if bar.offset.imag:
+            self._link_slot_line(slide, pin)
+        else:
+            line = self.scene.heading(self.frame.heading(bar, self.motion.pose))
+            shape = Line(self.scene.at(bar.tail), line, self.scene.at(end))
+            parts: dict[str, object] = {"link": bar.link, "tail": bar.tail, "pin": pin}
+            name, label = f"{bar.ends}.line", bar.tail + pin
+            self.ink.draw(name, "construction", label, shape, "lever line", parts, link=bar.link)
         return "on lever", {"letter": end, "link": bar.link, "pin": pin}
 
     def _slot_line(self, slide: Slide) -> None:
@@ -223,7 +235,7 @@ class _Construction:
     def _ink(self, loop: Loop, unknowns: tuple[Scalar, ...]) -> None:
         for step in (*loop.first, *loop.second):
             if scalar_of(step) in unknowns and isinstance(step, Bar):
-                self.ink.bar(step, "result", "bar")
+                self._ink_bar(step)
         for step in (*loop.first, *loop.second):
             if scalar_of(step) in unknowns and isinstance(step, Slide):
                 if step.head not in self.motion.points or step.name in self.motion.links:
@@ -232,15 +244,25 @@ class _Construction:
                     self.ink.slot(step)
                 self.ink.block(step, "result", "block")
 
+    def _ink_bar(self, bar: Bar) -> None:
+        """Ink the bar of a link that is found; one whose slot lies aside by its own ends."""
+        if bar.offset.imag:
+            tail, head = points_of(self.motion.mechanism.links[bar.link])
+            bar = Bar(tail + head, bar.link, self._span(tail, head))
+            self.found.update((tail, head))
+        self.ink.bar(bar, "result", "bar")
+
     # --- further points of links --------------------------------------------------------------
 
     def _reach(self, loop: Loop, known: set[Scalar]) -> None:
         """Draw the points of known links with which the chains of a loop begin."""
         for chain in (loop.first, loop.second):
             for step in chain:
+                if step.end in self.found:
+                    continue
                 if not isinstance(step, Bar) or angle_of(step.link) not in known:
                     break
-                if step.end not in self.found and isinstance(step.length, float):
+                if isinstance(step.length, float):
                     self._further(replace(step, ends=step.start + step.end, reverse=False))
 
     def _further(self, bar: Bar) -> None:
@@ -248,21 +270,35 @@ class _Construction:
         if bar.head in self.found:
             return
         if self.scene.in_line(bar.link, bar.head):
-            self.found.add(bar.head)
-            self.ink.bar(bar, "result", "tip against" if bar.against else "tip", image=True)
+            self._tip(bar)
             return
+        base = self.scene.base(bar.link)
+        beside = []
         for point in self.scene.points_on(bar.link):
-            if point not in self.found and not self.scene.in_line(bar.link, point):
-                self._third(bar.link, point)
+            if not self.scene.in_line(bar.link, point):
+                beside.append(point)
+            elif point not in self.found:
+                self._tip(Bar(base.tail + point, bar.link, self._span(base.tail, point)))
+        for point in beside:
+            self._third(bar.link, point)
         self.ink.plate(bar.link)
+
+    def _tip(self, bar: Bar) -> None:
+        """Draw a point on the line of its link."""
+        self.found.add(bar.head)
+        self.ink.bar(bar, "result", "tip against" if bar.against else "tip", image=True)
+
+    def _span(self, point: str, other: str) -> float:
+        """Return the distance of two points."""
+        return abs(self.scene.at(other) - self.scene.at(point))
 
     def _third(self, link: str, point: str) -> None:
         """Find the third corner of a triangle by two arcs."""
         base = self.scene.base(link)
         for centre in (base.tail, base.head):
-            bar = Bar(centre + point, link, abs(self.scene.at(point) - self.scene.at(centre)))
-            size = Figure(float(bar.length), self.scene.unit, given=True)
-            self._arc(bar, centre, point, size)
+            span = self._span(centre, point)
+            size = Figure(span, self.scene.unit, given=True)
+            self._arc(Bar(centre + point, link, span), centre, point, size)
         parts = {"letter": point, "corners": base.ends + point}
         at = Dot(self.scene.at(point))
         self.ink.draw(f"{point}.found", "intersection", point, at, "third point", parts)

@@ -65,7 +65,7 @@ def of_position(scene: Scene, loop: Loop, strokes: Sequence[Stroke]) -> Equation
         if fixed[start[0]] == fixed[start[1]]:
             second_start = start[0]
         else:
-            sides[1].add(loop.second[0], Term(start[0] + start[1], None, None))
+            sides[1].start = Term(start[0] + start[1], None, None)
     for chain, side in zip((loop.first, loop.second), sides, strict=True):
         for step in chain:
             if isinstance(step, Slide) and isinstance(step.along, str):

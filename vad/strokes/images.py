@@ -67,7 +67,7 @@ class Images:
         name = f"{bar.head}.crossing"
         pencil.add(Stroke("intersection", letters[2], Dot(places[2]), caption, name=name))
         if turns and not pencil.resting:
-            self.triangles.append(ImageTriangle(bar.link, tuple(places), name))
+            self.triangles.append(ImageTriangle(bar.link, corners, tuple(places), name))
 
     def _line(self, near: str, far: str, bar: Bar, turns: bool) -> None:
         """Draw the line from the image of a corner on which the point lies."""

@@ -65,7 +65,8 @@ class Scene:
     @property
     def slides(self) -> list[Slide]:
         """All slides of the loops."""
-        return [step for step in self.motion.frame.steps if isinstance(step, Slide)]
+        steps = dict.fromkeys(self.motion.frame.steps)
+        return [step for step in steps if isinstance(step, Slide)]
 
     def points_on(self, link: str) -> list[str]:
         """Return the points of a link that keep their places on it, those of its base first."""
@@ -100,8 +101,8 @@ class Scene:
         return min(0.0, least), max(0.0, most)  # which passes over NaN
 
     def cylinder(self, bar: Bar) -> float:
-        """Return the length of a strut's cylinder, which has room for its rod; else 0."""
-        if not self.is_strut(bar):
+        """Return the length of a link's cylinder, which has room for its rod; else 0."""
+        if bar.length != bar.link:
             return 0.0
         _, longest = self.motion.slide(str(bar.length)).travel
         return min(0.9 * self.size(bar), longest / 2)  # which passes over NaN

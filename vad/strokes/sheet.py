@@ -212,10 +212,12 @@ class CoriolisInset:
 class ImageTriangle:
     """The image of three points of a link, similar to them, tinted in the ink of the link.
 
-    It is shown from the stroke called ``stroke`` on.
+    ``points`` names them in the order of their images, the ``corners``.  It is shown from the
+    stroke called ``stroke`` on.
     """
 
     link: str
+    points: tuple[str, ...]
     corners: tuple[complex, ...]
     stroke: str
 

@@ -105,7 +105,7 @@ INSET = record(
     sense=one_of((1, -1)),
     stroke=TEXT,
 )
-TRIANGLE = record(ImageTriangle, link=TEXT, corners=many(POINT), stroke=TEXT)
+TRIANGLE = record(ImageTriangle, link=TEXT, points=many(TEXT), corners=many(POINT), stroke=TEXT)
 PANEL = record(
     partial(Panel, ""),  # whose name is its key
     unit=UNIT,
