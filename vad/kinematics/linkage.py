@@ -294,16 +294,3 @@ class Linkage:
         guides = [s for s in steps if isinstance(s, Slide) and length_of(s.name) != self.driver]
         lines = [guide.along for guide in guides if isinstance(guide.along, float)]
         return lines[0] if lines and self.driver.kind == "length" else 0.0
-
-
-def turn_by(degrees: float) -> complex:
-    """Return the `Bar.turn` of an angle, counter-clockwise from the link's own direction.
-
-    Examples
-    --------
-    >>> turn_by(90.0), turn_by(0.0)
-    (1j, (1+0j))
-    """
-    from vad.kinematics.numbers import direction, fold  # and numpy, which a list of names needs not
-
-    return complex(direction(fold(degrees)))

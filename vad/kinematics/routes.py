@@ -37,22 +37,24 @@ class Routes:
         step = hops[0][1] if len(hops) == 1 else None
         return step if isinstance(step, Slide) and isinstance(step.along, float) else None
 
-    def pin(self, letter: str) -> tuple[str, Bar] | None:
-        """Return a fixed point and a bar of the driven crank, if a point is always at its head."""
+    def pin(self, letter: str) -> Bar | None:
+        """Return a bar of the driven crank, if a point is always at its head."""
         start, hops = self._places[letter]
         way, crank = hops[0] if hops else (0, None)
         if not isinstance(crank, Bar) or angle_of(crank.link) != self._frame.linkage.driver:
             return None
-        exact = start == self._frame.linkage.pivot or start in self._frame.linkage.fixed
         blocks = all(isinstance(s, Slide) and isinstance(s.along, str) for _, s in hops[1:])
         forward = isinstance(crank.length, float) and way == 1
-        return (start, crank) if exact and forward and blocks else None
+        return crank if start in self._frame.places and forward and blocks else None
+
+    def start(self, letter: str) -> str:
+        """Return the fixed point at which the way to a point begins."""
+        return self._places[letter][0]
 
     def position(self, letter: str, pose: Pose) -> Number:
-        """Return the position of a point in the solver's unit and frame."""
-        start, hops = self._places[letter]
-        total: Number = self._frame.fixed[start]
-        for way, step in hops:
+        """Return where a point is from its `start`, in the solver's unit and frame."""
+        total: Number = 0j
+        for way, step in self._places[letter][1]:
             if isinstance(step, Slide):
                 total = total + way * self._frame.shift(step)
             total = total + way * self._frame.displacement(step, pose)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -10,7 +12,7 @@ from string import ascii_uppercase
 from typing import Any, NamedTuple
 
 from vad.errors import InputError, shown, unknown
-from vad.kinematics.linkage import Bar, Linkage, Step, points_of, turn_by
+from vad.kinematics.linkage import Bar, Linkage, Step, points_of
 
 _NAME = re.compile(r"[A-Z]\d{0,3}")
 _AS_IN = 'as in points={"D": ("rod", 100, 0)}: a link, a distance from its first end, an angle'
@@ -130,9 +132,13 @@ def marked(
             hint = f"free are {', '.join(islice(free, 5))} …"
             raise InputError(f"point {name}: the mechanism has a point {name} already", hint)
         tail = points_of(links[link])[0]
-        bars.append(Bar(tail + name, link, distance, turn=turn_by(angle)))
+        bars.append(Bar(tail + name, link, distance, turn=_turn(angle)))
     moved = renamed(linkage, {name: next(free) for name in points if name in used})
     return replace(moved, images=(*moved.images, *bars))
+
+
+def _turn(degrees: float) -> complex:
+    return cmath.rect(1.0, math.radians(math.remainder(degrees, 360.0)))
 
 
 def renamed(linkage: Linkage, names: Mapping[str, str]) -> Linkage:

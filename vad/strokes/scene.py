@@ -52,9 +52,7 @@ class Scene:
 
     def at(self, point: str) -> complex:
         """Return where a point is, in the user's frame and unit."""
-        motion = self.motion
-        return (
-            self.outward(motion.solver.routes.position(point, motion.pose)) + motion.linkage.place
+        return complex(self.motion.read(("point", point, "position")))
         )
 
     def size(self, bar: Bar) -> float:
