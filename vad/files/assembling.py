@@ -84,12 +84,14 @@ class _Assembling:
         self.dyads = dyads
         self.values = values
         self.value = next(iter(description.driver.inputs.values()))
+        self.parallel: frozenset[str] = frozenset()
         self.pose = {
             point: complex(at.x(values), at.y(values)) for point, at in description.pose.items()
         }
 
     def assembly(self, wanted: Mapping[str, Place]) -> Assembly:
         """Return the signs, dyad by dyad."""
+        self.parallel = frozenset(point for point in wanted if wanted[point] == PARALLEL)
         sides: dict[str, float] = {}
         words: dict[str, str] = {}
         places: dict[str, tuple[complex, complex]] = {}
@@ -105,8 +107,7 @@ class _Assembling:
                 known = [want] if isinstance(want, str) else words_for(there[point], away[point])
                 places[point] = there[point], away[point]
                 words |= dict.fromkeys([point], *known[:1]) if known else {}
-        parallel = frozenset(dyad.point for dyad in self.dyads if words.get(dyad.point) == PARALLEL)
-        return Assembly(sides, words, places, parallel)
+        return Assembly(sides, words, places, self.parallel)
 
     def _side(self, count: int, sides: Mapping[str, float], asked: Mapping[str, Place]) -> float:
         """Return the side that the last of ``count`` dyads has in the places that are asked for."""
@@ -156,8 +157,12 @@ class _Assembling:
         }
 
     def _solver(self, count: int, sides: Mapping[str, float]) -> Solver:
-        linkage = linkage_of(self.description, self.dyads[:count], self.values, sides)
-        return Solver(linkage, 1.0)
+        dyads = self.dyads[:count]
+        linkage = linkage_of(self.description, dyads, self.values, sides, self.parallel)
+        try:
+            return Solver(linkage, 1.0)
+        except InputError as error:
+            raise UnplacedError(dyads[-1].point, str(error), error.hint) from None
 
     def _other_way(self, count: int, sides: Mapping[str, float]) -> str | None:
         """Say which earlier dyad would have to take its other place."""

@@ -24,6 +24,7 @@ from vad.files.reading import describe
 from vad.files.shape import check_numbers
 from vad.files.tables import Source
 from vad.kinematics.linkage import Linkage
+from vad.kinematics.solver import solver_of
 from vad.mechanisms.mechanism import Mechanism, unit
 
 
@@ -100,6 +101,10 @@ class WrittenMechanism(Mechanism, listed=False, metaclass=_WrittenType):
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__(listed=False)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        solver_of(self)  # what it refuses is refused at once
 
     def _check(self, name: str, metadata: Any) -> None:
         if metadata["quantity"] != "places":
