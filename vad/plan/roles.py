@@ -89,7 +89,7 @@ ROLES: dict[str, Role] = {
     "slit": Role(fill="ground", line="row", width=0.0030, join="round"),
     "plate": Role(fill="row", alpha=0.15),
     "plate edge": Role(line="row", width=PLATE_EDGE, join="round"),
-    "plate light": Role(line="row", width=LIGHT * 2 * PLATE_EDGE, join="round", alpha=0.20),
+    "plate edge light": Role(line="row", width=LIGHT * 2 * PLATE_EDGE, join="round", alpha=0.20),
     "block": Role(fill="tint", line="row", width=BLOCK_RIM),
     "block light": Role(line="row", width=LIGHT * 1.3 * BLOCK_RIM, join="round", alpha=0.20),
     "slot": Role(line="row", width=BLOCK_RIM, join="round"),

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-import cmath
-import math
 from dataclasses import replace
 
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, angle_of, points_of, scalar_of
 from vad.strokes.diagram import Drawing
 from vad.strokes.equations import of_position
-from vad.strokes.figures import Figure, Unit
+from vad.strokes.figures import Figure
+from vad.strokes.further import FurtherPoints
 from vad.strokes.ink import Ink
 from vad.strokes.scene import Scene
 from vad.strokes.sheet import Arc, Dot, Guide, Line
 from vad.written import with_unit
-
-#: A compass arc shows this much on either side of the point that it is after, in degrees.
-COMPASS = 14.0
 
 
 def construct(scene: Scene) -> Drawing:
@@ -32,6 +28,7 @@ class _Construction:
         self.linkage = scene.motion.linkage
         self.ink = Ink(scene)
         self.found: set[str] = set(self.frame.fixed)
+        self.further = FurtherPoints(scene, self.ink, self.found)
 
     def drawing(self) -> Drawing:
         self._frame()
@@ -39,13 +36,13 @@ class _Construction:
         known = {self.scene.driver}
         equations = []
         for loop, unknowns in zip(self.linkage.loops, self.linkage.unknowns, strict=True):
-            self._reach(loop, known)
+            self.further.reach(loop, known)
             self._construct(loop, unknowns)
             self._ink(loop, unknowns)
             known.update(unknowns)
             equations.append(of_position(self.scene, loop, self.ink.strokes))
         for bar in self.linkage.images:
-            self._further(bar)
+            self.further.draw(bar)
         return Drawing(tuple(self.ink.strokes), equations=tuple(equations))
 
     # --- what is given ------------------------------------------------------------------------
@@ -128,7 +125,7 @@ class _Construction:
         for loop in self.linkage.loops[1:]:
             for _, step in loop.steps():
                 if isinstance(step, Bar) and step.link == link:
-                    self._further(replace(step, reverse=False))
+                    self.further.draw(replace(step, reverse=False))
 
     # --- what is found ------------------------------------------------------------------------
 
@@ -183,17 +180,7 @@ class _Construction:
         tail, head = self.scene.ends(bar)
         phrase = "compass strut" if self.scene.is_strut(bar) else "compass"
         centre = tail if end == head else head
-        self._arc(bar, centre, end, self.scene.length(bar, self.scene.unit), phrase)
-
-    def _arc(self, bar: Bar, centre: str, end: str, size: Figure, phrase: str = "compass") -> None:
-        at, point = self.scene.at(centre), self.scene.at(end)
-        angle = math.degrees(cmath.phase(point - at))
-        arc = Arc(at, size.value, angle - COMPASS, 2 * COMPASS, through=point)
-        letters = self.scene.letters(bar)
-        parts = {"head": end, "tail": centre, "bar": letters, "size": size, "link": bar.link}
-        parts["unit"] = Unit(self.scene.unit)
-        name = f"{bar.ends}.compass"
-        self.ink.draw(name, "construction", letters, arc, phrase, parts, link=bar.link)
+        self.further.arc(bar, centre, end, self.scene.length(bar, self.scene.unit), phrase)
 
     def _lever_line(self, bar: Bar, end: str, slide: Slide) -> tuple[str, dict[str, object]]:
         """Draw the line of a lever through the block on it."""
@@ -248,58 +235,6 @@ class _Construction:
         """Ink the bar of a link that is found; one whose slot lies aside by its own ends."""
         if bar.offset.imag:
             tail, head = points_of(self.motion.mechanism.links[bar.link])
-            bar = Bar(tail + head, bar.link, self._span(tail, head))
+            bar = Bar(tail + head, bar.link, self.scene.span(tail, head))
             self.found.update((tail, head))
         self.ink.bar(bar, "result", "bar")
-
-    # --- further points of links --------------------------------------------------------------
-
-    def _reach(self, loop: Loop, known: set[Scalar]) -> None:
-        """Draw the points of known links with which the chains of a loop begin."""
-        for chain in (loop.first, loop.second):
-            for step in chain:
-                if step.end in self.found:
-                    continue
-                if not isinstance(step, Bar) or angle_of(step.link) not in known:
-                    break
-                if isinstance(step.length, float):
-                    self._further(replace(step, ends=step.start + step.end, reverse=False))
-
-    def _further(self, bar: Bar) -> None:
-        """Draw a further point of a link, at the head of a bar: on its line, or as a plate."""
-        if bar.head in self.found:
-            return
-        if self.scene.in_line(bar.link, bar.head):
-            self._tip(bar)
-            return
-        base = self.scene.base(bar.link)
-        beside = []
-        for point in self.scene.points_on(bar.link):
-            if not self.scene.in_line(bar.link, point):
-                beside.append(point)
-            elif point not in self.found:
-                self._tip(Bar(base.tail + point, bar.link, self._span(base.tail, point)))
-        for point in beside:
-            self._third(bar.link, point)
-        self.ink.plate(bar.link)
-
-    def _tip(self, bar: Bar) -> None:
-        """Draw a point on the line of its link."""
-        self.found.add(bar.head)
-        self.ink.bar(bar, "result", "tip against" if bar.against else "tip", image=True)
-
-    def _span(self, point: str, other: str) -> float:
-        """Return the distance of two points."""
-        return abs(self.scene.at(other) - self.scene.at(point))
-
-    def _third(self, link: str, point: str) -> None:
-        """Find the third corner of a triangle by two arcs."""
-        base = self.scene.base(link)
-        for centre in (base.tail, base.head):
-            span = self._span(centre, point)
-            size = Figure(span, self.scene.unit, given=True)
-            self._arc(Bar(centre + point, link, span), centre, point, size)
-        parts = {"letter": point, "corners": base.ends + point}
-        at = Dot(self.scene.at(point))
-        self.ink.draw(f"{point}.found", "intersection", point, at, "third point", parts)
-        self.found.add(point)

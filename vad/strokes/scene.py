@@ -53,7 +53,10 @@ class Scene:
     def at(self, point: str) -> complex:
         """Return where a point is, in the user's frame and unit."""
         return complex(self.motion.read(("point", point, "position")))
-        )
+
+    def span(self, point: str, other: str) -> float:
+        """Return the distance of two points."""
+        return abs(self.at(other) - self.at(point))
 
     def size(self, bar: Bar) -> float:
         """Return the length of a bar in the user's unit, without its sign."""

@@ -95,10 +95,9 @@ class Arc:
 
 @dataclass(frozen=True, slots=True)
 class Guide:
-    """The straight frame line through ``through``, hatched on the side away from the rod.
+    """The straight frame line through ``through``, hatched on its ``side`` away from the rod.
 
-    ``side`` is a unit vector that points away from the rod, and None where the line is a slot in a
-    moving link.
+    ``side`` is a unit vector, and None where the line is a slot in a moving link.
     """
 
     through: complex
@@ -173,8 +172,7 @@ class Stroke:
 class Term:
     """One vector of a loop equation: ``bc``.
 
-    ``stroke`` is the name of the stroke that draws it in its panel, None where none does: a
-    ground link, or a vector of length zero.
+    ``stroke`` is the name of the stroke that draws it in its panel, None where none does.
     """
 
     label: str
@@ -210,11 +208,7 @@ class CoriolisInset:
 
 @dataclass(frozen=True, slots=True)
 class ImageTriangle:
-    """The image of three points of a link, similar to them, tinted in the ink of the link.
-
-    ``points`` names them in the order of their images, the ``corners``.  It is shown from the
-    stroke called ``stroke`` on.
-    """
+    """The image of three ``points`` of a link, in its ink from the stroke called ``stroke`` on."""
 
     link: str
     points: tuple[str, ...]
@@ -289,9 +283,8 @@ class Row:
 class Sheet:
     """Everything that is drawn for one pose of one mechanism: pure data, in drawing order.
 
-    ``parameters`` are (name, value, unit) as the title line shows them; ``rows`` are the
-    links, then the slides: their order gives each its ink.  ``notation`` says how its numbers are
-    written, those in captions and labels are so already.
+    ``parameters`` are (name, value, unit) in the title; ``rows`` are the links, then the slides:
+    their order gives inks.  ``notation`` says how numbers are written that are not so already.
     """
 
     mechanism: str

@@ -25,12 +25,12 @@ def add_plate(sketch: Sketch, index: int, shape: Plate) -> None:
     setting = sketch.setting
     stroke = setting.panel.strokes[index]
     row, corners = setting.row(stroke.link), [sketch.scale(corner) for corner in shape.corners]
-    light = area(corners, "plate light", row)
+    light = area(corners, "plate edge light", row)
     sketch.add(
         stroke,
         Level.GLOW,
         setting.during(index),
-        [area(corners, "plate light", row, Fading())],
+        [area(corners, "plate edge light", row, Fading())],
         setting.over(index),
     )
     sketch.add(stroke, Level.CARRIER, setting.during(index), plate(corners, row, Fading()))
