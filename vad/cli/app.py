@@ -8,7 +8,7 @@ from collections.abc import Iterable
 import click
 
 from vad import __version__
-from vad.cli import actions, catalogue, check, compare, completion, values
+from vad.cli import actions, batch_command, catalogue, check, compare, completion, values
 from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import named_option
 from vad.errors import unknown
@@ -194,7 +194,20 @@ for verb in (
         ],
         ranged=True,
     ),
+    MechanismGroup(
+        "gui",
+        "Open a page on which a mechanism is turned by hand.",
+        actions.gui,
+        [
+            *_SHEET,
+            _SIZE,
+            click.Option(["--port"], type=int, help="the server's port  [any that is free]"),
+            click.Option(["--no-browser"], is_flag=True, help="print the address, open nothing"),
+        ],
+        usual="slider-crank",
+    ),
 ):
     app.add_command(verb)
 app.add_command(compare.command)
+app.add_command(batch_command.command)
 app.add_command(check.command)

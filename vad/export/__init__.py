@@ -42,6 +42,7 @@ FORMATS: dict[type, dict[str, str]] = {
         ".svg": "vad.export.svg",
         ".pdf": "vad.export.pdf",
         ".json": "vad.export.data.sheet_json",
+        ".html": "vad.export.html",
     },
     Lesson: {
         ".mp4": "vad.export.mp4.mp4",
@@ -49,6 +50,7 @@ FORMATS: dict[type, dict[str, str]] = {
         ".pdf": "vad.export.lesson_pdf",
         ".srt": "vad.export.subtitles.srt",
         ".vtt": "vad.export.subtitles.vtt",
+        ".html": "vad.export.html",
         FOLDER: "vad.export.frames",
     },
     Turn: {
@@ -90,6 +92,7 @@ class Options(TypedDict, total=False):
     paper: str | None
     blank: Sequence[str] | str | None
     text: Literal["glyphs", "letters"]
+    threads: int
 
 
 def save(
@@ -104,10 +107,11 @@ def save(
     Parameters
     ----------
     thing
-        A `Sheet` (.png, .svg, .pdf, .json), a `Lesson` (.mp4, .gif, .pdf with a page a step,
-        .srt, .vtt, or a folder of PNG frames: a path that ends in ``/``, has no extension, or is
-        an existing folder), a `Turn` (.mp4, .gif or a folder; .png, .svg and .pdf with twelve
-        numbered positions), or a `Still` of a lesson or `Multiples` (.png, .svg, .pdf).
+        A `Sheet` (.png, .svg, .pdf, .json, .html), a `Lesson` (.mp4, .gif, .pdf with a page a step,
+        .html with a player, .srt, .vtt, or a folder of PNG frames: a path that ends in ``/``, has
+        no extension, or is an existing folder), a `Turn` (.mp4, .gif or a folder; .png, .svg and
+        .pdf with twelve numbered positions), or a `Still` of a lesson or `Multiples` (.png, .svg,
+        .pdf).
     path
         Where to.  What stands there is replaced when the new file is complete, and not before.
     beside

@@ -49,10 +49,14 @@ class Source:
         """Return a table; one that is not written is empty."""
         return self.tables.get(name, {})
 
+    def place(self, table: str, key: str) -> str:
+        """Return where something stands: "press.toml, line 12"."""
+        line = self.lines.get((table, key)) or self.lines.get((table, ""))
+        return f"{self.name}, line {line}" if line else self.name or table
+
     def error(self, table: str, key: str, message: str, hint: str | None = None) -> InputError:
         """Return the error about what stands under ``key``, with its place."""
-        line = self.lines.get((table, key)) or self.lines.get((table, ""))
-        place = f"{self.name}, line {line}" if line else self.name or table
+        place = self.place(table, key)
         return InputError(f"{place}: {message}" if place else message, hint)
 
     def packed(self) -> str:
@@ -95,10 +99,21 @@ def read_file(path: str | Path) -> Source:
     vad.errors.InputError
         For a file that cannot be read, is no TOML, or has a table that no mechanism has.
     """
+    return read_text(text_of(path), Path(path).name)
+
+
+def text_of(path: str | Path, longest: int = LONGEST) -> str:
+    """Return the text of a file of at most so many bytes.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For one that cannot be read, or is no text.
+    """
     path = Path(path)
     try:
         with path.open("rb") as file:
-            data = file.read(LONGEST + 1)
+            data = file.read(longest + 1)
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
         raise InputError(f"{path.name}: is no text in UTF-8") from None
@@ -106,13 +121,24 @@ def read_file(path: str | Path) -> Source:
         raise InputError(f"'{path}': {error.strerror or error}") from None
     except ValueError:
         raise InputError(f"{shown(str(path))}: is no name of a file") from None
-    if len(data) > LONGEST:
-        raise InputError(f"{path.name}: is longer than any mechanism ({LONGEST} bytes)")
-    return read_text(text, path.name)
+    if len(data) > longest:
+        raise InputError(f"{path.name}: is longer than {longest} bytes")
+    return text
 
 
 def read_text(text: str, name: str) -> Source:
-    """Return the tables of a text that errors call ``name``."""
+    """Return the tables of a mechanism's text that errors call ``name``."""
+    return sorted_out(parsed(text, name))
+
+
+def parsed(text: str, name: str) -> Source:
+    """Return what a text in TOML says, all of it under the key "".
+
+    Raises
+    ------
+    vad.errors.InputError
+        If it is no TOML.
+    """
     lines = _lines(text)
     try:
         tables = tomllib.loads(text)
@@ -123,7 +149,7 @@ def read_text(text: str, name: str) -> Source:
             raise InputError(f"{name}: {message[:1].lower()}{message[1:]}") from None
         said = place[1][:1].lower() + place[1][1:]
         raise InputError(f"{name}, line {place[2]}: {said}") from None
-    return sorted_out(Source(name, {"": tables}, lines))
+    return Source(name, {"": tables}, lines)
 
 
 def sorted_out(source: Source) -> Source:

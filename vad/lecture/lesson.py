@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from vad.displayed import Displayed
 from vad.strokes.sheet import Panel, Sheet, Stroke
 
 
@@ -37,7 +38,7 @@ class Step:
 
 
 @dataclass(frozen=True, slots=True)
-class Lesson:
+class Lesson(Displayed):
     """A sheet that is drawn stroke by stroke.
 
     ``opening`` frames show the empty page, ``closing`` frames the finished one.

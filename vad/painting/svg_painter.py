@@ -10,13 +10,14 @@ from html import escape
 from typing import Literal
 
 from vad.errors import one_of
-from vad.painting.svg.classes import Classes, drawn, filled
+from vad.painting.svg.classes import Classes
 from vad.painting.svg.drawn_text import DrawnText
+from vad.painting.svg.elements import Elements
 from vad.painting.svg.grid import Grid, number
 from vad.painting.svg.set_text import SetText
 from vad.plan.format import Format
 from vad.plan.items import Item
-from vad.plan.marks import Disc, Lettering, Outline
+from vad.plan.marks import Outline
 from vad.strokes.sheet import Sheet
 from vad.strokes.words import describe, title
 from vad.style import Look
@@ -40,6 +41,8 @@ class SvgPainter:
         other programs restyle.  Either way it can be selected and searched.
     description
         What the picture shows, where it is more than the sheet.
+    scope
+        The id of the picture where it stands among others on a page, none of which it disturbs.
 
     Attributes
     ----------
@@ -52,7 +55,13 @@ class SvgPainter:
         If there is no such way with text.
     """
 
-    def __init__(self, sheet: Sheet, text: Text = "glyphs", description: str | None = None) -> None:
+    def __init__(
+        self,
+        sheet: Sheet,
+        text: Text = "glyphs",
+        description: str | None = None,
+        scope: str = "",
+    ) -> None:
         self._sheet = sheet
         self._description = describe(sheet) if description is None else description
         self._captions = {
@@ -60,7 +69,7 @@ class SvgPainter:
             for panel in sheet.panels
             for stroke in panel.strokes
         }
-        self._classes = Classes()
+        self._classes = Classes(scope)
         self._text = _TEXTS[one_of("text", text, _TEXTS)](self._classes)
         self._elements: list[str] = []
         self._begun: set[str] = set()
@@ -71,6 +80,7 @@ class SvgPainter:
     def begin(self, form: Format, background: str) -> None:
         """Begin the picture with its ground."""
         self._grid = Grid(form)
+        self._shapes = Elements(self._grid, self._classes, self._text)
         self._elements.append(f'<rect width="100%" height="100%" fill="{background}"/>\n')
 
     def group(self, item: Item) -> None:
@@ -89,19 +99,15 @@ class SvgPainter:
 
     def paint(self, shape: Outline, look: Look) -> None:
         """Paint one shape."""
-        if isinstance(shape, Lettering):
-            self._elements.append(self._text.element(shape, look, self._grid))
-            return
-        if look.under:
-            self._shape(shape, drawn(look.under, self._grid.unit))
-        self._shape(shape, filled(look), drawn(look.pen, self._grid.unit, look.alpha))
+        self._elements.append(self._shapes.of(shape, look))
 
     def end(self) -> None:
         """End the picture."""
         self._close()
         width, height = number(self._grid.width), number(self._grid.height)
+        scope = f'id="{self._classes.scope}" ' if self._classes.scope else ""
         self.svg = (
-            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
+            f'<svg xmlns="http://www.w3.org/2000/svg" {scope}width="{width}" height="{height}" '
             f'viewBox="0 0 {width} {height}" role="img" lang="{self._sheet.language}" '
             f'fill="none" stroke-miterlimit="{_MITRE}" xml:space="preserve">\n'
             f"<title>{escape(title(self._sheet))}</title>\n"
@@ -110,20 +116,9 @@ class SvgPainter:
             f"{self._text.definitions()}{''.join(self._elements)}</svg>\n"
         )
 
-    def _shape(self, shape: Outline, *looks: str) -> None:
-        name = self._classes.name(*looks)
-        if isinstance(shape, Disc):
-            x, y = self._grid.at(shape.centre)
-            radius = number(shape.radius * self._grid.unit)
-            place = f'circle cx="{x}" cy="{y}" r="{radius}"'
-        else:
-            assert not isinstance(shape, Lettering)
-            place = f'path d="{self._grid.path(shape)}"'
-        self._elements.append(f'<{place} class="{name}"/>\n')
-
     def _unique(self, name: str, first: bool) -> str:
         """Return an id: the name for the first group in the stroke's panel, numbers for others."""
-        name = name.replace(":", "-")  # a colon is for namespaces
+        name = self._classes.shared(name.replace(":", "-"))  # a colon is for namespaces
         if first:
             return name
         self._others[name] = self._others.get(name, 1) + 1

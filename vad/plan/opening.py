@@ -58,7 +58,7 @@ def opening(items: Sequence[Item], panel: str, area: Rect) -> Opening:
     What stays of it stands in the middle, as far as the rest lets it.
     """
     own, room = [item for item in items if item.region == panel], area.inside(MARGIN)
-    whole, staying = _reach(own), _reach(item for item in own if item.until == FOREVER)
+    whole, staying = reach(own), reach(item for item in own if item.until == FOREVER)
     factor = min(LARGEST, room.width / whole.width, room.height / whole.height)
     low = complex(room.left, room.bottom) - factor * complex(whole.left, whole.bottom)
     high = complex(room.right, room.top) - factor * complex(whole.right, whole.top)
@@ -74,7 +74,7 @@ def _mapped(item: Item, factor: float, shift: complex) -> Item:
     return replace(item, region=REGION, marks=marks)
 
 
-def _reach(items: Iterable[Item]) -> Rect:
+def reach(items: Iterable[Item]) -> Rect:
     """Return how far items reach, while they are drawn, too."""
     points = [
         point

@@ -23,6 +23,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from vad.displayed import Displayed
 from vad.strokes.notation import Notation
 
 Kind = Literal[
@@ -280,7 +281,7 @@ class Row:
 
 
 @dataclass(frozen=True, slots=True)
-class Sheet:
+class Sheet(Displayed):
     """Everything that is drawn for one pose of one mechanism: pure data, in drawing order.
 
     ``parameters`` are (name, value, unit) in the title; ``rows`` are the links, then the slides:

@@ -19,7 +19,7 @@ _QUARTER = 90.0  # a longer arc is sensitive to how its ends are rounded
 
 
 class Grid:
-    """The pixels of one page, with tenths or hundredths of them."""
+    """The pixels of one page, with ``fine`` steps to each: ten or a hundred."""
 
     def __init__(self, form: Format) -> None:
         self.unit = form.unit
@@ -28,10 +28,11 @@ class Grid:
         )
         self._corner = complex(-form.edge, form.height + form.edge)
         self._digits = max(0, math.ceil(math.log10(_STEPS / form.unit)))
+        self.fine = 10**self._digits
 
     def at(self, z: complex) -> tuple[str, str]:
         """Return x and y of a point."""
-        x, y = self._steps(z)
+        x, y = self.steps(z)
         return self._length(x), self._length(y)
 
     def path(self, shape: Polyline | Polygon | Bow) -> str:
@@ -45,14 +46,14 @@ class Grid:
                 return self._arc(shape)
 
     def _line(self, points: Sequence[complex]) -> str:
-        places = [self._steps(z) for z in points]
+        places = [self.steps(z) for z in points]
         ways = [each for (x, y), (u, v) in pairwise(places) for each in (u - x, v - y)]
         return f"M{self._listed(places[0])}" + (f"l{self._listed(ways)}" if ways else "")
 
     def _arc(self, bow: Bow) -> str:
         pieces = max(1, math.ceil(abs(bow.sweep) / _QUARTER))
         angles = [math.radians(bow.start + bow.sweep * k / pieces) for k in range(pieces + 1)]
-        places = [self._steps(bow.centre + cmath.rect(bow.radius, angle)) for angle in angles]
+        places = [self.steps(bow.centre + cmath.rect(bow.radius, angle)) for angle in angles]
         radius, turn = number(bow.radius * self.unit), int(bow.sweep < 0.0)
         arcs = [
             f"a{radius} {radius} 0 0 {turn} {self._listed((u - x, v - y))}"
@@ -60,12 +61,13 @@ class Grid:
         ]
         return f"M{self._listed(places[0])}" + "".join(arcs)
 
-    def _steps(self, z: complex) -> tuple[int, int]:
-        away = (z - self._corner) * (self.unit * 10**self._digits)
+    def steps(self, z: complex) -> tuple[int, int]:
+        """Return x and y of a point in steps of the grid."""
+        away = (z - self._corner) * (self.unit * self.fine)
         return round(away.real), -round(away.imag)
 
     def _length(self, steps: int) -> str:
-        return number(steps / 10**self._digits, self._digits)
+        return number(steps / self.fine, self._digits)
 
     def _listed(self, steps: Iterable[int]) -> str:
         """Return lengths one after the other; a minus sign parts them as well as a blank."""

@@ -10,28 +10,30 @@ from html import escape
 
 from vad.painting.stretches import Stretch, stretches
 from vad.painting.svg.classes import Classes, drawn, filled, named
-from vad.painting.svg.font_subset import FAMILY, data_uri
+from vad.painting.svg.font_subset import FACES, FAMILY, Faces
 from vad.painting.svg.grid import Grid, number
-from vad.plan.lettering.runs import Face
 from vad.plan.marks import Lettering
 from vad.style import Look
 
-#: The rest is for programs that ignore the fonts of a file; STIX itself has the same widths.
-_SETTING = f"font-family:{FAMILY},STIXGeneral,serif;font-kerning:none;white-space:pre"
-_FACES: dict[Face, str] = {
-    "roman": "",
-    "italic": "font-style:italic",
-    "bold": "font-weight:bold",
-    "bolditalic": "font-style:italic;font-weight:bold",
-}
+#: For programs that ignore the fonts of a file; STIX itself has the same widths.
+_OTHERS = "STIXGeneral,serif"
 
 
 class SetText:
-    """The text of one picture, and the letters that its fonts need."""
+    """The text of one picture.
 
-    def __init__(self, classes: Classes) -> None:
+    ``faces`` collects the letters that its fonts need; ``setting`` is what no style sheet around it
+    says of all text.
+    """
+
+    def __init__(
+        self, classes: Classes, faces: Faces | None = None, setting: str | None = None
+    ) -> None:
         self._classes = classes
-        self._letters: dict[Face, set[str]] = {}
+        self._faces = faces or Faces(classes.shared(FAMILY))
+        family = f"font-family:{self._faces.family},{_OTHERS}"
+        own = f"{family};font-kerning:none;white-space:pre"
+        self._setting = own if setting is None else setting
         self._beneath: set[str] = set()
 
     def element(self, text: Lettering, look: Look, grid: Grid) -> str:
@@ -41,7 +43,7 @@ class SetText:
             return ""
         whole = len(line) == 1 and line[0][0].size == 1.0
         name = self._classes.name(
-            _SETTING,
+            self._setting,
             f"font-size:{number(text.size * grid.unit)}px",
             *(_says(line[0]) if whole else ()),
             filled(look),
@@ -58,11 +60,7 @@ class SetText:
 
     def rules(self) -> str:
         """Return the rules that bring the fonts."""
-        return "".join(
-            f"@font-face{{font-family:{FAMILY};{_FACES[face] or 'font-style:normal'};"
-            f"src:url({data_uri(face, letters)})}}\n"
-            for face, letters in sorted(self._letters.items())
-        )
+        return self._faces.rules()
 
     def _spans(self, line: list[Stretch], text: Lettering, grid: Grid) -> str:
         """Return the stretches of a line, each where the board has it."""
@@ -71,15 +69,16 @@ class SetText:
         for stretch in line:
             says = _says(stretch)
             x, y = grid.at(text.at + text.size * stretch[0].at)
-            name = f'class="{self._classes.name(*says)}" ' if any(says) else ""
-            place = f'x="{x}"' if y == level else f'x="{x}" y="{y}"'
-            spans.append(f"<tspan {name}{place}>{self._words(stretch)}</tspan>")
+            name = f' class="{self._classes.name(*says)}"' if any(says) else ""
+            # The first one stands where its line does.
+            place = (f' x="{x}"' if spans else "") + (f' y="{y}"' if y != level else "")
+            spans.append(f"<tspan{name}{place}>{self._words(stretch)}</tspan>")
             level = y
         return "".join(spans)
 
     def _words(self, stretch: Stretch) -> str:
         words = "".join(letter.text for letter in stretch)
-        self._letters.setdefault(stretch[0].face, set()).update(words)
+        self._faces.add(stretch[0].face, words)
         return escape(words)
 
     def _haloed(self, element: str, look: Look, grid: Grid) -> str:
@@ -88,7 +87,8 @@ class SetText:
         The halo lies beneath the whole line: painted with each stretch, it would cover the end of
         the one before.
         """
-        halo, home = self._classes.name(drawn(look.under, grid.unit)), named("t", element)
+        halo = self._classes.name(drawn(look.under, grid.unit))
+        home = self._classes.shared(named("t", element))
         use = f'<use href="#{home}" class="{halo}"/>\n'
         if home in self._beneath:
             return use + element
@@ -99,4 +99,4 @@ class SetText:
 def _says(stretch: Stretch) -> tuple[str, str]:
     """Return how a stretch differs from its line."""
     small = f"font-size:{number(stretch[0].size)}em" if stretch[0].size != 1.0 else ""
-    return _FACES[stretch[0].face], small
+    return FACES[stretch[0].face], small

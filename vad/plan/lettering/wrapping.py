@@ -9,9 +9,23 @@ from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs
 
 # A number keeps its unit, and a sign what follows it.
-_WORD = r"(?<![=×+])(?:(?<![0-9⁰¹²³⁴⁵⁶⁷⁸⁹]) | (?!(?:mm|cm|km|m|in|ft|yd|rad)\b))"
+_WORD = r"(?<![=×+⟂∥])(?:(?<![0-9⁰¹²³⁴⁵⁶⁷⁸⁹]) | (?!(?:mm|cm|km|m|in|ft|yd|rad)\b))"
 #: Where lines may break, the best first: at last inside an equation, before a sign.
 _BREAKS = (r"(?<=[:;]) ", r"(?<=[,:;]) ", rf"{_WORD}(?![=×+])", _WORD)
+
+
+_TIE = "\N{NO-BREAK SPACE}"
+
+
+def tied(text: str) -> str:
+    """Return ``text`` with no-break spaces where it must not part.
+
+    Examples
+    --------
+    >>> tied("60 mm, ⟂ AB").replace(_TIE, "~")
+    '60~mm, ⟂~AB'
+    """
+    return " ".join(part.replace(" ", _TIE) for part in re.split(_WORD, text))
 
 
 def wrap(text: str, setter: Callable[[str], Runs], size: float, room: float) -> list[Runs]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from vad.lecture.moment import drawing
-from vad.plan.items import Item, Level
+from vad.plan.items import FOREVER, Item, Level
 from vad.plan.layout import Page
 from vad.plan.marks import Mark
 from vad.plan.page.captioning import caption_marks, setter
@@ -17,8 +17,8 @@ from vad.plan.page.foot import Foot, placed
 from vad.plan.page.heads import head, pale
 from vad.plan.page.measured import measured
 from vad.plan.page.table import table
-from vad.plan.sketch import Sketch
-from vad.strokes.sheet import Panel, Sheet
+from vad.plan.sketch import Setting, Sketch
+from vad.strokes.sheet import Row, Sheet, Stroke
 
 
 def heads(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[Item]:
@@ -69,15 +69,9 @@ def results(
         setting = sketches[panel.name].setting
         for index, row in enumerate(sheet.rows):
             marks = _marks(entries.cells(index, row, panel.name, False))
-            cells = row.cells.get(panel.name, ())
-            if all(cell.given for cell in cells):
-                yield Item("", "results", Level.LABEL, marks)
-                continue
-            number = _revealing(panel, row.key)
-            if number is None:
-                continue
-            since, name = setting.after(number), panel.full(panel.strokes[number].name)
-            if lesson:
+            stroke, since = measuring(setting, row)
+            name = panel.full(stroke.name) if stroke else ""
+            if lesson and stroke:
                 bold = _marks(entries.cells(index, row, panel.name, True))
                 yield Item(name, "results", Level.LABEL, bold, since, since + 1)
                 since += 1
@@ -88,10 +82,18 @@ def _marks(entries: Iterable[Entry]) -> tuple[Mark, ...]:
     return tuple(mark for entry in entries for mark in entry.marks)
 
 
-def _revealing(panel: Panel, key: str) -> int | None:
-    """Return the number of the stroke that measures a row."""
-    strokes = enumerate(panel.strokes)
-    return next((number for number, stroke in strokes if key in stroke.reveals), None)
+def measuring(setting: Setting, row: Row) -> tuple[Stroke | None, int]:
+    """Return the stroke that measures a row, and the beat from which its results show.
+
+    What is given shows at once; what nothing measures never does.
+    """
+    panel = setting.panel
+    if all(cell.given for cell in row.cells.get(panel.name, ())):
+        return None, 0
+    for number, stroke in enumerate(panel.strokes):
+        if row.key in stroke.reveals:
+            return stroke, setting.after(number)
+    return None, FOREVER
 
 
 def captions(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[Item]:

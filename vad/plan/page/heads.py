@@ -37,11 +37,9 @@ def head(
     left, right = place.drawing.left, place.drawing.right
     title = bold(roman(panel.title))
     if centimetre:
-        value = centimetre / scale.factor
-        runs = _stated(panel, value, notation)
+        length, runs = centimetre, _stated(panel, centimetre / scale.factor, notation)
     else:
-        value, runs = _fitting(panel, scale, right - left - width(title, TITLE), notation)
-    length = value * scale.factor
+        length, runs = bar(panel, place, scale, notation)
     beside = right - left - width(title, LEAST_TITLE) - APART - length - GAP
     size = fitted(runs, SCALE, LEAST_SCALE, beside)
     start = right - width(runs, size)
@@ -78,11 +76,12 @@ def _stated(panel: Panel, value: float, notation: Notation) -> Runs:
     return roman(text)
 
 
-def _fitting(panel: Panel, scale: Scale, room: float, notation: Notation) -> tuple[float, Runs]:
-    """Return the value of the scale bar, and as text: the longest that fits beside the title.
+def bar(panel: Panel, place: PanelPlace, scale: Scale, notation: Notation) -> tuple[float, Runs]:
+    """Return the length of the scale bar and what it says: the longest that fits beside the title.
 
     Where none of a length that can be measured fits, the shortest one, and the title gives way.
     """
+    room = place.drawing.width - width(bold(roman(panel.title)), TITLE)
     value = scale_bar(scale.factor, LONGEST_BAR)
     while True:
         runs = roman(notation.quantity(value, panel.unit, given=True))
@@ -90,5 +89,5 @@ def _fitting(panel: Panel, scale: Scale, room: float, notation: Notation) -> tup
         shorter = scale_bar(scale.factor, 0.9 * length)
         fits = width(runs, SCALE) + GAP + length + APART <= room
         if fits or shorter * scale.factor < SHORTEST_BAR:
-            return value, runs
+            return length, runs
         value = shorter

@@ -20,10 +20,7 @@ def title_marks(sheet: Sheet, page: Page) -> list[Mark]:
     room = page.right - page.left
     size = fitted(title, TITLE, LEAST_TITLE, 0.6 * room)
     marks = [Mark(Lettering(title, complex(page.left, page.title), size), "words")]
-    items = [
-        f"{name} {sheet.notation.quantity(value, unit if value else '', given=True)}"
-        for name, value, unit in sheet.parameters
-    ]
+    items = parameters(sheet)
     room -= width(title, size) + 0.04
     rows = [items]
     if width(_listed(items), LEAST_PARAMETERS) > room:
@@ -37,6 +34,14 @@ def title_marks(sheet: Sheet, page: Page) -> list[Mark]:
         at = complex(page.right - width(runs, size), page.title + depth * 1.25 * size)
         marks.append(Mark(Lettering(runs, at, size), "notes"))
     return marks
+
+
+def parameters(sheet: Sheet) -> list[str]:
+    """Return the parameters as the title line has them: "crank 60 mm"."""
+    return [
+        f"{name} {sheet.notation.quantity(value, unit if value else '', given=True)}"
+        for name, value, unit in sheet.parameters
+    ]
 
 
 def _listed(items: list[str]) -> Runs:

@@ -1,0 +1,27 @@
+"""A lesson as a page in one file: in comes a lesson, or a sheet, which it opens finished."""
+
+from __future__ import annotations
+
+from typing import BinaryIO
+
+from vad.export.source import Progress
+from vad.lecture.lesson import Lesson
+from vad.lecture.timeline import animate
+from vad.page.document import document
+from vad.painting.posed import STYLE
+from vad.strokes.sheet import Sheet
+
+
+def write(
+    thing: Sheet | Lesson,
+    target: BinaryIO,
+    style: str | None = None,
+    *,
+    progress: Progress | None = None,
+) -> None:
+    """Write the page; a lesson has a style already, and its page fits every window."""
+    lesson = thing if isinstance(thing, Lesson) else animate(thing, style=style or STYLE)
+    start = 0 if lesson is thing else len(lesson.steps)
+    target.write(document(lesson, start).encode())
+    if progress is not None:
+        progress(lesson.frames, lesson.frames)

@@ -1,0 +1,113 @@
+"""The page as one file: its parts in their places, style sheet, fonts, script and data inside.
+
+In comes a lesson, out goes HTML that asks for nothing: its security policy forbids every request.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from base64 import b64encode
+from collections.abc import Sequence
+from functools import cache
+from hashlib import sha256
+from html import escape
+from importlib.resources import files
+from string import Template
+
+from vad.lecture.lesson import Lesson
+from vad.page.parts import Parts, parts
+from vad.page.phrases import phrases
+from vad.page.themed import themes, variables
+from vad.strokes.words import title
+from vad.style import load_style
+
+#: The style of what is printed, if the page has it.
+_PRINTED = "paper"
+_START = (
+    "mount(document.querySelector('.vad'),JSON.parse(document.getElementById('data').textContent))"
+)
+
+
+@cache
+def asset(name: str) -> str:
+    """Return a file of the page, ``player.html``, ``.css`` or ``.js``, without its comments."""
+    text = (files(__package__) / name).read_text("utf-8")
+    text = re.sub(r"^\s*(//[^\n]*\n\s*)*|/\*.*?\*/\s*", "", text, flags=re.MULTILINE | re.DOTALL)
+    return re.sub(r"(?<=[:;{},])\s+|\s+(?=[{}])", "", text) if name.endswith(".css") else text
+
+
+def document(lesson: Lesson, start: int = 0) -> str:
+    """Return the page of a lesson.
+
+    Parameters
+    ----------
+    lesson
+        What is played.
+    start
+        How many strokes are done when it opens.
+    """
+    made = parts(lesson)
+    data = _json({**made.data, "start": start})
+    script = f"{asset('player.js')}\n{_START};\n"
+    proof = b64encode(sha256(script.encode()).digest()).decode()
+    policy = (
+        "default-src 'none'; style-src 'unsafe-inline'; font-src data:; "
+        f"script-src 'sha256-{proof}'; base-uri 'none'; form-action 'none'"
+    )
+    return (
+        f'<!DOCTYPE html>\n<html lang="{lesson.sheet.language}">\n<head>\n<meta charset="utf-8">\n'
+        f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
+        '<meta name="viewport" content="width=device-width,initial-scale=1">\n'
+        f"<title>{escape(title(lesson.sheet))}</title>\n"
+        f"<style>\n{made.faces.rules()}{asset('player.css')}"
+        f"{colours(lesson.style, len(lesson.sheet.rows))}{made.looks}"
+        f"</style>\n</head>\n<body>\n{section(lesson, made)}"
+        f'<script type="application/json" id="data">{data}</script>\n'
+        f'<script type="module">{script}</script>\n</body>\n</html>\n'
+    )
+
+
+def section(lesson: Lesson, made: Parts) -> str:
+    """Return the parts of a lesson in their places, with its player."""
+    names = " ".join(style.name for style in themes(load_style(lesson.style)))
+    code, titles = lesson.sheet.language, [panel.title for panel in lesson.sheet.panels]
+    strokes = phrases(code)["player"]["strokes"]
+    return (
+        f'<main class="vad" data-theme="{lesson.style}" data-themes="{names}">\n'
+        f'<div class="board"><header>{made.head}</header>\n'
+        f'<div class="panels">{made.panels}</div>\n'
+        f'<div class="results">{made.table}</div>\n'
+        f"{player(code, titles, made.chapters, len(lesson.steps), made.lines)}</div>\n"
+        f'<section class="steps"><h2>{escape(strokes)}</h2>\n'
+        f'<div class="lists">{made.steps}</div></section>\n</main>\n'
+    )
+
+
+def player(
+    code: str, titles: Sequence[str], chapters: str = "", count: int = 0, lines: int = 1
+) -> str:
+    """Return caption, scrubber and buttons in a language, for panels with these titles."""
+    said = phrases(code)["player"]
+    return Template(asset("player.html")).substitute(
+        {name.replace("-", "_"): escape(words) for name, words in said.items()},
+        chapters=chapters,
+        count=count,
+        digits=" ".join(f"<kbd>{number}</kbd>" for number in range(1, len(titles) + 1)),
+        titles=escape(" / ".join(titles)),
+        lines=lines,
+    )
+
+
+def colours(name: str, rows: int) -> str:
+    """Return the rules of a style's colours and of its other side, of which one is printed."""
+    sides = sorted(themes(load_style(name)), key=lambda side: side.name != _PRINTED)
+    return f".vad{{{variables(sides[0], rows)}}}\n" + "".join(
+        f"@media screen{{.vad[data-theme={side.name}]{{{variables(side, rows)}}}}}\n"
+        for side in sides[1:]
+    )
+
+
+def _json(data: object) -> str:
+    """Return data that no browser takes for markup."""
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")

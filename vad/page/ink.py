@@ -1,0 +1,89 @@
+"""The drawings of a page: in comes a plan, out go its panels as SVG, and how their strokes grow.
+
+A group bears the beat from which it shows, ``data-s="9"``, or those between which it does and is
+gone, ``data-b="3 5 7 9"``.  A mark that grows in the first of them names its growth, ``data-g``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from typing import Any
+
+from vad.page.growths import grown
+from vad.page.themed import Inks, Themed
+from vad.painting.svg.classes import Classes
+from vad.painting.svg.elements import Elements
+from vad.painting.svg.font_subset import Faces
+from vad.painting.svg.grid import Grid, number
+from vad.painting.svg.set_text import SetText
+from vad.plan.board import Plan
+from vad.plan.format import Format
+from vad.plan.geometry import Rect
+from vad.plan.items import FOREVER, Level, Span
+from vad.plan.marks import Mark
+
+
+class Inker:
+    """Draws the panels of one page.
+
+    Attributes
+    ----------
+    classes
+        The looks that have been met.
+    style
+        What names their colours.
+    growths
+        How each mark that grows comes about: see `vad.page.growths`.
+    """
+
+    def __init__(self, form: Format, style: Themed, faces: Faces) -> None:
+        self.classes = Classes()
+        self.style = style
+        self.growths: list[list[Any]] = []
+        self._grid, self._inks = Grid(form), Inks(style)
+        self._elements = Elements(self._grid, self.classes, SetText(self.classes, faces, ""))
+
+    def drawing(self, plan: Plan, panel: str) -> str:
+        """Return the groups of a panel, in painting order."""
+        groups: dict[tuple[Level, str], list[Span]] = {}
+        for item in plan.items:
+            if item.region == panel:
+                # What shows again and again, as the light on a link, is written once.
+                key = item.level, "".join(map(self._mark, item.marks))
+                groups.setdefault(key, []).append((item.since, item.until))
+        return "".join(f"<g{when(spans)}>{marks}</g>" for (_, marks), spans in groups.items())
+
+    def mark(self, mark: Mark) -> str:
+        """Return a mark as it stays."""
+        return self._elements.of(mark.shape, self._inks(mark)).replace("\n", "")
+
+    def view(self, area: Rect) -> str:
+        """Return the view of an area of the page."""
+        corner, unit = self._grid.at(complex(area.left, area.top)), self._grid.unit
+        return " ".join((*corner, number(area.width * unit), number(area.height * unit)))
+
+    def _mark(self, mark: Mark) -> str:
+        if not mark.growth:
+            return self.mark(mark)
+        growth = grown(mark, self._grid)
+        if growth not in self.growths:
+            self.growths.append(growth)
+        element, number = self.mark(mark), self.growths.index(growth)
+        if element.count("<") > 1:  # with a halo, or a text
+            element = f"<g>{element}</g>"
+        return re.sub(r"(?<=^<)\w+", rf'\g<0> data-g="{number}"', element)
+
+
+def when(spans: Iterable[Span]) -> str:
+    """Return the attribute of what shows in spans of beats.
+
+    Examples
+    --------
+    >>> when([(9, FOREVER)]), when([(3, 5), (7, 9)]), when([(0, FOREVER)])
+    (' data-s="9"', ' data-b="3 5 7 9"', '')
+    """
+    beats = [beat for span in spans for beat in span if beat != FOREVER]
+    if beats == [0]:
+        return ""
+    return f' data-{"b" if len(beats) % 2 == 0 else "s"}="{" ".join(map(str, beats))}"'

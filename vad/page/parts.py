@@ -1,0 +1,128 @@
+"""The parts of a page: in comes a lesson, out go HTML for the places of a page and data to move it.
+
+The file, the live page and the notebook are made of the same parts, and played by the same script.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from html import escape
+from typing import Any
+
+from vad.lecture.lesson import Lesson, Step
+from vad.page.ink import Inker
+from vad.page.panels import panel_section
+from vad.page.phrases import phrases
+from vad.page.results_table import table
+from vad.page.spoken import spoken
+from vad.page.themed import themed
+from vad.page.wording import Words
+from vad.painting.posed import SIZE
+from vad.painting.svg.font_subset import Faces
+from vad.plan.board import Plan, plan
+from vad.plan.format import screen
+from vad.plan.lettering.runs import roman
+from vad.plan.lettering.wrapping import tied
+from vad.plan.page.captioning import setter
+from vad.plan.page.title import parameters
+from vad.style import load_style
+
+
+@dataclass(frozen=True, slots=True)
+class Parts:
+    """What a page is made of.
+
+    Attributes
+    ----------
+    head, panels, table, chapters, steps
+        HTML for the places of those names.
+    data
+        What the script plays: ``first`` strokes and ``panels`` by name and title, ``times`` of
+        each stroke (seconds that it grows and rests), ``spoken`` captions, ``grow`` (see
+        `vad.page.growths`) and ``words``.
+    lines
+        How many lines captions take.
+    looks
+        Rules of the classes in ``panels`` and ``table``.
+    faces
+        The letters of it all.
+    """
+
+    head: str
+    panels: str
+    table: str
+    chapters: str
+    steps: str
+    data: Mapping[str, Any]
+    lines: int
+    looks: str
+    faces: Faces
+
+
+def page_plan(lesson: Lesson) -> Plan:
+    """Return the board of a lesson as its page shows it, whatever the size of its film."""
+    return plan(lesson.sheet, screen(SIZE), load_style(lesson.style).key, lesson=True)
+
+
+def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
+    """Return the parts of a lesson's page.
+
+    Parameters
+    ----------
+    lesson
+        What is played.
+    board
+        Its board, where that has scales of its own.
+    """
+    board = board or page_plan(lesson)
+    style, faces = load_style(lesson.style), Faces()
+    inker, words = Inker(board.form, themed(style), faces), Words(faces)
+    sheet = lesson.sheet
+    said = [_listed(sheet.language, step, setter(sheet), words) for step in lesson.steps]
+    drawn = [panel_section(board, panel, inker, words) for panel in sheet.panels]
+    results = table(board, style.key, inker, words)
+    title = words.of(roman(sheet.title), light=False, heavy=True)
+    items = words.of(roman(", ".join(item.replace(" ", "\u00a0") for item in parameters(sheet))))
+    settings = [board.sketches[panel.name].setting for panel in sheet.panels]
+    return Parts(
+        head=f"<h1>{title}</h1><p>{items}</p>",
+        panels="".join(drawn),
+        table=results,
+        chapters="".join(
+            f'<button data-x="{setting.first}" style="flex-grow:{len(setting.panel.strokes)}">'
+            f"{escape(setting.panel.title)}</button>"
+            for setting in settings
+        ),
+        steps="".join(
+            f"<div><h3>{words.of(roman(panel.title), light=False, heavy=True)}</h3><ol>"
+            + "".join(
+                item
+                for step, (item, _) in zip(lesson.steps, said, strict=True)
+                if step.panel is panel
+            )
+            + "</ol></div>"
+            for panel in sheet.panels
+        ),
+        data={
+            "first": [setting.first for setting in settings],
+            "panels": [[panel.name, panel.title] for panel in sheet.panels],
+            "times": [
+                [round(step.grow / lesson.fps, 3), round(step.hold / lesson.fps, 3)]
+                for step in lesson.steps
+            ],
+            "spoken": [words for _, words in said],
+            "grow": inker.growths,
+            "words": phrases(sheet.language)["player"],
+        },
+        lines=len(board.page.captions),
+        looks=inker.classes.sheet(),
+        faces=faces,
+    )
+
+
+def _listed(code: str, step: Step, write: Any, words: Words) -> tuple[str, str]:
+    """Return the caption of a step as an entry of the list, and as it is read out."""
+    runs = write(tied(step.stroke.caption))
+    place = f"#step={step.panel.name}:{step.index + 1}"
+    return f'<li><a href="{place}">{words.of(runs)}</a></li>', spoken(runs, code)

@@ -1,0 +1,273 @@
+// The player of a lesson. Its state is x, from 0 to the number of strokes: so many are done, and
+// what is over is the share of the next one. All that shows is paint(x), whatever was before.
+//
+// mount(root, data) -> {load, seek, play, stop, dispose, x}. The root has the places that
+// vad/page/document.py writes; data is that of vad/page/parts.py. After each change it hears
+// "vad:step" with x as its detail.
+
+const smooth = (t) => t * t * (3 - 2 * t);
+const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
+
+// The numbers at a share: linear between knots, constant beyond them.
+function between(knots, share) {
+  const next = knots.findIndex((knot) => knot[0] > share);
+  if (next <= 0) return knots.at(next).slice(1);
+  const low = knots[next - 1], high = knots[next], way = (share - low[0]) / (high[0] - low[0]);
+  return low.slice(1).map((from, i) => from + way * (high[i + 1] - from));
+}
+
+// The first part of lines "Mx yldx dy…", piece after piece.
+function trimmed(data, part) {
+  const pieces = data.split("M").slice(1).map((piece) => piece.match(/-?(\d+\.?\d*|\.\d+)/g).map(Number));
+  const lengths = pieces.map((n) => n.map((_, i) => i > 1 && i % 2 ? Math.hypot(n[i - 1], n[i]) : 0));
+  let left = part * lengths.flat().reduce((sum, each) => sum + each, 0), drawn = "";
+  pieces.forEach((n, k) => {
+    if (left > 0) drawn += `M${n[0]} ${n[1]}l`;
+    for (let i = 3; i < n.length && left > 0; i += 2) {
+      const share = Math.min(1, left / (lengths[k][i] || 1));
+      drawn += ` ${n[i - 1] * share} ${n[i] * share}`;
+      left -= lengths[k][i];
+    }
+  });
+  return drawn;
+}
+
+function arc(part, x, y, radius, start, sweep) {
+  const at = (degrees) => {
+    const angle = degrees * Math.PI / 180;
+    return `${x + radius * Math.cos(angle)} ${y - radius * Math.sin(angle)}`;
+  };
+  const turn = part * sweep, flags = `${+(Math.abs(turn) > 180)} ${+(turn < 0)}`;
+  return part > 0 ? `M${at(start)}A${radius} ${radius} 0 ${flags} ${at(start + turn)}` : "";
+}
+
+// Shows a growing mark at a share; at 1 it is as it stays. See vad/page/growths.py.
+function growing(mark, [kind, knots, x, y, ...bow]) {
+  const elements = mark.localName === "g" ? [...mark.children] : [mark];
+  const data = elements.map((each) => each.getAttribute("d")), radii = elements.map((each) => +each.getAttribute("r"));
+  const draw = (part, path) =>
+    elements.forEach((each, i) => each.setAttribute("d", part < 1 ? path(data[i], part) : data[i]));
+  const shows = {
+    trim: ([part]) => draw(part, trimmed),
+    bow: ([part]) => draw(part, () => arc(part, x, y, ...bow)),
+    slide: ([right, down]) => mark.setAttribute("transform", `translate(${right} ${down})`),
+    turn: ([degrees]) => mark.setAttribute("transform", `rotate(${degrees} ${x} ${y})`),
+    scale: ([factor]) => elements.forEach((each, i) => each.setAttribute("r", factor * radii[i])),
+    fade: ([alpha]) => (elements.at(-1).style.opacity = alpha),
+  };
+  return (share) => shows[kind](between(knots, share));
+}
+
+// The beats between which an element shows: "3 5 7 9", or "9" from which on.
+function spans(element) {
+  const beats = (element.dataset.b ?? element.dataset.s).split(" ").map(Number), pairs = [];
+  for (let i = 0; i < beats.length; i += 2) pairs.push([beats[i], beats[i + 1] ?? Infinity]);
+  return pairs;
+}
+
+export function mount(root, data, { address = true } = {}) {
+  const one = (selector) => root.querySelector(selector);
+  const all = (selector) => [...root.querySelectorAll(selector)];
+  const calm = matchMedia("(prefers-reduced-motion: reduce)");
+  const stacked = matchMedia("(max-width: 42rem)");
+  const over = new AbortController();
+  const scrub = one(".scrub"), status = one("[role=status]"), speed = one(".speed");
+  const caption = one(".caption p"), count = one(".count"), dialog = one("dialog");
+  let lesson, x = 0, mode = "", goal = 0, rest = 0, beat = -1, spoken = -1;
+  let frame = 0, then = 0, timer = 0, letters = true, kept = 0;
+
+  const strokes = () => lesson.times.length;
+  const panelOf = (stroke) => Math.max(0, lesson.first.findLastIndex((first) => first <= stroke));
+
+  function load(next, at = 0) {
+    stop();
+    lesson = { ...next, links: all(".steps a"), chapters: all(".chapters button"), pictures: all(".drawing svg"), panel: 0 };
+    lesson.timed = all("[data-s], [data-b]").map((element) => [element, spans(element)]);
+    lesson.growing = all("[data-g]").map((mark) =>
+      [spans(mark.parentNode)[0][0], growing(mark, lesson.grow[mark.dataset.g])]);
+    scrub.max = strokes();
+    beat = spoken = -1;
+    paint(at);
+  }
+
+  function paint(to) {
+    x = clamp(to, 0, strokes());
+    const shown = calm.matches ? Math.ceil(x) : x, done = Math.floor(shown);
+    const now = shown === strokes() ? 2 * done + 1 : 2 * done + (shown > done);
+    if (now !== beat) turn(now, done);
+    for (const [since, show] of lesson.growing) if (since === now) show(smooth(shown - done));
+    scrub.value = x;
+    scrub.style.setProperty("--share", x / strokes());
+    say(Math.ceil(x) - 1);
+    root.dispatchEvent(new CustomEvent("vad:step", { detail: x }));
+  }
+
+  function turn(now, done) {
+    const was = beat;
+    beat = now;
+    for (const [element, times] of lesson.timed) {
+      const shows = times.some(([since, until]) => since <= now && now < until);
+      element.classList.toggle("off", !shows);
+      element.classList.toggle("on", shows);
+      element.classList.toggle("new", times[0][0] === now);
+    }
+    for (const [since, show] of lesson.growing) if (since === was) show(1);
+    lesson.pictures.forEach((picture, i) => {
+      const first = lesson.first[i], whole = (lesson.first[i + 1] ?? strokes()) - first;
+      const label = { panel: lesson.panels[i][1], done: clamp(done - first, 0, whole), count: whole };
+      picture.setAttribute("aria-label", lesson.words.drawn.replace(/{(\w+)}/g, (_, key) => label[key]));
+    });
+  }
+
+  // The caption of a stroke stands, and is read out, from when it is begun.
+  function say(stroke) {
+    if (stroke === spoken) return;
+    spoken = stroke;
+    const panel = panelOf(stroke), words = lesson.spoken[stroke] ?? lesson.words.begin;
+    if (panel !== lesson.panel && stacked.matches) lesson.pictures[panel].closest(".panel").scrollIntoView({ block: "nearest" });
+    lesson.panel = panel;
+    if (stroke < 0) caption.textContent = words;
+    else caption.innerHTML = lesson.links[stroke].innerHTML;
+    const first = lesson.first[panel], whole = (lesson.first[panel + 1] ?? strokes()) - first;
+    count.textContent = stroke < 0 ? "" : `${stroke - first + 1} / ${whole}`;
+    scrub.setAttribute("aria-valuetext", words);
+    status.textContent = document.activeElement === scrub ? "" : words;
+    lesson.links.forEach((link, i) => i === stroke ? link.setAttribute("aria-current", "step") : link.removeAttribute("aria-current"));
+    lesson.chapters.forEach((each, i) => each.setAttribute("aria-current", i === panel));
+    clearTimeout(timer);
+    if (address) timer = setTimeout(write, 250);
+  }
+
+  function write() {
+    if (place(location.hash) === Math.ceil(x) || !/^(#step=.*)?$/.test(location.hash)) return;
+    try { history.replaceState(null, "", `#step=${Math.ceil(x)}`); } catch { /* a frame without an address */ }
+  }
+
+  // "#step=7" or "#step=velocity:4": so many strokes done, of all or of a panel.
+  function place(hash) {
+    const [, panel, digits] = /^#step=(?:([^:]+):)?(\d{1,6})$/.exec(hash) ?? [];
+    if (!digits) return null;
+    if (!panel) return +digits <= strokes() ? +digits : null;
+    const index = lesson.panels.findIndex(([name]) => name === panel);
+    const whole = (lesson.first[index + 1] ?? strokes()) - lesson.first[index];
+    return index >= 0 && +digits >= 1 && +digits <= whole ? lesson.first[index] + +digits : null;
+  }
+
+  function stop() {
+    mode = "";
+    cancelAnimationFrame(frame);
+    one("[data-do=play]").classList.remove("on");
+    label(lesson?.words.play);
+  }
+
+  function label(words) {
+    const button = one("[data-do=play]");
+    if (words) ["aria-label", "title"].forEach((key) => button.setAttribute(key, words));
+  }
+
+  function run(how, to) {
+    stop();
+    [mode, goal, rest, then] = [how, to, 0, performance.now()];
+    if (how === "play") {
+      one("[data-do=play]").classList.add("on");
+      label(lesson.words.pause);
+    }
+    frame = requestAnimationFrame(tick);
+  }
+
+  function tick(time) {
+    let left = Math.max(0, time - then) / 1000 * speed.value, at = x;
+    then = time;
+    while (left > 0 && (rest > 0 || at < goal)) {
+      const stroke = Math.floor(at), [grow, hold] = lesson.times[stroke] ?? [0, 0];
+      const need = rest > 0 ? rest : (stroke + 1 - at) * grow, used = Math.min(left, need);
+      left -= used;
+      if (rest > 0) rest -= used;
+      else if (used < need) at += used / grow;
+      else [at, rest] = [stroke + 1, mode === "play" ? hold : 0];
+    }
+    if (at !== x) paint(at);
+    if (rest > 0 || at < goal) frame = requestAnimationFrame(tick);
+    else stop();
+  }
+
+  function seek(to) {
+    stop();
+    paint(to);
+  }
+
+  const play = () => run("play", (x === strokes() && paint(0), strokes()));
+  const next = () => Math.min(Math.floor(x) + 1, strokes());
+  const does = {
+    first: () => seek(0),
+    last: () => seek(strokes()),
+    back: () => seek(Math.ceil(x) - 1),
+    forward: (atOnce) => atOnce || mode === "step" ? seek(next()) : run("step", next()),
+    play: () => mode === "play" ? stop() : play(),
+    strokes: () => {
+      const closed = one(".steps").classList.toggle("closed");
+      one("[data-do=strokes]").setAttribute("aria-expanded", !closed);
+      if (!closed) one(".steps").scrollIntoView({ block: "nearest", behavior: calm.matches ? "auto" : "smooth" });
+    },
+    theme: () => {
+      const themes = root.dataset.themes.split(" ");
+      root.dataset.theme = themes.find((each) => each !== root.dataset.theme) ?? themes[0];
+    },
+    full: () => document.fullscreenElement ? document.exitFullscreen() : root.requestFullscreen?.().catch(() => {}),
+    keys: () => dialog.showModal(),
+    close: () => dialog.close(),
+  };
+
+  const KEYS = { ArrowRight: "forward", PageDown: "forward", ArrowLeft: "back", PageUp: "back", Home: "first", End: "last" };
+  const LETTERS = { " ": "play", k: "play", s: "strokes", t: "theme", f: "full", "?": "keys" };
+
+  function key(event) {
+    const target = event.composedPath()[0], name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    if (event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey || dialog.open) return;
+    if (target !== scrub && target.closest?.("input, select, textarea, [contenteditable], [role=slider]")) return;
+    if ((name === " " || name === "Enter") && target.closest?.("button, a, summary")) return;
+    const what = KEYS[name] ?? (name === " " || letters ? LETTERS[name] : undefined);
+    const chapter = letters && /^[1-9]$/.test(name) ? lesson.first[name - 1] : undefined;
+    if (what && what === "forward") does.forward(event.shiftKey || target === scrub);
+    else if (what) does[what]();
+    else if (chapter !== undefined) seek(chapter);
+    else if (letters && "+-−=".includes(name)) faster("+=".includes(name) ? 1 : -1);
+    else return;
+    event.preventDefault();
+  }
+
+  function faster(by) {
+    speed.selectedIndex = clamp(speed.selectedIndex + by, 0, speed.length - 1);
+  }
+
+  function click(event) {
+    const button = event.target.closest("button[data-do]"), chapter = event.target.closest("[data-x]");
+    const link = event.target.closest(".steps a");
+    if (button) does[button.dataset.do](event.shiftKey);
+    else if (chapter) seek(+chapter.dataset.x);
+    else if (link && !event.ctrlKey && !event.metaKey && !event.shiftKey) {
+      event.preventDefault();
+      seek(lesson.links.indexOf(link) + 1);
+    } else if (event.target.closest(".drawing") && getSelection().isCollapsed) does.forward(false);
+  }
+
+  const on = (target, name, what) => target.addEventListener(name, what, { signal: over.signal });
+  on(root, "click", click);
+  on(document, "keydown", key);
+  on(scrub, "input", () => seek(+scrub.value));
+  on(scrub, "change", () => seek(Math.round(x)));
+  on(scrub, "focus", () => (status.textContent = ""));
+  on(one(".letters"), "change", (event) => (letters = event.target.checked));
+  on(window, "beforeprint", () => { kept = x; seek(strokes()); });
+  on(window, "afterprint", () => seek(kept));
+  on(calm, "change", () => { beat = -1; paint(x); });
+  if (address) on(window, "hashchange", () => { const to = place(location.hash); if (to !== null) seek(to); });
+
+  one(".control").hidden = false;
+  one(".steps").classList.add("closed");
+  one("[data-do=full]").hidden = !document.fullscreenEnabled;
+  one("[data-do=theme]").hidden = !root.dataset.themes?.includes(" ");
+  load(data, data.start);
+  if (address) seek(place(location.hash) ?? x);
+  return { load, seek, play, stop, dispose: () => { stop(); over.abort(); }, get x() { return x; } };
+}

@@ -1,0 +1,81 @@
+"""The results as a table: one row per link or slide, with the line that is its key.
+
+In come the sheet and the sketches of its panels, out goes HTML.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from vad.page.ink import Inker, when
+from vad.page.wording import Words
+from vad.plan.board import Plan
+from vad.plan.geometry import Rect
+from vad.plan.items import FOREVER
+from vad.plan.lettering.glyphs import width
+from vad.plan.lettering.runs import Runs, roman, symbols
+from vad.plan.marks import line
+from vad.plan.page.changing import measuring
+from vad.plan.page.columns import EQUALS, VALUES
+from vad.plan.page.entries import SIZE
+from vad.strokes.language import Language
+from vad.strokes.sheet import Cell, Panel, Row
+from vad.written import with_unit
+
+
+def table(plan: Plan, key: float, inker: Inker, words: Words) -> str:
+    """Return the results of a sheet; ``key`` is the length of the line before a row's name."""
+    sheet, say = plan.sheet, Language(plan.sheet.language).say
+    heads = "".join(f'<th scope="col">{words.of(roman(p.title))}</th>' for p in sheet.panels)
+    rows = "".join(
+        f'<tr role="row"><th scope="row" role="rowheader">{_key(number, key, inker)}'
+        f"{words.of(roman(row.title + ' ') + symbols(row.letters))}</th>"
+        + "".join(_cells(plan, panel, row, words) for panel in sheet.panels)
+        + "</tr>"
+        for number, row in enumerate(sheet.rows)
+    )
+    lefts = [place.drawing.left for place in plan.page.panels.values()]
+    ends = [lefts[0], lefts[0] + VALUES, *lefts[1:], plan.page.right]
+    widths = [end - start for start, end in pairwise(ends)]
+    columns = "".join(f'<col style="width:{100 * each / sum(widths):.2f}%">' for each in widths)
+    legend = words.of(roman(say("legend"))) if _has_given(sheet.rows) else ""
+    return (
+        f'<table role="table"><caption class="unseen">{words.of(roman(say("results")))}</caption>'
+        f'<colgroup>{columns}</colgroup><thead class="unseen"><tr><td></td>{heads}</tr></thead>'
+        f'<tbody role="rowgroup">{rows}</tbody></table><p class="legend">{legend}</p>'
+    )
+
+
+def _key(number: int, key: float, inker: Inker) -> str:
+    """Return the line of a row in its ink, on a view of its own."""
+    mark = line([complex(0.0, 0.5), complex(key, 0.5)], "key", number)
+    view = inker.view(Rect(0.0, 0.48, key, 0.52))
+    return f'<svg class="key" viewBox="{view}" aria-hidden="true">{inker.mark(mark)}</svg>'
+
+
+def _cells(plan: Plan, panel: Panel, row: Row, words: Words) -> str:
+    cells = row.cells.get(panel.name, ())
+    _, since = measuring(plan.sketches[panel.name].setting, row)
+    room = plan.page.panels[panel.name].drawing.width
+    room -= VALUES if panel is plan.sheet.panels[0] else 0.0
+    need = sum(width(_reading(plan, cell), SIZE) + EQUALS for cell in cells)
+    small = f' style="font-size:{100 * room / need:.0f}%"' if need > room else ""
+    written = "".join(_cell(plan, cell, words) for cell in cells)
+    return f'<td role="cell"><div{when([(since, FOREVER)])}{small}>{written}</div></td>'
+
+
+def _cell(plan: Plan, cell: Cell, words: Words) -> str:
+    symbol = words.of(symbols(cell.symbol), heavy=not cell.given)
+    value = words.of(_reading(plan, cell), heavy=not cell.given)
+    given = " given" if cell.given else ""
+    return f'<span class="cell{given}"><span class="symbol">{symbol}</span>{value}</span>'
+
+
+def _reading(plan: Plan, cell: Cell) -> Runs:
+    notation = plan.sheet.notation
+    number = notation.number(cell.value, cell.unit, cell.given)
+    return roman("= " + with_unit(number, notation.unit(cell.unit)).replace(" ", "\u00a0"))
+
+
+def _has_given(rows: tuple[Row, ...]) -> bool:
+    return any(c.given for row in rows for cells in row.cells.values() for c in cells)
