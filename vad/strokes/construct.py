@@ -9,7 +9,7 @@ from vad.strokes.diagram import Drawing
 from vad.strokes.equations import of_position
 from vad.strokes.figures import Figure
 from vad.strokes.further import FurtherPoints
-from vad.strokes.ink import Ink
+from vad.strokes.inking import Ink
 from vad.strokes.scene import Scene
 from vad.strokes.sheet import Arc, Dot, Guide, Line
 from vad.written import with_unit
@@ -34,8 +34,9 @@ class _Construction:
         self._frame()
         self._driver()
         known = {self.scene.driver}
-        equations = []
+        equations, begins = [], []
         for loop, unknowns in zip(self.linkage.loops, self.linkage.unknowns, strict=True):
+            begins.append(len(self.ink.strokes))
             self.further.reach(loop, known)
             self._construct(loop, unknowns)
             self._ink(loop, unknowns)
@@ -43,7 +44,8 @@ class _Construction:
             equations.append(of_position(self.scene, loop, self.ink.strokes))
         for bar in self.linkage.images:
             self.further.draw(bar)
-        return Drawing(tuple(self.ink.strokes), equations=tuple(equations))
+        strokes = tuple(self.ink.strokes)
+        return Drawing(strokes, equations=tuple(equations), loops=tuple(begins))
 
     # --- what is given ------------------------------------------------------------------------
 

@@ -24,6 +24,7 @@ class Drawing:
     equations: tuple[Equation, ...] = ()
     inset: CoriolisInset | None = None
     triangles: tuple[ImageTriangle, ...] = ()
+    loops: tuple[int, ...] = ()
 
 
 def no_cells(scene: Scene, name: str) -> tuple[Cell, ...]:
@@ -86,4 +87,5 @@ class Diagram:
             scene.language.name(self.title),
             self.picture,
             drawing.triangles,
+            drawing.loops,
         )

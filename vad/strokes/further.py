@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from vad.kinematics.linkage import Bar, Loop, Scalar, angle_of
 from vad.strokes.figures import Figure, Unit
-from vad.strokes.ink import Ink
+from vad.strokes.inking import Ink
 from vad.strokes.scene import Scene
 from vad.strokes.sheet import Arc, Dot
 

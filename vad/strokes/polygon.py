@@ -28,7 +28,14 @@ def polygon(scene: Scene, order: int) -> Drawing:
     equations = drawing.draw()
     pencil = drawing.pencil
     triangles = tuple(drawing.images.triangles)
-    return Drawing(tuple(pencil.strokes), tuple(pencil.zeros), equations, pencil.inset, triangles)
+    return Drawing(
+        tuple(pencil.strokes),
+        tuple(pencil.zeros),
+        equations,
+        pencil.inset,
+        triangles,
+        tuple(drawing.begins),
+    )
 
 
 @dataclass
@@ -57,12 +64,15 @@ class _Polygon:
         self.images = Images(scene, order, self.pencil)
         #: The letters of known parts' ends, drawn or not.
         self.letters: set[str] = set()
+        #: The numbers of the strokes with which the loops begin.
+        self.begins: list[int] = []
 
     def draw(self) -> tuple[Equation, ...]:
         """Draw loop after loop and return their equations; there are none where nothing moves."""
         self.pencil.pole()
         equations = []
         for loop, chains in zip(self.linkage.loops, self.loops, strict=True):
+            self.begins.append(len(self.pencil.strokes))
             first, second = self._loop(chains)
             equations.append(equation(loop, first.side, second.side))
         for bar in self.linkage.images:

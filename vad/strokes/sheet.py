@@ -37,7 +37,6 @@ Kind = Literal[
     "result",
 ]
 Component = Literal["normal", "tangential", "coriolis", "sliding", "relative", "absolute", "link"]
-#: How a panel is painted.
 Picture = Literal["skeleton", "vectors"]
 
 
@@ -52,8 +51,8 @@ class Dot:
 class Arrow:
     """A vector from ``start`` to ``end``; in the position panel, the bar of a link.
 
-    ``tail`` and ``head`` are the letters of its two ends.  ``cylinder`` is the length from
-    ``start`` of the cylinder of a strut, out of which its rod comes; 0 for every other bar.
+    ``tail`` and ``head`` are its letters.  ``cylinder`` is the length from ``start`` of the
+    cylinder of a strut, out of which its rod comes; 0 for every other bar.
     """
 
     start: complex
@@ -225,7 +224,7 @@ class Panel:
     a caption: vectors of length zero, whole vectors that are no more than one of their parts,
     and, where nothing moves, the lines and crossings of the polygon.  Strokes and zeros together
     have the same names in every pose.  ``title`` is its heading, ``picture`` how it is painted,
-    ``triangles`` are the images of links with three points or more.
+    ``triangles`` are images of links, ``loops`` the numbers of the strokes that begin each loop.
     """
 
     name: str
@@ -237,6 +236,7 @@ class Panel:
     title: str = ""
     picture: Picture = "vectors"
     triangles: tuple[ImageTriangle, ...] = ()
+    loops: tuple[int, ...] = ()
 
     def full(self, name: str) -> str:
         """Return the full name of a stroke of this panel: ``velocity:BC.line``."""
@@ -270,8 +270,7 @@ class Cell:
 class Row:
     """One link or slide of the results table; ``cells`` holds a panel's cells by its name.
 
-    ``title`` and ``letters`` make its heading: "crank" and "AB", "slider" and "C".  The number of
-    a link, as in ω₃, stands in the symbols of its cells.
+    ``title`` and ``letters`` make its heading: "crank" and "AB", "slider" and "C".
     """
 
     key: str

@@ -116,6 +116,7 @@ PANEL = record(
     equations=optional(many(EQUATION), ()),
     inset=optional(INSET),
     triangles=optional(many(TRIANGLE), ()),
+    loops=optional(many(COUNT), ()),
 )
 CELL = record(Cell, symbol=TEXT, value=NUMBER, unit=UNIT, given=optional(FLAG, False))
 ROW = record(Row, key=TEXT, title=TEXT, letters=TEXT, cells=by_name(many(CELL)))
