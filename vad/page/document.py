@@ -60,7 +60,8 @@ def document(lesson: Lesson, start: int = 0) -> str:
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         '<meta name="viewport" content="width=device-width,initial-scale=1">\n'
         f"<title>{escape(title(lesson.sheet))}</title>\n"
-        f"<style>\n{made.faces.rules()}{asset('player.css')}{colours(lesson.style, len(lesson.sheet.rows))}{made.looks}"
+        f"<style>\n{made.faces.rules()}{asset('player.css')}"
+        f"{colours(lesson.style, len(lesson.sheet.rows))}{made.looks}"
         f"</style>\n</head>\n<body>\n{section(lesson, made)}"
         f'<script type="application/json" id="data">{data}</script>\n'
         f'<script type="module">{script}</script>\n</body>\n</html>\n'
