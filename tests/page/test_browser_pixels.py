@@ -44,7 +44,7 @@ BARE = """() => {
     home.append(frame);
     frame.append(svg);
   }
-  for (const each of document.querySelectorAll('.board > *, .steps')) each.style.visibility = 'hidden';
+  document.querySelectorAll('.board > *, .steps').forEach((each) => each.style.visibility = 'hidden');
   for (let row = 0; row < 9; row++) home.style.setProperty(`--letter${row}`, `var(--ink${row})`);
 }"""
 
