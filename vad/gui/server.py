@@ -14,9 +14,9 @@ from threading import Event, Thread
 import uvicorn
 
 from vad.errors import ExportError
+from vad.gui.endpoints import application
 from vad.gui.guard import Key
 from vad.gui.messages import ExportQuestion
-from vad.gui.routes import application
 
 _HOST = "127.0.0.1"
 _PATIENCE = 1  # seconds for what is being sent when the server ends
