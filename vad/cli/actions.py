@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import webbrowser
 from typing import Any
 
 import click
 
 import vad
+from vad.cli.process import signals_held_back, wait_for_signal
 from vad.cli.progress import progress, written
 from vad.errors import UsageError, VadError
 from vad.export import FOLDER, format_of
@@ -127,6 +129,32 @@ def sweep(mechanism: Mechanism, inputs: Inputs, output: str, **ends: Any) -> Non
     driven = next(iter(mechanism.inputs))
     save_sweep(vad.solve(mechanism, **{driven: places(mechanism, **ends)}, **inputs), output)
     written(output)
+
+
+def gui(
+    mechanism: Mechanism,
+    inputs: Inputs,
+    port: int = 0,
+    no_browser: bool = False,
+    **options: Any,
+) -> None:
+    """Serve the page until the process is asked to stop; its address is the only line printed."""
+    from vad.gui.messages import ExportQuestion
+    from vad.gui.server import served
+
+    start = ExportQuestion(
+        mechanism.name,
+        mechanism.parameters(),
+        {**mechanism.inputs, **inputs},
+        mechanism.assembly,
+        mechanism.length_unit,
+        **options,
+    )
+    with signals_held_back(), served(start, port) as address:
+        click.echo(address)
+        if not no_browser:
+            webbrowser.open(address)
+        wait_for_signal()
 
 
 def _pop(options: dict[str, Any], *names: str) -> dict[str, Any]:

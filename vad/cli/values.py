@@ -12,8 +12,8 @@ from typing import Any
 import click
 
 from vad import errors, units
+from vad.cli.naming import kind_of
 from vad.errors import UsageError, shown
-from vad.mechanisms import MECHANISMS
 
 Callback = Callable[[click.Context, click.Parameter, Any], Any]
 
@@ -34,12 +34,27 @@ def places() -> Callback:
     """Read places of the driver with commas between them, for the mechanism that is called."""
 
     def places_of(words: str, ctx: click.Context) -> list[float]:
-        mechanism = MECHANISMS[str(ctx.info_name)]()
+        mechanism = kind_of(str(ctx.info_name))()
         unit = ctx.params.get("length_unit") or mechanism.length_unit
         driven = next(iter(mechanism.inputs))
         return [units.read(word.strip(), driven, unit) for word in words.split(",")]
 
     return _callback(places_of)
+
+
+def places_of_points() -> Callback:
+    """Read the places of points, as in ``B=left``, with commas between them."""
+
+    def places_in(words: tuple[str, ...], _: click.Context) -> dict[str, str]:
+        given = {}
+        for part in (part for word in words for part in word.split(",")):
+            point, equals, place = (each.strip() for each in part.partition("="))
+            if not (point and equals and place):
+                raise UsageError(f"{shown(part)} is no place of a point", hint="as in B=left")
+            given[point] = place
+        return given
+
+    return _callback(places_in)
 
 
 def length_unit() -> Callback:

@@ -10,7 +10,19 @@ import math
 from collections.abc import Iterator
 
 from vad.kinematics.linkage import Bar, Linkage, Slide, Step
-from vad.kinematics.numbers import Number, across, difference, direction, dot, fold, times
+from vad.kinematics.numbers import (
+    Number,
+    across,
+    difference,
+    direction,
+    dot,
+    fold,
+    over,
+    sqrt,
+    times,
+    turned,
+    vector,
+)
 from vad.kinematics.state import Component, Pose, Rates
 
 
@@ -29,7 +41,7 @@ class ReferenceFrame:
     steps
         All bars and slides.
     fixed
-        The fixed points by letter, in that unit and frame.
+        The fixed points by name, from the pivot, in that unit and frame.
     guides
         The directions of the guides on which bars end, by link, in the user's axes.
     """
@@ -45,24 +57,26 @@ class ReferenceFrame:
         self.fixed = {linkage.pivot: 0j}
         if linkage.ground:
             self.fixed[linkage.ground[0]] = complex(linkage.ground[1] / self.scale)
+        self.fixed |= {name: self._inward(place) for name, place in linkage.fixed.items()}
         guides = [
             step for step in steps if isinstance(step, Slide) and isinstance(step.along, float)
         ]
-        moving = {step.ends[1] for step in steps}
+        moving = {step.head for step in steps}
         for slide in guides:
-            if slide.ends[0] not in moving:
-                self.fixed.setdefault(slide.ends[0], self._inward(slide.origin))
+            if slide.tail not in moving:
+                self.fixed.setdefault(slide.tail, self._inward(slide.origin))
         self._lines = {
             slide.name: direction(difference(fold(float(slide.along)), self.angle))
             for slide in guides
         }
 
     def _inward(self, point: complex) -> complex:
-        return complex(times(point / self.scale, self.turn.conjugate()))
+        point = (point - self.linkage.place) / self.scale
+        return complex(times(point, self.turn.conjugate()))
 
     def shift(self, slide: Slide) -> complex:
         """Return the vector from the tail of a slide to the zero of its line."""
-        tail = slide.ends[0]
+        tail = slide.tail
         if isinstance(slide.along, str) or tail not in self.fixed:
             return 0j
         return self._inward(slide.origin) - self.fixed[tail]
@@ -73,14 +87,29 @@ class ReferenceFrame:
 
     def size(self, bar: Bar, pose: Pose | None = None) -> Number:
         """Return the length of a bar in the solver's unit."""
-        if isinstance(bar.length, str):
-            return pose.length[bar.length] if pose else math.nan
-        return bar.length / self.scale
+        if not isinstance(bar.length, str):
+            return bar.length / self.scale
+        if pose is None:
+            return math.nan
+        ahead, aside = self.reach(bar, pose)
+        return sqrt(ahead * ahead + aside * aside) if aside else ahead
+
+    def reach(self, bar: Bar, pose: Pose) -> tuple[Number, float]:
+        """Return how far a bar with a slide's length reaches along the slide's line, and aside."""
+        offset = bar.offset / self.scale
+        return pose.length[str(bar.length)] + offset.real, offset.imag
+
+    def heading(self, bar: Bar, pose: Pose) -> Number:
+        """Return the unit vector along which a bar of positive length points."""
+        unit = turned(pose.unit[bar.link], bar.turn)
+        if not bar.offset.imag:
+            return unit
+        return times(unit, over(vector(*self.reach(bar, pose)), self.size(bar, pose)))
 
     def line(self, slide: Slide, pose: Pose | None) -> Number:
         """Return the unit vector along which a slide slides."""
         if isinstance(slide.along, str):
-            return pose.unit[slide.along] if pose else math.nan
+            return turned(pose.unit[slide.along], slide.turn) if pose else math.nan
         return self._lines[slide.name]
 
     def displacement(self, step: Step, pose: Pose) -> Number:
@@ -89,14 +118,17 @@ class ReferenceFrame:
         On a turning link that is zero: there the bar carries the length.
         """
         if isinstance(step, Bar):
-            return self.size(step, pose) * pose.unit[step.link]
+            unit = turned(pose.unit[step.link], step.turn)
+            if step.offset.imag:
+                return times(unit, vector(*self.reach(step, pose)))
+            return self.size(step, pose) * unit
         if isinstance(step.along, str):
             return 0.0
         return pose.length[step.name] * self._lines[step.name]
 
     def unknown_direction(self, step: Step, pose: Pose) -> Number:
         """Return the direction of what the driver does not dictate: across a bar, along a slide."""
-        return across(pose.unit[step.link]) if isinstance(step, Bar) else self.line(step, pose)
+        return across(self.heading(step, pose)) if isinstance(step, Bar) else self.line(step, pose)
 
     def components(self, step: Step, pose: Pose, rates: tuple[Rates, ...]) -> Iterator[Component]:
         """Yield the parts of a step's velocity (one order in ``rates``) or acceleration (two).
@@ -106,7 +138,7 @@ class ReferenceFrame:
         """
         last = rates[-1]
         if isinstance(step, Bar):
-            unit, size = pose.unit[step.link], self.size(step, pose)
+            unit, size = self.heading(step, pose), self.size(step, pose)
             if len(rates) > 1:
                 omega = rates[0].turning[step.link]
                 yield Component("normal", -unit, omega * omega * size)
@@ -124,5 +156,6 @@ def _power_of_two(linkage: Linkage) -> float:
     steps = [step for loop in linkage.loops for _, step in loop.steps()]
     sizes = [step.length for step in (*steps, *linkage.images) if isinstance(step, Bar)]
     sizes += [linkage.ground[1]] if linkage.ground else []
+    sizes += [abs(point - linkage.place) for point in linkage.fixed.values()]
     largest = max((abs(size) for size in sizes if isinstance(size, float)), default=1.0)
     return 2.0 ** math.frexp(largest)[1]

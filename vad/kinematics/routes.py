@@ -37,14 +37,16 @@ class Routes:
         step = hops[0][1] if len(hops) == 1 else None
         return step if isinstance(step, Slide) and isinstance(step.along, float) else None
 
-    def pin(self, letter: str) -> Bar | None:
-        """Return the driven crank, if a point is always where its pin is."""
-        hops = self._places[letter][1]
-        crank = hops[0][1] if hops else None
+    def pin(self, letter: str) -> tuple[str, Bar] | None:
+        """Return a fixed point and a bar of the driven crank, if a point is always at its head."""
+        start, hops = self._places[letter]
+        way, crank = hops[0] if hops else (0, None)
         if not isinstance(crank, Bar) or angle_of(crank.link) != self._frame.linkage.driver:
             return None
+        exact = start == self._frame.linkage.pivot or start in self._frame.linkage.fixed
         blocks = all(isinstance(s, Slide) and isinstance(s.along, str) for _, s in hops[1:])
-        return crank if blocks else None
+        forward = isinstance(crank.length, float) and way == 1
+        return (start, crank) if exact and forward and blocks else None
 
     def position(self, letter: str, pose: Pose) -> Number:
         """Return the position of a point in the solver's unit and frame."""
@@ -66,15 +68,16 @@ class Routes:
 
 
 def _place_costs(frame: ReferenceFrame) -> Costs:
-    """Cost lengths, for a short way rounds least, and links that only a later loop finds."""
-    later = {scalar for pair in frame.linkage.unknowns[1:] for scalar in pair}
+    """Cost lengths, for a short way rounds least, and links by the loops before they are found."""
+    pairs = enumerate(frame.linkage.unknowns)
+    before = {scalar: number for number, pair in pairs for scalar in pair}
 
     def cost(step: Step) -> float:
         if isinstance(step, Slide):
             return 1.0 if isinstance(step.along, str) else 1e-9
         # A lever's point under its block is where the pin is.
         size = 3.0 if isinstance(step.length, str) else abs(frame.size(step))
-        return size + 10.0 if angle_of(step.link) in later else size
+        return size + 10.0 * before.get(angle_of(step.link), 0)
 
     return {letter: abs(place) for letter, place in frame.fixed.items()}, cost
 
@@ -98,8 +101,8 @@ def _shortest(
             (costs[tail] + cost(step), head, tail, (way, step))
             for step in frame.steps
             for way, tail, head in (
-                (1, step.ends[0], step.ends[1]),
-                (-1, step.ends[1], step.ends[0]),
+                (1, step.tail, step.head),
+                (-1, step.head, step.tail),
             )
             if tail in routes and head not in routes
         ]

@@ -51,22 +51,22 @@ def _is_strut(step: Step, linkage: Linkage) -> TypeGuard[Bar]:
 def _fixed(linkage: Linkage) -> set[str]:
     """Return the letters of the fixed points: pivots, and the tails of guides."""
     steps = [step for loop in linkage.loops for _, step in loop.steps()]
-    moved = {step.ends[1] for step in steps}
-    guides = {s.ends[0] for s in steps if isinstance(s, Slide) and isinstance(s.along, float)}
+    moved = {step.head for step in steps}
+    guides = {s.tail for s in steps if isinstance(s, Slide) and isinstance(s.along, float)}
     ground = {linkage.ground[0]} if linkage.ground else set()
-    return {linkage.pivot} | ground | (guides - moved)
+    return {linkage.pivot, *linkage.fixed} | ground | (guides - moved)
 
 
 def _path(where: str, chain: tuple[Step, ...]) -> tuple[str, str]:
     """Return the letters at which a chain begins and ends."""
     if not chain:
         raise InputError(f"{where}: is empty")
-    start = here = chain[0].ends[-1 if chain[0].reverse else 0]
+    start = here = chain[0].start
     for step in chain:
-        run = step.ends[::-1] if step.reverse else step.ends
-        if run[0] != here:
+        if step.start != here:
+            run = step.start + step.end
             raise InputError(f"{where}: is broken, {run} does not begin at {here}")
-        here = run[1]
+        here = step.end
     return start, here
 
 
@@ -75,7 +75,8 @@ def _check_slide(where: str, way: int, slide: Slide, loop: Loop) -> None:
     carriers = [
         sense
         for sense, bar in loop.steps()
-        if isinstance(bar, Bar) and (bar.link, bar.length) == (slide.along, slide.name)
+        if isinstance(bar, Bar)
+        and (bar.link, bar.length, bar.turn) == (slide.along, slide.name, slide.turn)
     ]
     if not carriers:
         raise InputError(
@@ -92,11 +93,12 @@ def _check_slide(where: str, way: int, slide: Slide, loop: Loop) -> None:
 def _check_lengths(linkage: Linkage) -> None:
     """Check that a bar that is written twice has one length."""
     steps = [step for loop in linkage.loops for _, step in loop.steps()]
-    lengths: dict[tuple[str, str], float | str] = {}
+    first: dict[tuple[str, str], Bar] = {}
     for bar in (*steps, *linkage.images):
         if isinstance(bar, Bar):
-            length = lengths.setdefault((bar.link, bar.ends), bar.length)
-            if length != bar.length:
-                raise InputError(
-                    f"{bar.link}: {bar.ends} has two lengths, {length} and {bar.length}"
-                )
+            known = first.setdefault((bar.link, bar.ends), bar)
+            if known.length != bar.length:
+                lengths = f"{known.length} and {bar.length}"
+                raise InputError(f"{bar.link}: {bar.ends} has two lengths, {lengths}")
+            if (known.turn, known.offset) != (bar.turn, bar.offset):
+                raise InputError(f"{bar.link}: {bar.ends} has two directions")

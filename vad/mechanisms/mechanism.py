@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import KW_ONLY, dataclass, field, fields
 from types import MappingProxyType
 from typing import Any, ClassVar, TypeVar
@@ -16,6 +16,9 @@ CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}
 SHORTEST, LONGEST = 1e-200, 1e200
 #: Characters of a unit, which stands behind every number.
 LONGEST_UNIT = 60
+
+#: The quantities of parameters that are numbers; a plain number has no unit.
+NUMBERS = ("length", "angle", "number")
 
 #: Every mechanism class by the name that the command line knows.
 MECHANISMS: dict[str, type[Mechanism]] = {}
@@ -71,7 +74,7 @@ class Mechanism:
 
     name: ClassVar[str]
     title: ClassVar[str]
-    points: ClassVar[str]
+    points: ClassVar[Sequence[str]]
     links: ClassVar[dict[str, str]]
     slides: ClassVar[dict[str, str]] = {}
     inputs: ClassVar[Mapping[str, float]] = CRANK
@@ -80,10 +83,11 @@ class Mechanism:
     assembly: str = way("open", "crossed")
     length_unit: str = unit("mm")
 
-    def __init_subclass__(cls) -> None:
+    def __init_subclass__(cls, listed: bool = True) -> None:
         # Read-only: mechanisms share their defaults.
         cls.inputs = MappingProxyType(dict(cls.inputs))
-        MECHANISMS[cls.name] = cls
+        if listed:
+            MECHANISMS[cls.name] = cls
 
     def __post_init__(self) -> None:
         for parameter in fields(self):
@@ -137,6 +141,6 @@ class Mechanism:
         return {
             parameter.name: getattr(self, parameter.name)
             for parameter in fields(self)
-            if parameter.metadata["quantity"] in ("length", "angle")
+            if parameter.metadata["quantity"] in NUMBERS
             and getattr(self, parameter.name) is not None
         }

@@ -144,7 +144,7 @@ def problem_of(mechanism: Mechanism, inputs: Mapping[str, float]) -> Problem:
 
 def _side(linkage: Linkage, drive: Jet, assembly: str) -> int:
     """Return the side on which a pose closes; a parallelogram changes it at its change points."""
-    if linkage.parallel and linkage.ground:
+    if linkage.loops[0].parallel and linkage.ground:
         turned = math.remainder(drive.value - linkage.ground[2], 360.0)
         return 1 if turned > 0.0 else -1
     return 1 if assembly == "open" else -1
@@ -168,10 +168,10 @@ def _fixed_points(linkage: Linkage) -> dict[str, _Place]:
         letter, distance, degrees = linkage.ground
         places[letter] = _Place(0j, (Vector(1, distance, degrees),))
     steps = [step for loop in linkage.loops for _, step in loop.steps()]
-    moving = {step.ends[1] for step in steps}
+    moving = {step.head for step in steps}
     for step in steps:
-        if isinstance(step, Slide) and isinstance(step.along, float) and step.ends[0] not in moving:
-            places.setdefault(step.ends[0], _Place(step.origin))
+        if isinstance(step, Slide) and isinstance(step.along, float) and step.tail not in moving:
+            places.setdefault(step.tail, _Place(step.origin))
     return places
 
 
@@ -181,8 +181,7 @@ def _equation(
     """Return second chain - first chain = 0."""
     parts = []
     for sign, chain in ((-1, loop.first), (1, loop.second)):
-        start = chain[0].ends[1 if chain[0].reverse else 0]
-        parts.append(places.get(start, _Place(0j)).times(sign))
+        parts.append(places.get(chain[0].start, _Place(0j)).times(sign))
     vectors = []
     for sign, step in loop.steps():
         if isinstance(step, Bar):
@@ -190,8 +189,8 @@ def _equation(
             vectors.append(Vector(sign, length, angle_of(step.link)))
         elif isinstance(step.along, float):
             vectors.append(Vector(sign, length_of(step.name), step.along))
-            if step.ends[0] in places:  # the length is counted from the origin of the line
-                parts += [_Place(step.origin).times(sign), places[step.ends[0]].times(-sign)]
+            if step.tail in places:  # the length is counted from the origin of the line
+                parts += [_Place(step.origin).times(sign), places[step.tail].times(-sign)]
     vectors += [vector for part in parts for vector in part.vectors]
     total = sum(part.constant for part in parts)
     return LoopEquation(complex(total), tuple(_without_opposites(vectors)), unknowns)

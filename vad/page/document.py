@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import re
 from base64 import b64encode
+from collections.abc import Sequence
 from functools import cache
 from hashlib import sha256
 from html import escape
@@ -21,6 +22,8 @@ from vad.page.themed import themes, variables
 from vad.strokes.words import title
 from vad.style import load_style
 
+#: The style of what is printed, if the page has it.
+_PRINTED = "paper"
 _START = (
     "mount(document.querySelector('.vad'),JSON.parse(document.getElementById('data').textContent))"
 )
@@ -30,7 +33,8 @@ _START = (
 def asset(name: str) -> str:
     """Return a file of the page, ``player.html``, ``.css`` or ``.js``, without its comments."""
     text = (files(__package__) / name).read_text("utf-8")
-    return re.sub(r"^\s*(//[^\n]*\n\s*)*|/\*.*?\*/\s*", "", text, flags=re.MULTILINE | re.DOTALL)
+    text = re.sub(r"^\s*(//[^\n]*\n\s*)*|/\*.*?\*/\s*", "", text, flags=re.MULTILINE | re.DOTALL)
+    return re.sub(r"(?<=[:;{},])\s+|\s+(?=[{}])", "", text) if name.endswith(".css") else text
 
 
 def document(lesson: Lesson, start: int = 0) -> str:
@@ -56,7 +60,8 @@ def document(lesson: Lesson, start: int = 0) -> str:
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         '<meta name="viewport" content="width=device-width,initial-scale=1">\n'
         f"<title>{escape(title(lesson.sheet))}</title>\n"
-        f"<style>\n{made.faces.rules()}{asset('player.css')}{colours(lesson.style)}{made.looks}"
+        f"<style>\n{made.faces.rules()}{asset('player.css')}"
+        f"{colours(lesson.style, len(lesson.sheet.rows))}{made.looks}"
         f"</style>\n</head>\n<body>\n{section(lesson, made)}"
         f'<script type="application/json" id="data">{data}</script>\n'
         f'<script type="module">{script}</script>\n</body>\n</html>\n'
@@ -66,38 +71,41 @@ def document(lesson: Lesson, start: int = 0) -> str:
 def section(lesson: Lesson, made: Parts) -> str:
     """Return the parts of a lesson in their places, with its player."""
     names = " ".join(style.name for style in themes(load_style(lesson.style)))
-    strokes = phrases(lesson.sheet.language)["player"]["strokes"]
+    code, titles = lesson.sheet.language, [panel.title for panel in lesson.sheet.panels]
+    strokes = phrases(code)["player"]["strokes"]
     return (
         f'<main class="vad" data-theme="{lesson.style}" data-themes="{names}">\n'
         f'<div class="board"><header>{made.head}</header>\n'
         f'<div class="panels">{made.panels}</div>\n'
-        f'<div class="results">{made.table}</div>\n{player(lesson, made)}</div>\n'
+        f'<div class="results">{made.table}</div>\n'
+        f"{player(code, titles, made.chapters, len(lesson.steps), made.lines)}</div>\n"
         f'<section class="steps"><h2>{escape(strokes)}</h2>\n'
         f'<div class="lists">{made.steps}</div></section>\n</main>\n'
     )
 
 
-def player(lesson: Lesson, made: Parts) -> str:
-    """Return caption, scrubber and buttons, in the language of the lesson."""
-    said = phrases(lesson.sheet.language)["player"]
-    panels = lesson.sheet.panels
+def player(
+    code: str, titles: Sequence[str], chapters: str = "", count: int = 0, lines: int = 1
+) -> str:
+    """Return caption, scrubber and buttons in a language, for panels with these titles."""
+    said = phrases(code)["player"]
     return Template(asset("player.html")).substitute(
         {name.replace("-", "_"): escape(words) for name, words in said.items()},
-        chapters=made.chapters,
-        count=len(lesson.steps),
-        digits=" ".join(f"<kbd>{number}</kbd>" for number in range(1, len(panels) + 1)),
-        titles=escape(" / ".join(panel.title for panel in panels)),
-        lines=made.lines,
+        chapters=chapters,
+        count=count,
+        digits=" ".join(f"<kbd>{number}</kbd>" for number in range(1, len(titles) + 1)),
+        titles=escape(" / ".join(titles)),
+        lines=lines,
     )
 
 
-def colours(name: str) -> str:
-    """Return the rules that give a style's colours, and those of the other side of the board."""
-    own, *others = themes(load_style(name))
-    rules = f".vad{{{variables(own)}}}\n"
-    rules += "".join(f".vad[data-theme={each.name}]{{{variables(each)}}}\n" for each in others)
-    light = next((each for each in (own, *others) if each.name == "paper"), own)
-    return f"{rules}@media print{{.vad,.vad[data-theme]{{{variables(light)}}}}}\n"
+def colours(name: str, rows: int) -> str:
+    """Return the rules of a style's colours and of its other side, of which one is printed."""
+    sides = sorted(themes(load_style(name)), key=lambda side: side.name != _PRINTED)
+    return f".vad{{{variables(sides[0], rows)}}}\n" + "".join(
+        f"@media screen{{.vad[data-theme={side.name}]{{{variables(side, rows)}}}}}\n"
+        for side in sides[1:]
+    )
 
 
 def _json(data: object) -> str:

@@ -1,11 +1,12 @@
 """The drawings of a page: in comes a plan, out go its panels as SVG, and how their strokes grow.
 
-A group bears the beats between which it shows, ``data-b="3 5 9"``: from 3 until 5, and from 9 on.
-A mark that grows in the first of them has a group of its own, which names its growth, ``data-g``.
+A group bears the beat from which it shows, ``data-s="9"``, or those between which it does and is
+gone, ``data-b="3 5 7 9"``.  A mark that grows in the first of them names its growth, ``data-g``.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from typing import Any
 
@@ -19,7 +20,7 @@ from vad.painting.svg.set_text import SetText
 from vad.plan.board import Plan
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
-from vad.plan.items import ALWAYS, FOREVER, Level, Span
+from vad.plan.items import FOREVER, Level, Span
 from vad.plan.marks import Mark
 
 
@@ -41,7 +42,7 @@ class Inker:
         self.style = style
         self.growths: list[list[Any]] = []
         self._grid, self._inks = Grid(form), Inks(style)
-        self._elements = Elements(self._grid, self.classes, SetText(self.classes, faces))
+        self._elements = Elements(self._grid, self.classes, SetText(self.classes, faces, ""))
 
     def drawing(self, plan: Plan, panel: str) -> str:
         """Return the groups of a panel, in painting order."""
@@ -51,13 +52,11 @@ class Inker:
                 # What shows again and again, as the light on a link, is written once.
                 key = item.level, "".join(map(self._mark, item.marks))
                 groups.setdefault(key, []).append((item.since, item.until))
-        return "".join(
-            f"<g{when(spans, plan.finished)}>{marks}</g>" for (_, marks), spans in groups.items()
-        )
+        return "".join(f"<g{when(spans)}>{marks}</g>" for (_, marks), spans in groups.items())
 
     def mark(self, mark: Mark) -> str:
         """Return a mark as it stays."""
-        return self._elements.of(mark.shape, self._inks(mark))
+        return self._elements.of(mark.shape, self._inks(mark)).replace("\n", "")
 
     def view(self, area: Rect) -> str:
         """Return the view of an area of the page."""
@@ -67,21 +66,24 @@ class Inker:
     def _mark(self, mark: Mark) -> str:
         if not mark.growth:
             return self.mark(mark)
-        self.growths.append(grown(mark, self._grid))
-        return f'<g data-g="{len(self.growths) - 1}">{self.mark(mark)}</g>'
+        growth = grown(mark, self._grid)
+        if growth not in self.growths:
+            self.growths.append(growth)
+        element, number = self.mark(mark), self.growths.index(growth)
+        if element.count("<") > 1:  # with a halo, or a text
+            element = f"<g>{element}</g>"
+        return re.sub(r"(?<=^<)\w+", rf'\g<0> data-g="{number}"', element)
 
 
-def when(spans: Iterable[Span], finished: int) -> str:
-    """Return the attribute of what shows in spans of beats, and is off where it does not last.
+def when(spans: Iterable[Span]) -> str:
+    """Return the attribute of what shows in spans of beats.
 
     Examples
     --------
-    >>> when([(3, 5), (9, FOREVER)], 20), when([(3, 5)], 20), when([ALWAYS], 20)
-    (' data-b="3 5 9"', ' data-b="3 5" class="off"', '')
+    >>> when([(9, FOREVER)]), when([(3, 5), (7, 9)]), when([(0, FOREVER)])
+    (' data-s="9"', ' data-b="3 5 7 9"', '')
     """
-    spans = list(spans)
-    if spans == [ALWAYS]:
+    beats = [beat for span in spans for beat in span if beat != FOREVER]
+    if beats == [0]:
         return ""
-    beats = " ".join(str(beat) for span in spans for beat in span if beat != FOREVER)
-    off = all(not since <= finished < until for since, until in spans)
-    return f' data-b="{beats}"' + (' class="off"' if off else "")
+    return f' data-{"b" if len(beats) % 2 == 0 else "s"}="{" ".join(map(str, beats))}"'

@@ -25,7 +25,7 @@ def panel_section(board: Plan, panel: Panel, inker: Inker, words: Words) -> str:
     """Return a panel: its head, its drawing, and its equations."""
     unit = board.form.unit
     sketch, place = board.sketches[panel.name], board.page.panels[panel.name]
-    begun = when([(drawing(sketch.setting.first), FOREVER)], board.finished)
+    begun = when([(drawing(sketch.setting.first), FOREVER)])
     area, ink = place.drawing, reach(i for i in board.items if i.region == panel.name)
     name = words.of(roman(panel.title), light=False, heavy=True)
     scale = ""
@@ -64,6 +64,6 @@ def _piece(board: Plan, panel: Panel, piece: Piece, inker: Inker, words: Words) 
         colour = f";color:{lettered(inker.style.colour('row', setting.row(piece.term.link)))}"
         if piece.term.stroke:
             inked = setting.after(panel.number(piece.term.stroke))
-            beats = when([(inked, FOREVER)], board.finished)
+            beats = when([(inked, FOREVER)])
     says = f' style="{(space + colour).strip(";")}"' if space or colour else ""
     return f"<span{beats}{says}>{words.of(piece.runs)}</span>"

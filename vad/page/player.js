@@ -42,23 +42,25 @@ function arc(part, x, y, radius, start, sweep) {
 }
 
 // Shows a growing mark at a share; at 1 it is as it stays. See vad/page/growths.py.
-function growing(group, [kind, knots, x, y, ...bow]) {
-  const elements = [...group.children];
+function growing(mark, [kind, knots, x, y, ...bow]) {
+  const elements = mark.localName === "g" ? [...mark.children] : [mark];
   const data = elements.map((each) => each.getAttribute("d")), radii = elements.map((each) => +each.getAttribute("r"));
+  const draw = (part, path) =>
+    elements.forEach((each, i) => each.setAttribute("d", part < 1 ? path(data[i], part) : data[i]));
   const shows = {
-    trim: ([part]) => elements.forEach((each, i) => each.setAttribute("d", part < 1 ? trimmed(data[i], part) : data[i])),
-    bow: ([part]) => elements.forEach((each, i) => each.setAttribute("d", part < 1 ? arc(part, x, y, ...bow) : data[i])),
-    slide: ([right, down]) => group.setAttribute("transform", `translate(${right} ${down})`),
-    turn: ([degrees]) => group.setAttribute("transform", `rotate(${degrees} ${x} ${y})`),
+    trim: ([part]) => draw(part, trimmed),
+    bow: ([part]) => draw(part, () => arc(part, x, y, ...bow)),
+    slide: ([right, down]) => mark.setAttribute("transform", `translate(${right} ${down})`),
+    turn: ([degrees]) => mark.setAttribute("transform", `rotate(${degrees} ${x} ${y})`),
     scale: ([factor]) => elements.forEach((each, i) => each.setAttribute("r", factor * radii[i])),
-    fade: ([alpha]) => (group.lastElementChild.style.opacity = alpha),
+    fade: ([alpha]) => (elements.at(-1).style.opacity = alpha),
   };
   return (share) => shows[kind](between(knots, share));
 }
 
-// The beats between which an element shows: "3 5 9" is from 3 until 5, and from 9 on.
+// The beats between which an element shows: "3 5 7 9", or "9" from which on.
 function spans(element) {
-  const beats = element.dataset.b.split(" ").map(Number), pairs = [];
+  const beats = (element.dataset.b ?? element.dataset.s).split(" ").map(Number), pairs = [];
   for (let i = 0; i < beats.length; i += 2) pairs.push([beats[i], beats[i + 1] ?? Infinity]);
   return pairs;
 }
@@ -80,9 +82,9 @@ export function mount(root, data, { address = true } = {}) {
   function load(next, at = 0) {
     stop();
     lesson = { ...next, links: all(".steps a"), chapters: all(".chapters button"), pictures: all(".drawing svg"), panel: 0 };
-    lesson.timed = all("[data-b]").map((element) => [element, spans(element)]);
-    lesson.growing = all("[data-g]").map((group) =>
-      [spans(group.parentNode)[0][0], growing(group, lesson.grow[group.dataset.g])]);
+    lesson.timed = all("[data-s], [data-b]").map((element) => [element, spans(element)]);
+    lesson.growing = all("[data-g]").map((mark) =>
+      [spans(mark.parentNode)[0][0], growing(mark, lesson.grow[mark.dataset.g])]);
     scrub.max = strokes();
     beat = spoken = -1;
     paint(at);
@@ -104,7 +106,9 @@ export function mount(root, data, { address = true } = {}) {
     const was = beat;
     beat = now;
     for (const [element, times] of lesson.timed) {
-      element.classList.toggle("off", !times.some(([since, until]) => since <= now && now < until));
+      const shows = times.some(([since, until]) => since <= now && now < until);
+      element.classList.toggle("off", !shows);
+      element.classList.toggle("on", shows);
       element.classList.toggle("new", times[0][0] === now);
     }
     for (const [since, show] of lesson.growing) if (since === was) show(1);

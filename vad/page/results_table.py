@@ -61,9 +61,7 @@ def _cells(plan: Plan, panel: Panel, row: Row, words: Words) -> str:
     need = sum(width(_reading(plan, cell), SIZE) + EQUALS for cell in cells)
     small = f' style="font-size:{100 * room / need:.0f}%"' if need > room else ""
     written = "".join(_cell(plan, cell, words) for cell in cells)
-    return (
-        f'<td role="cell"><div{when([(since, FOREVER)], plan.finished)}{small}>{written}</div></td>'
-    )
+    return f'<td role="cell"><div{when([(since, FOREVER)])}{small}>{written}</div></td>'
 
 
 def _cell(plan: Plan, cell: Cell, words: Words) -> str:

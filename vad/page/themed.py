@@ -63,11 +63,11 @@ def _lines(style: Style) -> tuple[object, ...]:
     return style.lines, style.key, style.erase, len(style.inks)
 
 
-def variables(style: Style) -> str:
-    """Return the declarations of a style's colours."""
+def variables(style: Style, rows: int) -> str:
+    """Return the declarations of a style's colours, as far as so many rows need them."""
     colours = {ink: style.colour(ink, None) for ink in ("text", "grey", "hairline", "ground")}
     colours["tint"] = style.colour("tint", None)
-    for row, ink in enumerate(style.inks):
+    for row, ink in enumerate(style.inks[:rows]):
         colours[f"ink{row}"] = ink
         colours[f"tint{row}"] = style.colour("tint", row)
         colours[f"letter{row}"] = readable(ink, style)

@@ -97,8 +97,9 @@ def _parameters(scene: Scene) -> tuple[tuple[str, float, str], ...]:
     shown = []
     for name, value in mechanism.parameters().items():
         metadata = plain.__dataclass_fields__[name].metadata
-        if metadata["quantity"] == "length":
-            shown.append((scene.language.name(name), value, scene.unit))
+        if metadata["quantity"] != "angle":
+            unit = scene.unit if metadata["quantity"] == "length" else ""
+            shown.append((scene.language.name(name), value, unit))
         elif value and (value != plain.__dataclass_fields__[name].default or value % 90.0):
             shown.append((scene.language.name(name), value, "°"))
     return tuple(shown)

@@ -10,7 +10,15 @@ from collections.abc import Callable
 
 from vad.kinematics.evaluation import Evaluation
 from vad.kinematics.linkage import Linkage, Slide, angle_of
-from vad.kinematics.numbers import Number, degrees_of, direction, fold, positive, times
+from vad.kinematics.numbers import (
+    Number,
+    degrees_of,
+    direction,
+    fold,
+    positive,
+    times,
+    turned,
+)
 
 # What is read: the kind link, point or slide, its name, and which quantity of it.
 Result = tuple[str, str, str]
@@ -58,12 +66,17 @@ def _turning(evaluation: Evaluation, name: str, order: int) -> Number:
 def _position(evaluation: Evaluation, letter: str, order: int) -> Number:
     """Return where a point is: on its guide, on the driven crank, or at the end of its route."""
     routes = evaluation.solver.routes
+    linkage = evaluation.solver.linkage
+    if letter in linkage.fixed:
+        return linkage.fixed[letter]
     guide, pin = routes.guide(letter), routes.pin(letter)
     if guide:
         return guide.origin + _sliding(evaluation, guide.name, order) * heading(guide)
     if pin:
-        return evaluation.driver_direction * float(pin.length)
-    return _outward(evaluation, routes.position(letter, evaluation.pose))
+        start, bar = pin
+        along = turned(evaluation.driver_direction, bar.turn) * float(bar.length)
+        return linkage.fixed.get(start, linkage.place) + along
+    return _outward(evaluation, routes.position(letter, evaluation.pose)) + linkage.place
 
 
 def _motion(evaluation: Evaluation, letter: str, order: int) -> Number:

@@ -20,14 +20,20 @@ _OTHERS = "STIXGeneral,serif"
 
 
 class SetText:
-    """The text of one picture; ``faces`` collects the letters that its fonts need."""
+    """The text of one picture.
 
-    def __init__(self, classes: Classes, faces: Faces | None = None) -> None:
+    ``faces`` collects the letters that its fonts need; ``setting`` is what no style sheet around it
+    says of all text.
+    """
+
+    def __init__(
+        self, classes: Classes, faces: Faces | None = None, setting: str | None = None
+    ) -> None:
         self._classes = classes
         self._faces = faces or Faces(classes.shared(FAMILY))
-        self._setting = (
-            f"font-family:{self._faces.family},{_OTHERS};font-kerning:none;white-space:pre"
-        )
+        family = f"font-family:{self._faces.family},{_OTHERS}"
+        own = f"{family};font-kerning:none;white-space:pre"
+        self._setting = own if setting is None else setting
         self._beneath: set[str] = set()
 
     def element(self, text: Lettering, look: Look, grid: Grid) -> str:
@@ -63,9 +69,10 @@ class SetText:
         for stretch in line:
             says = _says(stretch)
             x, y = grid.at(text.at + text.size * stretch[0].at)
-            name = f'class="{self._classes.name(*says)}" ' if any(says) else ""
-            place = f'x="{x}"' if y == level else f'x="{x}" y="{y}"'
-            spans.append(f"<tspan {name}{place}>{self._words(stretch)}</tspan>")
+            name = f' class="{self._classes.name(*says)}"' if any(says) else ""
+            # The first one stands where its line does.
+            place = (f' x="{x}"' if spans else "") + (f' y="{y}"' if y != level else "")
+            spans.append(f"<tspan{name}{place}>{self._words(stretch)}</tspan>")
             level = y
         return "".join(spans)
 

@@ -115,12 +115,13 @@ def label_vertices(
     sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
 ) -> None:
     """Place the labels of all vertices, each once for all strokes."""
-    wishes = [_wish(vertex, vertices, radius, near) for vertex in vertices]
+    wishes = [wish(vertex, vertices, radius, near) for vertex in vertices]
     for index, placed in place_all(sketch.obstacles, wishes):
         _letter(sketch, vertices[index], placed)
 
 
-def _wish(vertex: Vertex, all_: Sequence[Vertex], radius: float, near: Sequence[float]) -> Wish:
+def wish(vertex: Vertex, all_: Sequence[Vertex], radius: float, near: Sequence[float]) -> Wish:
+    """Return what the label of a vertex asks for."""
     size = ink_size(symbols(vertex.label), LETTER)
     rivals = [other.at for other in all_ if other is not vertex]
     return Wish(vertex.at, outward(vertex.ways), *size, radius, near, rivals)

@@ -24,6 +24,7 @@ from vad.plan.sketch import Setting, Sketch
 from vad.strokes.language import Language
 from vad.strokes.sheet import Arrow, Dot, Line
 
+CORIOLIS = "2ωv"
 DOT = 0.0068
 NEAR = (0.014, 0.020, 0.027, 0.034)
 INSET_SIZES = (1.0, 0.8, 0.64)
@@ -117,4 +118,4 @@ def _name_coriolis(sketch: Sketch) -> None:
     for index, stroke in enumerate(setting.panel.strokes):
         if stroke.component == "coriolis" and isinstance(stroke.shape, Arrow):
             ends = sketch.scale(stroke.shape.start), sketch.scale(stroke.shape.end)
-            add_tag(sketch, stroke, "2ωv", ends, SMALL_SIZE, ALWAYS, setting.after(index))
+            add_tag(sketch, stroke, CORIOLIS, ends, SMALL_SIZE, ALWAYS, setting.after(index))

@@ -26,24 +26,29 @@ PAST = 0.014  # by which guides are longer than their block's way
 
 
 class MovingSkeleton:
-    """The mechanism of a turn."""
+    """The mechanism of a turn; ``angle`` says whether the axis of its angle is drawn."""
 
-    def __init__(self, setting: Setting, poses: Sequence[Panel], scale: Scale) -> None:
+    def __init__(
+        self, setting: Setting, poses: Sequence[Panel], scale: Scale, angle: bool = False
+    ) -> None:
         self._setting = setting
         self.scale = scale
         self.size = part_size(setting.panel, scale)
         self.radius = machine.JOINT_REACH * self.size
-        frame = tuple(stroke for stroke in poses[0].strokes if stroke.kind != "angle")
+        frame = tuple(s for s in poses[0].strokes if angle or s.kind != "angle")
         first = replace(setting, panel=replace(poses[0], strokes=frame))
         self.still = Sketch(first, scale, Obstacles(setting.room))
         add_axes(self.still, [])
         guides = [s for s in frame if isinstance(s.shape, Guide) and s.shape.side is not None]
-        ways = [self._guide(poses, stroke) for stroke in guides]
+        self._ways = [self._guide(poses, stroke) for stroke in guides]
         strokes = [self.pose(pose).obstacles for pose in poses]
         for _, point in fixed_points(poses[0]):
             self._pivot(scale(point), strokes)
+
+    def add_dimensions(self, poses: Sequence[Panel]) -> None:
+        """Write along each guide of the frame how far its block gets."""
         strokes = [self.pose(pose).obstacles for pose in poses]
-        for start, end, side in ways:
+        for start, end, side in self._ways:
             add_dimension(self.still, start, end, side, strokes)
 
     def pose(self, panel: Panel) -> Sketch:
