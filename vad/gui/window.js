@@ -78,8 +78,8 @@ function put(name, value, typed = false) {
 }
 
 function changed() {
+  if (player && !root.classList.contains("moving")) player.seek(Infinity);
   root.classList.add("moving");
-  player?.stop();
   [step, retry] = [null, null];
   want("pose");
   clearTimeout(timer);
@@ -142,17 +142,27 @@ function settle({ parameters, input, assembly }) {
   find("#assemblies").disabled = assembly === null;
 }
 
-function move({ panels, table, looks, scales: fresh, ways: sides }) {
+function move({ panels, rows, looks, scales: fresh, ways: sides }) {
   rules(looks);
-  const sections = [...find(".panels").children];
-  for (const [name, html] of panels) {
+  const sections = find(".panels").children, lines = find(".results tbody")?.children ?? [];
+  names.forEach((name, i) => sections[i].classList.toggle("stale", !panels.some(([each]) => each === name)));
+  for (const [name, scale, drawing] of panels) {
     const section = sections[names.indexOf(name)];
-    if (section) section.outerHTML = html;
+    if (!section) continue;
+    section.querySelector(".scale")?.remove();
+    section.querySelector(".top").insertAdjacentHTML("beforeend", scale);
+    section.querySelector(".drawing").outerHTML = drawing;
     glide(name, scales[name], fresh[name]);
   }
-  names.forEach((name, i) => find(".panels").children[i].classList.toggle("stale", !panels.some(([each]) => each === name)));
-  if (panels.length === names.length) find(".results").innerHTML = table;
+  if (panels.length === names.length && lines.length === rows.length)
+    rows.forEach((cells, i) => lines[i].replaceChildren(lines[i].firstElementChild, ...cells.map(cell)));
   [scales, ways] = [{ ...scales, ...fresh }, { ...ways, ...sides }];
+}
+
+function cell(html) {
+  const row = document.createElement("tr");
+  row.innerHTML = html;
+  return row.firstElementChild;
 }
 
 function play({ head, panels, table, chapters, steps, data, looks, scales: fresh }) {
