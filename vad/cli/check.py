@@ -15,7 +15,6 @@ from vad.files.places import PARALLEL
 if TYPE_CHECKING:
     from vad.files.examination import Choice, Examination, Found
 
-
 # A smaller sine is that of a dead centre, which a grid only nearly meets.
 _DEAD = 5e-4
 
@@ -26,10 +25,8 @@ _DEAD = 5e-4
 def command(file: str | None, as_json: bool) -> None:
     """Look at a mechanism's file: its joints, its dyads, and the range that closes."""
     if file is None:
-        raise UsageError(
-            "check needs a mechanism's file",
-            hint="vad example toggle-press > press.toml prints one",
-        )
+        hint = "vad check press.toml; vad example prints some to begin with"
+        raise UsageError("check needs a mechanism's file", hint)
     from vad.files.examination import examine
     from vad.files.loading import load
 
