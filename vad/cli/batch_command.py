@@ -11,7 +11,6 @@ from vad.cli.process import say
 from vad.cli.progress import progress, written
 from vad.errors import UsageError
 
-
 _HELP = """\
 Make problem sheets with their keys by the hundred.
 
