@@ -145,6 +145,14 @@ def _field_option(field: dataclasses.Field[Any], unit: str) -> click.Option:
             metavar="UNIT",
             help=f"{text}  [{default}]",
         )
+    if quantity == "points":
+        return click.Option(
+            ["--point", name],
+            callback=values.points(unit),
+            multiple=True,
+            metavar="'NAME on LINK DISTANCE at ANGLE'",
+            help=f"{text}; may be given again  [none]",
+        )
     shown = "none"
     if default is not None:
         shown = f"{typed(default)} {scene_unit(quantity, unit)}".strip()

@@ -40,7 +40,7 @@ def problem_of(mechanism: Mechanism, inputs: Mapping[str, float]) -> Problem:
     -1 (1000.0) along (the angle of link)
     +1 (the length of slider_b) along (90.0)
     """
-    linkage = mechanism.linkage()
+    linkage = mechanism.marked()
     crossed = mechanism.assembly == "crossed"
     reader = _Reader(linkage, -1 if crossed else 1)
     equations = tuple(
