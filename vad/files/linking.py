@@ -236,10 +236,13 @@ class _Linking:
         held = self._held(link)
         assert held is not None
         if link.cylinder:
-            tail, head = link.base if held == link.base[0] else link.base[::-1]
+            tail, head = link.base
+            turn = 1.0 + 0j
+            if held == head:
+                tail, head, turn = head, tail, -turn
             end = next(_free(STROKES, (*self.description.points, *self.under.values())))
-            stroke = Slide(tail + end, link.name, along=link.name)
-            return (*self.chains[held], stroke, Bar(end + head, link.name, link.name))
+            stroke = Slide(tail + end, link.name, along=link.name, turn=turn)
+            return (*self.chains[held], stroke, Bar(end + head, link.name, link.name, turn=turn))
         return (*self.chains[held], self._bar(link, held, point))
 
     def _slotted(self, link: Link, guide: Guide | None) -> tuple[Chain, Chain]:
