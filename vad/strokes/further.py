@@ -63,7 +63,7 @@ class FurtherPoints:
         base = self.scene.base(link)
         for centre in (base.tail, base.head):
             span = self.scene.span(centre, point)
-            size = Figure(span, self.scene.unit, given=True)
+            size = self.scene.measured(span, self.scene.unit)
             self.arc(Bar(centre + point, link, span), centre, point, size)
         parts = {"letter": point, "corners": base.ends + point}
         at = Dot(self.scene.at(point))

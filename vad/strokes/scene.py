@@ -54,6 +54,10 @@ class Scene:
         """Return where a point is, in the user's frame and unit."""
         return complex(self.motion.read(("point", point, "position")))
 
+    def measured(self, value: float, unit: str, power: int = 1) -> Figure:
+        """Return a number of a link's shape: as given where it is short, as somebody writes it."""
+        return Figure(value, unit, abs(value - float(f"{value:.6g}")) <= 1e-12 * abs(value), power)
+
     def span(self, point: str, other: str) -> float:
         """Return the distance of two points."""
         return abs(self.at(other) - self.at(point))
