@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import cast
 
 from vad.kinematics.frame import ReferenceFrame
-from vad.kinematics.linkage import Bar, Slide, Step, angle_of
+from vad.kinematics.linkage import Bar, Slide, Step, angle_of, scalar_of
 from vad.kinematics.numbers import Number
 from vad.kinematics.state import Pose, Rates
 
@@ -70,16 +70,13 @@ class Routes:
 
 
 def _place_costs(frame: ReferenceFrame) -> Costs:
-    """Cost lengths, for a short way rounds least, and links by the loops before they are found."""
-    pairs = enumerate(frame.linkage.unknowns)
-    before = {scalar: number for number, pair in pairs for scalar in pair}
+    """Cost lengths, for a short way rounds least."""
 
     def cost(step: Step) -> float:
         if isinstance(step, Slide):
             return 1.0 if isinstance(step.along, str) else 1e-9
         # A lever's point under its block is where the pin is.
-        size = 3.0 if isinstance(step.length, str) else abs(frame.size(step))
-        return size + 10.0 * before.get(angle_of(step.link), 0)
+        return 3.0 if isinstance(step.length, str) else abs(frame.size(step))
 
     return {letter: abs(place) for letter, place in frame.fixed.items()}, cost
 
@@ -94,13 +91,29 @@ def _motion_costs(frame: ReferenceFrame) -> Costs:
 
 
 def _shortest(
-    frame: ReferenceFrame, costs: dict[str, float], cost: Callable[[Step], float]
+    frame: ReferenceFrame, start: dict[str, float], cost: Callable[[Step], float]
 ) -> dict[str, Route]:
-    """Return the cheapest route to each letter, from letters with the given costs."""
+    """Return the best route to each letter, from letters with the given costs.
+
+    That is one over what is found early, for a later loop may be near a dead centre; and of those
+    the cheapest.
+    """
+    found = {
+        # Of two lines that cross, each length has an error of its own.
+        scalar: number + all(each.kind == "length" for each in pair)
+        for number, pair in enumerate(frame.linkage.unknowns)
+        for scalar in pair
+    }
     routes: dict[str, Route] = {letter: (letter, ()) for letter in frame.fixed}
+    costs = {letter: (0, start[letter]) for letter in frame.fixed}
     while True:
         candidates = [
-            (costs[tail] + cost(step), head, tail, (way, step))
+            (
+                (max(costs[tail][0], found.get(scalar_of(step), 0)), costs[tail][1] + cost(step)),
+                head,
+                tail,
+                (way, step),
+            )
             for step in frame.steps
             for way, tail, head in (
                 (1, step.tail, step.head),
@@ -111,5 +124,5 @@ def _shortest(
         if not candidates:
             return routes
         total, head, tail, hop = min(candidates, key=lambda candidate: candidate[0])
-        start, hops = routes[tail]
-        routes[head], costs[head] = (start, (*hops, hop)), total
+        start_letter, hops = routes[tail]
+        routes[head], costs[head] = (start_letter, (*hops, hop)), total

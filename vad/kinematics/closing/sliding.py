@@ -52,16 +52,16 @@ class AngleAndLengthLoop(LoopSolver):
     def limits(self) -> list[float]:
         """Return where the bar stands across its guide."""
         frame, size = self.frame, self.frame.size(self.step)
-        if self._moving:
-            return []
         if self.crank:
             height = -self.way * self.offset.imag
             angles = guide_limits(height, -self.way * self.crank.t, size)
             return [angle - self.crank.lead for angle in angles]
         line = self._guide(None)
         height = cross(line, -self.way * self.offset)
-        way, pushed = self.known[0]
-        if len(self.known) > 1 or length_of(getattr(pushed, "name", "")) != frame.linkage.driver:
+        if len(self.known) != 1 or self._moving:
+            return []
+        ((way, pushed),) = self.known
+        if length_of(getattr(pushed, "name", "")) != frame.linkage.driver:
             return []
         slope = cross(line, -self.way * way * frame.line(cast(Slide, pushed), None))
         return push_limits(height, slope, size)
