@@ -103,6 +103,23 @@ def test_outputs_in_one_page_do_not_disturb_each_other(page):
         assert page.locator("svg").nth(place).screenshot() == expected
 
 
+def test_a_lesson_plays_in_a_frame_that_knows_nothing_of_the_notebook(page):
+    html = LESSON._repr_mimebundle_(include={"text/html"})["text/html"]
+    page.set_content(page_of(html, html))
+    assert page.locator("iframe").first.get_attribute("title") == title(SHEET)
+    lesson, other = (page.frame_locator("iframe").nth(place) for place in (0, 1))
+    lesson.get_by_label("To the start").click()
+    lesson.locator("body").press("PageDown")
+    lesson.locator("body").press("Shift+PageDown")
+    count = f"1 / {len(SHEET.panels[0].strokes)}"
+    until(page, lambda: lesson.locator(".count").text_content() == count)
+    assert other.locator(".count").text_content() == ""
+    around = "() => { try { return parent.document.title } catch (error) { return error.name } }"
+    assert lesson.locator("body").evaluate(around) == "SecurityError"
+    fits = "body => body.ownerDocument.documentElement.scrollHeight <= innerHeight"
+    assert lesson.locator("body").evaluate(fits)
+
+
 def test_a_turn_is_a_film(page):
     html = TURN._repr_mimebundle_(include={"text/html"})["text/html"]
     page.set_content(page_of(html))

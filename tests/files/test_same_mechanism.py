@@ -12,6 +12,7 @@ import pytest
 
 import vad
 from tests.files.verified import BY_NAME, verified
+from vad.files.shape import fixed_points, posed_points
 
 each = pytest.mark.parametrize("name", list(BY_NAME))
 ANGLE, SHIFT = 37.0, 250 - 125j
@@ -66,7 +67,6 @@ def test_turned_and_moved_as_a_whole(name):
     own = verified(name)
     turn = cmath.exp(1j * np.radians(ANGLE))
     described, values = own.written.description, own.written.values
-    from vad.files.shape import fixed_points, posed_points
 
     def placed(place: complex) -> complex:
         return SHIFT + turn * place
@@ -84,8 +84,7 @@ def test_turned_and_moved_as_a_whole(name):
         (driver, inputs), *_ = given["driver"].items()
         moved["driver"] = {driver: {**inputs, "angle": inputs["angle"] + ANGLE}}
     mine, theirs = vad.mechanism(**moved), motion(own, case)
-    place, *rates = mine.inputs
-    at = theirs.inputs[next(iter(own.inputs))] + (ANGLE if place == "angle" else 0.0)
+    at = theirs.inputs[next(iter(own.inputs))] + (ANGLE if "angle" in own.inputs else 0.0)
     other = vad.solve(mine(), **dict(zip(mine.inputs, [at, *case["rates"]], strict=True)))
     for point in case["poses"][0]["points"]:
         here, there = theirs.point(point), other.point(point)

@@ -21,9 +21,9 @@ from vad.written import typed
 
 #: What the verbs' own options are called.
 OWN = {
-    *("at", "as_json", "blank", "fps", "from", "help", "json", "language", "output", "panels"),
-    *("paper", "size", "speed", "start", "steps", "still", "stop", "style", "subtitles", "to"),
-    *("turn", "version"),
+    *("at", "as_json", "blank", "fps", "from", "help", "json", "language", "no-browser"),
+    *("no_browser", "output", "panels", "paper", "port", "size", "speed", "start", "steps"),
+    *("still", "stop", "style", "subtitles", "to", "turn", "version"),
 }
 _INPUT_HELP = {
     "angle": "angle of the driven link",

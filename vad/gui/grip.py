@@ -10,7 +10,7 @@ from typing import Any
 import vad
 from vad.kinematics.motion import Motion
 from vad.plan.format import Format
-from vad.plan.pictures.skeleton import driven
+from vad.plan.live.live_skeleton import held
 from vad.plan.scale import Scale
 from vad.strokes.sheet import Arrow, Block, Panel
 
@@ -29,7 +29,7 @@ def grip(motion: Motion, panel: Panel, scale: Scale, form: Format) -> dict[str, 
     def place(z: complex) -> list[float]:
         return [round(z.real * form.unit, 2), round((form.height - z.imag) * form.unit, 2)]
 
-    index = driven(panel)
+    index = held(panel, motion.linkage.driver.name)
     if index is None:
         return None
     shape, name = panel.strokes[index].shape, next(iter(motion.mechanism.inputs))

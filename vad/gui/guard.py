@@ -110,7 +110,7 @@ class Guard:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer one request, or refuse it."""
-        way_in = self._welcome(Request(scope))
+        way_in = self._welcome(Request(scope)) if scope["type"] == "http" else None
         if way_in is not None:
             await way_in(scope, receive, send)
         else:

@@ -21,8 +21,8 @@ from vad.kinematics.motion import Motion
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
 from vad.page.ink import Inker
-from vad.page.panels import panel_section
-from vad.page.results_table import table
+from vad.page.panels import picture, scale_bar
+from vad.page.results_table import measured_cells
 from vad.page.themed import themed
 from vad.page.wording import Words
 from vad.painting.posed import SIZE
@@ -48,11 +48,11 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
     Returns
     -------
     dict
-        ``panels`` with name and HTML, ``table`` and ``looks`` as the parts of a page have them,
-        ``scales`` and ``ways`` for the next question, ``ranges`` of the driver that close,
-        ``handle`` (see `vad.gui.grip`), the ``results`` of ``vad solve --json``, and the
-        milliseconds that it took, ``ms``.  At a dead centre there is the position alone, and an
-        ``error``.
+        HTML in its places on a page: ``panels`` with name, scale bar and drawing, ``rows`` with
+        the cells of the table, and their ``looks``.  For the next question, ``scales`` and
+        ``ways``; for the hand, the ``ranges`` of the driver that close and the ``handle`` (see
+        `vad.gui.grip`).  The ``results`` of ``vad solve --json``, and the milliseconds that it
+        took, ``ms``.  At a dead centre there is the position alone, and an ``error``.
 
     Raises
     ------
@@ -77,11 +77,17 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
     shown = board.pose(sheet, scales, question.ways)
     style, faces = load_style(question.style), Faces()
     inker, words = Inker(FORM, themed(style), faces), Words(faces)
-    drawn = [[each.name, panel_section(shown.plan, each, inker, words)] for each in sheet.panels]
-    results = table(shown.plan, style.key, inker, words)
+    drawn = [
+        [each.name, scale_bar(shown.plan, each, words), picture(shown.plan, each, inker)]
+        for each in sheet.panels
+    ]
+    rows = [
+        [measured_cells(shown.plan, panel, row, words) for panel in sheet.panels]
+        for row in sheet.rows
+    ]
     return {
         "panels": drawn,
-        "table": results,
+        "rows": rows,
         "looks": inker.classes.sheet(),
         "scales": listed(shown.scales),
         "ways": {
@@ -149,7 +155,11 @@ def scale_of(values: tuple[float, float, float]) -> Scale:
 def listed(scales: Mapping[str, Scale]) -> Scales:
     """Return scales as a question has them; a panel with a single point has none."""
     return {
-        name: (scale.origin.real, scale.origin.imag, scale.factor)
+        name: (
+            round(scale.origin.real, 7),
+            round(scale.origin.imag, 7),
+            float(f"{scale.factor:.9g}"),
+        )
         for name, scale in scales.items()
         if not scale.bare
     }

@@ -14,7 +14,7 @@ from threading import Event, Thread
 import uvicorn
 
 from vad.errors import ExportError
-from vad.gui.app import application
+from vad.gui.endpoints import application
 from vad.gui.guard import Key
 from vad.gui.messages import ExportQuestion
 

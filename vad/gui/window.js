@@ -78,8 +78,8 @@ function put(name, value, typed = false) {
 }
 
 function changed() {
+  if (player && !root.classList.contains("moving")) player.seek(Infinity);
   root.classList.add("moving");
-  player?.stop();
   [step, retry] = [null, null];
   want("pose");
   clearTimeout(timer);
@@ -128,6 +128,7 @@ function take(kind, answer) {
   if (answer.ranges) [ranges, grip] = [answer.ranges, answer.handle];
   if (answer.panels) (kind === "pose" ? move : play)(answer);
   complain(answer.error);
+  if (kind === "lesson" && !answer.error) remember();
   if (answer.results) settle(answer.results);
   hold();
 }
@@ -142,17 +143,27 @@ function settle({ parameters, input, assembly }) {
   find("#assemblies").disabled = assembly === null;
 }
 
-function move({ panels, table, looks, scales: fresh, ways: sides }) {
+function move({ panels, rows, looks, scales: fresh, ways: sides }) {
   rules(looks);
-  const sections = [...find(".panels").children];
-  for (const [name, html] of panels) {
+  const sections = find(".panels").children, lines = find(".results tbody")?.children ?? [];
+  names.forEach((name, i) => sections[i].classList.toggle("stale", !panels.some(([each]) => each === name)));
+  for (const [name, scale, drawing] of panels) {
     const section = sections[names.indexOf(name)];
-    if (section) section.outerHTML = html;
+    if (!section) continue;
+    section.querySelector(".scale")?.remove();
+    section.querySelector(".top").insertAdjacentHTML("beforeend", scale);
+    section.querySelector(".drawing").outerHTML = drawing;
     glide(name, scales[name], fresh[name]);
   }
-  names.forEach((name, i) => find(".panels").children[i].classList.toggle("stale", !panels.some(([each]) => each === name)));
-  if (panels.length === names.length) find(".results").innerHTML = table;
+  if (panels.length === names.length && lines.length === rows.length)
+    rows.forEach((cells, i) => lines[i].replaceChildren(lines[i].firstElementChild, ...cells.map(cell)));
   [scales, ways] = [{ ...scales, ...fresh }, { ...ways, ...sides }];
+}
+
+function cell(html) {
+  const row = document.createElement("tr");
+  row.innerHTML = html;
+  return row.firstElementChild;
 }
 
 function play({ head, panels, table, chapters, steps, data, looks, scales: fresh }) {
@@ -194,6 +205,7 @@ function glide(name, old, fresh) {
 function complain(error) {
   broken = Boolean(error);
   root.classList.toggle("stale", broken && error.kind !== "dead-centre");
+  find(".results").classList.toggle("stale", error?.kind === "dead-centre");
   message.classList.toggle("wrong", broken);
   for (const [name, { box }] of fields) box.setAttribute("aria-invalid", error?.field === name);
   const text = error ? error.message : catalogue[set.mechanism].title;
@@ -209,7 +221,6 @@ function complain(error) {
     mend.onclick = () => changed();
     if (error?.hint) find(".message span").textContent = `${error.message} (${error.hint})`;
   }
-  if (!error) remember();
 }
 
 // ---- by hand -----------------------------------------------------------------------------------

@@ -11,9 +11,9 @@ from html import escape
 from importlib.resources import files
 from string import Template
 
-from vad.gui.catalogue import catalogue
 from vad.gui.messages import ExportQuestion
 from vad.gui.saving import MEDIA
+from vad.gui.settable import catalogue
 from vad.mechanisms import MECHANISMS
 from vad.page.document import asset, colours, player
 from vad.page.phrases import phrases

@@ -12,6 +12,7 @@ from vad.strokes.sheet import Panel
 
 #: Of its panel, a polygon fills at least this; where a new scale is found, it leaves that to spare.
 LEAST, SPARE = 0.22, 0.20
+_ROUNDING = 1e-6
 
 
 def calm_scale(panel: Panel, room: Rect, before: Scale | None) -> Scale:
@@ -23,7 +24,7 @@ def calm_scale(panel: Panel, room: Rect, before: Scale | None) -> Scale:
     if fitting.bare:
         return before
     inner = padded(room, position=False)
-    fits = all(inner.holds(before(point)) for point in points)
+    fits = all(inner.holds(before(point), _ROUNDING) for point in points)
     if fits and before.factor >= LEAST * fitting.factor:
         return before
     return fill(points, room, position=False, factor=fitting.factor / (1.0 + SPARE))

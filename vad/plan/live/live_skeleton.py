@@ -33,7 +33,7 @@ from vad.plan.pictures.speed import add_speed
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.moving_skeleton import MovingSkeleton
 from vad.plan.turning.turn_scale import mechanism_scale
-from vad.strokes.sheet import Arc, Arrow, Panel
+from vad.strokes.sheet import Arc, Arrow, Block, Panel
 
 _TURNS = range(0, 360, 30)
 _CLEAR = 0.010  # about the arrow
@@ -100,10 +100,19 @@ class LiveSkeleton:
         return places[int(met.argmin())]
 
 
+def held(panel: Panel, driver: str) -> int | None:
+    """Return the number of the stroke that draws the driven bar, strut or block."""
+    for index, stroke in enumerate(panel.strokes):
+        if stroke.link == driver and isinstance(stroke.shape, Arrow | Block):
+            return index
+    return None
+
+
 def _clear_grip(sketch: Sketch) -> None:
     """Keep labels clear of the handle on what is driven."""
-    index = driven(sketch.setting.panel)
-    shape = None if index is None else sketch.setting.panel.strokes[index].shape
+    panel, sheet = sketch.setting.panel, sketch.setting.sheet
+    index = held(panel, given_rate(sheet, "ω")[0] or given_rate(sheet, "v")[0])
+    shape = None if index is None else panel.strokes[index].shape
     if isinstance(shape, Arrow):
         sketch.obstacles.disc(sketch.scale(shape.end), GRIP)
 

@@ -1,0 +1,65 @@
+"""Lessons for the tests of the page, written once and opened in the browser."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+import vad
+from vad.lecture.lesson import Lesson
+from vad.page.document import document
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Page
+
+#: With all that can be: a rod and a ram besides the mechanism.
+PARTS = {"crank-slotted-lever": {"rod": 120, "ram_height": 140}, "whitworth": {"rod": 120}}
+LESSONS = [(name, {}) for name in vad.MECHANISMS] + list(PARTS.items())
+
+
+@cache
+def lesson_of(name: str, code: str = "en", style: str = "paper", whole: bool = False) -> Lesson:
+    """Return the lesson of a mechanism; ``whole`` is with its rod and ram."""
+    mechanism = vad.MECHANISMS[name](**(PARTS.get(name, {}) if whole else {}))
+    rates = {"alpha": 3.0} if "alpha" in mechanism.inputs else {}
+    return vad.animate(vad.draw(vad.solve(mechanism, **rates), language=code), style=style)
+
+
+@cache
+def page_of(name: str, code: str = "en", style: str = "paper", whole: bool = False) -> str:
+    """Return its page."""
+    return document(lesson_of(name, code, style, whole))
+
+
+def show(page: Page, folder: Path, html: str, hash_: str = "") -> None:
+    """Open a page from a file."""
+    file = folder / "lesson.html"
+    file.write_text(html, "utf-8")
+    page.goto(file.as_uri() + hash_)
+
+
+def scrub(page: Page, x: float) -> None:
+    """Move the scrubber, as a pointer that holds it does."""
+    page.evaluate(
+        "x => { const s = document.querySelector('.scrub'); s.value = x;"
+        " s.dispatchEvent(new Event('input')); }",
+        x,
+    )
+
+
+def at(page: Page) -> float:
+    """Return how many strokes are drawn."""
+    return float(page.locator(".scrub").input_value())
+
+
+def pixels(page: Page) -> NDArray[np.uint8]:
+    """Return what the window shows."""
+    import io
+
+    from PIL import Image
+
+    return np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB"))
