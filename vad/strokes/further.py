@@ -56,7 +56,7 @@ class FurtherPoints:
     def _tip(self, bar: Bar) -> None:
         """Draw a point on the line of its link."""
         self.found.add(bar.head)
-        self.ink.bar(bar, "result", "tip against" if bar.against else "tip", image=True)
+        self.ink.bar(bar, "result", "tip against" if self.scene.against(bar) else "tip", image=True)
 
     def _third(self, link: str, point: str) -> None:
         """Find the third corner of a triangle by two arcs."""

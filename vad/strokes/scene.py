@@ -86,6 +86,12 @@ class Scene:
         across = ((other - one).conjugate() * (third - one)).imag
         return abs(across) <= IN_LINE * abs(other - one) * abs(third - one)
 
+    def against(self, bar: Bar) -> bool:
+        """Tell whether a bar points against the one that its link is found by."""
+        base = self.base(bar.link)
+        known, own = (self.at(each.head) - self.at(each.tail) for each in (base, bar))
+        return (own * known.conjugate()).real < 0.0
+
     def base(self, link: str) -> Bar:
         """Return the bar of a link that its loop finds: both its ends are known before others."""
         steps = (step for loop in self.motion.linkage.loops for _, step in loop.steps())
