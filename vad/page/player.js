@@ -182,7 +182,8 @@ export function mount(root, data, { address = true } = {}) {
   }
 
   function tick(time) {
-    let left = Math.max(0, time - then) / 1000 * speed.value, at = x;
+    // A page that was hidden goes on where it was.
+    let left = clamp(time - then, 0, 250) / 1000 * speed.value, at = x;
     then = time;
     while (left > 0 && (rest > 0 || at < goal)) {
       const stroke = Math.floor(at), [grow, hold] = lesson.times[stroke] ?? [0, 0];
