@@ -121,11 +121,11 @@ async function pump() {
     const [kind, asked, answer] = await pending;
     asking = false;
     pending = wanted ? send() : null; // the next question goes out before this answer is painted
-    if (asked.mechanism === set.mechanism) take(kind, answer);
+    if (asked.mechanism === set.mechanism) take(kind, asked, answer);
   }
 }
 
-function take(kind, answer) {
+function take(kind, asked, answer) {
   if (answer.ranges) [ranges, grip] = [answer.ranges, answer.handle];
   if (answer.panels) (kind === "pose" ? move : play)(answer);
   complain(answer.error);
@@ -134,17 +134,17 @@ function take(kind, answer) {
     if (!answer.error) remember();
     else if (answer.error.kind === "dead-centre") want("pose"); // the position is there
   }
-  if (answer.results) settle(answer.results);
+  if (answer.results) settle(answer.results, { ...asked.parameters, ...asked.inputs });
   hold();
 }
 
 // Boxes in which a text with a unit was written show what it came to.
-function settle({ parameters, input, assembly }) {
+function settle({ parameters, input, assembly }, asked) {
   for (const [name, value] of Object.entries({ ...parameters, ...input })) {
     const { box } = fields.get(name), own = group(name);
-    const text = typeof own[name] === "string" && own[name] === box.value.trim();
-    if (typeof own[name] === "string") own[name] = value;
-    if (text || document.activeElement !== box) show(name, own[name]);
+    if (typeof own[name] !== "string" || own[name] !== asked[name]) continue;
+    own[name] = value;
+    if (box.value.trim() === asked[name]) show(name, value);
   }
   find("#assemblies").disabled = assembly === null;
 }
