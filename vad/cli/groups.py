@@ -11,6 +11,7 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
+from vad.cli.naming import kind_of
 from vad.cli.options import build, mechanism_options
 from vad.errors import UsageError, unknown
 from vad.mechanisms import MECHANISMS
@@ -99,9 +100,7 @@ class MechanismGroup(click.Group):
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command:
         """Return the command for the mechanism called ``cmd_name``."""
-        kind = MECHANISMS.get(cmd_name)
-        if kind is None:
-            raise unknown("mechanism", cmd_name, MECHANISMS)
+        kind = kind_of(cmd_name)
 
         def act(**values: Any) -> None:
             mechanism, inputs, own = build(kind, values)

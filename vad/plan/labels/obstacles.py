@@ -99,22 +99,22 @@ class Obstacles:
 
     def covered(self, start: complex, end: complex) -> float:
         """Return how much of a leader would lie on strokes; it never runs through a label."""
-        if not self.clear_of_labels(start, end, 1.5 * PIXEL):
+        if not self.clear_of_labels([(start, end)], 1.5 * PIXEL).all():
             return math.inf
         steps = max(2, int(abs(end - start) / (3.0 * PIXEL)))
         centres = [start + (end - start) * i / steps for i in range(1, steps)]
         lies_on = ~self.free(centres, 0.0, 0.0, PIXEL)
         return float(lies_on.sum()) * abs(end - start) / steps
 
-    def clear_of_labels(self, start: complex, end: complex, half_width: float) -> bool:
-        """Tell whether a straight stroke would meet no box."""
-        if not self.boxes:
-            return True
+    def clear_of_labels(self, lines: Sequence[tuple[complex, complex]], half_width: float) -> Bools:
+        """Tell for each straight stroke, given by its ends, whether it would meet no box."""
         at = np.array([box.centre for box, _ in self.boxes])
         wide = np.array([box.width / 2 for box, _ in self.boxes])
         high = np.array([box.height / 2 for box, _ in self.boxes])
-        line = np.array([start]), np.array([end]), np.array([half_width])
-        return not bool(_meets(at, (wide[:, None], high[:, None]), *line).any())
+        starts, ends = np.array(lines, dtype=np.complex128).T
+        halves = np.full(len(lines), half_width)
+        meets = _meets(at, (wide[:, None], high[:, None]), starts, ends, halves)
+        return np.array([not each.any() for each in meets.T])
 
 
 def _near(

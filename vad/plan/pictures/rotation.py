@@ -135,7 +135,7 @@ def add_sense(sketch: Sketch, index: int | None, shape: Arc, sense: float) -> No
             continue
         if strict and not obstacles.free(line, 0.0, 0.0, 0.008).all():
             continue
-        if not all(obstacles.clear_of_labels(*ends, 0.004) for ends in itertools.pairwise(line)):
+        if not obstacles.clear_of_labels(list(itertools.pairwise(line)), 0.004).all():
             continue
         marks = [*sense_arrow(centre, radius, middle, sign * span, row), letter]
         sketch.add(stroke, Level.LABEL, setting.after(index), marks)
