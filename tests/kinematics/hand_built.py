@@ -94,6 +94,21 @@ def watt_1() -> Linkage:
     )
 
 
+def watt_2() -> Linkage:
+    """Two four-bars that share a ternary rocker DCE."""
+    return Linkage(
+        angle_of("crank"),
+        (
+            Loop((Bar("AB", "crank", 70), Bar("BC", "coupler", 220)), (Bar("DC", "rocker", 150),)),
+            Loop(
+                (Bar("DE", "rocker", 120, turn=turn(-80)), Bar("EF", "link", 160)),
+                (Bar("GF", "output", 130),),
+            ),
+        ),
+        fixed={"D": 220 + 0j, "G": 420 - 40j},
+    )
+
+
 def stephenson_3() -> Linkage:
     """A coupler with a corner, and a third pivot."""
     be = corner(110, 75, 70)
@@ -286,4 +301,5 @@ BUILT: dict[str, Callable[[], Linkage]] = {
     "toggle-press": toggle_press,
     "trammel": trammel,
     "watt-1": watt_1,
+    "watt-2": watt_2,
 }

@@ -23,7 +23,7 @@ WIDTH, HEIGHT = 1280, 720
 #: So many pixels of a panel may be off by a quarter: a browser sets letters on whole pixels.
 OFF = 0.01
 #: And nowhere may a square of so many pixels differ, be it faintly (of 255 steps).
-SQUARE, FAINT = 4, 12
+SQUARE, FAINT = 5, 12
 #: All lessons at every stroke take minutes: VAD_FULL=1.
 FULL = bool(os.environ.get("VAD_FULL"))
 SAMPLE = {"crank-slotted-lever": 9, "gate-actuator": 12, "four-bar": 13}

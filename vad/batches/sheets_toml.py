@@ -43,9 +43,9 @@ def read_toml(text: str, path: Path) -> list[Job]:
     for name, value in source.table("vary").items():
         with written_at(source.place("vary", name)):
             vary.append((name, offered(kind, name, value, words.get("length_unit"))))
-    place = source.place("sheet", "")
+    keep, place = _keep(source), source.place("sheet", "")
     with written_at(place):
-        common = recipe(mechanism, body, tuple(vary), words, _keep(source))
+        common = recipe(mechanism, body, tuple(vary), words, keep)
     count = words.get("count", 1)
     width = max(3, len(str(count)))
     return [Job(common, number, f"{number:0{width}}", place) for number in range(1, count + 1)]

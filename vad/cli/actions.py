@@ -83,16 +83,18 @@ def animate(
 ) -> None:
     """Write the film in which one pose is drawn stroke by stroke, one step of it, or a turn."""
     if turn:
-        if still is not None or subtitles:
-            name = "--subtitles" if still is None else "--still"
-            raise UsageError(f"{name} does not go with --turn, which draws no strokes one by one")
+        of_strokes = {"--still": still is not None, "--subtitles": subtitles}
+        for name, given in (of_strokes | {"--loop": "loop" in options}).items():
+            if given:
+                why = "which draws no strokes one by one"
+                raise UsageError(f"{name} does not go with --turn, {why}")
         _turn(mechanism, inputs, output, **options)
         return
     kind = format_of(Lesson if still is None else Still, output)
     if subtitles and (still is not None or kind not in _SUBTITLED):
         hint = "as in -o lecture.mp4 --subtitles; or -o lecture.srt alone"
         raise UsageError(f"--subtitles go beside a film, not beside '{output}'", hint)
-    timing = _pop(options, "fps", "size", "speed", "style")
+    timing = _pop(options, "fps", "size", "speed", "style", "loop")
     sheet = vad.draw(vad.solve(mechanism, **inputs), **options)
     lesson = vad.animate(sheet, **timing)
     if still is not None:

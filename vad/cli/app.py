@@ -148,6 +148,12 @@ _FILM = [
         help="one step as a picture (.png, .svg, .pdf): 4, or velocity:4  [the film]",
     ),
     click.Option(["--turn"], is_flag=True, help="a full turn, and the polygons live with it"),
+    click.Option(
+        ["--loop"],
+        type=int,
+        metavar="NUMBER",
+        help="the dyad with which the pencil starts; those before it are there  [1]",
+    ),
     click.Option(["--subtitles"], is_flag=True, help="FILE.srt and FILE.vtt beside the film, too"),
 ]
 

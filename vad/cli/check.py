@@ -9,21 +9,24 @@ import click
 
 from vad.cli import completion
 from vad.cli.groups import HelpfulCommand
+from vad.errors import UsageError
 from vad.files.places import PARALLEL
 
 if TYPE_CHECKING:
     from vad.files.examination import Choice, Examination, Found
-
 
 # A smaller sine is that of a dead centre, which a grid only nearly meets.
 _DEAD = 5e-4
 
 
 @click.command("check", cls=HelpfulCommand)
-@click.argument("file", shell_complete=completion.a_file)
+@click.argument("file", required=False, shell_complete=completion.a_file)
 @click.option("--json", "as_json", is_flag=True, help="as JSON, with all digits")
-def command(file: str, as_json: bool) -> None:
+def command(file: str | None, as_json: bool) -> None:
     """Look at a mechanism's file: its joints, its dyads, and the range that closes."""
+    if file is None:
+        hint = "vad check press.toml; vad example prints some to begin with"
+        raise UsageError("check needs a mechanism's file", hint)
     from vad.files.examination import examine
     from vad.files.loading import load
 
@@ -44,12 +47,10 @@ def _text(examined: Examination) -> str:
     ]
     widths = [max((len(row[i]) for row in rows), default=0) for i in range(5)]
     lines = [
-        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True))
+        " " + "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
         for row in rows
     ]
-    return "\n".join(
-        line.rstrip() for line in [head, *(f" {line}" for line in lines), _range(examined)]
-    )
+    return "\n".join([head, *lines, _range(examined), *_changes(examined)])
 
 
 def _places(found: Found) -> str:
@@ -66,10 +67,23 @@ def _at(place: complex) -> str:
     return f"({place.real + 0.0:.4g}, {place.imag + 0.0:.4g})"
 
 
+def _unit(examined: Examination) -> str:
+    """Return the unit of the driver's place, with the space before it."""
+    turns = examined.mechanism.written.description.driver.kind == "angle"
+    return "°" if turns else f" {examined.mechanism.length_unit}"
+
+
+def _changes(examined: Examination) -> list[str]:
+    """Say where it passes a change point."""
+    return [
+        f"dyad {change.loop + 1}: {change.words(_unit(examined))}" for change in examined.changes
+    ]
+
+
 def _range(examined: Examination) -> str:
     """Say where it closes and where it is nearest to a dead centre."""
-    turns = examined.mechanism.written.description.driver.kind == "angle"
-    unit = "°" if turns else f" {examined.mechanism.length_unit}"
+    unit = _unit(examined)
+    turns = unit == "°"
     name = next(iter(examined.mechanism.inputs))
     if turns and examined.closes == ((0.0, 360.0),):
         said = "closes for every angle"
@@ -115,4 +129,8 @@ def _data(examined: Examination) -> dict[str, Any]:
         "dead_centre": None
         if near is None
         else {"at": near.place, "dyad": near.dyad, "sine": near.sine},
+        "change_points": [
+            {"at": change.place, "dyad": change.loop + 1, "parallel": change.parallel}
+            for change in examined.changes
+        ],
     }

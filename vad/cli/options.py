@@ -21,9 +21,9 @@ from vad.written import typed
 
 #: What the verbs' own options are called.
 OWN = {
-    *("at", "as_json", "blank", "fps", "from", "help", "json", "language", "output", "panels"),
-    *("paper", "size", "speed", "start", "steps", "still", "stop", "style", "subtitles", "to"),
-    *("turn", "version"),
+    *("at", "as_json", "blank", "fps", "from", "help", "json", "language", "no-browser"),
+    *("no_browser", "output", "panels", "paper", "port", "size", "speed", "start", "steps"),
+    *("still", "stop", "style", "subtitles", "to", "turn", "version"),
 }
 _INPUT_HELP = {
     "angle": "angle of the driven link",
@@ -144,6 +144,14 @@ def _field_option(field: dataclasses.Field[Any], unit: str) -> click.Option:
             is_eager=True,
             metavar="UNIT",
             help=f"{text}  [{default}]",
+        )
+    if quantity == "points":
+        return click.Option(
+            ["--point", name],
+            callback=values.points(unit),
+            multiple=True,
+            metavar="'NAME on LINK DISTANCE at ANGLE'",
+            help=f"{text}; may be given again  [none]",
         )
     shown = "none"
     if default is not None:

@@ -42,6 +42,35 @@ def places() -> Callback:
     return _callback(places_of)
 
 
+def points(length_unit: str) -> Callback:
+    """Read points on links, each with a distance and perhaps an angle."""
+
+    def points_of(
+        words: tuple[str, ...], ctx: click.Context
+    ) -> dict[str, tuple[str, float, float]]:
+        unit, found = ctx.params.get("length_unit") or length_unit, {}
+        for word in words:
+            name, place = _point(word, unit)
+            if name in found:
+                raise UsageError(f"point {name}: is given twice")
+            found[name] = place
+        return found
+
+    return _callback(points_of)
+
+
+def _point(word: str, unit: str) -> tuple[str, tuple[str, float, float]]:
+    """Read ``D on rod 100``, ``D on rod 100 30`` or ``D on rod 10 cm at 30 deg``."""
+    read = re.fullmatch(r"\s*(\S+)\s+on\s+(\S+)\s+(\S.*?)(?:\s+at\s+(\S.*?))?\s*", word)
+    if read is None:
+        raise UsageError(f"{shown(word)} is no point of a link", hint="as in 'D on rod 100 at 30'")
+    name, link, distance, angle = read.groups()
+    if angle is None and (pair := re.fullmatch(r"(\S+)\s+([-+\N{MINUS SIGN}.\d]\S*)", distance)):
+        distance, angle = pair.groups()
+    size = units.read(distance, "length", unit)
+    return name, (link.replace("-", "_"), size, units.read(angle or "0", "angle", unit))
+
+
 def places_of_points() -> Callback:
     """Read the places of points, as in ``B=left``, with commas between them."""
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from vad.files.dyads import Dyad
 from vad.files.written_mechanism import Written, WrittenMechanism
+from vad.kinematics.change_points import ChangePoint, change_points
 from vad.kinematics.linkage import Loop
 from vad.kinematics.reach import closing_range
 from vad.kinematics.solver import solver_of
@@ -62,12 +63,15 @@ class Examination:
         The ranges of the driver, in degrees or in the unit of length.
     nearest
         Where it is nearest to a dead centre; None for what has no dyad, or closes nowhere.
+    changes
+        Its change points, at which two motions go on.
     """
 
     mechanism: WrittenMechanism
     found: tuple[Found, ...]
     closes: tuple[tuple[float, float], ...]
     nearest: Nearest | None
+    changes: tuple[ChangePoint, ...]
 
 
 def examine(kind: type[WrittenMechanism]) -> Examination:
@@ -84,7 +88,8 @@ def examine(kind: type[WrittenMechanism]) -> Examination:
         )
         found.append(Found(dyad, _what(written, dyad), _equation(loop), choices))
     ranges = tuple(closing_range(mechanism))
-    return Examination(mechanism, tuple(found), ranges, _nearest(mechanism, ranges))
+    nearest, changes = _nearest(mechanism, ranges), change_points(mechanism)
+    return Examination(mechanism, tuple(found), ranges, nearest, changes)
 
 
 def _nearest(

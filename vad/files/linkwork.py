@@ -6,7 +6,7 @@ In comes ``{ BC = 120, BE = 180, CBE = 30 }``, out goes a `Link`; lengths are no
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from vad.errors import InputError, shown
@@ -15,6 +15,7 @@ from vad.files.expressions import Expression
 from vad.files.parameters import Numbers
 
 _POINT = r"[A-Z][0-9]*"
+Angle = tuple[str, str, str]
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 VARIABLE = "variable"
 
@@ -69,7 +70,7 @@ class _LinkReader:
     def measured(self, value: Mapping[str, Any]) -> Link:
         """Return a link that is written with its distances."""
         pairs: dict[Pair, Any] = {}
-        angles: dict[tuple[str, str, str], Any] = {}
+        angles: dict[Angle, Any] = {}
         side = 1
         for key, number in value.items():
             points = letters(key)
@@ -112,26 +113,15 @@ class _LinkReader:
         self,
         base: Pair,
         sizes: dict[Pair, Expression],
-        angles: dict[tuple[str, str, str], Any],
+        angles: dict[Angle, Any],
         side: int,
     ) -> dict[str, Rule]:
         """Return the rules of further points; each needs points that are known before it."""
         known, rules = list(base), dict[str, Rule]()
         while sizes:
-            held = {point for pair in sizes for point in pair if sum(p in known for p in pair) == 1}
-            new = [point for pair in sizes for point in pair if point in held - set(known)]
-            if not new:
-                pair = "".join(next(iter(sizes)))
-                if all(point in known for point in next(iter(sizes))):
-                    raise self.error(f"{pair} is fixed already by the other distances")
-                raise self.error(f"{pair} does not lead to another point of the link")
-            # A point to which two distances lead waits until both their other ends are known.
-            ready = [p for p in new if all(_other(each, p) in known for each in sizes if p in each)]
-            if not ready:
-                raise self.error(f"{', '.join(new)}: cannot be found one after another")
-            point = ready[0]
-            own = {pair: sizes.pop(pair) for pair in list(sizes) if point in pair}
-            turned = [each for each in angles if point in (each[0], each[2])]
+            point = self._next(known, sizes, angles)
+            own = {pair: sizes.pop(pair) for pair in _leading_to(point, known, sizes)}
+            turned = _turning(point, known, angles)
             if len(own) > 2 or (turned and len(own) > 1) or len(turned) > 1:
                 raise self.error(f"{point} is fixed twice")
             if turned:
@@ -153,9 +143,24 @@ class _LinkReader:
             raise self.error(f"{text}: no distance leads to {angle[2]}", hint)
         return rules
 
-    def _aside(
-        self, point: str, own: tuple[Pair, Expression], angle: tuple[str, str, str], value: Any
-    ) -> Aside:
+    def _next(
+        self, known: Sequence[str], sizes: Mapping[Pair, Any], angles: Mapping[Angle, Any]
+    ) -> str:
+        """Return a point that can be found: better one to which nothing more will lead."""
+        new = [p for pair in sizes for p in pair if p not in known and _other(pair, p) in known]
+        if not new:
+            pair = next(iter(sizes))
+            if all(point in known for point in pair):
+                raise self.error(f"{''.join(pair)} is fixed already by the other distances")
+            raise self.error(f"{''.join(pair)} does not lead to another point of the link")
+        for point in new:
+            here = _leading_to(point, known, sizes)
+            whole = len(here) == sum(point in pair for pair in sizes)
+            if whole or len(here) > 1 or _turning(point, known, angles):
+                return point
+        return new[0]
+
+    def _aside(self, point: str, own: tuple[Pair, Expression], angle: Angle, value: Any) -> Aside:
         pair, length = own
         text = "".join(angle)
         start, other = angle[1], angle[0] if point == angle[2] else angle[2]
@@ -166,6 +171,17 @@ class _LinkReader:
             "links", self.name, text, value, "angle", signed=True, help=f"angle {text}"
         )
         return Aside(start, other, length, turn, 1 if point == angle[2] else -1)
+
+
+def _leading_to(point: str, known: Sequence[str], sizes: Mapping[Pair, Any]) -> list[Pair]:
+    """Return the pairs that lead from known points to another one."""
+    return [pair for pair in sizes if point in pair and _other(pair, point) in known]
+
+
+def _turning(point: str, known: Sequence[str], angles: Mapping[Angle, Any]) -> list[Angle]:
+    """Return the angles between known points and another one."""
+    ends = [angle for angle in angles if point in (angle[0], angle[2])]
+    return [angle for angle in ends if {*angle} - {point} <= set(known)]
 
 
 def _other(pair: Pair, point: str) -> str:

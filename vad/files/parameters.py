@@ -28,6 +28,8 @@ RESERVED = frozenset(
         "length_unit",
         "name",
         "title",
+        "letters",
+        "marked",
         "points",
         "links",
         "slides",

@@ -208,7 +208,7 @@ def _made(written: Written, assembly: Assembly) -> type[WrittenMechanism]:
             "__module__": __name__,
             "name": name,
             "title": description.title,
-            "points": (*description.points, *names_under(description).values()),
+            "letters": (*description.points, *names_under(description).values()),
             "links": {each.name: "".join(each.base) for each in description.links.values()},
             "slides": slides | cylinders,
             "inputs": description.driver.inputs,

@@ -128,6 +128,7 @@ function take(kind, answer) {
   if (answer.ranges) [ranges, grip] = [answer.ranges, answer.handle];
   if (answer.panels) (kind === "pose" ? move : play)(answer);
   complain(answer.error);
+  if (kind === "lesson" && !answer.error) remember();
   if (answer.results) settle(answer.results);
   hold();
 }
@@ -204,6 +205,7 @@ function glide(name, old, fresh) {
 function complain(error) {
   broken = Boolean(error);
   root.classList.toggle("stale", broken && error.kind !== "dead-centre");
+  find(".results").classList.toggle("stale", error?.kind === "dead-centre");
   message.classList.toggle("wrong", broken);
   for (const [name, { box }] of fields) box.setAttribute("aria-invalid", error?.field === name);
   const text = error ? error.message : catalogue[set.mechanism].title;
@@ -219,7 +221,6 @@ function complain(error) {
     mend.onclick = () => changed();
     if (error?.hint) find(".message span").textContent = `${error.message} (${error.hint})`;
   }
-  if (!error) remember();
 }
 
 // ---- by hand -----------------------------------------------------------------------------------

@@ -100,7 +100,8 @@ def _flat_places(solver: Solver, number: int, low: float, high: float) -> Iterat
             if closes and near < sine:
                 place, sine = other, near
         if sine < _FLAT:
-            same = exact[np.abs(exact - place) < _SAME * (high - low)]
+            marks = np.append(exact, 0.0)  # and zero, where symmetry puts it
+            same = marks[np.abs(marks - place) < _SAME * (high - low)]
             place = same[0] if same.size else place
             yield float(positive(place - 360.0 * (place >= 360.0)) if turns else place)
 

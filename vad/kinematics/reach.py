@@ -108,10 +108,12 @@ def limits(solver: Solver) -> NDArray[np.float64]:
 
 
 def _sizes(frame: ReferenceFrame) -> list[float]:
-    """Return the lengths of all bars in the user's unit."""
+    """Return the lengths of all bars in the user's unit, and how far fixed points and lines are."""
     lengths = [step.length for step in frame.steps if isinstance(step, Bar)]
     lengths += [frame.linkage.ground[1]] if frame.linkage.ground else []
-    lengths += [abs(point - frame.linkage.place) for point in frame.linkage.fixed.values()]
+    guides = [s for s in frame.steps if isinstance(s, Slide) and isinstance(s.along, float)]
+    fixed = [*frame.places.values(), *(guide.origin for guide in guides)]
+    lengths += [abs(point - frame.linkage.place) for point in fixed]
     return [abs(length) for length in lengths if isinstance(length, float)]
 
 

@@ -37,7 +37,7 @@ OFTEN = 50
 @lru_cache(maxsize=64)
 def solver_of(mechanism: Mechanism) -> Solver:
     """Return the solver of a mechanism, made once."""
-    return Solver(mechanism.linkage(), -1.0 if mechanism.assembly == "crossed" else 1.0)
+    return Solver(mechanism.marked(), -1.0 if mechanism.assembly == "crossed" else 1.0)
 
 
 class Solver:

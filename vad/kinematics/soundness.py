@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 from typing import TypeGuard
 
 from vad.errors import InputError
@@ -16,6 +17,7 @@ def check(linkage: Linkage) -> None:
     vad.errors.InputError
         For the first that does not hold, with the number of its loop.
     """
+    _check_fixed(linkage)
     fixed = _fixed(linkage)
     for number, (loop, unknowns) in enumerate(
         zip(linkage.loops, linkage.unknowns, strict=True), start=1
@@ -41,6 +43,17 @@ def check(linkage: Linkage) -> None:
             elif _is_strut(step, linkage) and start == other_start:
                 raise InputError(f"{where}: {step.link} must lead between two fixed points")
     _check_lengths(linkage)
+
+
+def _check_fixed(linkage: Linkage) -> None:
+    """Check that every fixed point is somewhere, and there alone."""
+    for name, place in {linkage.pivot: linkage.place, **linkage.fixed}.items():
+        if not cmath.isfinite(place):
+            raise InputError(f"fixed point {name}: must be at a finite place, got {place}")
+    names = [linkage.pivot, *linkage.fixed, *(linkage.ground or ())[:1]]
+    for name in names:
+        if names.count(name) > 1:
+            raise InputError(f"fixed point {name}: is given twice")
 
 
 def _is_strut(step: Step, linkage: Linkage) -> TypeGuard[Bar]:

@@ -17,7 +17,7 @@ class FourBar(Mechanism):
 
     name = "four-bar"
     title = "Four-bar"
-    points = "ABCD"
+    letters = "ABCD"
     links = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
 
     ground: float = length(100.0, "distance AD of the pivots")

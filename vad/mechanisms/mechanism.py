@@ -10,6 +10,7 @@ from typing import Any, ClassVar, TypeVar
 
 from vad.errors import InputError, one_of, shown
 from vad.kinematics.linkage import Linkage
+from vad.mechanisms.link_points import LinkPoints, link_points, marked
 
 CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}
 # Between these, products of four lengths stay in the range of double precision when scaled.
@@ -56,15 +57,25 @@ def way(*choices: str) -> str:
     return field(default=choices[0], metadata=metadata)
 
 
+Place = tuple[str, float] | tuple[str, float, float]
+
+
+def on_links() -> Mapping[str, Place]:
+    """Declare further points on the links, by name; none are the default."""
+    metadata = {"quantity": "points", "help": "a point D of a link, as in 'D on rod 100 at 30'"}
+    return field(default=LinkPoints(), metadata=metadata)
+
+
 @dataclass(frozen=True)
 class Mechanism:
     """A linkage with its parameters; each kind is a subclass in a file of its own.
 
     A subclass states its parameters as dataclass fields, those that are given by name alone after
     ``_: KW_ONLY``, and as class variables its `name` on the command line, its `title`, the
-    `points`, `links` and `slides` that it reports (links with the letters of their ends, slides
-    with the letter that slides), and its `inputs` with their defaults.  `linkage` returns its
-    loops.
+    `letters` of its points, the `links` and `slides` that it reports (links with the letters of
+    their ends, slides with the letter that slides), and its `inputs` with their defaults.
+    `linkage` returns its loops.  Its user may mark further `points`, each by the name of a link,
+    a distance from that link's first end, and perhaps an angle from its line in degrees.
 
     Raises
     ------
@@ -74,7 +85,7 @@ class Mechanism:
 
     name: ClassVar[str]
     title: ClassVar[str]
-    points: ClassVar[Sequence[str]]
+    letters: ClassVar[Sequence[str]]
     links: ClassVar[dict[str, str]]
     slides: ClassVar[dict[str, str]] = {}
     inputs: ClassVar[Mapping[str, float]] = CRANK
@@ -82,6 +93,7 @@ class Mechanism:
     _: KW_ONLY
     assembly: str = way("open", "crossed")
     length_unit: str = unit("mm")
+    points: Mapping[str, Place] = on_links()
 
     def __init_subclass__(cls, listed: bool = True) -> None:
         # Read-only: mechanisms share their defaults.
@@ -92,7 +104,7 @@ class Mechanism:
     def __post_init__(self) -> None:
         for parameter in fields(self):
             self._check(parameter.name, parameter.metadata)
-        self._check_names(self.linkage())
+        self._check_names(self.marked())
 
     def _check(self, name: str, metadata: Any) -> None:
         value = getattr(self, name)
@@ -103,6 +115,8 @@ class Mechanism:
                 raise InputError(f"{name}: must be the name of a unit, got {shown(value)}")
             if len(value) > LONGEST_UNIT:
                 raise InputError(f"{name}: must be short, got {shown(value)}")
+        elif metadata["quantity"] == "points":
+            object.__setattr__(self, name, link_points(value))
         elif value is not None or not metadata["optional"]:
             object.__setattr__(self, name, self._number(name, value, metadata["signed"]))
 
@@ -135,6 +149,10 @@ class Mechanism:
     def linkage(self) -> Linkage:
         """Return the loops of this mechanism."""
         raise TypeError(f"{type(self).__name__} declares no linkage")
+
+    def marked(self) -> Linkage:
+        """Return its loops, with the points that are marked on its links."""
+        return marked(self.linkage(), link_points(self.points), self.links, {*self.letters})
 
     def parameters(self) -> dict[str, float]:
         """Return the numeric parameters that are set, by name."""

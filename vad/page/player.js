@@ -53,7 +53,8 @@ function growing(mark, [kind, knots, x, y, ...bow]) {
     slide: ([right, down]) => mark.setAttribute("transform", `translate(${right} ${down})`),
     turn: ([degrees]) => mark.setAttribute("transform", `rotate(${degrees} ${x} ${y})`),
     scale: ([factor]) => elements.forEach((each, i) => each.setAttribute("r", factor * radii[i])),
-    fade: ([alpha]) => (elements.at(-1).style.opacity = alpha),
+    // A halo repeats its text with <use>, and stays.
+    fade: ([alpha]) => (elements.at(-1).style[mark.querySelector("text") ? "fillOpacity" : "opacity"] = alpha),
   };
   return (share) => shows[kind](between(knots, share));
 }

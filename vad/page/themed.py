@@ -49,7 +49,8 @@ def lettered(colour: str) -> str:
 
 def themed(style: Style) -> Themed:
     """Return a style with variables for colours."""
-    return Themed(**{each.name: getattr(style, each.name) for each in fields(Style)})
+    told = {each.name: getattr(style, each.name) for each in fields(Style)}
+    return Themed(**told | {"background": "var(--ground)"})
 
 
 def themes(style: Style) -> list[Style]:

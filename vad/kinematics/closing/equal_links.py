@@ -47,8 +47,7 @@ class EqualLinks:
         self._crank = crank
         (self._driver,) = turns.keys() - {GROUND}
         self._copies = {
-            bar.link: (source, sense * turns[source] * bar.turn.conjugate())
-            for bar, (source, sense) in copies.items()
+            bar.link: (source, sense * turns[source]) for bar, (source, sense) in copies.items()
         }
         self._slide = slide
         self._applies = applies

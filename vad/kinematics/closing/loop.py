@@ -40,8 +40,7 @@ class LoopSolver:
         self.known = [(way, s) for way, s in loop.steps() if scalar_of(s) not in unknown]
         self._unknown_lengths = {s.name for s in (self.step, self.other) if isinstance(s, Slide)}
         starts = [chain[0].start for chain in (loop.first, loop.second)]
-        fixed = frame.fixed
-        self.offset = 0j if starts[0] == starts[1] else fixed[starts[1]] - fixed[starts[0]]
+        self.offset = 0j if starts[0] == starts[1] else frame.between(*starts)
         for way, step in loop.steps():
             if isinstance(step, Slide) and not step.through_tail:
                 self.offset += way * frame.shift(step)
@@ -141,7 +140,7 @@ class LoopSolver:
         for way, step in self.known:
             if isinstance(step, Bar) and step.length in self._unknown_lengths:
                 if step.offset:  # a known link's bar to the zero of its slot
-                    unit = turned(pose.unit[step.link], step.turn)
+                    unit = self.frame.unit(step.link, pose, step.turn)
                     total = total + way * times(unit, step.offset / self.frame.scale)
             else:
                 total = total + way * self.frame.displacement(step, pose)
@@ -154,7 +153,7 @@ class LoopSolver:
 
     def lay(self, pose: Pose, bar: Bar, heading: Number) -> None:
         """Write the link of a bar into ``pose``, by where the bar points in the loop's own axes."""
-        pose.unit[bar.link] = turned(heading, self.axis * bar.turn.conjugate())
+        pose.unit[bar.link] = turned(heading, self.axis)
 
     def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
         """Find the two unknown rates of the highest order and write them into ``rates[-1]``."""

@@ -37,8 +37,9 @@ class ParallelLoop(LoopSolver):
         if not known and self.offset:
             link, vector = GROUND, ground * self.offset
         elif len(known) == 1 and isinstance(known[0], Bar):
-            link, vector = known[0].link, known[0].turn * self.frame.size(known[0])
-            vector = -vector if known[0].reverse else vector
+            link, size = known[0].link, self.frame.size(known[0])
+            along = self.frame.found_along.get(link, 1.0 + 0j)
+            vector = (-size if known[0].reverse else size) * known[0].turn * along.conjugate()
         else:
             raise InputError(f"parallel: {bar.ends} has no bar opposite")
         length, size = abs(vector), self.frame.size(bar)
@@ -48,14 +49,13 @@ class ParallelLoop(LoopSolver):
                 f"{abs(length - size) * self.frame.scale:.4g}",
                 hint="a parallelogram has equal opposite sides",
             )
-        return link, vector / length * bar.turn.conjugate()
+        return link, vector / length
 
     def close(self, pose: Pose) -> None:
         """Lay each bar along what it copies."""
         for bar, (source, turn) in self._copies.items():
             pose.unit[bar.link] = turned(pose.unit[source], turn)
-        first, second = (self.frame.heading(bar, pose) for bar in self._copies)
-        pose.sine.append(cross(first, second))
+        pose.sine.append(cross(pose.unit[self.step.link], pose.unit[self.other.link]))
 
     def move(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
         """Copy the rates, at the change points too."""

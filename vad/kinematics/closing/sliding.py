@@ -10,7 +10,7 @@ from vad.kinematics.closing.equal_links import equal_rod
 from vad.kinematics.closing.limits import guide_limits, push_limits, triangle_limits
 from vad.kinematics.closing.loop import LoopSolver
 from vad.kinematics.linkage import Bar, Slide, length_of, scalar_of
-from vad.kinematics.numbers import Number, cross, fold, nonzero, select, times, turned
+from vad.kinematics.numbers import Number, cross, fold, nonzero, select, times
 from vad.kinematics.state import Pose
 
 
@@ -52,16 +52,16 @@ class AngleAndLengthLoop(LoopSolver):
     def limits(self) -> list[float]:
         """Return where the bar stands across its guide."""
         frame, size = self.frame, self.frame.size(self.step)
-        if self._moving:
-            return []
         if self.crank:
             height = -self.way * self.offset.imag
             angles = guide_limits(height, -self.way * self.crank.t, size)
             return [angle - self.crank.lead for angle in angles]
         line = self._guide(None)
         height = cross(line, -self.way * self.offset)
-        way, pushed = self.known[0]
-        if len(self.known) > 1 or length_of(getattr(pushed, "name", "")) != frame.linkage.driver:
+        if len(self.known) != 1 or self._moving:
+            return []
+        ((way, pushed),) = self.known
+        if length_of(getattr(pushed, "name", "")) != frame.linkage.driver:
             return []
         slope = cross(line, -self.way * way * frame.line(cast(Slide, pushed), None))
         return push_limits(height, slope, size)
@@ -72,8 +72,7 @@ class AngleAndLengthLoop(LoopSolver):
         lean, length, sine = self._closure.close(gap, guide, pin)
         self.lay(pose, self.step, lean if guide == 1.0 else times(guide, lean))
         if self.frame.angle and not self._moving:
-            along = turned(lean, self.step.turn.conjugate())
-            pose.leaning[self.step.link] = (-self.way * self.other_way) * along
+            pose.leaning[self.step.link] = (-self.way * self.other_way) * lean
         pose.length[self.other.name] = length + self._advance
         pose.sine.append(sine)
 

@@ -136,6 +136,5 @@ class StrutLoop(TwoAnglesLoop):
         arm_axis = vector(at_arm / arm, sine)
         ground_axis = over(vector(at_ground, -arm * sine), self.offset.real)
         seen = Pose({GROUND: turned(ground_axis, self.axis.conjugate())}, pose.length, pose.sine)
-        seen.unit[self.step.link] = self.step.turn.conjugate()
-        seen.unit[self.other.link] = turned(arm_axis, self.other.turn.conjugate())
+        seen.unit |= {self.step.link: 1.0 + 0j, self.other.link: arm_axis}
         super().cross(seen, rates, sine)

@@ -19,7 +19,7 @@ from vad.plan.lettering.runs import Runs, symbols
 from vad.plan.marks import Lettering, Mark, line
 from vad.plan.scale import Scale
 from vad.plan.sketch import Sketch, Tag
-from vad.strokes.sheet import Arrow, Dot, Line, Panel
+from vad.strokes.sheet import Arrow, Dot, Line, Panel, Plate
 
 LETTER = 0.040
 COINCIDENT = 0.012
@@ -61,6 +61,8 @@ def corners(panel: Panel) -> list[complex]:
             points.append(stroke.shape.at)
         elif isinstance(stroke.shape, Arrow):
             points += [stroke.shape.start, stroke.shape.end]
+        elif isinstance(stroke.shape, Plate):
+            points += stroke.shape.corners
         elif isinstance(stroke.shape, Line):
             points += [stroke.shape.through, stroke.shape.until]
     return points
@@ -88,6 +90,12 @@ def find_vertices(panel: Panel, scale: Scale) -> list[Vertex]:
             way = direction_of(scale(shape.start), scale(shape.end))
             tail.ways.append(way)
             head.ways.append(-way)
+        elif isinstance(shape, Plate):
+            places = list(map(scale, shape.corners))
+            for letter, at in zip(shape.letters, shape.corners, strict=True):
+                others = [place for place in places if place != scale(at)]
+                ways = [direction_of(scale(at), other) for other in others]
+                vertex(letter, at, index).ways.extend(ways)
     return [spot for spot in _merged(found) if spot.letters]
 
 

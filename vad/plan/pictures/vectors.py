@@ -18,6 +18,7 @@ from vad.plan.marks import Mark, disc
 from vad.plan.pictures.arrows import add_vector, place_vectors
 from vad.plan.pictures.constructions import add_construction, line_of, name_construction
 from vad.plan.pictures.inset import Inset, add_inset, draw_inset, find_corner, reserved
+from vad.plan.pictures.plates import add_triangles
 from vad.plan.roles import DOT_RIM
 from vad.plan.scale import fill
 from vad.plan.sketch import Setting, Sketch
@@ -58,6 +59,7 @@ def _sketch(setting: Setting, room: Rect) -> Sketch:
     sketch = Sketch(setting, scale, Obstacles(setting.room))
     vertices = find_vertices(panel, scale)
     placed = place_vectors(sketch)
+    add_triangles(sketch)
     for index, stroke in enumerate(panel.strokes):
         if isinstance(stroke.shape, Arrow):
             add_vector(sketch, index, placed[index])

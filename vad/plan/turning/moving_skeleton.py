@@ -20,7 +20,7 @@ from vad.plan.pictures.supports import WAYS, add_axes, block_pivot, fixed_points
 from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.dimension import add_dimension
-from vad.strokes.sheet import Arrow, Block, Guide, Panel, Stroke
+from vad.strokes.sheet import Arrow, Block, Guide, Panel, Plate, Stroke
 
 PAST = 0.014  # by which guides are longer than their block's way
 
@@ -58,7 +58,9 @@ class MovingSkeleton:
         sketch = Sketch(setting, self.scale, obstacles)
         for index in painting_order(panel):
             shape = panel.strokes[index].shape
-            if isinstance(shape, Arrow | Block) or (isinstance(shape, Guide) and not shape.side):
+            if isinstance(shape, Arrow | Block | Plate) or (
+                isinstance(shape, Guide) and not shape.side
+            ):
                 add_stroke(sketch, index)
         for vertex in find_vertices(panel, self.scale):
             sketch.add(None, Level.DOT, 0, [joint_of(sketch, vertex)])
