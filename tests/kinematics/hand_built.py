@@ -43,25 +43,20 @@ class HandBuilt:
 
     @property
     def points(self) -> list[str]:
-        """Every point by name."""
         return list(dict.fromkeys(p for step in self.steps for p in (step.tail, step.head)))
 
     @property
     def inputs(self) -> Mapping[str, float]:
-        """Any motion of the driver."""
         return CRANK if self.built.driver.kind == "angle" else STROKE
 
     def linkage(self) -> Linkage:
-        """Return the loops."""
         return self.built
 
     def parameters(self) -> dict[str, Any]:
-        """Return nothing: the numbers stand in the loops."""
-        return {}
+        return {}  # the numbers stand in the loops
 
 
 def turn(degrees: float) -> complex:
-    """Return the direction at an angle in degrees."""
     return cmath.rect(1.0, math.radians(degrees))
 
 
