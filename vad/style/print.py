@@ -15,7 +15,7 @@ STYLE = Style(
         LineStyle(0.85, (6.0, 1.3, 1.2, 1.3)),
         LineStyle(1.0, (1.1, 1.1)),
         LineStyle(0.7, (7.0, 1.3, 1.1, 1.3, 1.1, 1.3)),
-        LineStyle(1.3, (1.1, 3.0)),
+        LineStyle(0.6, (3.0, 3.0)),
         LineStyle(0.9, (8.0, 1.6)),
         LineStyle(1.2, (2.4, 1.1, 1.1, 1.1)),
     ),
