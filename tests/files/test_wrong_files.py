@@ -72,6 +72,8 @@ def test_the_lesson_itself_is_right():
         (DC, 'DC = "9**9**9**9"', 8, "has no value", None),
         # names
         (ROCKER, "angle = { DC = 80 }", 8, "angle: is a word of the program's own", "angle_1"),
+        (ROCKER, "letters = { DC = 80 }", 8, "letters: is a word of the program's own", "_1"),
+        (ROCKER, "length_unit = { DC = 80 }", 8, "length_unit: is a word of the", "_1"),
         (ROCKER, "lambda = { DC = 80 }", 8, "lambda: is a word of the program's own", "lambda_1"),
         (TITLE, '"x"\n[dimensions]\ncrank = 3', 8, "two numbers of this name", None),
         (ROCKER, '"a b" = { DC = 80 }', 5, "a b: must be one word", "feed_rod"),

@@ -13,31 +13,15 @@ from vad.errors import InputError, shown
 from vad.files.description import Cartesian, Parameter
 from vad.files.expressions import Expression
 from vad.files.tables import Source
+from vad.mechanisms.mechanism import Mechanism
 from vad.units import read
 
 #: Names of inputs, and of what every mechanism has.
-RESERVED = frozenset(
-    {
-        "angle",
-        "omega",
-        "alpha",
-        "position",
-        "velocity",
-        "acceleration",
-        "assembly",
-        "length_unit",
-        "name",
-        "title",
-        "letters",
-        "marked",
-        "points",
-        "links",
-        "slides",
-        "inputs",
-        "linkage",
-        "parameters",
-    }
-)
+RESERVED = {
+    *("angle", "omega", "alpha", "position", "velocity", "acceleration", "written"),
+    *Mechanism.__annotations__,
+    *dir(Mechanism),
+}
 
 
 class Numbers:
@@ -54,7 +38,7 @@ class Numbers:
     def dimensions(self) -> None:
         """Take in the table of dimensions; one may be an expression of those above it."""
         for name, value in self.source.table("dimensions").items():
-            if not name.isidentifier():
+            if not name.isidentifier() or name.startswith("_"):
                 raise self._error("dimensions", name, f"{name}: must be one word")
             taken = self.take("dimensions", name, name, value, "number", signed=True)
             if taken.text != name:
