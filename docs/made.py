@@ -64,7 +64,7 @@ def _reported(kind: type[Mechanism]) -> str:
     """Say what the results are called."""
     links = [f"`{name}` {ends}" for name, ends in kind.links.items()]
     slides = [f"`{name}` at {point}" for name, point in kind.slides.items()]
-    points = [f"`{letter}`" for letter in kind.points]
+    points = [f"`{letter}`" for letter in kind.letters]
     named = {"Links": links, "Slides": slides, "Points": points}
     return " · ".join(f"{what}: {', '.join(each)}" for what, each in named.items() if each) + "."
 

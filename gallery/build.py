@@ -1,4 +1,5 @@
-"""Builds the gallery: every mechanism in every style as a poster and a film, and a contact sheet.
+"""Builds the gallery: every mechanism in every style as a poster and a film, and a contact sheet;
+mechanisms from files in one style; lessons as pages.
 
 ``python gallery/build.py`` writes them beside itself, with a page that shows them all;
 ``python gallery/build.py --check`` builds them elsewhere and names those that differ.
@@ -10,6 +11,7 @@ import argparse
 import multiprocessing
 import sys
 import tempfile
+from collections.abc import Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
 from dataclasses import replace
 from pathlib import Path
@@ -20,6 +22,7 @@ from PIL.PngImagePlugin import PngInfo
 
 import vad
 from vad.export.palette import Palette, fine
+from vad.files.examples import example_path
 from vad.lecture.lesson import Lesson
 from vad.painting.posed import picture
 from vad.strokes.sheet import Sheet
@@ -45,6 +48,11 @@ SCENES: dict[str, tuple[dict[str, Any], dict[str, float]]] = {
     "gate-actuator": ({}, {"position": 3.6}),
 }
 
+#: Mechanisms from files that ship with the program, shown in one style.
+EXAMPLES = ("toggle-press", "watt-1", "stephenson-3", "shaper", "landing-gear", "jansen-leg")
+#: Lessons as pages.
+LESSONS = ("slider-crank", "crank-slotted-lever")
+
 POSTER = 1280, 720
 FILM = 960, 540
 #: Share of a lecture's pauses: here one looks, and does not take notes.
@@ -52,6 +60,8 @@ PAUSES = 0.3
 #: Hundredths of a second from frame to frame; a film takes the first with which it is small enough.
 DELAYS = (4, 5, 6, 7, 8, 10)
 MOST_BYTES = 330_000
+#: A mechanism from a file has two dyads or three, and each is drawn stroke by stroke.
+MOST_BYTES_OF_EXAMPLE = 800_000
 CELL, COLUMNS, GAP = (990, 600), 2, 40
 SHEET_STYLE = "paper"
 
@@ -59,11 +69,18 @@ SHEET_STYLE = "paper"
 def sheet(name: str) -> Sheet:
     """Return the sheet of a mechanism's scene."""
     dimensions, inputs = SCENES.get(name, ({}, {}))
-    return vad.draw(vad.solve(vad.MECHANISMS[name](**dimensions), **inputs))
+    return vad.draw(vad.solve(subject(name)(**dimensions), **inputs))
+
+
+def subject(name: str) -> type[vad.Mechanism]:
+    """Return a mechanism by its name, or by that of an example."""
+    return vad.load(example_path(name)) if name in EXAMPLES else vad.MECHANISMS[name]
 
 
 def command(name: str) -> str:
     """Return the words that make the film of a scene."""
+    if name in EXAMPLES:
+        return f"vad example {name} > {name}.toml && vad animate {name}.toml -o {name}.mp4"
     dimensions, inputs = SCENES.get(name, ({}, {}))
     options = {**dimensions, **inputs}.items()
     words = [f"--{option.replace('_', '-')} {value:g}" for option, value in options]
@@ -90,11 +107,22 @@ def lesson(name: str, style: str, fps: float) -> Lesson:
 
 def film(name: str, style: str, path: Path) -> None:
     """Write the film of a scene, at the highest rate with which it is small enough."""
+    most = most_bytes(name)
     for delay in DELAYS:
         vad.save(lesson(name, style, 100 / delay), path)
-        if path.stat().st_size < MOST_BYTES:
+        if path.stat().st_size < most:
             return
-    raise SystemExit(f"{path.name} is larger than {MOST_BYTES} bytes at any rate")
+    raise SystemExit(f"{path.name} is larger than {most} bytes at any rate")
+
+
+def most_bytes(name: str) -> int:
+    """Return how large the film of a scene may be."""
+    return MOST_BYTES_OF_EXAMPLE if name in EXAMPLES else MOST_BYTES
+
+
+def lesson_page(name: str, path: Path) -> None:
+    """Write the lesson of a scene as a page."""
+    vad.save(vad.animate(sheet(name)), path)
 
 
 def contact_sheet(path: Path) -> None:
@@ -117,28 +145,44 @@ def page(path: Path) -> None:
         "",
         "Made by `python gallery/build.py`. The films show shorter pauses than the lectures.",
     ]
-    for name, mechanism in vad.MECHANISMS.items():
-        lines += ["", f"## {mechanism.title}", "", f"    {command(name)}", ""]
-        lines.append(f"![The film](films/{name}-{SHEET_STYLE}.gif)")
+    for name in vad.MECHANISMS:
+        lines += _section(name, command(name))
+        if name in LESSONS:
+            lines.append(
+                f"\n[The lesson as a page](lessons/{name}.html): step it, and turn it back.\n"
+            )
         for style in style_names():
             if style != SHEET_STYLE:
                 lines.append(f"[![{style}](posters/{name}-{style}.png)](films/{name}-{style}.gif)")
+    lines += ["", "# From files", "", "Each of them is a short file that ships with the program."]
+    for name in EXAMPLES:
+        lines += _section(name, command(name))
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def _section(name: str, words: str) -> list[str]:
+    head = ["", f"## {subject(name).title}", "", f"    {words}", ""]
+    return [*head, f"![The film](films/{name}-{SHEET_STYLE}.gif)"]
+
+
+def shown() -> Iterator[tuple[str, str]]:
+    """Yield what is shown as poster and film: names with styles."""
+    yield from ((name, style) for name in vad.MECHANISMS for style in style_names())
+    yield from ((name, SHEET_STYLE) for name in EXAMPLES)
 
 
 def build(folder: Path) -> None:
     """Write the whole gallery into ``folder``, with as many processes as there are cores."""
-    for part in ("posters", "films"):
+    for part in ("posters", "films", "lessons"):
         (folder / part).mkdir(parents=True, exist_ok=True)
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(mp_context=spawn) as pool:
         jobs: list[Future[None]] = []
-        for name in vad.MECHANISMS:
-            for style in style_names():
-                jobs.append(pool.submit(film, name, style, folder / f"films/{name}-{style}.gif"))
-                jobs.append(
-                    pool.submit(poster, name, style, folder / f"posters/{name}-{style}.png")
-                )
+        for name, style in shown():
+            jobs.append(pool.submit(film, name, style, folder / f"films/{name}-{style}.gif"))
+            jobs.append(pool.submit(poster, name, style, folder / f"posters/{name}-{style}.png"))
+        for name in LESSONS:
+            jobs.append(pool.submit(lesson_page, name, folder / f"lessons/{name}.html"))
         jobs.append(pool.submit(contact_sheet, folder / "contact-sheet.png"))
         for job in jobs:
             job.result()

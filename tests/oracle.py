@@ -376,10 +376,13 @@ class Problem:
             columns.append([eq.c1 for eq in self.pose(self.drive.c0, moved).equations])
         return [list(row) for row in zip(*columns, strict=True)]
 
-    def nearer(self, unknowns: list[Any]) -> list[Any]:
-        """Return what one step of Newton's method makes of a near start: it doubles the digits."""
+    def nearer(self, unknowns: list[Any], jacobian: list[list[Any]] | None = None) -> list[Any]:
+        """Return what one step of Newton's method makes of a near start: it doubles the digits.
+
+        It does so, too, with the ``jacobian`` of a problem whose root that start is.
+        """
         misses = [eq.c0 for eq in self.pose(self.drive.c0, unknowns).equations]
-        steps = solve_linear(self.jacobian(unknowns), misses)
+        steps = solve_linear(jacobian or self.jacobian(unknowns), misses)
         return [value - step for value, step in zip(unknowns, steps, strict=True)]
 
     def position(self, unknowns: list[Any]) -> list[Any]:
@@ -478,8 +481,9 @@ def reference(
         check_side(problem, unknowns, side)
         values = problem.quantities(unknowns)
         terms: dict[Key, dict[str, Any]] = {key: {} for key in values}
+        jacobian = problem.jacobian(unknowns)
         for number, moved, step in neighbours(problem) if conditions else ():
-            for key, value in moved.quantities(moved.nearer(unknowns)).items():
+            for key, value in moved.quantities(moved.nearer(unknowns, jacobian)).items():
                 terms[key][number] = difference(key, value, values[key]) / step
         return {key: Quantity(value, terms[key]) for key, value in values.items()}
 

@@ -2,7 +2,9 @@
 
 Four verbs: `solve` a mechanism, `draw` its sheet, `animate` it as a lesson, `save` either one;
 `turn` is a film of a whole turn, `multiples` a few poses side by side, `still` one step of a
-lesson, `sheet_from_json` a sheet that was saved.
+lesson, `sheet_from_json` a sheet that was saved; `batch` makes sheets by the hundred, and `sweep`
+solves arrays that are larger than memory.  `show` shows any of them in a browser; a notebook does
+so by itself.  `widget` is a mechanism that is turned by hand in a notebook.
 Each part is loaded when it is first used.
 
 >>> import vad
@@ -14,6 +16,8 @@ Each part is loaded when it is first used.
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from vad.batches.batch import batch
+    from vad.batches.blocks_of_poses import sweep
     from vad.errors import (
         AssemblyError,
         DeadCentreError,
@@ -24,6 +28,7 @@ if TYPE_CHECKING:
     )
     from vad.export import save
     from vad.export.data.sheet_json import sheet_from_json
+    from vad.files.loading import load, mechanism
     from vad.kinematics.motion import Motion, Motions, solve
     from vad.lecture.lesson import Lesson
     from vad.lecture.still import Still, still
@@ -38,6 +43,7 @@ if TYPE_CHECKING:
     from vad.mechanisms.scotch_yoke import ScotchYoke
     from vad.mechanisms.slider_crank import SliderCrank
     from vad.mechanisms.whitworth import Whitworth
+    from vad.showing import show, widget
     from vad.strokes.draw import draw
     from vad.strokes.multiples import Multiples, multiples
     from vad.strokes.sheet import Sheet
@@ -69,13 +75,19 @@ __all__ = [
     "VadError",
     "Whitworth",
     "animate",
+    "batch",
     "draw",
+    "load",
+    "mechanism",
     "multiples",
     "save",
     "sheet_from_json",
+    "show",
     "solve",
     "still",
+    "sweep",
     "turn",
+    "widget",
 ]
 
 # Where a name is when it is first used; mechanism classes are found by themselves.
@@ -94,7 +106,13 @@ _HOMES = {
     "still": "vad.lecture.still",
     "Still": "vad.lecture.still",
     "save": "vad.export",
+    "batch": "vad.batches.batch",
+    "sweep": "vad.batches.blocks_of_poses",
+    "show": "vad.showing",
+    "widget": "vad.showing",
     "sheet_from_json": "vad.export.data.sheet_json",
+    "load": "vad.files.loading",
+    "mechanism": "vad.files.loading",
     "MECHANISMS": "vad.mechanisms",
     "Mechanism": "vad.mechanisms",
     "VadError": "vad.errors",

@@ -25,6 +25,7 @@ _SCENE = {
     "position": "{}",
     "velocity": "{}/s",
     "acceleration": "{}/s^2",
+    "number": "",
 }
 # What a quantity is called in a sentence, and a few of its units.
 _WORDS = {
@@ -35,6 +36,7 @@ _WORDS = {
     "position": ("a unit of length", "mm, cm, m, in, ft"),
     "velocity": ("a unit of velocity", "mm/s, m/s, ft/min"),
     "acceleration": ("a unit of acceleration", "mm/s^2, m/s^2, ft/s^2"),
+    "number": ("a unit of length or angle", "mm, cm, m, in, deg"),
 }
 #: The usual units of length.
 LENGTH_UNITS = ("mm", "cm", "m", "km", "in", "ft", "yd")
@@ -76,7 +78,8 @@ def scene_unit(quantity: str, length_unit: str = "mm") -> str:
     Parameters
     ----------
     quantity
-        One of length, angle, omega, alpha, position, velocity and acceleration.
+        One of length, angle, omega, alpha, position, velocity and acceleration; or number, which
+        has no unit, and is read as a length or an angle where it is written with one.
     length_unit
         The unit of the scene's lengths.
 
@@ -158,12 +161,16 @@ def _factor(unit: str, quantity: str, length_unit: str, written: str | None = No
     from pint.errors import PintError
 
     registry = _registry()
-    target = scene_unit(quantity, length_unit)
-    try:
-        one = registry.Quantity(Decimal(1), registry.parse_units(unit))
-        return Decimal(one.to(target).magnitude)
-    except PintError:
-        raise wrong from None
+    targets = [scene_unit(quantity, length_unit)]
+    if quantity == "number":
+        targets = [scene_unit(kind, length_unit) for kind in ("length", "angle")]
+    for target in targets:
+        try:
+            one = registry.Quantity(Decimal(1), registry.parse_units(unit))
+            return Decimal(one.to(target).magnitude)
+        except PintError:
+            continue
+    raise wrong
 
 
 @cache

@@ -54,7 +54,8 @@ def test_help_shows_every_option_with_its_default_and_unit(vad, name):
     assert result.code == 0
     shown = " ".join(result.out.split())
     for field in dataclasses.fields(kind):
-        assert "--" + field.name.replace("_", "-") in shown
+        name = "point" if field.name == "points" else field.name
+        assert "--" + name.replace("_", "-") in shown
         assert field.metadata["help"] in shown
     if "omega" in kind.inputs:
         assert f"[{kind.inputs['omega']:g} rad/s]" in shown

@@ -143,9 +143,7 @@ def test_rates_agree_with_the_oracle(name: str) -> None:
         pytest.skip("the oracle has no equations for it")
 
     def test(mechanism: Any, inputs: dict[str, float]) -> None:
-        fields = [f for f in dataclasses.fields(mechanism) if f.metadata["quantity"] != "unit"]
-        numbers = {f.name: getattr(mechanism, f.name) for f in fields}
-        assembly = numbers.pop("assembly")
+        numbers, assembly = mechanism.parameters(), mechanism.assembly
         motion = vad.solve(mechanism, **inputs)
         for (kind, item, attribute), quantity in reference(name, numbers, inputs, assembly).items():
             found = getattr(getattr(motion, kind)(item), attribute)
@@ -288,7 +286,7 @@ def test_mechanisms_describe_themselves(name: str) -> None:
     assert cls.title
     assert len(cls.inputs) == 3
     for field in dataclasses.fields(cls):
-        assert field.metadata["quantity"] in ("length", "angle", "choice", "unit")
+        assert field.metadata["quantity"] in ("length", "angle", "choice", "unit", "points")
         assert field.metadata["help"]
     with pytest.raises(dataclasses.FrozenInstanceError):
         cls().length_unit = "in"

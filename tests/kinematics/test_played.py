@@ -118,7 +118,7 @@ def test_a_compiled_loop_gives_the_same_bits(mechanism: Any, monkeypatch: Any) -
     if first == "position":
         places = 3.0 + places / 400
     inputs = {first: places, second: 2.0, third: np.linspace(-1, 1, 5000)}
-    last = mechanism.points[-1]
+    last = mechanism.letters[-1]
     for result in (("point", last, "position"), ("point", last, "acceleration")):
         wanted = vad.solve(mechanism, **inputs).read(result)
         with monkeypatch.context() as patch:

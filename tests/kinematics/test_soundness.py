@@ -71,6 +71,41 @@ WRONG: dict[str, tuple[Callable[[], Linkage], str]] = {
         ),
         "loop 1: strut must lead between two fixed points",
     ),
+    "no two points": (
+        lambda: four_bar((Bar("2B", "crank", 40.0),), ()),
+        "ends: must be two points, got '2B'",
+    ),
+    "a turn that is no direction": (
+        lambda: four_bar((Bar("AB", "crank", 40.0, turn=2j),), ()),
+        "turn of AB: must be a unit vector, got 2j",
+    ),
+    "an offset without a slide": (
+        lambda: four_bar((Bar("AB", "crank", 40.0, offset=2j),), ()),
+        "offset of AB: goes with the length of a slide",
+    ),
+    "one bar with two directions": (
+        lambda: Linkage(
+            angle_of("crank"),
+            (Loop((CRANK, Bar("BC", "coupler", 120.0)), (Bar("DC", "rocker", 80.0),)),),
+            images=(Bar("DC", "rocker", 80.0, turn=1j),),
+            ground=GROUND,
+        ),
+        "rocker: DC has two directions",
+    ),
+    "a slide that leaves the line of its bar": (
+        lambda: slotted(
+            -Slide("QB", "block", "lever", turn=1j), second=(Bar("DQ", "lever", "block"),)
+        ),
+        "loop 1: no bar of lever carries block",
+    ),
+    "a fixed point nowhere": (
+        lambda: Linkage(angle_of("crank"), (), fixed={"D": complex(float("nan"), 0)}),
+        "fixed point D: must be at a finite place, got (nan+0j)",
+    ),
+    "a point fixed twice": (
+        lambda: Linkage(angle_of("crank"), (), ground=GROUND, fixed={"D": 1j}),
+        "fixed point D: is given twice",
+    ),
 }
 
 
@@ -86,6 +121,11 @@ def test_what_would_be_solved_wrongly_is_refused(
 def test_whole_numbers_are_numbers() -> None:
     assert Slide("DC", "slider", 0).along == 0.0
     assert type(Bar("AB", "crank", 40).length) is float
+
+
+def test_points_are_letters_or_letters_and_numbers() -> None:
+    bar = -Bar("O2A10", "crank", 40.0)
+    assert (bar.tail, bar.head, bar.start, bar.end) == ("O2", "A10", "A10", "O2")
 
 
 def test_a_misspelt_link_is_refused_when_the_mechanism_is_made(

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 from mpmath import mp
 
 import vad
+from tests.kinematics.hand_built import BUILT, HandBuilt
 from tests.oracle import reference
-from vad.kinematics.linkage import angle_of
+from vad.kinematics.linkage import Bar, angle_of
 from vad.methods import METHODS, finite_differences, high_precision, newton, problem_of
 from vad.methods.comparison import compare, largest_error
 
@@ -158,3 +160,21 @@ def test_a_pose_that_cannot_be_is_the_closed_form_s_error():
         compare(vad.FourBar(crank=130), {"angle": 0.0})
     with pytest.raises(vad.DeadCentreError):
         compare(vad.FourBar(ground=4, crank=3, coupler=2, rocker=3), {"angle": 90.0})
+
+
+@pytest.mark.parametrize("name", list(BUILT))
+def test_every_method_knows_linkages_of_many_dyads(name: str) -> None:
+    problem = problem_of(HandBuilt(BUILT[name]()), {})
+    if problem.driver.kind == "length":
+        problem = problem_of(problem.mechanism, {"position": 420.0, "velocity": -60.0})
+    truth = high_precision.solve(problem)
+    for method, solve in METHODS.items():
+        tolerance = 1e-4 if method == "finite differences" else 1e-10  # the feed's terms cancel
+        assert largest_error(solve(problem), truth) < tolerance, method
+
+
+def test_a_slot_beside_its_pivot_is_refused() -> None:
+    linkage = BUILT["oscillating-cylinder"]()
+    loop = replace(linkage.loops[0], second=(Bar("DQ", "cylinder", "cylinder", offset=20j),))
+    with pytest.raises(vad.InputError, match=r"^cylinder: to be compared, its slot must pass"):
+        problem_of(HandBuilt(replace(linkage, loops=(loop,))), {})

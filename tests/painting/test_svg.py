@@ -17,6 +17,8 @@ from tests.painting.test_same_picture import sheet_of
 from vad.errors import UsageError
 from vad.export import svg
 from vad.lecture.still import Still
+from vad.painting.posed import posed
+from vad.painting.svg_painter import SvgPainter
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Run
 from vad.strokes.sheet import Sheet
@@ -126,6 +128,28 @@ def test_pictures_on_one_page_do_not_disturb_each_other() -> None:
             said.setdefault(text.split('"')[1], set()).add(text)
     assert len(said) > 100
     assert all(len(meanings) == 1 for meanings in said.values())
+
+
+@pytest.mark.parametrize("text", TEXTS)
+def test_names_of_a_picture_with_a_scope_are_its_own(text: str) -> None:
+    """Its id, all that it names for the page, and the reach of its rules."""
+    names = []
+    for scope in ("one", "two"):
+        shown = posed(sheet_of("four-bar"))
+        painter = SvgPainter(shown.sheet, text, scope=scope)
+        shown.play(painter)
+        root = ElementTree.fromstring(painter.svg)
+        assert root.get("id") == scope
+        ids = {each.get("id") for each in root.iter() if "id" in each.attrib}
+        used = {each.get("href")[1:] for each in root.iter(SPACE + "use")}
+        assert used and used <= ids
+        rules = root.find(SPACE + "style").text.strip().splitlines()
+        fonts = [rule for rule in rules if rule.startswith("@font-face")]
+        assert all(rule.startswith(f"#{scope} .") for rule in rules if rule not in fonts)
+        families = {re.search("font-family:(.*?);", rule).group(1) for rule in fonts}
+        assert len(families) == (text == "letters")
+        names.append(ids | families)
+    assert not names[0] & names[1]
 
 
 class TestLetters:

@@ -30,7 +30,7 @@ PAPER = load_style("paper")
 @pytest.fixture(scope="module", params=KINDS)
 def board(request) -> TurnBoard:
     mechanism = vad.MECHANISMS[request.param]()
-    return TurnBoard(vad.turn(mechanism, fps=2, size=SIZE))
+    return TurnBoard(vad.turn(mechanism, fps=1, size=SIZE))
 
 
 def turning(board: TurnBoard) -> Iterator[Frame]:

@@ -1,4 +1,4 @@
-"""Sheets of every mechanism: with rods, in both assemblies, over dense turns, at rest."""
+"""Sheets of every mechanism: with rods, in both assemblies, over whole turns, at rest."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MECHANISMS: dict[str, Any] = {
 RATES = ((1.0, 0.0), (-1.0, 2.5), (0.0, 1.0), (0.0, 0.0))
 
 
-def sheets(mechanism: Any, steps: int = 24, **options: Any) -> Iterator[Sheet]:
+def sheets(mechanism: Any, steps: int = 12, **options: Any) -> Iterator[Sheet]:
     """Yield the sheets of a turn, or of the whole range of a slide, for all `RATES`."""
     place, *rates = mechanism.inputs
     for low, high in closing_range(mechanism):

@@ -122,7 +122,7 @@ def test_fixed_points_are_where_guides_cross_only_if_they_do() -> None:
     class OneGuide(Mechanism):
         """A rod that is pushed along a guide."""
 
-        name, title, points = "one-guide", "One guide", "OABD"
+        name, title, letters = "one-guide", "One guide", "OABD"
         links, slides = {"rod": "AB", "rocker": "DB"}, {"slider": "A"}
         inputs: ClassVar = {"position": 50.0, "velocity": 1.0, "acceleration": 0.0}
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import webbrowser
 from typing import Any
 
 import click
 
 import vad
+from vad.cli.process import signals_held_back, wait_for_signal
 from vad.cli.progress import progress, written
 from vad.errors import UsageError, VadError
 from vad.export import FOLDER, format_of
@@ -81,16 +83,18 @@ def animate(
 ) -> None:
     """Write the film in which one pose is drawn stroke by stroke, one step of it, or a turn."""
     if turn:
-        if still is not None or subtitles:
-            name = "--subtitles" if still is None else "--still"
-            raise UsageError(f"{name} does not go with --turn, which draws no strokes one by one")
+        of_strokes = {"--still": still is not None, "--subtitles": subtitles}
+        for name, given in (of_strokes | {"--loop": "loop" in options}).items():
+            if given:
+                why = "which draws no strokes one by one"
+                raise UsageError(f"{name} does not go with --turn, {why}")
         _turn(mechanism, inputs, output, **options)
         return
     kind = format_of(Lesson if still is None else Still, output)
     if subtitles and (still is not None or kind not in _SUBTITLED):
         hint = "as in -o lecture.mp4 --subtitles; or -o lecture.srt alone"
         raise UsageError(f"--subtitles go beside a film, not beside '{output}'", hint)
-    timing = _pop(options, "fps", "size", "speed", "style")
+    timing = _pop(options, "fps", "size", "speed", "style", "loop")
     sheet = vad.draw(vad.solve(mechanism, **inputs), **options)
     lesson = vad.animate(sheet, **timing)
     if still is not None:
@@ -127,6 +131,25 @@ def sweep(mechanism: Mechanism, inputs: Inputs, output: str, **ends: Any) -> Non
     driven = next(iter(mechanism.inputs))
     save_sweep(vad.solve(mechanism, **{driven: places(mechanism, **ends)}, **inputs), output)
     written(output)
+
+
+def gui(
+    mechanism: Mechanism,
+    inputs: Inputs,
+    port: int = 0,
+    no_browser: bool = False,
+    **options: Any,
+) -> None:
+    """Serve the page until the process is asked to stop; its address is the only line printed."""
+    from vad.gui.messages import ExportQuestion
+    from vad.gui.server import served
+
+    start = ExportQuestion.of(mechanism, inputs, **options)
+    with signals_held_back(), served(start, port) as address:
+        click.echo(address)
+        if not no_browser:
+            webbrowser.open(address)
+        wait_for_signal()
 
 
 def _pop(options: dict[str, Any], *names: str) -> dict[str, Any]:

@@ -8,11 +8,12 @@ from collections.abc import Iterable
 import click
 
 from vad import __version__
-from vad.cli import actions, catalogue, compare, completion, values
+from vad.cli import actions, batch_command, catalogue, check, compare, completion, values
 from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import named_option
 from vad.errors import unknown
 from vad.export import FOLDER, FORMATS
+from vad.files.examples import example_names, example_path
 from vad.lecture.lesson import Lesson
 from vad.mechanisms import MECHANISMS
 from vad.plan.format import paper_names
@@ -97,6 +98,14 @@ def list_mechanisms(as_json: bool) -> None:
         click.echo(catalogue.table())
 
 
+@app.command("example", cls=HelpfulCommand)
+@click.argument("name", required=False, shell_complete=completion.one_of(example_names()))
+def print_example(name: str | None) -> None:
+    """Print an example of a mechanism's file; without NAME, name them all."""
+    text = catalogue.examples() if name is None else example_path(name).read_text("utf-8")
+    click.echo(text.rstrip())
+
+
 _SHEET = [
     click.Option(
         ["--panels"],
@@ -139,6 +148,12 @@ _FILM = [
         help="one step as a picture (.png, .svg, .pdf): 4, or velocity:4  [the film]",
     ),
     click.Option(["--turn"], is_flag=True, help="a full turn, and the polygons live with it"),
+    click.Option(
+        ["--loop"],
+        type=int,
+        metavar="NUMBER",
+        help="the dyad with which the pencil starts; those before it are there  [1]",
+    ),
     click.Option(["--subtitles"], is_flag=True, help="FILE.srt and FILE.vtt beside the film, too"),
 ]
 
@@ -185,6 +200,20 @@ for verb in (
         ],
         ranged=True,
     ),
+    MechanismGroup(
+        "gui",
+        "Open a page on which a mechanism is turned by hand.",
+        actions.gui,
+        [
+            *_SHEET,
+            _SIZE,
+            click.Option(["--port"], type=int, help="the server's port  [any that is free]"),
+            click.Option(["--no-browser"], is_flag=True, help="print the address, open nothing"),
+        ],
+        usual="slider-crank",
+    ),
 ):
     app.add_command(verb)
 app.add_command(compare.command)
+app.add_command(batch_command.command)
+app.add_command(check.command)

@@ -9,6 +9,7 @@ from itertools import zip_longest
 from typing import Any
 
 from vad.cli.options import flag, length_unit_of
+from vad.files.examples import example_names, example_title
 from vad.mechanisms import MECHANISMS, Mechanism
 from vad.units import scene_unit
 from vad.written import typed
@@ -30,7 +31,15 @@ def table() -> str:
         lines += [
             f"{label:{indent}}{line}" for label, line in zip_longest([name], what, fillvalue="")
         ]
-    return "\n".join(lines)
+    how = "Mechanisms from files; vad example NAME prints one:"
+    names = textwrap.wrap(", ".join(example_names()), _WIDTH - 2, break_on_hyphens=False)
+    return "\n".join([*lines, "", how, *(f"  {line}" for line in names)])
+
+
+def examples() -> str:
+    """Return the names of the examples with what they are, as text for a terminal."""
+    indent = max(map(len, example_names())) + 2
+    return "\n".join(f"{name:{indent}}{example_title(name)}" for name in example_names())
 
 
 def entries() -> list[dict[str, Any]]:

@@ -11,7 +11,8 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-from vad.cli.options import build, mechanism_options
+from vad.cli.naming import kind_of
+from vad.cli.options import OWN, build, mechanism_options
 from vad.errors import UsageError, unknown
 from vad.mechanisms import MECHANISMS
 
@@ -49,6 +50,8 @@ class MechanismGroup(click.Group):
         The verb's own options.
     ranged
         Whether the input runs over a range instead of standing at one place.
+    usual
+        The mechanism where no NAME is given; without it, a NAME is needed.
     """
 
     def __init__(
@@ -58,17 +61,25 @@ class MechanismGroup(click.Group):
         action: Action,
         options: Sequence[click.Option],
         ranged: bool = False,
+        usual: str = "",
     ) -> None:
-        super().__init__(name, help=help, subcommand_metavar="NAME [OPTIONS]")
+        metavar = "[NAME] [OPTIONS]" if usual else "NAME [OPTIONS]"
+        super().__init__(name, help=help, subcommand_metavar=metavar)
         self.action = action
         self.options = options
         self.ranged = ranged
+        self.usual = usual
+        OWN.update(str(option.name) for option in options)
+        OWN.update(flag.strip("-").replace("-", "_") for each in options for flag in each.opts)
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Bring NAME to the front, wherever it stands among the options."""
         place = _first_word(args, self.options)
-        if place is None:
-            if not ctx.resilient_parsing and not {"-h", "--help"}.intersection(args):
+        helped = ctx.resilient_parsing or {"-h", "--help"}.intersection(args)
+        if place is None and self.usual and not helped:
+            args = [self.usual, *args]
+        elif place is None:
+            if not helped:
                 raise UsageError(
                     f"{self.name} needs the name of a mechanism",
                     hint=f"vad {self.name} slider-crank; vad list names them all",
@@ -91,9 +102,7 @@ class MechanismGroup(click.Group):
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command:
         """Return the command for the mechanism called ``cmd_name``."""
-        kind = MECHANISMS.get(cmd_name)
-        if kind is None:
-            raise unknown("mechanism", cmd_name, MECHANISMS)
+        kind = kind_of(cmd_name)
 
         def act(**values: Any) -> None:
             mechanism, inputs, own = build(kind, values)

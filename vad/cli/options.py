@@ -13,10 +13,14 @@ from typing import Any, cast
 import click
 
 from vad.cli import completion, values
+from vad.files.places import WORDS
 from vad.mechanisms import Mechanism
+from vad.mechanisms.mechanism import NUMBERS
 from vad.units import LENGTH_UNITS, scene_unit
 from vad.written import typed
 
+#: What no parameter may be called as an option; every verb adds its own options.
+OWN = {"help", "from", "to", "start", "stop", "point"}
 _INPUT_HELP = {
     "angle": "angle of the driven link",
     "omega": "its angular velocity",
@@ -39,7 +43,7 @@ def mechanism_options(kind: type[Mechanism], ranged: bool = False) -> list[click
         standing at one.
     """
     fields = dataclasses.fields(kind)
-    numbers = [field for field in fields if field.metadata["quantity"] in ("length", "angle")]
+    numbers = [field for field in fields if field.metadata["quantity"] in NUMBERS]
     others = [field for field in fields if field not in numbers]
     unit = length_unit_of(kind)
     place, *rates = kind.inputs
@@ -64,9 +68,9 @@ def build(
     kind: type[Mechanism], given: Mapping[str, Any]
 ) -> tuple[Mechanism, dict[str, float], dict[str, Any]]:
     """Return the mechanism and the inputs that ``given`` describes, and what else was given."""
-    names = {field.name for field in dataclasses.fields(kind)}
+    names = {option_name(field.name): field.name for field in dataclasses.fields(kind)}
     rest = {name: value for name, value in given.items() if value not in (None, ())}
-    parameters = {name: rest.pop(name) for name in list(rest) if name in names}
+    parameters = {names[name]: rest.pop(name) for name in list(rest) if name in names}
     inputs = {name: rest.pop(name) for name in list(rest) if name in kind.inputs}
     return kind(**parameters), inputs, rest
 
@@ -75,6 +79,17 @@ def length_unit_of(kind: type[Mechanism]) -> str:
     """Return the unit in which a mechanism's default lengths are."""
     fields = {field.name: field for field in dataclasses.fields(kind)}
     return str(fields["length_unit"].default)
+
+
+def option_name(name: str) -> str:
+    """Return the name under which a parameter is an option: never that of one of the verbs' own.
+
+    Examples
+    --------
+    >>> option_name("crank"), option_name("speed")
+    ('crank', 'speed_1')
+    """
+    return f"{name}_1" if name in OWN else name
 
 
 def flag(name: str) -> str:
@@ -102,8 +117,18 @@ def named_option(name: str, what: str, names: Collection[str], text: str) -> cli
 
 def _field_option(field: dataclasses.Field[Any], unit: str) -> click.Option:
     """Return the option that sets one field of a mechanism."""
-    name, default = field.name, cast(Any, field.default)
+    name, default = option_name(field.name), cast(Any, field.default)
     quantity, text = field.metadata["quantity"], field.metadata["help"]
+    if quantity == "places":
+        own = cast(Any, field.default_factory)()
+        shown = ", ".join(f"{point}={place}" for point, place in own.items())
+        return click.Option(
+            [flag(name), name],
+            callback=values.places_of_points(),
+            multiple=True,
+            metavar="POINT=PLACE",
+            help=f"{text}: {', '.join(WORDS)}  [{shown or 'one place'}]",
+        )
     if quantity == "choice":
         return named_option(name, name, field.metadata["choices"], f"{text}  [{default}]")
     if quantity == "unit":
@@ -116,7 +141,17 @@ def _field_option(field: dataclasses.Field[Any], unit: str) -> click.Option:
             metavar="UNIT",
             help=f"{text}  [{default}]",
         )
-    shown = "none" if default is None else f"{typed(default)} {scene_unit(quantity, unit)}"
+    if quantity == "points":
+        return click.Option(
+            ["--point", name],
+            callback=values.points(unit),
+            multiple=True,
+            metavar="'NAME on LINK DISTANCE at ANGLE'",
+            help=f"{text}; may be given again  [none]",
+        )
+    shown = "none"
+    if default is not None:
+        shown = f"{typed(default)} {scene_unit(quantity, unit)}".strip()
     return _quantity_option([flag(name), name], quantity, f"{text}  [{shown}]", unit)
 
 

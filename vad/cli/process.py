@@ -6,6 +6,7 @@ import contextlib
 import os
 import signal
 import sys
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -14,6 +15,7 @@ from types import FrameType
 _SIGNALS = [
     getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
 ]
+_GLANCE = 0.1  # seconds between two looks whether one has come
 # The exit code of a program whose reader has gone away, as a shell reports it.
 BROKEN_PIPE = 128 + 13
 
@@ -118,6 +120,16 @@ def signals_held_back() -> Iterator[None]:
         check_interrupt()
     finally:
         _heard.held_back = False
+
+
+def wait_for_signal() -> None:
+    """Wait until a signal comes, in a block of `signals_held_back`.
+
+    An interrupt is what was waited for, and is forgotten; of any other, the process ends.
+    """
+    while not _heard.received:
+        time.sleep(_GLANCE)
+    _heard.received[:] = [each for each in _heard.received if each != signal.SIGINT]
 
 
 def be_done() -> None:

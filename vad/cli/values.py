@@ -12,8 +12,8 @@ from typing import Any
 import click
 
 from vad import errors, units
+from vad.cli.naming import kind_of
 from vad.errors import UsageError, shown
-from vad.mechanisms import MECHANISMS
 
 Callback = Callable[[click.Context, click.Parameter, Any], Any]
 
@@ -34,12 +34,56 @@ def places() -> Callback:
     """Read places of the driver with commas between them, for the mechanism that is called."""
 
     def places_of(words: str, ctx: click.Context) -> list[float]:
-        mechanism = MECHANISMS[str(ctx.info_name)]()
+        mechanism = kind_of(str(ctx.info_name))()
         unit = ctx.params.get("length_unit") or mechanism.length_unit
         driven = next(iter(mechanism.inputs))
         return [units.read(word.strip(), driven, unit) for word in words.split(",")]
 
     return _callback(places_of)
+
+
+def points(length_unit: str) -> Callback:
+    """Read points on links, each with a distance and perhaps an angle."""
+
+    def points_of(
+        words: tuple[str, ...], ctx: click.Context
+    ) -> dict[str, tuple[str, float, float]]:
+        unit, found = ctx.params.get("length_unit") or length_unit, {}
+        for word in words:
+            name, place = _point(word, unit)
+            if name in found:
+                raise UsageError(f"point {name}: is given twice")
+            found[name] = place
+        return found
+
+    return _callback(points_of)
+
+
+def _point(word: str, unit: str) -> tuple[str, tuple[str, float, float]]:
+    """Read ``D on rod 100``, ``D on rod 100 30`` or ``D on rod 10 cm at 30 deg``."""
+    read = re.fullmatch(r"\s*(\S+)\s+on\s+(\S+)\s+(\S.*?)(?:\s+at\s+(\S.*?))?\s*", word)
+    if read is None:
+        raise UsageError(f"{shown(word)} is no point of a link", hint="as in 'D on rod 100 at 30'")
+    name, link, distance, angle = read.groups()
+    if angle is None and (pair := re.fullmatch(r"(\S+)\s+([-+\N{MINUS SIGN}.\d]\S*)", distance)):
+        distance, angle = pair.groups()
+    size = units.read(distance, "length", unit)
+    return name, (link.replace("-", "_"), size, units.read(angle or "0", "angle", unit))
+
+
+def places_of_points() -> Callback:
+    """Read the places of points, as in ``B=left``, with commas between them."""
+
+    def places_in(words: tuple[str, ...], _: click.Context) -> dict[str, str]:
+        given = {}
+        for part in (part for word in words for part in word.split(",")):
+            point, equals, place = (each.strip() for each in part.partition("="))
+            if not (point and equals and place):
+                raise UsageError(f"{shown(part)} is no place of a point", hint="as in B=left")
+            given[point] = place
+        return given
+
+    return _callback(places_in)
 
 
 def length_unit() -> Callback:

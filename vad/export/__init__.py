@@ -92,6 +92,7 @@ class Options(TypedDict, total=False):
     paper: str | None
     blank: Sequence[str] | str | None
     text: Literal["glyphs", "letters"]
+    threads: int
 
 
 def save(

@@ -15,15 +15,16 @@ from vad.style import load_style
 
 
 def write(lesson: Lesson, target: BinaryIO, *, progress: Progress | None = None) -> None:
-    """Write ``lesson``; a pixel of its film becomes a point."""
+    """Write ``lesson``, a page for each stroke drawn; a pixel of its film becomes a point."""
     board, style = board_of(lesson), load_style(lesson.style)
     painter = PdfPainter(title(lesson.sheet), lesson.sheet.language)
     frames = lesson.opening
     for number, step in enumerate(lesson.steps, 1):
-        play(board, still(lesson, number).moment, style, painter)
+        if not step.there:
+            play(board, still(lesson, number).moment, style, painter)
         frames += step.frames
         if progress is not None:
             progress(frames, lesson.frames)
-    painter.write(target, [step.stroke.caption for step in lesson.steps])
+    painter.write(target, [step.stroke.caption for step in lesson.steps if not step.there])
     if progress is not None:
         progress(lesson.frames, lesson.frames)

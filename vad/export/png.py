@@ -11,7 +11,7 @@ from typing import BinaryIO
 from vad.lecture.still import Still
 from vad.lecture.turn import Turn
 from vad.painting.agg_painter import AggPainter
-from vad.painting.posed import posed
+from vad.painting.posed import Posed, posed
 from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 
@@ -24,10 +24,14 @@ def write(
     blank: Sequence[str] | str | None = None,
 ) -> None:
     """Write the picture, ``size`` in pixels; panels named in ``blank`` are left to be drawn."""
+    encode(posed(thing, size, style, blank=blank), target)
+
+
+def encode(shown: Posed, target: BinaryIO) -> None:
+    """Write what is to be seen, as it is posed."""
     from PIL import Image
     from PIL.PngImagePlugin import PngInfo
 
-    shown = posed(thing, size, style, blank=blank)
     painter = AggPainter(shown.board.form)
     shown.play(painter)
     words = PngInfo()

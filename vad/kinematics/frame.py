@@ -9,8 +9,20 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from vad.kinematics.linkage import Bar, Linkage, Slide, Step
-from vad.kinematics.numbers import Number, across, difference, direction, dot, fold, times
+from vad.kinematics.linkage import Bar, Linkage, Slide, Step, scalar_of
+from vad.kinematics.numbers import (
+    Number,
+    across,
+    difference,
+    direction,
+    dot,
+    fold,
+    over,
+    sqrt,
+    times,
+    turned,
+    vector,
+)
 from vad.kinematics.state import Component, Pose, Rates
 
 
@@ -29,9 +41,14 @@ class ReferenceFrame:
     steps
         All bars and slides.
     fixed
-        The fixed points by letter, in that unit and frame.
+        The fixed points by name, from the pivot, in that unit and frame.
+    places
+        Those of them that the user gave by their coordinates, in the user's unit and axes.
     guides
         The directions of the guides on which bars end, by link, in the user's axes.
+    found_along
+        The turn of the bar by which each link is found: along that bar runs the unit vector that
+        a pose has of the link, so that nothing is turned there and back.
     """
 
     def __init__(self, linkage: Linkage) -> None:
@@ -40,32 +57,47 @@ class ReferenceFrame:
         self.angle = fold(linkage.frame)
         self.turn = direction(self.angle)
         self.guides: dict[str, float] = {}
+        self.found_along = _found_along(linkage)
         steps = [step for loop in linkage.loops for _, step in loop.steps()]
         self.steps: tuple[Step, ...] = (*steps, *linkage.images)
-        self.fixed = {linkage.pivot: 0j}
-        if linkage.ground:
-            self.fixed[linkage.ground[0]] = complex(linkage.ground[1] / self.scale)
+        self.places = {linkage.pivot: linkage.place, **linkage.fixed}
         guides = [
             step for step in steps if isinstance(step, Slide) and isinstance(step.along, float)
         ]
-        moving = {step.ends[1] for step in steps}
+        moving = {step.head for step in steps}
         for slide in guides:
-            if slide.ends[0] not in moving:
-                self.fixed.setdefault(slide.ends[0], self._inward(slide.origin))
+            if slide.tail not in moving and not self._is_ground(slide.tail):
+                self.places.setdefault(slide.tail, slide.origin)
+        self.fixed = {linkage.pivot: 0j}
+        if linkage.ground:
+            self.fixed[linkage.ground[0]] = complex(linkage.ground[1] / self.scale)
+        for name in self.places:
+            self.fixed.setdefault(name, self.between(linkage.pivot, name))
         self._lines = {
             slide.name: direction(difference(fold(float(slide.along)), self.angle))
             for slide in guides
         }
 
-    def _inward(self, point: complex) -> complex:
-        return complex(times(point / self.scale, self.turn.conjugate()))
+    def _is_ground(self, name: str) -> bool:
+        return self.linkage.ground is not None and self.linkage.ground[0] == name
+
+    def _inward(self, vector: complex) -> complex:
+        return complex(times(vector / self.scale, self.turn.conjugate()))
+
+    def between(self, tail: str, head: str) -> complex:
+        """Return the vector from one fixed point to another, rounded once where both are given."""
+        if tail in self.places and head in self.places:
+            return self._inward(self.places[head] - self.places[tail])
+        return self.fixed[head] - self.fixed[tail]
 
     def shift(self, slide: Slide) -> complex:
         """Return the vector from the tail of a slide to the zero of its line."""
-        tail = slide.ends[0]
+        tail = slide.tail
         if isinstance(slide.along, str) or tail not in self.fixed:
             return 0j
-        return self._inward(slide.origin) - self.fixed[tail]
+        if tail in self.places:
+            return self._inward(slide.origin - self.places[tail])
+        return self._inward(slide.origin - self.linkage.place) - self.fixed[tail]
 
     def advance(self, slide: Slide) -> float:
         """Return the position of a slide's tail along the slide's own line."""
@@ -73,14 +105,34 @@ class ReferenceFrame:
 
     def size(self, bar: Bar, pose: Pose | None = None) -> Number:
         """Return the length of a bar in the solver's unit."""
-        if isinstance(bar.length, str):
-            return pose.length[bar.length] if pose else math.nan
-        return bar.length / self.scale
+        if not isinstance(bar.length, str):
+            return bar.length / self.scale
+        if pose is None:
+            return math.nan
+        ahead, aside = self.reach(bar, pose)
+        return sqrt(ahead * ahead + aside * aside) if aside else ahead
+
+    def reach(self, bar: Bar, pose: Pose) -> tuple[Number, float]:
+        """Return how far a bar with a slide's length reaches along the slide's line, and aside."""
+        offset = bar.offset / self.scale
+        return pose.length[str(bar.length)] + offset.real, offset.imag
+
+    def unit(self, link: str, pose: Pose, turn: complex = 1.0 + 0j) -> Number:
+        """Return the unit vector of a link, or one that is turned against it."""
+        along = self.found_along.get(link, 1.0)
+        return turned(pose.unit[link], 1.0 + 0j if turn == along else turn * along.conjugate())
+
+    def heading(self, bar: Bar, pose: Pose) -> Number:
+        """Return the unit vector along which a bar of positive length points."""
+        unit = self.unit(bar.link, pose, bar.turn)
+        if not bar.offset.imag:
+            return unit
+        return times(unit, over(vector(*self.reach(bar, pose)), self.size(bar, pose)))
 
     def line(self, slide: Slide, pose: Pose | None) -> Number:
         """Return the unit vector along which a slide slides."""
         if isinstance(slide.along, str):
-            return pose.unit[slide.along] if pose else math.nan
+            return self.unit(slide.along, pose, slide.turn) if pose else math.nan
         return self._lines[slide.name]
 
     def displacement(self, step: Step, pose: Pose) -> Number:
@@ -89,14 +141,17 @@ class ReferenceFrame:
         On a turning link that is zero: there the bar carries the length.
         """
         if isinstance(step, Bar):
-            return self.size(step, pose) * pose.unit[step.link]
+            unit = self.unit(step.link, pose, step.turn)
+            if step.offset.imag:
+                return times(unit, vector(*self.reach(step, pose)))
+            return self.size(step, pose) * unit
         if isinstance(step.along, str):
             return 0.0
         return pose.length[step.name] * self._lines[step.name]
 
     def unknown_direction(self, step: Step, pose: Pose) -> Number:
         """Return the direction of what the driver does not dictate: across a bar, along a slide."""
-        return across(pose.unit[step.link]) if isinstance(step, Bar) else self.line(step, pose)
+        return across(self.heading(step, pose)) if isinstance(step, Bar) else self.line(step, pose)
 
     def components(self, step: Step, pose: Pose, rates: tuple[Rates, ...]) -> Iterator[Component]:
         """Yield the parts of a step's velocity (one order in ``rates``) or acceleration (two).
@@ -106,7 +161,7 @@ class ReferenceFrame:
         """
         last = rates[-1]
         if isinstance(step, Bar):
-            unit, size = pose.unit[step.link], self.size(step, pose)
+            unit, size = self.heading(step, pose), self.size(step, pose)
             if len(rates) > 1:
                 omega = rates[0].turning[step.link]
                 yield Component("normal", -unit, omega * omega * size)
@@ -120,9 +175,20 @@ class ReferenceFrame:
         yield Component("sliding", line, last.sliding.get(step.name))
 
 
+def _found_along(linkage: Linkage) -> dict[str, complex]:
+    pairs = zip(linkage.loops, linkage.unknowns, strict=True)
+    return {
+        step.link: -step.turn if step.against else step.turn
+        for loop, unknowns in pairs
+        for _, step in loop.steps()
+        if isinstance(step, Bar) and scalar_of(step) in unknowns
+    }
+
+
 def _power_of_two(linkage: Linkage) -> float:
     steps = [step for loop in linkage.loops for _, step in loop.steps()]
     sizes = [step.length for step in (*steps, *linkage.images) if isinstance(step, Bar)]
     sizes += [linkage.ground[1]] if linkage.ground else []
+    sizes += [abs(point - linkage.place) for point in linkage.fixed.values()]
     largest = max((abs(size) for size in sizes if isinstance(size, float)), default=1.0)
     return 2.0 ** math.frexp(largest)[1]

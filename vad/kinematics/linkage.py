@@ -8,21 +8,56 @@ driven or found in an earlier loop; a slide has an unknown length unless it is d
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import NamedTuple
 
 from vad.errors import InputError
 
+# The name of a point: a letter, or a letter and a number.
+_POINT = r"[^\W\d_]\d*"
+
+
+class _Run:
+    """What bars and slides have in common: the two points between which they run."""
+
+    __slots__ = ()
+
+    ends: str
+    reverse: bool
+
+    @property
+    def tail(self) -> str:
+        """The point at which the vector begins."""
+        return points_of(self.ends)[0]
+
+    @property
+    def head(self) -> str:
+        """The point at which the vector ends."""
+        return points_of(self.ends)[1]
+
+    @property
+    def start(self) -> str:
+        """The point at which a loop enters it: its head if it is reversed."""
+        return self.head if self.reverse else self.tail
+
+    @property
+    def end(self) -> str:
+        """The point at which a loop leaves it."""
+        return self.tail if self.reverse else self.head
+
 
 @dataclass(frozen=True, slots=True)
-class Bar:
-    """A vector that turns with a link.
+class Bar(_Run):
+    """A vector that turns with a link: (length + offset) · turn · u, with u the link's direction.
 
     Attributes
     ----------
     ends
-        The letters of its tail and its head: ``"BC"``.
+        The points at its tail and its head, each a letter or a letter and a number: ``"BC"``,
+        ``"O2A"``.
     link
         The link that it belongs to and whose angle it has.
     length
@@ -30,15 +65,30 @@ class Bar:
         against the link.
     reverse
         Whether the loop runs through it from head to tail; written ``-Bar(…)``.
+    turn
+        Its direction in the axes of its link, as a unit vector: not 1 for the further sides of a
+        link of three points or more.
+    offset
+        What is added to the length of a slide, as ahead + i·aside: a slot that runs beside the
+        tail, or is not measured from there.  With a slide's length only.
     """
 
     ends: str
     link: str
     length: float | str
     reverse: bool = False
+    turn: complex = 1.0 + 0j
+    offset: complex = 0j
 
     def __post_init__(self) -> None:
+        points_of(self.ends)
         object.__setattr__(self, "length", _number(f"length of {self.ends}", self.length))
+        object.__setattr__(self, "turn", _unit(f"turn of {self.ends}", self.turn))
+        if self.offset and not isinstance(self.length, str):
+            raise InputError(
+                f"offset of {self.ends}: goes with the length of a slide",
+                hint="a bar of one length has a turn",
+            )
 
     @property
     def against(self) -> bool:
@@ -50,13 +100,13 @@ class Bar:
 
 
 @dataclass(frozen=True, slots=True)
-class Slide:
+class Slide(_Run):
     """A vector that changes its length along a line.
 
     Attributes
     ----------
     ends
-        The letters of its tail and its head: ``"DC"``.
+        The points at its tail and its head: ``"DC"``.
     name
         The slide whose length it has.
     along
@@ -64,11 +114,13 @@ class Slide:
         on.  On a link, the length itself is that of the link's bar; the slide adds the sliding
         and the Coriolis component.
     origin
-        Where a fixed line has its zero, as x + iy.
+        Where a fixed line has its zero, as x + iy in the user's axes.
     through_tail
         Whether a fixed line passes through its tail, however `origin` is rounded.
     reverse
         Whether the loop runs through it from head to tail; written ``-Slide(…)``.
+    turn
+        On a link, the direction of the line in the link's axes: that of the bar that carries it.
     """
 
     ends: str
@@ -77,15 +129,35 @@ class Slide:
     origin: complex = 0j
     reverse: bool = False
     through_tail: bool = False
+    turn: complex = 1.0 + 0j
 
     def __post_init__(self) -> None:
+        points_of(self.ends)
         object.__setattr__(self, "along", _number(f"direction of {self.ends}", self.along))
+        object.__setattr__(self, "turn", _unit(f"turn of {self.ends}", self.turn))
 
     def __neg__(self) -> Slide:
         return replace(self, reverse=not self.reverse)
 
 
 Step = Bar | Slide
+
+
+@cache
+def points_of(ends: str) -> tuple[str, str]:
+    """Return the two points that a vector is named by.
+
+    Examples
+    --------
+    >>> points_of("BC"), points_of("O2A")
+    (('B', 'C'), ('O2', 'A'))
+    """
+    pair = re.fullmatch(rf"({_POINT})({_POINT})", ends) if isinstance(ends, str) else None
+    if pair is None:
+        raise InputError(
+            f"ends: must be two points, got {ends!r}", hint="such as 'BC', or 'O2A' from O2 to A"
+        )
+    return pair[1], pair[2]
 
 
 def _number(what: str, value: float | str) -> float | str:
@@ -95,6 +167,13 @@ def _number(what: str, value: float | str) -> float | str:
     if isinstance(value, bool) or not isinstance(value, float | int) or not math.isfinite(value):
         raise InputError(f"{what}: must be a finite number or a name, got {value!r}")
     return float(value)
+
+
+def _unit(what: str, value: complex) -> complex:
+    """Return a unit vector as a complex number."""
+    if not isinstance(value, complex | float | int) or not abs(abs(value) - 1.0) < 1e-9:
+        raise InputError(f"{what}: must be a unit vector, got {value!r}")
+    return complex(value)
 
 
 class Scalar(NamedTuple):
@@ -126,12 +205,24 @@ def scalar_of(step: Step) -> Scalar:
 class Loop:
     """Two chains that end at the same point.
 
-    For two unknown angles, ``open`` means that this point lies to the left of the line from the
-    known end of ``first`` to that of ``second``; for an angle and a length, the greater length.
+    Attributes
+    ----------
+    first, second
+        The chains, each from a fixed point, or both from the same point.
+    side
+        Which of two places the point takes, +1.0 or -1.0.  For two unknown angles, +1.0 means
+        that it lies to the left of the line from the known end of ``first`` to that of
+        ``second``; for an angle and a length, the greater length.  The crossed assembly of a
+        mechanism takes the other place in every loop.
+    parallel
+        Whether its four bars are a parallelogram that stays one through its change points: then
+        each chain has one known vector, as long as the unknown bar of the other.
     """
 
     first: tuple[Step, ...]
     second: tuple[Step, ...]
+    side: float = 1.0
+    parallel: bool = False
 
     def steps(self) -> Iterator[tuple[int, Step]]:
         """Yield every step with its sign in ``second - first``, reversal included."""
@@ -151,13 +242,15 @@ class Linkage:
     loops
         In the order in which they are solved and drawn.
     images
-        Bars to further points of a link, found by proportion.
+        Bars to further points of a link, found by proportion, or by their turn.
     pivot
-        The letter of the fixed point at the origin.
+        The name of a fixed point, best that about which the driver turns.
     ground
-        A second fixed point: its letter, distance and direction in degrees.
-    parallel
-        Whether its one loop is a parallelogram that stays one through its change points.
+        A second fixed point: its name, distance and direction in degrees.
+    fixed
+        Any further fixed points: where each is, as x + iy in the user's axes.
+    place
+        Where the pivot is, in the user's axes.
     """
 
     driver: Scalar
@@ -165,7 +258,8 @@ class Linkage:
     images: tuple[Bar, ...] = ()
     pivot: str = "A"
     ground: tuple[str, float, float] | None = None
-    parallel: bool = False
+    fixed: Mapping[str, complex] = field(default_factory=dict, hash=False)
+    place: complex = 0j
     unknowns: tuple[tuple[Scalar, ...], ...] = field(init=False, default=())
 
     def __post_init__(self) -> None:

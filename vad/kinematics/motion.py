@@ -92,8 +92,7 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
 
     def point(self, letter: str) -> Point[Vector]:
         """Return the motion of a point."""
-        known = isinstance(letter, str) and letter in self.solver.routes.letters
-        if not known or letter not in self.mechanism.points:
+        if not isinstance(letter, str) or letter not in self.points:
             raise unknown("point", letter, self.points)
         return Point(self, letter)
 
@@ -117,10 +116,9 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
 
     @property
     def points(self) -> tuple[str, ...]:
-        """The letters of the points."""
-        return tuple(
-            letter for letter in self.mechanism.points if letter in self.solver.routes.letters
-        )
+        """The letters of the points: the mechanism's own, then those marked on its links."""
+        names = (*self.mechanism.letters, *self.mechanism.points)
+        return tuple(letter for letter in names if letter in self.solver.routes.letters)
 
     def table(self) -> str:
         """Return the results as a table in plain text, with units."""

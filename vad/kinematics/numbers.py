@@ -174,6 +174,13 @@ def times(a: Number, b: Number) -> Number:
     return vector(a.real * b.real - a.imag * b.imag, a.real * b.imag + a.imag * b.real)
 
 
+def turned(a: Number, turn: complex) -> Number:
+    """Return a plane vector turned by a unit vector that is the same in every pose."""
+    if turn.imag == 0.0 and abs(turn.real) == 1.0:
+        return a if turn.real > 0.0 else vector(-a.real, -a.imag)
+    return times(a, turn)
+
+
 def over(a: Number, length: Number) -> Number:
     """Return a plane vector divided by a length."""
     return vector(a.real / length, a.imag / length)

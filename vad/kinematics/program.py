@@ -46,7 +46,7 @@ class Program:
     @cached_property
     def one(self) -> Callable[..., tuple[float, ...]]:
         """The function from the inputs to the outputs of one pose: no branch and no loop."""
-        lines = [f"return {', '.join(map(str, self.outputs))},"]
+        lines = [f"return ({''.join(f'{x}, ' for x in self.outputs)})"]
         names = vars(math) | {"arctan2": np.arctan2}
         return function_of([x.name for x in self.inputs], self.lines + lines, names)
 
@@ -69,7 +69,8 @@ class Program:
         """Return the outputs of many poses, which are all recorded, in new arrays."""
         kinds = (OPERATIONS[x.operation].kind for x in self.outputs)
         outputs: list[Array] = [np.empty(size, kind) for kind in kinds]
-        self.play(inputs, outputs)
+        if outputs:
+            self.play(inputs, outputs)
         return outputs
 
     @cached_property

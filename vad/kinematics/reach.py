@@ -8,7 +8,7 @@ so that no range is too narrow to be found.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from itertools import combinations
 from typing import TYPE_CHECKING
@@ -48,20 +48,25 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
     >>> [(round(a, 2), round(b, 2)) for a, b in closing_range(FourBar(crank=130))]
     [(13.33, 120.25), (239.75, 346.67)]
     """
+    return list(_ranges(mechanism, samples))
+
+
+@lru_cache(maxsize=64)
+def _ranges(mechanism: Mechanism, samples: int) -> tuple[tuple[float, float], ...]:
     solver = solver_of(mechanism)
     turns = solver.linkage.driver.kind == "angle"
     sizes = [] if turns else _sizes(solver.frame)
     limit = 360.0 if turns else sum(sizes) / _steepness(solver.frame)
     grid = np.linspace(0.0 if turns else -limit, limit, samples)
-    limits = _limits(solver, turns)
-    between = 0.5 * (limits[1:] + limits[:-1])
-    grid = np.unique(np.concatenate([grid, limits, between]))
+    edges = limits(solver)
+    between = 0.5 * (edges[1:] + edges[:-1])
+    grid = np.unique(np.concatenate([grid, edges, between]))
     grid = np.union1d(grid, _hidden(solver, grid[::_STRIDE]))
     closes = solver.closes(grid)
     if closes.all():
-        return [(float(grid[0]), float(grid[-1]))]
+        return ((float(grid[0]), float(grid[-1])),)
     ends = [
-        _edge(solver, float(grid[i]), float(grid[i + 1]), limits, 1e-15 * limit)
+        _edge(solver, float(grid[i]), float(grid[i + 1]), edges, 1e-15 * limit)
         for i in np.flatnonzero(closes[1:] != closes[:-1])
     ]
     if closes[0]:
@@ -70,7 +75,7 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
         ends = [*ends, float(grid[-1])]
     if turns and closes[0]:  # the last interval runs on through 0°
         ends = [ends[-2] - 360.0, *ends[1:-2]]
-    return list(zip(ends[::2], ends[1::2], strict=True))
+    return tuple(zip(ends[::2], ends[1::2], strict=True))
 
 
 @lru_cache(maxsize=64)
@@ -97,9 +102,9 @@ def travels(mechanism: Mechanism, samples: int = 721) -> Mapping[str, tuple[floa
     return found
 
 
-def _limits(solver: Solver, turns: bool) -> NDArray[np.float64]:
-    """Return all limits in closed form, of an angle within [0, 360), sorted."""
-    frame = solver.frame
+def limits(solver: Solver) -> NDArray[np.float64]:
+    """Return all limits in closed form, of an angle within [0, 360], sorted."""
+    frame, turns = solver.frame, solver.linkage.driver.kind == "angle"
     found = [limit for loop in solver.loops for limit in loop.limits()]
     if turns:
         angles = {positive(fold(limit + frame.angle)) for limit in found}
@@ -108,9 +113,12 @@ def _limits(solver: Solver, turns: bool) -> NDArray[np.float64]:
 
 
 def _sizes(frame: ReferenceFrame) -> list[float]:
-    """Return the lengths of all bars in the user's unit."""
+    """Return the lengths of all bars in the user's unit, and how far fixed points and lines are."""
     lengths = [step.length for step in frame.steps if isinstance(step, Bar)]
     lengths += [frame.linkage.ground[1]] if frame.linkage.ground else []
+    guides = [s for s in frame.steps if isinstance(s, Slide) and isinstance(s.along, float)]
+    fixed = [*frame.places.values(), *(guide.origin for guide in guides)]
+    lengths += [abs(point - frame.linkage.place) for point in fixed]
     return [abs(length) for length in lengths if isinstance(length, float)]
 
 
@@ -158,28 +166,34 @@ def _nearness(solver: Solver, value: float, loops: list[int]) -> tuple[bool, flo
 
 
 def _beyond(solver: Solver, low: float, high: float, closed: bool, loops: list[int]) -> list[float]:
-    """Return a place that closes where the ends do not, or the reverse, if there is one.
+    """Return a place that closes where the ends do not, or the reverse, if there is one."""
+    places = approach(solver, low, high, loops)
+    return next(([place] for place, closes, _ in places if closes != closed), [])
 
-    It is where a place is nearest to its limit, found by golden section.
+
+def approach(
+    solver: Solver, low: float, high: float, loops: list[int]
+) -> Iterator[tuple[float, bool, float]]:
+    """Yield places nearer and nearer to where some loops come nearest to a limit.
+
+    They are found by golden section; with each comes whether it closes, and how near it is.
     """
     for _ in range(_SECTIONS):
         step = _GOLDEN * (high - low)
         inner, near = (high - step, low + step), []
         for place in inner:
             closes, distance = _nearness(solver, place, loops)
-            if closes != closed:
-                return [place]
+            yield place, closes, distance
             near.append(distance)
         low, high = (low, inner[1]) if near[0] < near[1] else (inner[0], high)
-    return []
 
 
 def _edge(
-    solver: Solver, inside: float, outside: float, limits: NDArray[np.float64], tolerance: float
+    solver: Solver, inside: float, outside: float, edges: NDArray[np.float64], tolerance: float
 ) -> float:
     """Return the limit between two values of which exactly one closes."""
     for end in (inside, outside):
-        if end in limits:
+        if end in edges:
             return end
     if not solver.closes(np.array([inside]))[0]:
         inside, outside = outside, inside

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import cast
 
 from vad.kinematics.frame import ReferenceFrame
-from vad.kinematics.linkage import Bar, Slide, Step, angle_of
+from vad.kinematics.linkage import Bar, Slide, Step, angle_of, scalar_of
 from vad.kinematics.numbers import Number
 from vad.kinematics.state import Pose, Rates
 
@@ -38,19 +38,23 @@ class Routes:
         return step if isinstance(step, Slide) and isinstance(step.along, float) else None
 
     def pin(self, letter: str) -> Bar | None:
-        """Return the driven crank, if a point is always where its pin is."""
-        hops = self._places[letter][1]
-        crank = hops[0][1] if hops else None
+        """Return a bar of the driven crank, if a point is always at its head."""
+        start, hops = self._places[letter]
+        way, crank = hops[0] if hops else (0, None)
         if not isinstance(crank, Bar) or angle_of(crank.link) != self._frame.linkage.driver:
             return None
         blocks = all(isinstance(s, Slide) and isinstance(s.along, str) for _, s in hops[1:])
-        return crank if blocks else None
+        forward = isinstance(crank.length, float) and way == 1
+        return crank if start in self._frame.places and forward and blocks else None
+
+    def start(self, letter: str) -> str:
+        """Return the fixed point at which the way to a point begins."""
+        return self._places[letter][0]
 
     def position(self, letter: str, pose: Pose) -> Number:
-        """Return the position of a point in the solver's unit and frame."""
-        start, hops = self._places[letter]
-        total: Number = self._frame.fixed[start]
-        for way, step in hops:
+        """Return where a point is from its `start`, in the solver's unit and frame."""
+        total: Number = 0j
+        for way, step in self._places[letter][1]:
             if isinstance(step, Slide):
                 total = total + way * self._frame.shift(step)
             total = total + way * self._frame.displacement(step, pose)
@@ -66,15 +70,13 @@ class Routes:
 
 
 def _place_costs(frame: ReferenceFrame) -> Costs:
-    """Cost lengths, for a short way rounds least, and links that only a later loop finds."""
-    later = {scalar for pair in frame.linkage.unknowns[1:] for scalar in pair}
+    """Cost lengths, for a short way rounds least."""
 
     def cost(step: Step) -> float:
         if isinstance(step, Slide):
             return 1.0 if isinstance(step.along, str) else 1e-9
         # A lever's point under its block is where the pin is.
-        size = 3.0 if isinstance(step.length, str) else abs(frame.size(step))
-        return size + 10.0 if angle_of(step.link) in later else size
+        return 3.0 if isinstance(step.length, str) else abs(frame.size(step))
 
     return {letter: abs(place) for letter, place in frame.fixed.items()}, cost
 
@@ -89,22 +91,33 @@ def _motion_costs(frame: ReferenceFrame) -> Costs:
 
 
 def _shortest(
-    frame: ReferenceFrame, costs: dict[str, float], cost: Callable[[Step], float]
+    frame: ReferenceFrame, start: dict[str, float], cost: Callable[[Step], float]
 ) -> dict[str, Route]:
-    """Return the cheapest route to each letter, from letters with the given costs."""
+    """Return the best route to each letter, from letters with the given costs.
+
+    That is one over what is found early, for a later loop may be near a dead centre; and of those
+    the point's own guide, then the cheapest.
+    """
+    found = {
+        # Of two lines that cross, each length has an error of its own.
+        scalar: number + all(each.kind == "length" for each in pair)
+        for number, pair in enumerate(frame.linkage.unknowns)
+        for scalar in pair
+    }
     routes: dict[str, Route] = {letter: (letter, ()) for letter in frame.fixed}
+    costs = {letter: (0, start[letter]) for letter in frame.fixed}
     while True:
-        candidates = [
-            (costs[tail] + cost(step), head, tail, (way, step))
-            for step in frame.steps
-            for way, tail, head in (
-                (1, step.ends[0], step.ends[1]),
-                (-1, step.ends[1], step.ends[0]),
-            )
-            if tail in routes and head not in routes
-        ]
+        candidates = []
+        for step in frame.steps:
+            for way, tail, head in ((1, step.tail, step.head), (-1, step.head, step.tail)):
+                if tail in routes and head not in routes:
+                    rank, so_far = costs[tail]
+                    total = max(rank, found.get(scalar_of(step), 0)), so_far + cost(step)
+                    guide = tail in frame.fixed and isinstance(step, Slide)
+                    key = (total[0], 0.0) if guide else total
+                    candidates.append((key, total, head, tail, (way, step)))
         if not candidates:
             return routes
-        total, head, tail, hop = min(candidates, key=lambda candidate: candidate[0])
-        start, hops = routes[tail]
-        routes[head], costs[head] = (start, (*hops, hop)), total
+        _, total, head, tail, hop = min(candidates, key=lambda candidate: candidate[0])
+        begin, hops = routes[tail]
+        routes[head], costs[head] = (begin, (*hops, hop)), total

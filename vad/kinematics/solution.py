@@ -68,8 +68,8 @@ class Solution(Generic[Truth]):
         return self.solver.linkage
 
     @property
-    def assembly(self) -> str | None:
-        """Which of two assemblies this is; None where there is one."""
+    def assembly(self) -> str | dict[str, str] | None:
+        """Which of two assemblies this is, or the place of each point; None where there is one."""
         return self.mechanism.assembly if self.solver.two_assemblies else None
 
     @property

@@ -37,7 +37,7 @@ OFTEN = 50
 @lru_cache(maxsize=64)
 def solver_of(mechanism: Mechanism) -> Solver:
     """Return the solver of a mechanism, made once."""
-    return Solver(mechanism.linkage(), 1.0 if mechanism.assembly == "open" else -1.0)
+    return Solver(mechanism.marked(), -1.0 if mechanism.assembly == "crossed" else 1.0)
 
 
 class Solver:
@@ -145,6 +145,6 @@ class Solver:
     def why_dead(self, pose: Pose) -> str:
         """Say why a result is undetermined in a single pose."""
         for loop, sine in zip(self.loops, pose.sine, strict=True):
-            if sine == 0.0:
+            if sine == 0.0 and not loop.loop.parallel:
                 return loop.why_dead()
         return "the result is undetermined at this dead centre"

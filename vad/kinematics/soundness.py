@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 from typing import TypeGuard
 
 from vad.errors import InputError
@@ -16,6 +17,7 @@ def check(linkage: Linkage) -> None:
     vad.errors.InputError
         For the first that does not hold, with the number of its loop.
     """
+    _check_fixed(linkage)
     fixed = _fixed(linkage)
     for number, (loop, unknowns) in enumerate(
         zip(linkage.loops, linkage.unknowns, strict=True), start=1
@@ -43,6 +45,17 @@ def check(linkage: Linkage) -> None:
     _check_lengths(linkage)
 
 
+def _check_fixed(linkage: Linkage) -> None:
+    """Check that every fixed point is somewhere, and there alone."""
+    for name, place in {linkage.pivot: linkage.place, **linkage.fixed}.items():
+        if not cmath.isfinite(place):
+            raise InputError(f"fixed point {name}: must be at a finite place, got {place}")
+    names = [linkage.pivot, *linkage.fixed, *(linkage.ground or ())[:1]]
+    for name in names:
+        if names.count(name) > 1:
+            raise InputError(f"fixed point {name}: is given twice")
+
+
 def _is_strut(step: Step, linkage: Linkage) -> TypeGuard[Bar]:
     """Tell whether the length of a bar is what drives the linkage."""
     return isinstance(step, Bar) and length_of(str(step.length)) == linkage.driver
@@ -51,22 +64,22 @@ def _is_strut(step: Step, linkage: Linkage) -> TypeGuard[Bar]:
 def _fixed(linkage: Linkage) -> set[str]:
     """Return the letters of the fixed points: pivots, and the tails of guides."""
     steps = [step for loop in linkage.loops for _, step in loop.steps()]
-    moved = {step.ends[1] for step in steps}
-    guides = {s.ends[0] for s in steps if isinstance(s, Slide) and isinstance(s.along, float)}
+    moved = {step.head for step in steps}
+    guides = {s.tail for s in steps if isinstance(s, Slide) and isinstance(s.along, float)}
     ground = {linkage.ground[0]} if linkage.ground else set()
-    return {linkage.pivot} | ground | (guides - moved)
+    return {linkage.pivot, *linkage.fixed} | ground | (guides - moved)
 
 
 def _path(where: str, chain: tuple[Step, ...]) -> tuple[str, str]:
     """Return the letters at which a chain begins and ends."""
     if not chain:
         raise InputError(f"{where}: is empty")
-    start = here = chain[0].ends[-1 if chain[0].reverse else 0]
+    start = here = chain[0].start
     for step in chain:
-        run = step.ends[::-1] if step.reverse else step.ends
-        if run[0] != here:
+        if step.start != here:
+            run = step.start + step.end
             raise InputError(f"{where}: is broken, {run} does not begin at {here}")
-        here = run[1]
+        here = step.end
     return start, here
 
 
@@ -75,7 +88,8 @@ def _check_slide(where: str, way: int, slide: Slide, loop: Loop) -> None:
     carriers = [
         sense
         for sense, bar in loop.steps()
-        if isinstance(bar, Bar) and (bar.link, bar.length) == (slide.along, slide.name)
+        if isinstance(bar, Bar)
+        and (bar.link, bar.length, bar.turn) == (slide.along, slide.name, slide.turn)
     ]
     if not carriers:
         raise InputError(
@@ -92,11 +106,12 @@ def _check_slide(where: str, way: int, slide: Slide, loop: Loop) -> None:
 def _check_lengths(linkage: Linkage) -> None:
     """Check that a bar that is written twice has one length."""
     steps = [step for loop in linkage.loops for _, step in loop.steps()]
-    lengths: dict[tuple[str, str], float | str] = {}
+    first: dict[tuple[str, str], Bar] = {}
     for bar in (*steps, *linkage.images):
         if isinstance(bar, Bar):
-            length = lengths.setdefault((bar.link, bar.ends), bar.length)
-            if length != bar.length:
-                raise InputError(
-                    f"{bar.link}: {bar.ends} has two lengths, {length} and {bar.length}"
-                )
+            known = first.setdefault((bar.link, bar.ends), bar)
+            if known.length != bar.length:
+                lengths = f"{known.length} and {bar.length}"
+                raise InputError(f"{bar.link}: {bar.ends} has two lengths, {lengths}")
+            if (known.turn, known.offset) != (bar.turn, bar.offset):
+                raise InputError(f"{bar.link}: {bar.ends} has two directions")

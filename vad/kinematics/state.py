@@ -30,6 +30,7 @@ class Component(NamedTuple):
 class Pose:
     """Where everything is: unit vectors of links (and of the ground), lengths of slides.
 
+    That of a link runs along the bar by which it is found: `ReferenceFrame.unit` is the link's own.
     ``sine`` holds, loop by loop, the sine of the angle at which its construction lines cross.
     ``leaning`` holds the unit vectors of bars as seen along the guides on which they end, where
     those are turned against the frame: their angles lose no digit by turning there and back.

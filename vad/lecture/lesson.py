@@ -5,8 +5,9 @@ In comes a sheet, out goes a `Lesson`; how a frame looks is known only to `vad.p
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from vad.displayed import Displayed
 from vad.strokes.sheet import Panel, Sheet, Stroke
 
 
@@ -15,7 +16,8 @@ class Step:
     """One stroke in time: it grows for ``grow`` frames and then rests for ``hold``.
 
     After the last stroke of a panel that stood large, this glides into its place for ``glide``, and
-    the page that comes with it rests for ``settle``.
+    the page that comes with it rests for ``settle``.  A stroke that is ``there`` is not drawn: it
+    is on the board when its panel begins.
     """
 
     panel: Panel
@@ -24,6 +26,7 @@ class Step:
     hold: int
     glide: int = 0
     settle: int = 0
+    there: bool = field(default=False, kw_only=True)
 
     @property
     def frames(self) -> int:
@@ -37,7 +40,7 @@ class Step:
 
 
 @dataclass(frozen=True, slots=True)
-class Lesson:
+class Lesson(Displayed):
     """A sheet that is drawn stroke by stroke.
 
     ``opening`` frames show the empty page, ``closing`` frames the finished one.
@@ -55,6 +58,11 @@ class Lesson:
     def frames(self) -> int:
         """The number of frames."""
         return self.opening + self.closing + sum(step.frames for step in self.steps)
+
+    @property
+    def begun(self) -> int:
+        """The number of strokes that are on the board before the first is drawn."""
+        return next((i for i, step in enumerate(self.steps) if not step.there), len(self.steps))
 
     @property
     def duration(self) -> float:

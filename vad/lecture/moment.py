@@ -56,7 +56,7 @@ def moments(lesson: Lesson, most: float = math.inf) -> Iterator[tuple[Moment, in
     """
     pace = max(1.0, lesson.fps / most)
     near = 1.0 if any(step.glide for step in lesson.steps) else 0.0
-    yield Moment(done(0), near=near), lesson.opening
+    yield Moment(done(lesson.begun), near=near), lesson.opening
     for number, step in enumerate(lesson.steps):
         for share, repeats in _passage(step.grow, pace):
             yield Moment(drawing(number), smooth(share), near), repeats

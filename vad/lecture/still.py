@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from operator import index
 from typing import Any
 
+from vad.displayed import Displayed
 from vad.errors import UsageError, one_of, shown
 from vad.lecture.lesson import Lesson
 from vad.lecture.moment import Moment, done, drawing
@@ -22,7 +23,7 @@ _DIGITS = 9
 
 
 @dataclass(frozen=True, slots=True)
-class Still:
+class Still(Displayed):
     """The page of a lesson at a step, which is counted from 1.
 
     A construction is shown while it is drawn, so that its tool is seen at work; all else is done.

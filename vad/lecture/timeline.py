@@ -33,6 +33,7 @@ GLIDE = 0.8
 SETTLE = 0.8
 OPENING = 0.8
 CLOSING = 4.0
+LOOK = 1.5  # at what is on the board already
 
 FPS = (1.0, 240.0)
 SPEED = (0.01, 1000.0)
@@ -46,6 +47,7 @@ def animate(
     size: tuple[int, int] = (1280, 720),
     speed: float = 1.0,
     style: str = "paper",
+    loop: int = 1,
 ) -> Lesson:
     """Return the lesson in which ``sheet`` is drawn stroke by stroke.
 
@@ -61,6 +63,9 @@ def animate(
         Divides all times: 2 is twice as fast.
     style
         The name of a style.
+    loop
+        The number of the loop, and so of the dyad, with which the pencil starts: in every panel
+        those before it are on the board already.
 
     Raises
     ------
@@ -69,6 +74,7 @@ def animate(
     """
     if not isinstance(sheet, Sheet):
         raise UsageError(f"sheet: must be what vad.draw returns, got {shown(sheet)}")
+    _check_loop(sheet, loop)
     fps, size, speed = checked(fps, size, speed, style)
 
     def count(seconds: float) -> int:
@@ -80,15 +86,29 @@ def animate(
         longest = max(map(_length, panel.strokes), default=0.0)
         for index, stroke in enumerate(panel.strokes):
             last = index + 1 == len(panel.strokes)
-            grow = growth(stroke, longest)
+            begun = panel.loops[loop - 1] if loop > 1 else 0
             glide, settle = (GLIDE, SETTLE) if last and opens(sheet, panel) else (0.0, 0.0)
-            times = grow, rest(stroke, grow), glide, settle
+            if index < begun:
+                grow, hold = 0.0, LOOK if index + 1 == begun else 0.0
+            else:
+                grow = growth(stroke, longest)
+                hold = rest(stroke, grow)
+            times = grow, hold, glide, settle
             # Whole frames are counted from the start, so that roundings do not add up.
             seconds = list(accumulate(times, initial=clock))
             ends = [round(second / speed * fps) for second in seconds]
-            steps.append(Step(panel, index, *(end - start for start, end in pairwise(ends))))
+            lasts = (end - start for start, end in pairwise(ends))
+            steps.append(Step(panel, index, *lasts, there=index < begun))
             clock = seconds[-1]
     return Lesson(sheet, tuple(steps), count(OPENING), count(CLOSING), fps, size, style)
+
+
+def _check_loop(sheet: Sheet, loop: int) -> None:
+    """Check that a sheet has a loop of a number."""
+    count = max(len(panel.loops) for panel in sheet.panels)
+    if isinstance(loop, bool) or not isinstance(loop, int) or not 1 <= loop <= max(count, 1):
+        hint = "this mechanism has one loop" if count < 2 else f"try 2, of its {count} loops"
+        raise UsageError(f"loop: must be between 1 and {max(count, 1)}, got {shown(loop)}", hint)
 
 
 def opens(sheet: Sheet, panel: Panel) -> bool:

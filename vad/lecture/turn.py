@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from vad.displayed import Displayed
 from vad.errors import DeadCentreError, InputError
 from vad.lecture.timeline import checked
 from vad.strokes.sheet import Sheet
@@ -26,7 +27,7 @@ _LATER = 2e-4
 
 
 @dataclass(frozen=True, slots=True)
-class Turn:
+class Turn(Displayed):
     """One turn as a film that begins again where it ends."""
 
     mechanism: Mechanism

@@ -17,7 +17,7 @@ class CrankSlottedLever(Mechanism):
 
     name = "crank-slotted-lever"
     title = "Crank and slotted lever"
-    points = "ABDQCE"
+    letters = "ABDQCE"
     links = {"crank": "AB", "lever": "DC", "rod": "CE"}
     slides = {"block": "B", "ram": "E"}
 

@@ -15,7 +15,7 @@ class DoubleSlider(Mechanism):
 
     name = "double-slider"
     title = "Double slider"
-    points = "OAB"
+    letters = "OAB"
     links = {"link": "AB"}
     slides = {"slider_a": "A", "slider_b": "B"}
     inputs = {"position": 500.0, "velocity": 2000.0, "acceleration": 1000.0}

@@ -15,7 +15,7 @@ class EllipticalTrammel(Mechanism):
 
     name = "elliptical-trammel"
     title = "Elliptical trammel"
-    points = "OABP"
+    letters = "OABP"
     links = {"link": "AB"}
     slides = {"slider_a": "A", "slider_b": "B"}
 

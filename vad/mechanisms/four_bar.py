@@ -17,7 +17,7 @@ class FourBar(Mechanism):
 
     name = "four-bar"
     title = "Four-bar"
-    points = "ABCD"
+    letters = "ABCD"
     links = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
 
     ground: float = length(100.0, "distance AD of the pivots")
@@ -41,6 +41,7 @@ class FourBar(Mechanism):
         loop = Loop(
             first=(Bar("AB", "crank", self.crank), Bar("BC", "coupler", self.coupler)),
             second=(Bar("DC", "rocker", self.rocker),),
+            parallel=parallel,
         )
         ground = ("D", self.ground, self.ground_angle)
-        return Linkage(angle_of("crank"), (loop,), ground=ground, parallel=parallel)
+        return Linkage(angle_of("crank"), (loop,), ground=ground)

@@ -17,7 +17,7 @@ class GateActuator(Mechanism):
 
     name = "gate-actuator"
     title = "Gate actuator"
-    points = "ABD"
+    letters = "ABD"
     links = {"arm": "AB", "actuator": "DB"}
     slides = {"actuator": "B"}
     inputs = {"position": 3.8, "velocity": 1.0 / 17.0, "acceleration": 0.0}

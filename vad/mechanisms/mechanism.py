@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import KW_ONLY, dataclass, field, fields
 from types import MappingProxyType
 from typing import Any, ClassVar, TypeVar
 
 from vad.errors import InputError, one_of, shown
 from vad.kinematics.linkage import Linkage
+from vad.mechanisms.link_points import LinkPoints, link_points, marked
 
 CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}
 # Between these, products of four lengths stay in the range of double precision when scaled.
 SHORTEST, LONGEST = 1e-200, 1e200
 #: Characters of a unit, which stands behind every number.
 LONGEST_UNIT = 60
+
+#: The quantities of parameters that are numbers; a plain number has no unit.
+NUMBERS = ("length", "angle", "number")
 
 #: Every mechanism class by the name that the command line knows.
 MECHANISMS: dict[str, type[Mechanism]] = {}
@@ -53,15 +57,25 @@ def way(*choices: str) -> str:
     return field(default=choices[0], metadata=metadata)
 
 
+Place = tuple[str, float] | tuple[str, float, float]
+
+
+def on_links() -> Mapping[str, Place]:
+    """Declare further points on the links, by name; none are the default."""
+    metadata = {"quantity": "points", "help": "a point D of a link, as in 'D on rod 100 at 30'"}
+    return field(default=LinkPoints(), metadata=metadata)
+
+
 @dataclass(frozen=True)
 class Mechanism:
     """A linkage with its parameters; each kind is a subclass in a file of its own.
 
     A subclass states its parameters as dataclass fields, those that are given by name alone after
     ``_: KW_ONLY``, and as class variables its `name` on the command line, its `title`, the
-    `points`, `links` and `slides` that it reports (links with the letters of their ends, slides
-    with the letter that slides), and its `inputs` with their defaults.  `linkage` returns its
-    loops.
+    `letters` of its points, the `links` and `slides` that it reports (links with the letters of
+    their ends, slides with the letter that slides), and its `inputs` with their defaults.
+    `linkage` returns its loops.  Its user may mark further `points`, each by the name of a link,
+    a distance from that link's first end, and perhaps an angle from its line in degrees.
 
     Raises
     ------
@@ -71,7 +85,7 @@ class Mechanism:
 
     name: ClassVar[str]
     title: ClassVar[str]
-    points: ClassVar[str]
+    letters: ClassVar[Sequence[str]]
     links: ClassVar[dict[str, str]]
     slides: ClassVar[dict[str, str]] = {}
     inputs: ClassVar[Mapping[str, float]] = CRANK
@@ -79,16 +93,18 @@ class Mechanism:
     _: KW_ONLY
     assembly: str = way("open", "crossed")
     length_unit: str = unit("mm")
+    points: Mapping[str, Place] = on_links()
 
-    def __init_subclass__(cls) -> None:
+    def __init_subclass__(cls, listed: bool = True) -> None:
         # Read-only: mechanisms share their defaults.
         cls.inputs = MappingProxyType(dict(cls.inputs))
-        MECHANISMS[cls.name] = cls
+        if listed:
+            MECHANISMS[cls.name] = cls
 
     def __post_init__(self) -> None:
         for parameter in fields(self):
             self._check(parameter.name, parameter.metadata)
-        self._check_names(self.linkage())
+        self._check_names(self.marked())
 
     def _check(self, name: str, metadata: Any) -> None:
         value = getattr(self, name)
@@ -99,6 +115,8 @@ class Mechanism:
                 raise InputError(f"{name}: must be the name of a unit, got {shown(value)}")
             if len(value) > LONGEST_UNIT:
                 raise InputError(f"{name}: must be short, got {shown(value)}")
+        elif metadata["quantity"] == "points":
+            object.__setattr__(self, name, link_points(value))
         elif value is not None or not metadata["optional"]:
             object.__setattr__(self, name, self._number(name, value, metadata["signed"]))
 
@@ -132,11 +150,15 @@ class Mechanism:
         """Return the loops of this mechanism."""
         raise TypeError(f"{type(self).__name__} declares no linkage")
 
+    def marked(self) -> Linkage:
+        """Return its loops, with the points that are marked on its links."""
+        return marked(self.linkage(), link_points(self.points), self.links, {*self.letters})
+
     def parameters(self) -> dict[str, float]:
         """Return the numeric parameters that are set, by name."""
         return {
             parameter.name: getattr(self, parameter.name)
             for parameter in fields(self)
-            if parameter.metadata["quantity"] in ("length", "angle")
+            if parameter.metadata["quantity"] in NUMBERS
             and getattr(self, parameter.name) is not None
         }

@@ -15,7 +15,7 @@ class ScotchYoke(Mechanism):
 
     name = "scotch-yoke"
     title = "Scotch yoke"
-    points = "ABC"
+    letters = "ABC"
     links = {"crank": "AB"}
     slides = {"yoke": "C", "block": "B"}
 

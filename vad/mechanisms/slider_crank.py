@@ -15,7 +15,7 @@ class SliderCrank(Mechanism):
 
     name = "slider-crank"
     title = "Slider–crank"
-    points = "ABC"
+    letters = "ABC"
     links = {"crank": "AB", "rod": "BC"}
     slides = {"slider": "C"}
 

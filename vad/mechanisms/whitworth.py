@@ -18,7 +18,7 @@ class Whitworth(Mechanism):
 
     name = "whitworth"
     title = "Whitworth quick return"
-    points = "ABDQCE"
+    letters = "ABDQCE"
     links = {"crank": "AB", "lever": "DQ", "rod": "CE"}
     slides = {"block": "B", "ram": "E"}
 

@@ -16,7 +16,8 @@ from vad.methods import (
     newton,
     unit_vectors,
 )
-from vad.methods.problem import Found, Jet, Problem, problem_of
+from vad.methods.loop_equations import problem_of
+from vad.methods.problem import Found, Jet, Problem
 
 Method = Callable[[Problem], Found]
 

@@ -13,7 +13,7 @@ from typing import Any
 from mpmath import mp, mpc, mpf  # type: ignore[import-untyped]
 
 from vad.kinematics.linkage import Scalar
-from vad.methods.problem import Found, Jet, LoopEquation, Problem, Values, Vector, found
+from vad.methods.problem import Found, Jet, LoopEquation, Problem, Values, Vector, found, side_of
 
 DIGITS = 50
 # Next to a dead centre half the digits are lost, and half of those left again.
@@ -34,7 +34,9 @@ def solve(problem: Problem) -> Found:
             value = mp.pi * mp.fmod(value, 360) / 180
         values, rates, seconds = ({problem.driver: x} for x in (value, rate, second))
         for equation in problem.equations:
-            values.update(_polished(equation, values, _start(equation, values, problem.side)))
+            values.update(
+                _polished(equation, values, _start(equation, values, side_of(equation, values)))
+            )
             rates.update(_rates(equation, values, rates, None))
             seconds.update(_rates(equation, values, rates, seconds))
         results = found(problem, values, rates, seconds)
@@ -55,7 +57,9 @@ def _polar(vector: Vector, values: Values) -> tuple[Any, Any]:
     length, angle = vector.length, vector.angle
     return (
         vector.sign * (values[length] if isinstance(length, Scalar) else mpf(length)),
-        mp.expj(values[angle]) if isinstance(angle, Scalar) else mp.expjpi(mpf(angle) / 180),
+        mp.expj(values[angle]) * mp.expjpi(mpf(vector.lead) / 180)
+        if isinstance(angle, Scalar)
+        else mp.expjpi(mpf(angle) / 180),
     )
 
 

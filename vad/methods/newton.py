@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from vad.kinematics.linkage import Scalar
 from vad.methods import construction
-from vad.methods.problem import Found, Problem, Values, Vector, driven, found, polar
+from vad.methods.problem import Found, Problem, Values, Vector, driven, found, polar, side_of
 
 TOLERANCE = 1e-10
 _MOST_STEPS = 50
@@ -56,7 +56,9 @@ def sketch(problem: Problem) -> dict[Scalar, float]:
     """Return the position read off a drawing, with a pencil's accuracy."""
     value = driven(problem)[0]
     for equation in problem.equations:
-        for scalar, exact in construction.position(equation, value, problem.side).items():
+        for scalar, exact in construction.position(
+            equation, value, side_of(equation, value)
+        ).items():
             grain = math.pi / 180 if scalar.kind == "angle" else problem.size / 100
             value[scalar] = grain * round(exact / grain)
     return value
@@ -149,6 +151,6 @@ def _on_its_side(problem: Problem, value: Values) -> bool:
         else:
             sign = equation.carriers[1].sign
             area = -size * sign * math.cos(other_angle - angle)
-        if area * problem.side < 0.0:
+        if area * side_of(equation, value) < 0.0:
             return False
     return True

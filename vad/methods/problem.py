@@ -1,29 +1,22 @@
-"""What every method begins with: in comes a mechanism with its input, out go its loop equations.
+"""What every method begins with: the loop equations of a mechanism with the motion of its driver.
 
 A loop equation says that vectors add up to nothing:
 
     constant + Σ ± length · (cos angle, sin angle) = 0
 
 where each length and each angle is a number, or a `Scalar` that the driver dictates or that is to
-be found.  It is read off the declared loops alone; nothing of the solver is used.
+be found.
 """
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from vad.kinematics.linkage import (
-    Bar,
-    Linkage,
-    Loop,
-    Scalar,
-    Slide,
-    angle_of,
-    length_of,
-)
+from vad.kinematics.linkage import Scalar
 from vad.mechanisms import Mechanism
 
 #: A number, or the `Scalar` whose value it has.
@@ -31,19 +24,27 @@ Given = Any
 
 
 class Vector(NamedTuple):
-    """One vector of a loop, ``sign`` · ``length`` along ``angle`` (degrees, if it is a number)."""
+    """One vector of a loop, ``sign`` · ``length`` along ``angle`` (degrees, if it is a number).
+
+    ``lead`` is by how much it is ahead of an angle that is no number, in degrees.
+    """
 
     sign: int
     length: Given
     angle: Given
+    lead: float = 0.0
 
 
 class LoopEquation(NamedTuple):
-    """One loop: its vectors and the two scalars that are found from it."""
+    """One loop: its vectors, the two scalars that are found from it, and on which side it closes.
+
+    ``side`` is +1 or -1, or 0 for a parallelogram, whose side changes at its change points.
+    """
 
     constant: complex
     vectors: tuple[Vector, ...]
     unknowns: tuple[Scalar, ...]
+    side: int = 1
 
     @property
     def known(self) -> tuple[Vector, ...]:
@@ -86,18 +87,19 @@ class Problem:
         Its value (an angle in degrees), rate and second derivative.
     equations
         One for each loop, in the order in which they can be solved.
-    side
-        +1 for the open assembly, -1 for the crossed one.
     size
         The largest length, for what is small beside it.
+    zeros
+        What is to be taken from an angle (radians) or a length that the equations give: they
+        count from the vector that is found, where the link or slide counts from elsewhere.
     """
 
     mechanism: Mechanism
     driver: Scalar
     drive: Jet
     equations: tuple[LoopEquation, ...]
-    side: int
     size: float
+    zeros: Mapping[Scalar, float]
 
     @property
     def unknowns(self) -> tuple[Scalar, ...]:
@@ -116,102 +118,6 @@ class Problem:
         return max(rate, math.sqrt(second))
 
 
-def problem_of(mechanism: Mechanism, inputs: Mapping[str, float]) -> Problem:
-    """Return the problem of one pose; inputs that are left out have their defaults.
-
-    Examples
-    --------
-    >>> from vad.mechanisms.double_slider import DoubleSlider
-    >>> (equation,) = problem_of(DoubleSlider(), {}).equations
-    >>> for sign, length, angle in equation.vectors:
-    ...     print(f"{sign:+} ({length}) along ({angle})")
-    -1 (the length of slider_a) along (0.0)
-    -1 (1000.0) along (the angle of link)
-    +1 (the length of slider_b) along (90.0)
-    """
-    linkage = mechanism.linkage()
-    places = _fixed_points(linkage)
-    equations = tuple(
-        _equation(loop, unknowns, places)
-        for loop, unknowns in zip(linkage.loops, linkage.unknowns, strict=True)
-    )
-    drive = Jet(*({**mechanism.inputs, **inputs}[name] for name in mechanism.inputs))
-    lengths = [v.length for equation in equations for v in equation.vectors]
-    size = max(abs(length) for length in lengths if isinstance(length, float))
-    side = _side(linkage, drive, mechanism.assembly)
-    return Problem(mechanism, linkage.driver, drive, equations, side, size)
-
-
-def _side(linkage: Linkage, drive: Jet, assembly: str) -> int:
-    """Return the side on which a pose closes; a parallelogram changes it at its change points."""
-    if linkage.parallel and linkage.ground:
-        turned = math.remainder(drive.value - linkage.ground[2], 360.0)
-        return 1 if turned > 0.0 else -1
-    return 1 if assembly == "open" else -1
-
-
-class _Place(NamedTuple):
-    """Where a fixed point is: a number, and vectors to be added to it."""
-
-    constant: complex
-    vectors: tuple[Vector, ...] = ()
-
-    def times(self, sign: int) -> _Place:
-        return _Place(
-            sign * self.constant, tuple(v._replace(sign=sign * v.sign) for v in self.vectors)
-        )
-
-
-def _fixed_points(linkage: Linkage) -> dict[str, _Place]:
-    places = {linkage.pivot: _Place(0j)}
-    if linkage.ground:
-        letter, distance, degrees = linkage.ground
-        places[letter] = _Place(0j, (Vector(1, distance, degrees),))
-    steps = [step for loop in linkage.loops for _, step in loop.steps()]
-    moving = {step.ends[1] for step in steps}
-    for step in steps:
-        if isinstance(step, Slide) and isinstance(step.along, float) and step.ends[0] not in moving:
-            places.setdefault(step.ends[0], _Place(step.origin))
-    return places
-
-
-def _equation(
-    loop: Loop, unknowns: tuple[Scalar, ...], places: Mapping[str, _Place]
-) -> LoopEquation:
-    """Return second chain - first chain = 0."""
-    parts = []
-    for sign, chain in ((-1, loop.first), (1, loop.second)):
-        start = chain[0].ends[1 if chain[0].reverse else 0]
-        parts.append(places.get(start, _Place(0j)).times(sign))
-    vectors = []
-    for sign, step in loop.steps():
-        if isinstance(step, Bar):
-            length = length_of(step.length) if isinstance(step.length, str) else step.length
-            vectors.append(Vector(sign, length, angle_of(step.link)))
-        elif isinstance(step.along, float):
-            vectors.append(Vector(sign, length_of(step.name), step.along))
-            if step.ends[0] in places:  # the length is counted from the origin of the line
-                parts += [_Place(step.origin).times(sign), places[step.ends[0]].times(-sign)]
-    vectors += [vector for part in parts for vector in part.vectors]
-    total = sum(part.constant for part in parts)
-    return LoopEquation(complex(total), tuple(_without_opposites(vectors)), unknowns)
-
-
-def _without_opposites(vectors: list[Vector]) -> list[Vector]:
-    """Return the vectors without pairs that cancel."""
-    kept: list[Vector] = []
-    for vector in vectors:
-        opposite = vector._replace(sign=-vector.sign)
-        if opposite in kept:
-            kept.remove(opposite)
-        else:
-            kept.append(vector)
-    return kept
-
-
-# --- what the methods share: the order of the work, and how to read a vector --------------------
-
-
 def driven(problem: Problem) -> tuple[Unfinished, Unfinished, Unfinished]:
     """Return value (an angle in radians), rate and second derivative of the driver."""
     value, rate, second = problem.drive
@@ -223,10 +129,23 @@ def driven(problem: Problem) -> tuple[Unfinished, Unfinished, Unfinished]:
 def polar(vector: Vector, values: Values) -> tuple[float, float]:
     """Return a vector's signed length and its angle in radians."""
     length, angle = vector.length, vector.angle
+    lead = math.radians(vector.lead)
     return (
         vector.sign * (values[length] if isinstance(length, Scalar) else length),
-        values[angle] if isinstance(angle, Scalar) else math.radians(angle),
+        values[angle] + lead if isinstance(angle, Scalar) else math.radians(angle),
     )
+
+
+def side_of(equation: LoopEquation, values: Values) -> int:
+    """Return the side on which a loop closes; a parallelogram changes it at its change points."""
+    if equation.side:
+        return equation.side
+    known = {-1: 0j, 1: equation.constant}
+    for vector in equation.known:
+        size, angle = polar(vector, values)
+        known[vector.sign] += cmath.rect(vector.sign * float(size), float(angle))
+    # The opposite corner is on the other side of the line between the two.
+    return 1 if (known[1].conjugate() * known[-1]).imag > 0.0 else -1
 
 
 Position = Callable[[LoopEquation, Values, int], dict[Scalar, float]]
@@ -248,7 +167,7 @@ def loop_by_loop(problem: Problem, position: Position, rates: Rates) -> Found:
     """
     value, rate, second = driven(problem)
     for equation in problem.equations:
-        value.update(position(equation, value, problem.side))
+        value.update(position(equation, value, side_of(equation, value)))
         rate.update(rates(equation, value, rate, None))
         second.update(rates(equation, value, rate, second))
     return found(problem, value, rate, second)
@@ -256,4 +175,8 @@ def loop_by_loop(problem: Problem, position: Position, rates: Rates) -> Found:
 
 def found(problem: Problem, value: Values, rate: Values, second: Values) -> Found:
     """Return what was unknown, with its derivatives."""
-    return {scalar: Jet(value[scalar], rate[scalar], second[scalar]) for scalar in problem.unknowns}
+    zeros = problem.zeros
+    return {
+        scalar: Jet(value[scalar] - zeros.get(scalar, 0.0), rate[scalar], second[scalar])
+        for scalar in problem.unknowns
+    }

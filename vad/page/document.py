@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import re
 from base64 import b64encode
+from collections.abc import Sequence
 from functools import cache
 from hashlib import sha256
 from html import escape
@@ -59,7 +60,8 @@ def document(lesson: Lesson, start: int = 0) -> str:
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         '<meta name="viewport" content="width=device-width,initial-scale=1">\n'
         f"<title>{escape(title(lesson.sheet))}</title>\n"
-        f"<style>\n{made.faces.rules()}{asset('player.css')}{colours(lesson)}{made.looks}"
+        f"<style>\n{made.faces.rules()}{asset('player.css')}"
+        f"{colours(lesson.style, len(lesson.sheet.rows))}{made.looks}"
         f"</style>\n</head>\n<body>\n{section(lesson, made)}"
         f'<script type="application/json" id="data">{data}</script>\n'
         f'<script type="module">{script}</script>\n</body>\n</html>\n'
@@ -69,35 +71,37 @@ def document(lesson: Lesson, start: int = 0) -> str:
 def section(lesson: Lesson, made: Parts) -> str:
     """Return the parts of a lesson in their places, with its player."""
     names = " ".join(style.name for style in themes(load_style(lesson.style)))
-    strokes = phrases(lesson.sheet.language)["player"]["strokes"]
+    code, titles = lesson.sheet.language, [panel.title for panel in lesson.sheet.panels]
+    strokes = phrases(code)["player"]["strokes"]
     return (
         f'<main class="vad" data-theme="{lesson.style}" data-themes="{names}">\n'
         f'<div class="board"><header>{made.head}</header>\n'
         f'<div class="panels">{made.panels}</div>\n'
-        f'<div class="results">{made.table}</div>\n{player(lesson, made)}</div>\n'
+        f'<div class="results">{made.table}</div>\n'
+        f"{player(code, titles, made.chapters, len(lesson.steps), made.lines)}</div>\n"
         f'<section class="steps"><h2>{escape(strokes)}</h2>\n'
         f'<div class="lists">{made.steps}</div></section>\n</main>\n'
     )
 
 
-def player(lesson: Lesson, made: Parts) -> str:
-    """Return caption, scrubber and buttons, in the language of the lesson."""
-    said = phrases(lesson.sheet.language)["player"]
-    panels = lesson.sheet.panels
+def player(
+    code: str, titles: Sequence[str], chapters: str = "", count: int = 0, lines: int = 1
+) -> str:
+    """Return caption, scrubber and buttons in a language, for panels with these titles."""
+    said = phrases(code)["player"]
     return Template(asset("player.html")).substitute(
         {name.replace("-", "_"): escape(words) for name, words in said.items()},
-        chapters=made.chapters,
-        count=len(lesson.steps),
-        digits=" ".join(f"<kbd>{number}</kbd>" for number in range(1, len(panels) + 1)),
-        titles=escape(" / ".join(panel.title for panel in panels)),
-        lines=made.lines,
+        chapters=chapters,
+        count=count,
+        digits=" ".join(f"<kbd>{number}</kbd>" for number in range(1, len(titles) + 1)),
+        titles=escape(" / ".join(titles)),
+        lines=lines,
     )
 
 
-def colours(lesson: Lesson) -> str:
+def colours(name: str, rows: int) -> str:
     """Return the rules of a style's colours and of its other side, of which one is printed."""
-    rows = len(lesson.sheet.rows)
-    sides = sorted(themes(load_style(lesson.style)), key=lambda side: side.name != _PRINTED)
+    sides = sorted(themes(load_style(name)), key=lambda side: side.name != _PRINTED)
     return f".vad{{{variables(sides[0], rows)}}}\n" + "".join(
         f"@media screen{{.vad[data-theme={side.name}]{{{variables(side, rows)}}}}}\n"
         for side in sides[1:]

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from itertools import groupby
 from typing import Any
 
 from vad.page.growths import grown
@@ -52,7 +53,10 @@ class Inker:
                 # What shows again and again, as the light on a link, is written once.
                 key = item.level, "".join(map(self._mark, item.marks))
                 groups.setdefault(key, []).append((item.since, item.until))
-        return "".join(f"<g{when(spans)}>{marks}</g>" for (_, marks), spans in groups.items())
+        beats = groupby(groups.items(), key=lambda group: when(group[1]))
+        return "".join(
+            f"<g{span}>{''.join(marks for (_, marks), _ in run)}</g>" for span, run in beats
+        )
 
     def mark(self, mark: Mark) -> str:
         """Return a mark as it stays."""

@@ -23,27 +23,39 @@ from vad.strokes.sheet import Panel
 
 def panel_section(board: Plan, panel: Panel, inker: Inker, words: Words) -> str:
     """Return a panel: its head, its drawing, and its equations."""
-    unit = board.form.unit
-    sketch, place = board.sketches[panel.name], board.page.panels[panel.name]
-    begun = when([(drawing(sketch.setting.first), FOREVER)])
-    area, ink = place.drawing, reach(i for i in board.items if i.region == panel.name)
+    begun = when([(drawing(board.sketches[panel.name].setting.first), FOREVER)])
+    wide = board.page.panels[panel.name].drawing.width * board.form.unit
     name = words.of(roman(panel.title), light=False, heavy=True)
-    scale = ""
-    if not sketch.scale.bare:
-        length, runs = bar(panel, place, sketch.scale, board.sheet.notation)
-        scale = (
-            f'<p class="scale"><span class="bar" style="--n:{number(length * unit)}"></span>'
-            f"{words.of(runs)}</p>"
-        )
+    return (
+        f'<section class="panel" style="--w:{number(wide)}">'
+        f'<div class="top"{begun}><h2>{name}</h2>{scale_bar(board, panel, words)}</div>'
+        f"{picture(board, panel, inker)}"
+        f'<div class="foot"{begun}>{_foot(board, panel, inker, words)}</div></section>'
+    )
+
+
+def scale_bar(board: Plan, panel: Panel, words: Words) -> str:
+    """Return the scale of a panel; nothing where it has none."""
+    sketch, place = board.sketches[panel.name], board.page.panels[panel.name]
+    if sketch.scale.bare:
+        return ""
+    length, runs = bar(panel, place, sketch.scale, board.sheet.notation)
+    return (
+        f'<p class="scale"><span class="bar" style="--n:{number(length * board.form.unit)}">'
+        f"</span>{words.of(runs)}</p>"
+    )
+
+
+def picture(board: Plan, panel: Panel, inker: Inker) -> str:
+    """Return the drawing of a panel, which knows where its ink ends."""
+    area = board.page.panels[panel.name].drawing
+    ink = reach(item for item in board.items if item.region == panel.name)
     top, low = min(area.top, ink.top + 0.01), max(area.bottom, ink.bottom - 0.01)
     cut = [(area.top - top) / area.width, (top - low) / area.width]
     return (
-        f'<section class="panel" style="--w:{number(area.width * unit)}">'
-        f'<div class="top"{begun}><h2>{name}</h2>{scale}</div>'
         f'<div class="drawing" style="--cut:{number(cut[0], 4)};--ink:{number(cut[1], 4)}">'
         f'<svg viewBox="{inker.view(area)}" role="img" aria-label="{escape(panel.title)}">'
         f"{inker.drawing(board, panel.name)}</svg></div>"
-        f'<div class="foot"{begun}>{_foot(board, panel, inker, words)}</div></section>'
     )
 
 

@@ -30,7 +30,7 @@ def table(plan: Plan, key: float, inker: Inker, words: Words) -> str:
     rows = "".join(
         f'<tr role="row"><th scope="row" role="rowheader">{_key(number, key, inker)}'
         f"{words.of(roman(row.title + ' ') + symbols(row.letters))}</th>"
-        + "".join(_cells(plan, panel, row, words) for panel in sheet.panels)
+        + "".join(measured_cells(plan, panel, row, words) for panel in sheet.panels)
         + "</tr>"
         for number, row in enumerate(sheet.rows)
     )
@@ -53,7 +53,8 @@ def _key(number: int, key: float, inker: Inker) -> str:
     return f'<svg class="key" viewBox="{view}" aria-hidden="true">{inker.mark(mark)}</svg>'
 
 
-def _cells(plan: Plan, panel: Panel, row: Row, words: Words) -> str:
+def measured_cells(plan: Plan, panel: Panel, row: Row, words: Words) -> str:
+    """Return what a panel measures of a row, as one cell of the table."""
     cells = row.cells.get(panel.name, ())
     _, since = measuring(plan.sketches[panel.name].setting, row)
     room = plan.page.panels[panel.name].drawing.width

@@ -41,6 +41,8 @@ class SvgPainter:
         other programs restyle.  Either way it can be selected and searched.
     description
         What the picture shows, where it is more than the sheet.
+    scope
+        The id of the picture where it stands among others on a page, none of which it disturbs.
 
     Attributes
     ----------
@@ -53,7 +55,13 @@ class SvgPainter:
         If there is no such way with text.
     """
 
-    def __init__(self, sheet: Sheet, text: Text = "glyphs", description: str | None = None) -> None:
+    def __init__(
+        self,
+        sheet: Sheet,
+        text: Text = "glyphs",
+        description: str | None = None,
+        scope: str = "",
+    ) -> None:
         self._sheet = sheet
         self._description = describe(sheet) if description is None else description
         self._captions = {
@@ -61,7 +69,7 @@ class SvgPainter:
             for panel in sheet.panels
             for stroke in panel.strokes
         }
-        self._classes = Classes()
+        self._classes = Classes(scope)
         self._text = _TEXTS[one_of("text", text, _TEXTS)](self._classes)
         self._elements: list[str] = []
         self._begun: set[str] = set()
@@ -97,8 +105,9 @@ class SvgPainter:
         """End the picture."""
         self._close()
         width, height = number(self._grid.width), number(self._grid.height)
+        scope = f'id="{self._classes.scope}" ' if self._classes.scope else ""
         self.svg = (
-            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
+            f'<svg xmlns="http://www.w3.org/2000/svg" {scope}width="{width}" height="{height}" '
             f'viewBox="0 0 {width} {height}" role="img" lang="{self._sheet.language}" '
             f'fill="none" stroke-miterlimit="{_MITRE}" xml:space="preserve">\n'
             f"<title>{escape(title(self._sheet))}</title>\n"
@@ -109,7 +118,7 @@ class SvgPainter:
 
     def _unique(self, name: str, first: bool) -> str:
         """Return an id: the name for the first group in the stroke's panel, numbers for others."""
-        name = name.replace(":", "-")  # a colon is for namespaces
+        name = self._classes.shared(name.replace(":", "-"))  # a colon is for namespaces
         if first:
             return name
         self._others[name] = self._others.get(name, 1) + 1

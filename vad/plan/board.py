@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from types import MappingProxyType
 from typing import Protocol
 
 from vad.lecture.moment import Moment, finished
@@ -21,10 +22,11 @@ from vad.plan.opening import REGION, Opening, opening
 from vad.plan.page.captioning import caption_lines
 from vad.plan.page.changing import captions, equations, heads, lights, readings, results
 from vad.plan.page.foot import Foot, compose
+from vad.plan.page.halves import height_of_halves
 from vad.plan.page.measured import lines_of
 from vad.plan.page.title import title_marks
 from vad.plan.pictures.kinds import sketched
-from vad.plan.scale import is_tall
+from vad.plan.scale import Scale, is_tall
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Sheet
 
@@ -95,7 +97,14 @@ def seen(board: Board, moment: Moment) -> Sequence[Item]:
     return board.opening.shown(items, moment.near)
 
 
-def plan(sheet: Sheet, form: Format, key: float, lesson: bool = False) -> Plan:
+def plan(
+    sheet: Sheet,
+    form: Format,
+    key: float,
+    lesson: bool = False,
+    lines: int | None = None,
+    scales: Mapping[str, Scale] = MappingProxyType({}),
+) -> Plan:
     """Return the plan of a sheet.
 
     Parameters
@@ -108,15 +117,22 @@ def plan(sheet: Sheet, form: Format, key: float, lesson: bool = False) -> Plan:
         The length of the line before a row's name, which a style asks for.
     lesson
         True where captions need room, and what is new stands out.
+    lines
+        How many lines there are for a caption; as many as the longest takes if None.
+    scales
+        Of the panels that do not fill their room.
     """
-    lines = caption_lines(sheet, form.width - 2 * MARGIN) if lesson else 0
+    if lines is None:
+        lines = caption_lines(sheet, form.width - 2 * MARGIN) if lesson else 0
     page, feet = arrange(sheet, form, lines)
     rows = rows_of(sheet)
     sketches: dict[str, Sketch] = {}
     first = 0
     for panel in sheet.panels:
         room = page.panels[panel.name].drawing
-        sketches[panel.name] = sketched(Setting(sheet, panel, room, rows, first, form.centimetre))
+        scale = scales.get(panel.name)
+        setting = Setting(sheet, panel, room, rows, first, form.centimetre, scale)
+        sketches[panel.name] = sketched(setting)
         first += len(panel.strokes)
     regions = regions_of(page)
     items = [
@@ -144,7 +160,8 @@ def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[
         (p.name for p in sheet.panels if p.picture == "skeleton" and is_tall(corners(p))), ""
     )
     # A first layout tells the panels' width, the second knows how many lines they need.
-    first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines, tall)
+    block = height_of_halves(sheet.rows, names)
+    first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines, tall, block)
     feet = {
         panel.name: compose(panel, first.panels[panel.name].drawing.width) for panel in sheet.panels
     }
@@ -152,7 +169,7 @@ def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[
     if form.centimetre:
         for panel in sheet.panels:
             lines[panel.name] += lines_of(panel, first.panels[panel.name].drawing.width)
-    return lay_out(form, lines, rows, caption_lines, tall), feet
+    return lay_out(form, lines, rows, caption_lines, tall, block), feet
 
 
 def rows_of(sheet: Sheet) -> dict[str, int]:

@@ -52,6 +52,7 @@ VECTOR = 0.0060
 WHOLE = 0.0040  # a vector beside its own parts, or found by an image
 CONSTRUCTION = 0.0046
 BLOCK_RIM = 0.0042
+PLATE_EDGE = 0.0046
 JOINT_RIM = 0.0036
 DOT_RIM = 0.0022
 AXIS = 0.0019
@@ -86,6 +87,9 @@ ROLES: dict[str, Role] = {
     "bar light": _light(BAR),
     "piston rod": Role(line="row", width=0.0052, linked=True),
     "slit": Role(fill="ground", line="row", width=0.0030, join="round"),
+    "plate": Role(fill="row", alpha=0.15),
+    "plate edge": Role(line="row", width=PLATE_EDGE, join="round"),
+    "plate edge light": Role(line="row", width=LIGHT * 2 * PLATE_EDGE, join="round", alpha=0.20),
     "block": Role(fill="tint", line="row", width=BLOCK_RIM),
     "block light": Role(line="row", width=LIGHT * 1.3 * BLOCK_RIM, join="round", alpha=0.20),
     "slot": Role(line="row", width=BLOCK_RIM, join="round"),

@@ -47,7 +47,7 @@ def fill(
     Where the length of a ``centimetre`` is given, it stands for a round number; a ``factor`` that
     is given is kept.
     """
-    inner = _padded(drawing, position)
+    inner = padded(drawing, position)
     all_points = list(points) or [0j]
     xs = [p.real for p in all_points]
     ys = [p.imag for p in all_points]
@@ -64,7 +64,7 @@ def fill(
     return Scale(inner.centre - factor * middle, factor)
 
 
-def _padded(drawing: Rect, position: bool) -> Rect:
+def padded(drawing: Rect, position: bool) -> Rect:
     """Return the drawing less its padding, which takes no more than half of a small one."""
     bottom = BOTTOM_PADDING_POSITION if position else BOTTOM_PADDING
     across = min(1.0, drawing.width / (4 * SIDE_PADDING))

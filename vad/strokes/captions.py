@@ -5,7 +5,7 @@ from __future__ import annotations
 from vad.kinematics.linkage import Bar, Slide, Step, length_of
 from vad.strokes.chains import Part
 from vad.strokes.figures import Figure, Unit
-from vad.strokes.scene import Scene, image_letter
+from vad.strokes.scene import Scene, image_letter, point_of
 
 
 class Captions:
@@ -23,12 +23,12 @@ class Captions:
         points = self._scene.motion.points
         *named, last = [
             letter
-            if letter[0].upper() in points
-            else self._say("on the guide", letter=letter, point=letter[0].upper())
+            if point_of(letter) in points
+            else self._say("on the guide", letter=letter, point=point_of(letter))
             for letter in letters
         ]
         if not named:
-            point = letters[0][0].upper()
+            point = point_of(letters[0])
             return self._say(f"pole {self._panel} one", point=point, letters=last)
         both = self._say("and", first=", ".join(named), last=last)
         return self._say(f"pole {self._panel}", letters=both)
@@ -46,20 +46,20 @@ class Captions:
         rate = scene.spin(bar.link, 1 if normal else self._order, power=2 if normal else 1)
         size, value = scene.length(bar, self._unit), self._size(part)
         scene.figures.product(value, rate, size)
-        letters = scene.letters(bar)
-        whole = label == "".join(image_letter(end, self._order) for end in bar.ends)
+        tail, head = scene.ends(bar)
+        whole = label == "".join(image_letter(end, self._order) for end in (bar.tail, bar.head))
         return self._say(
             ("normal" if normal else f"tangential {self._panel}") + (" whole" if whole else ""),
             label=label,
-            bar=letters,
+            bar=tail + head,
             omega=scene.symbol("ω", bar.link),
             alpha=scene.symbol("α", bar.link),
             rate=rate,
             size=size,
             value=value,
             unit=Unit(self._unit),
-            head=letters[1],
-            tail=letters[0],
+            head=head,
+            tail=tail,
             whose=self._whose(bar),
         )
 
@@ -92,22 +92,38 @@ class Captions:
                 head=self._sliding_point(step),
                 meeting=meeting,
             )
-        bar = scene.letters(step)
+        tail, head = scene.ends(step)
         strut = " strut" if self._order == 1 and scene.is_strut(step) else ""
         return self._say(
             f"across {self._panel}{strut}",
             point=place,
-            bar=bar,
-            tail=bar[0],
-            head=bar[1],
+            bar=tail + head,
+            tail=tail,
+            head=head,
             alpha=scene.symbol("α", step.link),
             meeting=meeting,
         )
 
+    def across(self, tail: str, head: str) -> str:
+        """Say that a further point of a link moves across its line to a known one."""
+        return self._say(
+            f"across {self._panel}",
+            point=image_letter(tail, self._order),
+            bar=tail + head,
+            tail=tail,
+            head=head,
+            meeting=image_letter(head, self._order),
+        )
+
+    def absolute(self, label: str, point: str, size: float) -> str:
+        """Measure the vector of a point from the pole."""
+        value, whose = Figure(size, self._unit), self._say(f"{self._panel} of", head=point)
+        return self._say("whole", label=label, value=value, unit=Unit(self._unit), whose=whose)
+
     def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part, str]]) -> str:
         """Say what lies where the two lines cross, and which results are zero there."""
         if pole:
-            return self._say("pole crossing", letter=letter, point=letter[0].upper())
+            return self._say("pole crossing", letter=letter, point=point_of(letter))
         found = "; ".join(
             self._say("zero", point=vertex, symbol=self._rate_symbol(part.step))
             for part, vertex in zeros
@@ -131,15 +147,15 @@ class Captions:
             )
         rate, size = scene.spin(step.link, self._order), scene.length(step, self._unit, power=-1)
         scene.figures.product(rate, value, size)
-        bar = scene.letters(step)
+        tail, head = scene.ends(step)
         turning = scene.rate(step.link, self._order)
         return self._say(
             f"measured omega{self._seen(step)}" if self._order == 1 else "measured alpha",
             omega=scene.symbol("ω", step.link),
             alpha=scene.symbol("α", step.link),
-            bar=bar,
-            tail=bar[0],
-            head=bar[1],
+            bar=tail + head,
+            tail=tail,
+            head=head,
             size=size,
             rate=rate,
             sense=self._say("counter-clockwise" if turning > 0 else "clockwise"),
@@ -167,17 +183,17 @@ class Captions:
         size, length = scene.length(bar, self._unit), scene.length(base, self._unit, power=-1)
         scene.figures.product(own, known, size, length)
         part, whole = (
-            "".join(image_letter(letter, self._order) for letter in each.ends)
+            "".join(image_letter(letter, self._order) for letter in (each.tail, each.head))
             for each in (bar, base)
         )
         common = {"value": found, "unit": Unit(self._unit), "label": label}
         also = "" if part == label else self._say("image other", **common)
-        if not bar.against:  # else it would take three lines
-            whose = self._say(f"{self._panel} of", head=bar.ends[1])
+        if not scene.against(bar):  # else it would take three lines
+            whose = self._say(f"{self._panel} of", head=bar.head)
             also += self._say("image whose", whose=whose)
         return self._say(
-            "image against" if bar.against else "image",
-            letter=image_letter(bar.ends[1], self._order),
+            "image against" if scene.against(bar) else "image",
+            letter=image_letter(bar.head, self._order),
             image=self._say(f"image {self._panel}"),
             link=bar.link,
             part=part,
@@ -203,15 +219,15 @@ class Captions:
 
     def _whose(self, bar: Bar) -> str:
         """Say whose velocity or acceleration the whole vector of a bar is."""
-        fixed = bar.ends[0] in self._scene.motion.frame.fixed
+        fixed = bar.tail in self._scene.motion.frame.fixed
         phrase = f"{self._panel} of" + ("" if fixed else " relative")
-        return self._say(phrase, head=bar.ends[1], tail=bar.ends[0])
+        return self._say(phrase, head=bar.head, tail=bar.tail)
 
     def _seen(self, bar: Bar) -> str:
         """Return from where the motion of a bar's head is seen."""
         if self._scene.is_strut(bar):
             return " strut"
-        return " absolute" if bar.ends[0] in self._scene.motion.frame.fixed else ""
+        return " absolute" if bar.tail in self._scene.motion.frame.fixed else ""
 
     def _sliding_point(self, slide: Slide) -> str:
         return self._scene.motion.mechanism.slides[slide.name]

@@ -45,9 +45,7 @@ class Chain:
         self, scene: Scene, steps: tuple[Step, ...], unknowns: tuple[Scalar, ...], order: int
     ) -> None:
         self.steps = steps
-        first, last = steps[0], steps[-1]
-        self.start = first.ends[1] if first.reverse else first.ends[0]
-        self.end = last.ends[0] if last.reverse else last.ends[1]
+        self.start, self.end = steps[0].start, steps[-1].end
         parts = [part for step in steps for part in _parts(scene, step, unknowns, order)]
         self.known = _coriolis_last([part for part in parts if not part.unknown])
         self.unknown = next((part for part in parts if part.unknown), None)

@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from vad.strokes.sheet import Cell, CoriolisInset, Equation, Panel, Picture, Stroke
+from vad.strokes.sheet import Cell, CoriolisInset, Equation, ImageTriangle, Panel, Picture, Stroke
 
 if TYPE_CHECKING:
     from vad.strokes.scene import Scene
@@ -23,6 +23,8 @@ class Drawing:
     zeros: tuple[Stroke, ...] = ()
     equations: tuple[Equation, ...] = ()
     inset: CoriolisInset | None = None
+    triangles: tuple[ImageTriangle, ...] = ()
+    loops: tuple[int, ...] = ()
 
 
 def no_cells(scene: Scene, name: str) -> tuple[Cell, ...]:
@@ -84,4 +86,6 @@ class Diagram:
             drawing.zeros,
             scene.language.name(self.title),
             self.picture,
+            drawing.triangles,
+            drawing.loops,
         )

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from vad.errors import InputError, UsageError, one_of, shown
+from vad.kinematics.linkage import points_of
 from vad.kinematics.motion import Motion
 from vad.strokes.canonical import canonical
 from vad.strokes.chains import NOTHING
@@ -14,6 +15,9 @@ from vad.strokes.language import Language
 from vad.strokes.notation import Notation, in_metres
 from vad.strokes.scene import Scene
 from vad.strokes.sheet import Arrow, Cell, Panel, Row, Sheet, Stroke
+
+#: So many parameters a title has at most.
+MOST = 8
 
 
 def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: str = "en") -> Sheet:
@@ -91,17 +95,28 @@ def chosen(panels: Sequence[str] | str | None) -> tuple[str, ...]:
 
 
 def _parameters(scene: Scene) -> tuple[tuple[str, float, str], ...]:
-    """Return all lengths, and the angles but for 0 and a mechanism's own along the axes."""
+    """Return all lengths, and the angles but for 0 and a mechanism's own along the axes.
+
+    Where they are too many for a line, coordinates are left out first, and then the last.
+    """
     mechanism = scene.motion.mechanism
     plain = type(mechanism)
     shown = []
     for name, value in mechanism.parameters().items():
         metadata = plain.__dataclass_fields__[name].metadata
-        if metadata["quantity"] == "length":
-            shown.append((scene.language.name(name), value, scene.unit))
+        if metadata["quantity"] != "angle":
+            unit = scene.unit if metadata["quantity"] == "length" else ""
+            shown.append((scene.language.name(name), value, unit))
         elif value and (value != plain.__dataclass_fields__[name].default or value % 90.0):
             shown.append((scene.language.name(name), value, "°"))
-    return tuple(shown)
+    for name, (link, distance, *angle) in mechanism.points.items():
+        tail, head = points_of(mechanism.links[link])
+        shown.append((tail + name, distance, scene.unit))
+        shown += [(head + tail + name, each, "°") for each in angle if each]
+    if len(shown) > MOST:
+        coordinates = {point + axis for point in scene.motion.points for axis in "xy"}
+        shown = [each for each in shown if each[0] not in coordinates]
+    return tuple(shown[:MOST])
 
 
 def _rows(scene: Scene, diagrams: list[Diagram]) -> list[Row]:

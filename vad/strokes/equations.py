@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from vad.kinematics.linkage import Bar, Loop, Slide, Step, scalar_of
 from vad.strokes.scene import Scene
-from vad.strokes.sheet import Equation, Term
+from vad.strokes.sheet import Equation, Plate, Stroke, Term
 
 
 @dataclass
 class Side:
-    """The vectors of one chain in the order in which they were drawn."""
+    """The vectors of one chain in the order in which they were drawn.
 
+    ``start`` is the one from the pole to the vertex from which it begins, if that is another.
+    """
+
+    start: Term | None = None
     entries: list[tuple[Step, Term]] = field(default_factory=list)
 
     def add(self, step: Step, term: Term) -> None:
@@ -25,7 +30,8 @@ class Side:
 
     def forward(self) -> list[Term]:
         """Return the vectors that run with the chain."""
-        return [term for step, term in self.entries if not step.reverse]
+        begun = [self.start] if self.start else []
+        return begun + [term for step, term in self.entries if not step.reverse]
 
     def backward(self) -> list[Term]:
         """Return the vectors that run against it, so that each begins where the last ended."""
@@ -49,29 +55,32 @@ def equation(loop: Loop, first: Side, second: Side) -> Equation:
     return Equation(tuple(left or nothing), tuple(right or nothing))
 
 
-def of_position(scene: Scene, loop: Loop) -> Equation:
-    """Return the equation of a loop of the mechanism itself, a ground link added."""
+def of_position(scene: Scene, loop: Loop, strokes: Sequence[Stroke]) -> Equation:
+    """Return the equation of a loop of the mechanism itself as drawn, a ground link added."""
     fixed = scene.motion.frame.fixed
     sides = Side(), Side()
-    start = [_start(chain) for chain in (loop.first, loop.second)]
+    start = [chain[0].start for chain in (loop.first, loop.second)]
     second_start = start[1]
     if start[0] != start[1] and start[0] in fixed:
         if fixed[start[0]] == fixed[start[1]]:
             second_start = start[0]
         else:
-            sides[1].add(loop.second[0], Term(start[0] + start[1], None, None))
+            sides[1].start = Term(start[0] + start[1], None, None)
     for chain, side in zip((loop.first, loop.second), sides, strict=True):
         for step in chain:
             if isinstance(step, Slide) and isinstance(step.along, str):
                 continue  # the bar carries its length
-            label = scene.letters(step)
-            if side is sides[1] and step is chain[0] and label[0] == start[1]:
-                label = second_start + label[1]
-            drawn = f"{step.ends}.bar" if isinstance(step, Bar) else f"{step.ends}.block"
-            side.add(step, Term(label, scalar_of(step).name, drawn))
+            tail, head = scene.ends(step)
+            if side is sides[1] and step is chain[0] and tail == start[1]:
+                tail = second_start
+            label = tail + head
+            side.add(step, Term(label, scalar_of(step).name, _drawn(step, strokes)))
     return equation(loop, *sides)
 
 
-def _start(chain: tuple[Step, ...]) -> str:
-    first = chain[0]
-    return first.ends[1] if first.reverse else first.ends[0]
+def _drawn(step: Step, strokes: Sequence[Stroke]) -> str | None:
+    """Return the name of the stroke that draws a step: its own bar or block, or its plate."""
+    own = f"{step.ends}.bar" if isinstance(step, Bar) else f"{step.ends}.block"
+    link = scalar_of(step).name
+    plates = (s.name for s in strokes if isinstance(s.shape, Plate) and s.link == link)
+    return next((s.name for s in strokes if s.name == own), next(plates, None))

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from vad.displayed import Displayed
 from vad.errors import InputError, UsageError, shown
 from vad.strokes.sheet import Cell, Sheet
 
@@ -21,7 +22,7 @@ FEWEST, MOST = 2, 6
 
 
 @dataclass(frozen=True, slots=True)
-class Multiples:
+class Multiples(Displayed):
     """A few poses: the sheet of each, and the place of the driver, which is its title."""
 
     sheets: tuple[Sheet, ...]

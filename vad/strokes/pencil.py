@@ -70,18 +70,10 @@ class Pencil:
     def add(self, stroke: Stroke) -> Stroke:
         """Append a stroke and return it; a polygon at rest is not drawn but for its pole."""
         if self.resting:
-            self.zeros.append(replace(stroke, caption="", reveals=()))
+            self.leave_out(stroke)
         else:
             self.strokes.append(stroke)
         return stroke
-
-    def joining(self, tail: str, head: str) -> str | None:
-        """Return the name of the vector that joins two vertices, None where none is drawn."""
-        for stroke in self.strokes:
-            match stroke.shape:
-                case Arrow(tail=start, head=end) if (start, end) == (tail, head):
-                    return stroke.name
-        return None
 
     def pole(self) -> None:
         """Draw the pole, where all fixed points are, unless a crossing is to find it.
@@ -115,7 +107,7 @@ class Pencil:
         caption = self.say.known(label, part)
         row, component = owner(part.step), self._component(part)
         stroke = Stroke("known", label, arrow, caption, row, component, name=part.stroke_name)
-        if part.name == "coriolis" and isinstance(part.step, Slide):
+        if part.name == "coriolis" and isinstance(part.step, Slide) and self.inset is None:
             self.inset = self._rule(part, part.step, stroke.name)
         self.vertices[name] = new
         tip.name, tip.at = name, new
@@ -124,7 +116,9 @@ class Pencil:
     def vanish(self, kind: Kind, part: Part, tip: Tip, name: str) -> None:
         """Keep a part of length zero, with the letters that it would have."""
         arrow = _arrow(part, tip.full, tip.at, name, tip.at)
-        self._leave_out(kind, arrow, owner(part.step), self._component(part), part.stroke_name)
+        row, component = owner(part.step), self._component(part)
+        label = arrow.tail + arrow.head
+        self.leave_out(Stroke(kind, label, arrow, "", row, component, name=part.stroke_name))
 
     def line(self, part: Part, tip: Tip, end: str) -> None:
         """Draw the construction line of an unknown part, past the crossing at ``end``."""
@@ -167,47 +161,49 @@ class Pencil:
 
     def whole(self, step: Bar, several: bool) -> None:
         """Ink the sum of a step's parts; without ``several`` to be seen, it is left out."""
-        tail, head = (self.letter(end) for end in step.ends)
-        start, end = (self.place(end) for end in step.ends)
-        still = step.ends[0] in self.scene.motion.frame.fixed
+        tail, head = self.letter(step.tail), self.letter(step.head)
+        start, end = self.place(step.tail), self.place(step.head)
+        still = step.tail in self.scene.motion.frame.fixed
         component: Component = "absolute" if still else "relative"
         arrow, name = Arrow(start, end, tail, head), f"{step.ends}.whole"
-        if not several:
-            self._leave_out("result", arrow, owner(step), component, name)
-            return
-        caption = self.say.whole(tail + head, end - start, step)
-        self.add(Stroke("result", tail + head, arrow, caption, owner(step), component, name=name))
+        stroke = Stroke("result", tail + head, arrow, "", owner(step), component, name=name)
+        if several:
+            caption = self.say.whole(tail + head, end - start, step)
+            self.add(replace(stroke, caption=caption))
+        else:
+            self.leave_out(stroke)
 
-    def image(self, bar: Bar, start: str) -> None:
-        """Find a further point of a link by proportion, and ink its vector from the pole."""
-        end, at = self.letter(bar.ends[1]), self.place(bar.ends[1])
-        self.vertices[end] = at
-        arrow, name = Arrow(0j, at, start, end), f"{bar.ends[1]}.image"
-        if not self.shows(at):
-            self._leave_out("result", arrow, bar.link, "absolute", name, image=True)
-            return
-        label = start + end
-        base = self.scene.base(bar)
-        known, own = (
-            abs(self.place(each.ends[1]) - self.place(each.ends[0])) for each in (base, bar)
-        )
-        caption = self.say.image(bar, base, label, (known, own, abs(at)))
-        self.add(
-            Stroke("result", label, arrow, caption, bar.link, "absolute", image=True, name=name)
-        )
+    def from_pole(self, point: str, link: str) -> str:
+        """Return the letters of a point's vector from the pole: from the link's own pivot, if any.
 
-    def _leave_out(
-        self,
-        kind: Kind,
-        arrow: Arrow,
-        link: str,
-        component: Component,
-        name: str,
-        image: bool = False,
-    ) -> None:
-        """Keep a vector that is not drawn in this pose."""
-        label = arrow.tail + arrow.head
-        self.zeros.append(Stroke(kind, label, arrow, "", link, component, image, name=name))
+        Fixed points all lie there.
+        """
+        return self.letter(self.scene.pivot(link)) + self.letter(point)
+
+    def absolute(self, point: str, link: str, image: bool = False, caption: str = "") -> Stroke:
+        """Ink the vector from the pole to a vertex; it is left out where it is zero."""
+        letter, at = self.letter(point), self.place(point)
+        label = self.from_pole(point, link)
+        arrow = Arrow(0j, at, label.removesuffix(letter), letter)
+        caption = caption or self.say.absolute(label, point, abs(at))
+        name = f"{point}.image" if image else f"{point}.absolute"
+        stroke = Stroke("result", label, arrow, caption, link, "absolute", image, name=name)
+        if self.shows(at):
+            return self.add(stroke)
+        self.leave_out(stroke)
+        return stroke
+
+    def leads_to(self, letter: str) -> Stroke | None:
+        """Return what is drawn from the pole to a vertex, or would be if it were not zero."""
+        for stroke in (*self.strokes, *self.zeros):
+            match stroke.shape:
+                case Arrow(start=0j, head=head) if head == letter:
+                    return stroke
+        return None
+
+    def leave_out(self, stroke: Stroke) -> None:
+        """Keep what is not drawn in this pose."""
+        self.zeros.append(replace(stroke, caption="", reveals=()))
 
     def _component(self, part: Part) -> Component:
         """Name a part; what slides on the frame moves absolutely."""

@@ -7,15 +7,16 @@ and measured.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TypeGuard
 
-from vad.kinematics.linkage import Bar, Scalar, Slide, Step, angle_of
+from vad.kinematics.linkage import Bar, Slide, Step
 from vad.strokes.chains import NOTHING, Chain, Part
 from vad.strokes.diagram import Drawing
 from vad.strokes.equations import Side, equation
+from vad.strokes.images import Images
 from vad.strokes.pencil import Pencil, Tip, owner
-from vad.strokes.scene import Scene
+from vad.strokes.scene import Scene, point_of
 from vad.strokes.sheet import Equation, Term
 
 SUBSCRIPT_N = "ₙ"
@@ -26,15 +27,24 @@ def polygon(scene: Scene, order: int) -> Drawing:
     drawing = _Polygon(scene, order)
     equations = drawing.draw()
     pencil = drawing.pencil
-    return Drawing(tuple(pencil.strokes), tuple(pencil.zeros), equations, pencil.inset)
+    triangles = tuple(drawing.images.triangles)
+    return Drawing(
+        tuple(pencil.strokes),
+        tuple(pencil.zeros),
+        equations,
+        pencil.inset,
+        triangles,
+        tuple(drawing.begins),
+    )
 
 
 @dataclass
 class _Trace:
-    """One chain as it is being drawn."""
+    """One chain as it is being drawn; ``walked`` is its last step that was on the board already."""
 
     chain: Chain
     tip: Tip
+    walked: Step | None = None
     side: Side = field(default_factory=Side)
 
 
@@ -49,32 +59,39 @@ class _Polygon:
         ]
         chains = [chain for pair in self.loops for chain in pair]
         nothing = NOTHING * max(chain.longest for chain in chains)
-        from_pole = all(chain.start in scene.motion.frame.fixed for chain in chains)
+        from_pole = all(chain.start in scene.motion.frame.fixed for chain in self.loops[0])
         self.pencil = Pencil(scene, order, nothing, from_pole)
+        self.images = Images(scene, order, self.pencil)
         #: The letters of known parts' ends, drawn or not.
         self.letters: set[str] = set()
+        #: The numbers of the strokes with which the loops begin.
+        self.begins: list[int] = []
 
     def draw(self) -> tuple[Equation, ...]:
         """Draw loop after loop and return their equations; there are none where nothing moves."""
         self.pencil.pole()
         equations = []
-        known = {self.scene.driver}
-        for loop, unknowns, chains in zip(
-            self.linkage.loops, self.linkage.unknowns, self.loops, strict=True
-        ):
+        for loop, chains in zip(self.linkage.loops, self.loops, strict=True):
+            self.begins.append(len(self.pencil.strokes))
             first, second = self._loop(chains)
             equations.append(equation(loop, first.side, second.side))
-            known.update(unknowns)
-            self._images(known)
+        for bar in self.linkage.images:
+            if self.pencil.letter(bar.head) not in self.pencil.vertices:
+                self.images.find(bar)
         return () if self.pencil.resting else tuple(equations)
 
     def _loop(self, chains: list[Chain]) -> list[_Trace]:
         traces = [_Trace(chain, self._begin(chain)) for chain in chains]
         for trace in traces:
             self._walk(trace)
+        if traces[0].tip.name != traces[1].tip.name:
+            for trace in traces:
+                self._start(trace)
         # What the driver dictates comes first, then chain after chain.
         for trace in traces:
             self._lay(trace, [part for part in trace.chain.known if self._dictated(part)])
+        if chains is self.loops[0]:
+            self._lay_driver()
         for trace in traces:
             self._lay(trace, [part for part in trace.chain.known if not self._dictated(part)])
             if trace.chain.unknown is not None:
@@ -92,17 +109,41 @@ class _Polygon:
         return Tip(name, at)
 
     def _walk(self, trace: _Trace) -> None:
-        """Walk over the steps whose head is on the board already."""
+        """Walk over the steps whose ends are on the board, or found there by an image."""
         vertices = self.pencil.vertices
         for step in trace.chain.steps:
-            name = self.pencil.letter(step.ends[1])
-            if name not in vertices or step.reverse or not trace.chain.wholly_known(step):
+            name = self.pencil.letter(step.end)
+            if not trace.chain.wholly_known(step):
                 return
-            label = trace.tip.name + name
-            drawn = self.pencil.joining(trace.tip.name, name)
-            trace.side.add(step, Term(label, owner(step), drawn))
+            if name not in vertices:
+                if not isinstance(step, Bar) or self.scene.drives(step):
+                    return
+                self.images.find(replace(step, ends=step.start + step.end))
             trace.chain.known = [part for part in trace.chain.known if part.step is not step]
-            trace.tip = Tip(name, vertices[name])
+            trace.tip, trace.walked = Tip(name, vertices[name]), step
+
+    def _start(self, trace: _Trace) -> None:
+        """Write the vector from the pole to where a chain begins, which is inked if need be."""
+        name, pencil = trace.tip.name, self.pencil
+        if not pencil.shows(trace.tip.at):
+            return  # at the pole
+        stroke = pencil.leads_to(name)
+        if stroke is None and trace.walked:
+            stroke = pencil.absolute(point_of(name), owner(trace.walked))
+        assert stroke is not None
+        trace.side.start = Term(stroke.label, stroke.link, stroke.name)
+
+    def _lay_driver(self) -> None:
+        """Draw the further points of the driven link that later loops begin with."""
+        steps = (step for loop in self.linkage.loops[1:] for _, step in loop.steps())
+        vertices = self.pencil.vertices
+        for step in steps:
+            if not isinstance(step, Bar) or not self.scene.drives(step):
+                continue
+            tail, head = self.pencil.letter(step.tail), self.pencil.letter(step.head)
+            if tail in vertices and head not in vertices:
+                chain = Chain(self.scene, (replace(step, reverse=False),), (), self.order)
+                self._lay(_Trace(chain, Tip(tail, vertices[tail])), chain.known)
 
     # --- known parts --------------------------------------------------------------------------
 
@@ -117,7 +158,7 @@ class _Polygon:
             if part in seen:
                 ends = _last(part, seen)
                 name = self._end_name(chain, part, ends)
-                exact = pencil.place(step.ends[1]) if ends and arrives else None
+                exact = pencil.place(step.head) if ends and arrives else None
                 stroke = pencil.known(part, tip, name, exact)
                 trace.side.add(step, Term(stroke.label, owner(step), stroke.name))
             else:
@@ -129,8 +170,8 @@ class _Polygon:
 
     def _arrive(self, step: Step, tip: Tip, seen: int) -> None:
         """Come to the end of a step that is wholly known; so many of its parts are ``seen``."""
-        name = self.pencil.letter(step.ends[1])
-        if not seen and step.ends[1] in self.scene.motion.points:
+        name = self.pencil.letter(step.head)
+        if not seen and step.head in self.scene.motion.points:
             self.pencil.vertices[name] = tip.at  # it could move, but stands still
             self.pencil.share_pole(name)
             tip.name = name
@@ -144,7 +185,7 @@ class _Polygon:
 
     def _end_name(self, chain: Chain, part: Part, last: bool) -> str:
         """Name the vertex at the end of a known part: b′, b′ₙ, cₙ, c″ₙ, s′ or z."""
-        step, letter = part.step, part.step.ends[1].lower()
+        step, letter = part.step, part.step.head.lower()
         if part.name == "coriolis":
             return "z"
         if part.name == "sliding" or (last and chain.wholly_known(step)):
@@ -152,7 +193,7 @@ class _Polygon:
         if chain.wholly_known(step):
             return self.pencil.letter(letter) + SUBSCRIPT_N
         if isinstance(step, Bar) and step.length == self.scene.driver.name:
-            letter = step.ends[0].lower()  # the strut's part before it turns
+            letter = step.tail.lower()  # the strut's part before it turns
         name = letter + SUBSCRIPT_N
         return name if name not in self.letters else f"{letter}″{SUBSCRIPT_N}"
 
@@ -184,15 +225,6 @@ class _Polygon:
     def _result(self, part: Part, trace: _Trace, end: str) -> None:
         stroke = self.pencil.result(part, trace.tip, end)
         trace.side.add(part.step, Term(stroke.label, owner(part.step), stroke.name))
-
-    def _images(self, known: set[Scalar]) -> None:
-        """Find the further points of the links that are known by now."""
-        for bar in self.linkage.images:
-            drawn = self.pencil.letter(bar.ends[1]) in self.pencil.vertices
-            if angle_of(bar.link) in known and not drawn:
-                still = bar.ends[0] in self.scene.motion.frame.fixed
-                start = bar.ends[0] if still else self.linkage.pivot
-                self.pencil.image(bar, self.pencil.letter(start))
 
 
 def _last(part: Part, parts: list[Part]) -> bool:

@@ -6,7 +6,16 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, TypeGuard
 
-from vad.kinematics.linkage import Bar, Scalar, Slide, Step, angle_of, length_of, scalar_of
+from vad.kinematics.linkage import (
+    Bar,
+    Scalar,
+    Slide,
+    Step,
+    angle_of,
+    length_of,
+    points_of,
+    scalar_of,
+)
 from vad.strokes.figures import Figure, Figures, Unit
 from vad.strokes.language import Language, Noun
 from vad.written import PRIME, per_second, subscript
@@ -14,6 +23,9 @@ from vad.written import PRIME, per_second, subscript
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
     from vad.kinematics.state import Rates
+
+#: A point so near to the line of two others, as a sine, lies on it.
+IN_LINE = 1e-9
 
 
 @dataclass(frozen=True)
@@ -38,15 +50,60 @@ class Scene:
         """Turn a unit vector of the solver into the user's frame."""
         return complex(direction * self.motion.frame.turn)
 
+    def at(self, point: str) -> complex:
+        """Return where a point is, in the user's frame and unit."""
+        return complex(self.motion.read(("point", point, "position")))
+
+    def measured(self, value: float, unit: str, power: int = 1) -> Figure:
+        """Return a number of a link's shape: as given where it is short, as somebody writes it."""
+        return Figure(value, unit, abs(value - float(f"{value:.6g}")) <= 1e-12 * abs(value), power)
+
+    def span(self, point: str, other: str) -> float:
+        """Return the distance of two points."""
+        return abs(self.at(other) - self.at(point))
+
     def size(self, bar: Bar) -> float:
         """Return the length of a bar in the user's unit, without its sign."""
         frame = self.motion.frame
         return abs(float(frame.size(bar, self.motion.pose))) * frame.scale
 
-    def base(self, image: Bar) -> Bar:
-        """Return the bar of a loop that shares its link with a bar to a further point."""
+    @property
+    def slides(self) -> list[Slide]:
+        """All slides of the loops."""
+        steps = dict.fromkeys(self.motion.frame.steps)
+        return [step for step in steps if isinstance(step, Slide)]
+
+    def points_on(self, link: str) -> list[str]:
+        """Return the points of a link that keep their places on it, those of its base first."""
+        bars = [step for step in self.motion.frame.steps if isinstance(step, Bar)]
+        rigid = [bar for bar in bars if bar.link == link and isinstance(bar.length, float)]
+        return list(dict.fromkeys(end for bar in rigid for end in (bar.tail, bar.head)))
+
+    def in_line(self, link: str, point: str) -> bool:
+        """Tell whether a point of a link lies in line with the two that its loop finds."""
+        base = self.base(link)
+        one, other, third = map(self.at, (base.tail, base.head, point))
+        across = ((other - one).conjugate() * (third - one)).imag
+        return abs(across) <= IN_LINE * abs(other - one) * abs(third - one)
+
+    def against(self, bar: Bar) -> bool:
+        """Tell whether a bar points against the one that its link is found by."""
+        base = self.base(bar.link)
+        known, own = (self.at(each.head) - self.at(each.tail) for each in (base, bar))
+        return (own * known.conjugate()).real < 0.0
+
+    def base(self, link: str) -> Bar:
+        """Return the bar of a link that its loop finds: both its ends are known before others."""
         steps = (step for loop in self.motion.linkage.loops for _, step in loop.steps())
-        return next(s for s in steps if isinstance(s, Bar) and s.link == image.link)
+        return next(step for step in steps if isinstance(step, Bar) and step.link == link)
+
+    def pivot(self, link: str) -> str:
+        """Return the fixed point on which a link turns, or else that of the mechanism."""
+        bars = (step for step in self.motion.frame.steps if isinstance(step, Bar))
+        ends = (end for bar in bars if bar.link == link for end in (bar.tail, bar.head))
+        return next(
+            (end for end in ends if end in self.motion.frame.fixed), self.motion.linkage.pivot
+        )
 
     def travel(self, name: str) -> tuple[float, float]:
         """Return how far a slide gets from where it is, back (negative) and ahead."""
@@ -55,8 +112,8 @@ class Scene:
         return min(0.0, least), max(0.0, most)  # which passes over NaN
 
     def cylinder(self, bar: Bar) -> float:
-        """Return the length of a strut's cylinder, which has room for its rod; else 0."""
-        if not self.is_strut(bar):
+        """Return the length of a link's cylinder, which has room for its rod; else 0."""
+        if bar.length != bar.link:
             return 0.0
         _, longest = self.motion.slide(str(bar.length)).travel
         return min(0.9 * self.size(bar), longest / 2)  # which passes over NaN
@@ -65,9 +122,13 @@ class Scene:
         """Return the letters of a step as a reader knows them: a strut's own ends for its parts."""
         return self.motion.mechanism.links[step.link] if self.is_strut(step) else step.ends
 
+    def ends(self, step: Step) -> tuple[str, str]:
+        """Return the two points of `letters`."""
+        return points_of(self.letters(step))
+
     def is_strut(self, step: Step) -> TypeGuard[Bar]:
         """Tell whether a step is a link whose length changes: it begins at its sliding part."""
-        return isinstance(step, Bar) and step.ends[0] not in self.motion.points
+        return isinstance(step, Bar) and step.tail not in self.motion.points
 
     @cached_property
     def _numbers(self) -> dict[str, int]:
@@ -154,7 +215,7 @@ class Scene:
         if not self.is_guide(slide):
             return noun("slot")
         guides = {step.ends for step in self.motion.frame.steps if self.is_guide(step)}
-        of = self.language.say("of point", head=slide.ends[1]) if len(guides) > 1 else ""
+        of = self.language.say("of point", head=slide.head) if len(guides) > 1 else ""
         return noun("guide", of)
 
     def is_guide(self, step: Step) -> bool:
@@ -162,7 +223,7 @@ class Scene:
         return (
             isinstance(step, Slide)
             and isinstance(step.along, float)
-            and step.ends[0] in self.motion.frame.fixed
+            and step.tail in self.motion.frame.fixed
         )
 
     def rate_unit(self, order: int) -> str:
@@ -173,3 +234,8 @@ class Scene:
 def image_letter(letter: str, order: int) -> str:
     """Return the letter of a point's image: b in the velocity polygon, b′ in the next."""
     return letter.lower() + PRIME * (order - 1)
+
+
+def point_of(image: str) -> str:
+    """Return the point whose image a vertex is: B of b′."""
+    return image.rstrip(PRIME).upper()

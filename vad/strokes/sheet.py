@@ -8,7 +8,7 @@ linkage and what is drawn of it, or a point's letter and how it is found.
 
 =========================  ====================================================================
 position                   ``A.fixed``, ``C.found``; ``DC.guide``, ``CB.slot``, ``DC.block``,
-                           ``AB.bar``, ``AB.angle``, ``BC.compass``, ``DQ.line``
+                           ``AB.bar``, ``AB.angle``, ``BC.compass``, ``DQ.line``, ``BCE.plate``
 velocity and acceleration  ``pole``, ``C.crossing``, ``C.image``; ``AB.normal``,
                            ``AB.tangential``, ``AB.whole``, ``QB.sliding``, ``QB.coriolis``,
                            ``BC.line``
@@ -23,6 +23,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from vad.displayed import Displayed
 from vad.strokes.notation import Notation
 
 Kind = Literal[
@@ -36,7 +37,6 @@ Kind = Literal[
     "result",
 ]
 Component = Literal["normal", "tangential", "coriolis", "sliding", "relative", "absolute", "link"]
-#: How a panel is painted.
 Picture = Literal["skeleton", "vectors"]
 
 
@@ -51,8 +51,8 @@ class Dot:
 class Arrow:
     """A vector from ``start`` to ``end``; in the position panel, the bar of a link.
 
-    ``tail`` and ``head`` are the letters of its two ends.  ``cylinder`` is the length from
-    ``start`` of the cylinder of a strut, out of which its rod comes; 0 for every other bar.
+    ``tail`` and ``head`` are its letters.  ``cylinder`` is the length from ``start`` of the
+    cylinder of a strut, out of which its rod comes; 0 for every other bar.
     """
 
     start: complex
@@ -95,10 +95,9 @@ class Arc:
 
 @dataclass(frozen=True, slots=True)
 class Guide:
-    """The straight frame line through ``through``, hatched on the side away from the rod.
+    """The straight frame line through ``through``, hatched on its ``side`` away from the rod.
 
-    ``side`` is a unit vector that points away from the rod, and None where the line is a slot in a
-    moving link.
+    ``side`` is a unit vector, and None where the line is a slot in a moving link.
     """
 
     through: complex
@@ -121,7 +120,15 @@ class Block:
     travel: tuple[float, float] = (0.0, 0.0)
 
 
-Shape = Dot | Arrow | Line | Arc | Guide | Block
+@dataclass(frozen=True, slots=True)
+class Plate:
+    """A link of three points or more in the position panel: its ``corners`` with their letters."""
+
+    corners: tuple[complex, ...]
+    letters: tuple[str, ...]
+
+
+Shape = Dot | Arrow | Line | Arc | Guide | Block | Plate
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,8 +172,7 @@ class Stroke:
 class Term:
     """One vector of a loop equation: ``bc``.
 
-    ``stroke`` is the name of the stroke that draws it in its panel, None where none does: a
-    ground link, or a vector of length zero.
+    ``stroke`` is the name of the stroke that draws it in its panel, None where none does.
     """
 
     label: str
@@ -201,13 +207,24 @@ class CoriolisInset:
 
 
 @dataclass(frozen=True, slots=True)
+class ImageTriangle:
+    """The image of three ``points`` of a link, in its ink from the stroke called ``stroke`` on."""
+
+    link: str
+    points: tuple[str, ...]
+    corners: tuple[complex, ...]
+    stroke: str
+
+
+@dataclass(frozen=True, slots=True)
 class Panel:
     """One diagram of one pose: its strokes in drawing order.
 
     ``zeros`` holds what is not drawn in this pose, with its name, letters and place but without
     a caption: vectors of length zero, whole vectors that are no more than one of their parts,
     and, where nothing moves, the lines and crossings of the polygon.  Strokes and zeros together
-    have the same names in every pose.  ``title`` is its heading, ``picture`` how it is painted.
+    have the same names in every pose.  ``title`` is its heading, ``picture`` how it is painted,
+    ``triangles`` are images of links, ``loops`` the numbers of the strokes that begin each loop.
     """
 
     name: str
@@ -218,6 +235,8 @@ class Panel:
     zeros: tuple[Stroke, ...] = ()
     title: str = ""
     picture: Picture = "vectors"
+    triangles: tuple[ImageTriangle, ...] = ()
+    loops: tuple[int, ...] = ()
 
     def full(self, name: str) -> str:
         """Return the full name of a stroke of this panel: ``velocity:BC.line``."""
@@ -251,8 +270,7 @@ class Cell:
 class Row:
     """One link or slide of the results table; ``cells`` holds a panel's cells by its name.
 
-    ``title`` and ``letters`` make its heading: "crank" and "AB", "slider" and "C".  The number of
-    a link, as in ω₃, stands in the symbols of its cells.
+    ``title`` and ``letters`` make its heading: "crank" and "AB", "slider" and "C".
     """
 
     key: str
@@ -262,12 +280,11 @@ class Row:
 
 
 @dataclass(frozen=True, slots=True)
-class Sheet:
+class Sheet(Displayed):
     """Everything that is drawn for one pose of one mechanism: pure data, in drawing order.
 
-    ``parameters`` are (name, value, unit) as the title line shows them; ``rows`` are the
-    links, then the slides: their order gives each its ink.  ``notation`` says how its numbers are
-    written, those in captions and labels are so already.
+    ``parameters`` are (name, value, unit) in the title; ``rows`` are the links, then the slides:
+    their order gives inks.  ``notation`` says how numbers are written that are not so already.
     """
 
     mechanism: str

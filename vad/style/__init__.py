@@ -15,6 +15,8 @@ from vad.plan.roles import ROLES, Ink
 
 #: How much ink is in the tint of a block, and in the words of a panel that is not begun.
 TINT, PALE = 0.12, 0.55
+#: The lines of rows beyond those that have an ink or a dash of their own.
+THINNER, DASH = 0.7, (8.0, 1.6)
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,6 +94,12 @@ class Style:
             case "text" | "grey" | "hairline":
                 return str(getattr(self, ink))
 
+    def line(self, row: int) -> LineStyle:
+        """Return the line of a row; where inks and lines are used up it is thinner, and dashed."""
+        again, place = divmod(row, max(len(self.inks), len(self.lines)))
+        line = self.lines[place % len(self.lines)]
+        return LineStyle(THINNER * line.weight, line.dash or DASH) if again else line
+
     def look(self, role: str, row: int | None, width: float = 1.0) -> Look:
         """Return how a mark of a role looks, its line ``width`` times as wide as usual."""
         part = ROLES[role]
@@ -99,9 +107,7 @@ class Style:
         under = Pen(self.background, part.halo, (), "round", "round") if part.halo else None
         if part.line is None:
             return Look(fill, None, under, part.alpha)
-        line = LineStyle()
-        if part.linked and row is not None:
-            line = self.lines[row % len(self.lines)]
+        line = self.line(row) if part.linked and row is not None else LineStyle()
         wide = part.width * width * line.weight
         dash = line.dash or part.dash
         cap = "butt" if line.dash else part.cap

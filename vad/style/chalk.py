@@ -8,5 +8,8 @@ STYLE = Style(
     text="#F5F2E9",
     grey="#A9B4AE",
     hairline="#4A5A54",
-    inks=("#56B4E9", "#E69F00", "#F0E442", "#FF9EC7", "#FFFFFF"),
+    inks=(
+        *("#56B4E9", "#E69F00", "#FFF956", "#CBAFBA"),
+        *("#F5FFFF", "#5673D1", "#FE5082", "#827B14"),
+    ),
 )

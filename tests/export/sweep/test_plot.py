@@ -65,9 +65,9 @@ def test_names_and_symbols_are_those_of_the_sheet():
     assert titles[:3] == ["$\\theta$, °", "$s$ / $x$, mm", "$\\omega$, rad/s"]
     inks = {label.get_text(): label.get_color() for each in axes for label in each.texts}
     assert inks == {
-        "lever $\\mathit{DC}$": "#D55E00",
-        "rod $\\mathit{CE}$": "#009E73",
-        "block $\\mathit{B}$": "#AA3377",
+        "lever $\\mathit{DC}$": "#D76104",
+        "rod $\\mathit{CE}$": "#02A374",
+        "block $\\mathit{B}$": "#AF0976",
         "ram $\\mathit{E}$": "#000000",
     }
 

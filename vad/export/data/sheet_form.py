@@ -39,10 +39,12 @@ from vad.strokes.sheet import (
     Dot,
     Equation,
     Guide,
+    ImageTriangle,
     Kind,
     Line,
     Panel,
     Picture,
+    Plate,
     Row,
     Sheet,
     Stroke,
@@ -77,6 +79,7 @@ SHAPE = variants(
         on=optional(TEXT),
         travel=optional(row(NUMBER, NUMBER), (0.0, 0.0)),
     ),
+    plate=record(Plate, corners=many(POINT), letters=many(TEXT)),
 )
 STROKE = record(
     Stroke,
@@ -102,6 +105,7 @@ INSET = record(
     sense=one_of((1, -1)),
     stroke=TEXT,
 )
+TRIANGLE = record(ImageTriangle, link=TEXT, points=many(TEXT), corners=many(POINT), stroke=TEXT)
 PANEL = record(
     partial(Panel, ""),  # whose name is its key
     unit=UNIT,
@@ -111,6 +115,8 @@ PANEL = record(
     zeros=optional(many(STROKE), ()),
     equations=optional(many(EQUATION), ()),
     inset=optional(INSET),
+    triangles=optional(many(TRIANGLE), ()),
+    loops=optional(many(COUNT), ()),
 )
 CELL = record(Cell, symbol=TEXT, value=NUMBER, unit=UNIT, given=optional(FLAG, False))
 ROW = record(Row, key=TEXT, title=TEXT, letters=TEXT, cells=by_name(many(CELL)))

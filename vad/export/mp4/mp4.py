@@ -62,10 +62,12 @@ def write(
     *,
     progress: Progress | None = None,
     subtitles: bool = True,
+    threads: int = _THREADS,
 ) -> None:
     """Write ``lesson`` to ``stream``, a file on disk; with ``subtitles``, captions as a track.
 
     The picture shows the captions, so that players leave the track off until they are asked.
+    ``threads`` is how many the encoder uses; the bytes depend on it.
 
     Raises
     ------
@@ -82,6 +84,7 @@ def write(
         language=lesson.sheet.language,
         title=title(lesson.sheet),
         codec=_X264_OF_TURN if isinstance(lesson, Turn) else _X264,
+        threads=threads,
     )
 
 
@@ -104,6 +107,7 @@ def encode(
     language: str = "en",
     title: str = "",
     codec: Mapping[str, str] = MappingProxyType(_X264),
+    threads: int = _THREADS,
 ) -> None:
     """Encode ``frames`` of ``size`` (width, height) at ``rate``, with the options of ``codec``."""
     import av
@@ -114,7 +118,7 @@ def encode(
     try:
         with av.open(stream.name, "w", format="mp4", options=options) as container:
             container.metadata["title"] = title
-            video = _video_stream(container, size, rate, codec)
+            video = _video_stream(container, size, rate, codec, threads)
             track = _subtitle_stream(container, language) if subtitles else None
             container.start_encoding()
             if track is not None:
@@ -130,14 +134,18 @@ def encode(
 
 
 def _video_stream(
-    container: OutputContainer, size: tuple[int, int], rate: Fraction, options: Mapping[str, str]
+    container: OutputContainer,
+    size: tuple[int, int],
+    rate: Fraction,
+    options: Mapping[str, str],
+    threads: int,
 ) -> VideoStream:
     video = container.add_stream("libx264", rate=rate, options=dict(options))
     video.width, video.height = size
     video.pix_fmt = "yuv420p"
     codec = video.codec_context
     codec.time_base = 1 / rate
-    codec.thread_count = _THREADS
+    codec.thread_count = threads
     codec.gop_size = max(1, round(rate * _SECONDS_BETWEEN_KEY_FRAMES))
     codec.max_b_frames = 0
     codec.color_range = _LIMITED_RANGE

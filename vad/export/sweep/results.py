@@ -11,7 +11,7 @@ from vad.kinematics.motion import Motions
 from vad.units import scene_unit
 
 _LINK = ("angle", "omega", "alpha")
-_SLIDE = ("position", "velocity", "acceleration")
+_SLIDE = _POINT = ("position", "velocity", "acceleration")
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +25,10 @@ class Column:
 
 @dataclass(frozen=True, slots=True)
 class Curves:
-    """One link or slide: its position, velocity and acceleration; ``driven`` if it is the input."""
+    """One link, slide or point: its position, velocity and acceleration, of a point by x and y.
+
+    ``driven`` says whether it is the input.
+    """
 
     name: str
     letters: str
@@ -35,11 +38,12 @@ class Curves:
 
 @dataclass(frozen=True, slots=True)
 class Results:
-    """A motion over the places of its driver."""
+    """A motion over the places of its driver; ``points`` are those marked on its links."""
 
     place: Column
     links: tuple[Curves, ...]
     slides: tuple[Curves, ...]
+    points: tuple[Curves, ...] = ()
 
     @property
     def driver(self) -> Curves:
@@ -48,7 +52,7 @@ class Results:
 
 
 def results_of(motion: Motions) -> Results:
-    """Return what is written of a motion: its input, its links and its slides."""
+    """Return what is written of a motion: its input, links, slides and marked points."""
     unit, driver = motion.mechanism.length_unit, motion.linkage.driver
     links = motion.mechanism.links
     slides = motion.mechanism.slides | links  # a link that grows slides between its own ends
@@ -62,8 +66,17 @@ def results_of(motion: Motions) -> Results:
         driven = driver.name == owner and name == quantities[0]
         return Curves(owner, letters, driven, columns)
 
+    def point(name: str) -> Curves:
+        columns = []
+        for quantity in _POINT:
+            vectors, of = getattr(motion.point(name), quantity), scene_unit(quantity, unit)
+            for axis, values in (("x", vectors.real), ("y", vectors.imag)):
+                columns.append(Column(f"{quantity} {axis}", of, values))
+        return Curves(name, name, False, tuple(columns))
+
     return Results(
         Column(name, scene_unit(name, unit), places),
         tuple(row(each, links[each], motion.link(each), _LINK) for each in motion.links),
         tuple(row(each, slides[each], motion.slide(each), _SLIDE) for each in motion.slides),
+        tuple(map(point, motion.mechanism.points)),
     )

@@ -28,6 +28,7 @@ from vad.kinematics.numbers import (
     settled,
     sqrt,
     times,
+    turned,
     vector,
 )
 
@@ -56,7 +57,10 @@ def _root(low: Number, high: Number, both: Number, scale_low: Number, scale_high
 
 @dataclass(frozen=True)
 class GroundedCrank:
-    """The gap c + t·u of a loop whose only known moving bar is the driven crank u.
+    """The gap c + t·u of a loop whose only known moving bar is a pin of the driven crank.
+
+    It is seen in the loop's own axes, in which u, the pin's direction, is the crank's after
+    ``turn``.
 
     Where crank and ground are nearly in line the gap is a small difference of large lengths;
     their differences are formed once, exactly, and what the angle adds is formed without
@@ -66,9 +70,19 @@ class GroundedCrank:
 
     c: complex
     t: float
+    turn: complex = 1.0 + 0j
+
+    @property
+    def lead(self) -> float:
+        """By how much the pin is ahead of the crank, as the loop sees it, in degrees."""
+        return math.degrees(math.atan2(self.turn.imag, self.turn.real))
+
+    def pin(self, crank: Number) -> Number:
+        """Return the pin's unit vector, as the loop sees it."""
+        return turned(crank, self.turn)
 
     def gap(self, u: Number) -> Number:
-        """Return the gap for the crank's unit vector ``u``."""
+        """Return the gap for the pin's unit vector ``u``."""
         if self.c.real == 0.0:  # nothing cancels, and a small cosine keeps its digits
             return self.t * u + self.c
         centre, short = nearest(u.real, u.imag)
@@ -159,46 +173,40 @@ class TwoAngles:
 class AngleAndLength:
     """A bar r from the gap onto a line along g: z = E + s·g (angle and length unknown).
 
-    Where the gap is ``rounded``, being found from other loops, what is left of a bar that stands
-    across the line may be rounding alone.
+    Over a grounded crank g is 1: there the pin's sine gives the height.  Where the gap is
+    ``rounded``, being found from other loops, what is left of a bar that stands across the line
+    may be rounding alone.
     """
 
     def __init__(
-        self,
-        side: float,
-        crank: GroundedCrank | None,
-        r: float,
-        g: complex,
-        rounded: bool = False,
+        self, side: float, crank: GroundedCrank | None, r: float, rounded: bool = False
     ) -> None:
         self.side = side
         self._noise = 4.0 * EPSILON if rounded else 0.0
         self.r = r
-        self.g = g
-        # Only for a guide along the frame's own axis does the crank's sine give the height.
-        self.crank = crank if g == 1.0 else None
+        self.crank = crank
         if self.crank is not None:
             h, t = self.crank.c.imag, self.crank.t
             self._below = {k: math.fsum((r, -h, -k * t)) for k in CENTRES}
             self._above = {k: math.fsum((r, h, k * t)) for k in CENTRES}
             self._heights = {k: h + k * t for k in CENTRES}
 
-    def close(self, gap: Number, u: Number) -> tuple[Number, Number, Number]:
+    def close(self, gap: Number, g: Number, u: Number) -> tuple[Number, Number, Number]:
         """Return the bar's unit vector seen along g, the length s and the sine of normal and g."""
-        below, above, height = self._rise(gap, u)
+        below, above, height = self._rise(gap, g, u)
         spread = self.r + abs(height)
         root = self.side * _root(below, above, 2.0 * self.r, spread, spread)
         r = nonzero(self.r)  # a bar that is nothing beside others
-        return vector(root / r, height / r), root - dot(self.g, gap), -root / r
+        return vector(root / r, height / r), root - dot(g, gap), -root / r
 
-    def miss(self, gap: Number, u: Number) -> float:
+    def miss(self, gap: Number, g: Number, u: Number) -> float:
         """Return by how much the line of one pose is too far away."""
-        return float(abs(self._rise(gap, u)[2]) - self.r)
+        return float(abs(self._rise(gap, g, u)[2]) - self.r)
 
-    def _rise(self, gap: Number, u: Number) -> tuple[Number, Number, Number]:
+    def _rise(self, gap: Number, g: Number, u: Number) -> tuple[Number, Number, Number]:
         """Return r - h, r + h and h, the height to which the bar rises from the line."""
         if self.crank is None:
-            height = cross(self.g, gap)
+            height = cross(g, gap)
             below, above = self.r - height, self.r + height
             if self._noise:
                 least = self._noise * (self.r + abs(height))
@@ -220,6 +228,18 @@ def slot(pin: Number) -> tuple[Number, Number]:
     """
     length = sqrt(dot(pin, pin))
     return over(pin, nonzero(length)), length
+
+
+def offset_slot(pin: Number, aside: float, side: float) -> tuple[Number, Number, Number]:
+    """Return u and s of (s + i·aside)·u = pin, and the sine of u and the pin's own normal.
+
+    The slot of a link runs ``aside`` to the left of its pivot; s is positive on the side +1.0.
+    """
+    length = sqrt(dot(pin, pin))
+    low, high = length - abs(aside), length + abs(aside)
+    along = side * _root(low, high, 2.0 * length, high, high)
+    cosine = along / length
+    return over(times(pin, vector(cosine, -aside / length)), length), along, cosine
 
 
 def crossing(target: Number, p: Number, q: Number, sine: Number) -> tuple[Number, Number]:

@@ -29,7 +29,7 @@ def triangle_limits(crank: GroundedCrank, r: float, q: float) -> list[float]:
     for gap in (first + second, first - second):
         half_sine = ((c + t) ** 2 - gap**2) / (4 * c * t)
         half_cosine = (gap**2 - (c - t) ** 2) / (4 * c * t)
-        found += _both_ways(half_sine, half_cosine)
+        found += [angle - crank.lead for angle in _both_ways(half_sine, half_cosine)]
     return found
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 from vad.kinematics.closing.closures import GroundedCrank, crossing
 from vad.kinematics.closing.equal_links import EqualLinks
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, angle_of, scalar_of
-from vad.kinematics.numbers import Number, nonzero
+from vad.kinematics.numbers import Number, nonzero, times, turned
 from vad.kinematics.state import GROUND, Pose, Rates
 
 SignedStep = tuple[int, Step]
@@ -28,23 +29,33 @@ class LoopSolver:
         self, frame: ReferenceFrame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]
     ) -> None:
         self.frame = frame
-        self.side = side
-        unknown = {scalar_of(s): (way, s) for way, s in loop.steps() if scalar_of(s) in unknowns}
+        self.loop = loop
+        self.side = side * loop.side
+        unknown = {
+            scalar_of(s): (way, _forward(s)) for way, s in loop.steps() if scalar_of(s) in unknowns
+        }
         # Bars before slides, as the closed forms take them.
         ordered = sorted(unknown.values(), key=lambda signed: isinstance(signed[1], Slide))
         (self.way, self.step), (self.other_way, self.other) = ordered
         self.known = [(way, s) for way, s in loop.steps() if scalar_of(s) not in unknown]
-        starts = [
-            chain[0].ends[1 if chain[0].reverse else 0] for chain in (loop.first, loop.second)
-        ]
-        fixed = frame.fixed
-        self.offset = 0j if starts[0] == starts[1] else fixed[starts[1]] - fixed[starts[0]]
+        self._unknown_lengths = {s.name for s in (self.step, self.other) if isinstance(s, Slide)}
+        starts = [chain[0].start for chain in (loop.first, loop.second)]
+        self.offset = 0j if starts[0] == starts[1] else frame.between(*starts)
         for way, step in loop.steps():
             if isinstance(step, Slide) and not step.through_tail:
                 self.offset += way * frame.shift(step)
-        self.crank = self._grounded_crank()
+        pin = self._pin()
+        #: The loop's own x axis, in which it closes; that of the frame where its gap has no form.
+        self.axis, self.offset = self.own_axes(bool(pin))
+        self.crank: GroundedCrank | None = None
+        if pin:
+            way, bar = pin
+            self.turns = {bar.link: bar.turn, GROUND: self.axis}
+            turn = bar.turn * self.axis.conjugate()
+            self.crank = GroundedCrank(self.offset, way * frame.size(bar), turn)
         self.inverted = self._longer_crank()
-        self.ground = (1, Bar("", GROUND, self.offset.real * frame.scale))
+        ground = self.offset.real * frame.scale
+        self.ground = (1, Bar("".join(starts), GROUND, ground, turn=self.axis))
         known = [self.ground] if self.inverted else self.known
         #: What moves by known amounts, for velocities and for accelerations.
         self.moving = known, [*known, *ordered]
@@ -52,14 +63,25 @@ class LoopSolver:
         self.equal: EqualLinks | None = None
         self.prepare()
 
-    def _grounded_crank(self) -> GroundedCrank | None:
-        """Return the gap's exact form, where the driven crank is all that moves in it."""
+    def _pin(self) -> tuple[int, Bar] | None:
+        """Return the bar of the driven crank, where it is all that moves in the gap."""
         if len(self.known) != 1:
             return None
         way, bar = self.known[0]
-        if not isinstance(bar, Bar) or angle_of(bar.link) != self.frame.linkage.driver:
+        if not isinstance(bar, Bar) or not isinstance(bar.length, float):
             return None
-        return GroundedCrank(self.offset, way * self.frame.size(bar))
+        return (way, bar) if angle_of(bar.link) == self.frame.linkage.driver else None
+
+    def own_axes(self, grounded: bool) -> tuple[complex, complex]:
+        """Return the x axis in which least is lost, and the offset seen along it."""
+        return 1.0 + 0j, self.offset
+
+    def along_ground(self) -> tuple[complex, complex]:
+        """Return the axes of the offset, or those of the frame where it lies on their x axis."""
+        size = abs(self.offset)
+        if not self.offset.imag:
+            return 1.0 + 0j, self.offset
+        return self.offset / size, complex(size)
 
     def _longer_crank(self) -> bool:
         """Tell whether the loop is better seen from its crank: kinematic inversion.
@@ -111,13 +133,27 @@ class LoopSolver:
         return f"dead centre: the construction lines of {names} are parallel and do not cross"
 
     def gap(self, pose: Pose) -> Number:
-        """Return the known part of the loop's sum."""
+        """Return the known part of the loop's sum, in its own axes."""
         if self.crank is not None:
-            return self.crank.gap(pose.unit[self.frame.linkage.driver.name])
+            return self.crank.gap(self.pin(pose))
         total: Number = self.offset
         for way, step in self.known:
-            total = total + way * self.frame.displacement(step, pose)
+            if isinstance(step, Bar) and step.length in self._unknown_lengths:
+                if step.offset:  # a known link's bar to the zero of its slot
+                    unit = self.frame.unit(step.link, pose, step.turn)
+                    total = total + way * times(unit, step.offset / self.frame.scale)
+            else:
+                total = total + way * self.frame.displacement(step, pose)
         return total
+
+    def pin(self, pose: Pose) -> Number:
+        """Return the unit vector of the grounded crank's pin in the loop's own axes."""
+        crank = pose.unit[self.frame.linkage.driver.name]
+        return self.crank.pin(crank) if self.crank else crank
+
+    def lay(self, pose: Pose, bar: Bar, heading: Number) -> None:
+        """Write the link of a bar into ``pose``, by where the bar points in the loop's own axes."""
+        pose.unit[bar.link] = turned(heading, self.axis)
 
     def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
         """Find the two unknown rates of the highest order and write them into ``rates[-1]``."""
@@ -148,3 +184,10 @@ class LoopSolver:
     def radius(self, bar: Bar, pose: Pose) -> Number:
         """Return the length at which an unknown bar turns."""
         return self.frame.size(bar, pose)
+
+
+def _forward(step: Step) -> Step:
+    """Return a bar of negative length as one of positive length that points the other way."""
+    if isinstance(step, Bar) and isinstance(step.length, float) and step.length < 0.0:
+        return replace(step, length=-step.length, turn=-step.turn)
+    return step

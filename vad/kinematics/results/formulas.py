@@ -10,7 +10,15 @@ from collections.abc import Callable
 
 from vad.kinematics.evaluation import Evaluation
 from vad.kinematics.linkage import Linkage, Slide, angle_of
-from vad.kinematics.numbers import Number, degrees_of, direction, fold, positive, times
+from vad.kinematics.numbers import (
+    Number,
+    degrees_of,
+    direction,
+    fold,
+    positive,
+    times,
+    turned,
+)
 
 # What is read: the kind link, point or slide, its name, and which quantity of it.
 Result = tuple[str, str, str]
@@ -47,8 +55,9 @@ def _angle(evaluation: Evaluation, name: str, order: int) -> Number:
     if angle_of(name) == frame.linkage.driver:
         return positive(evaluation.driver_angle)
     if name in pose.leaning:
-        return degrees_of(pose.leaning[name], frame.guides[name])
-    return degrees_of(_turned(evaluation, pose.unit[name]))
+        leaning = turned(pose.leaning[name], frame.found_along[name].conjugate())
+        return degrees_of(leaning, frame.guides[name])
+    return degrees_of(_turned(evaluation, frame.unit(name, pose)))
 
 
 def _turning(evaluation: Evaluation, name: str, order: int) -> Number:
@@ -57,13 +66,18 @@ def _turning(evaluation: Evaluation, name: str, order: int) -> Number:
 
 def _position(evaluation: Evaluation, letter: str, order: int) -> Number:
     """Return where a point is: on its guide, on the driven crank, or at the end of its route."""
-    routes = evaluation.solver.routes
+    routes, frame = evaluation.solver.routes, evaluation.solver.frame
+    start = routes.start(letter)
     guide, pin = routes.guide(letter), routes.pin(letter)
     if guide:
         return guide.origin + _sliding(evaluation, guide.name, order) * heading(guide)
     if pin:
-        return evaluation.driver_direction * float(pin.length)
-    return _outward(evaluation, routes.position(letter, evaluation.pose))
+        along = turned(evaluation.driver_direction, pin.turn) * float(pin.length)
+        return frame.places[start] + along
+    from_start = routes.position(letter, evaluation.pose)
+    if start in frame.places:
+        return frame.places[start] + _outward(evaluation, from_start)
+    return frame.linkage.place + _outward(evaluation, frame.fixed[start] + from_start)
 
 
 def _motion(evaluation: Evaluation, letter: str, order: int) -> Number:

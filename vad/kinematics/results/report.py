@@ -79,8 +79,11 @@ def _inputs(data: dict[str, Any]) -> str:
     given = [
         f"{name} {_number(value, unit[name])} {unit[name]}" for name, value in data["input"].items()
     ]
-    if data["assembly"]:
-        given.append(data["assembly"])
+    assembly = data["assembly"]
+    if isinstance(assembly, str):
+        given.append(assembly)
+    elif assembly:
+        given += [f"{point} {place}" for point, place in assembly.items()]
     return ", ".join(given)
 
 

@@ -1,6 +1,8 @@
 """Looks become classes: each is written once, and named by what it says.
 
-In come declarations of CSS, out go the names of classes and one style sheet.
+In come declarations of CSS, out go the names of classes and one style sheet.  In a picture with a
+scope, which stands among others on a page, rules reach no further than that element, and names that
+the whole page shares begin with it.
 """
 
 from __future__ import annotations
@@ -14,7 +16,8 @@ from vad.style import Look, Pen
 class Classes:
     """The classes of one picture."""
 
-    def __init__(self) -> None:
+    def __init__(self, scope: str = "") -> None:
+        self.scope = scope
         self._rules: dict[str, str] = {}
 
     def name(self, *declarations: str) -> str:
@@ -26,7 +29,12 @@ class Classes:
 
     def sheet(self) -> str:
         """Return all classes."""
-        return "".join(f".{name}{{{says}}}\n" for name, says in self._rules.items())
+        within = f"#{self.scope} " if self.scope else ""
+        return "".join(f"{within}.{name}{{{says}}}\n" for name, says in self._rules.items())
+
+    def shared(self, name: str) -> str:
+        """Return a name that no other picture on the page has: of an element, or of a font."""
+        return f"{self.scope}-{name}" if self.scope else name
 
 
 def named(initial: str, content: str) -> str:

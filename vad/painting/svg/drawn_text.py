@@ -64,7 +64,7 @@ class DrawnText:
         return f'<text class="{name}"{length}>{escape(words)}</text>'
 
     def _use(self, letter: Letter) -> str:
-        name = f"{_PREFIXES[letter.face]}{ord(letter.text):x}"
+        name = self._classes.shared(f"{_PREFIXES[letter.face]}{ord(letter.text):x}")
         if name not in self._glyphs:
             self._glyphs[name] = _data(letter)
         x, y = number(_EM * letter.at.real, 0), number(-_EM * letter.at.imag, 0)

@@ -29,9 +29,10 @@ _NAMES = (_FAMILY, _UNIQUE, _FULL, _POSTSCRIPT)
 
 
 class Faces:
-    """The letters of one file, by their faces."""
+    """The letters of one file, by their faces; a style sheet calls its fonts ``family``."""
 
-    def __init__(self) -> None:
+    def __init__(self, family: str = FAMILY) -> None:
+        self.family = family
         self._letters: dict[Face, set[str]] = {}
 
     def add(self, face: Face, letters: Iterable[str]) -> None:
@@ -41,7 +42,7 @@ class Faces:
     def rules(self) -> str:
         """Return the rules that bring the fonts."""
         return "".join(
-            f"@font-face{{font-family:{FAMILY};{FACES[face] or 'font-style:normal'};"
+            f"@font-face{{font-family:{self.family};{FACES[face] or 'font-style:normal'};"
             f"src:url({data_uri(face, letters)})}}\n"
             for face, letters in sorted(self._letters.items())
         )

@@ -15,8 +15,8 @@ from vad.painting.svg.grid import Grid, number
 from vad.plan.marks import Lettering
 from vad.style import Look
 
-#: The rest is for programs that ignore the fonts of a file; STIX itself has the same widths.
-_SETTING = f"font-family:{FAMILY},STIXGeneral,serif;font-kerning:none;white-space:pre"
+#: For programs that ignore the fonts of a file; STIX itself has the same widths.
+_OTHERS = "STIXGeneral,serif"
 
 
 class SetText:
@@ -27,10 +27,13 @@ class SetText:
     """
 
     def __init__(
-        self, classes: Classes, faces: Faces | None = None, setting: str = _SETTING
+        self, classes: Classes, faces: Faces | None = None, setting: str | None = None
     ) -> None:
-        self._classes, self._setting = classes, setting
-        self._faces = faces or Faces()
+        self._classes = classes
+        self._faces = faces or Faces(classes.shared(FAMILY))
+        family = f"font-family:{self._faces.family},{_OTHERS}"
+        own = f"{family};font-kerning:none;white-space:pre"
+        self._setting = own if setting is None else setting
         self._beneath: set[str] = set()
 
     def element(self, text: Lettering, look: Look, grid: Grid) -> str:
@@ -84,7 +87,8 @@ class SetText:
         The halo lies beneath the whole line: painted with each stretch, it would cover the end of
         the one before.
         """
-        halo, home = self._classes.name(drawn(look.under, grid.unit)), named("t", element)
+        halo = self._classes.name(drawn(look.under, grid.unit))
+        home = self._classes.shared(named("t", element))
         use = f'<use href="#{home}" class="{halo}"/>\n'
         if home in self._beneath:
             return use + element

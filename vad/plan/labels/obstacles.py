@@ -31,6 +31,12 @@ class Obstacles:
     edge: Rect
     lines: list[tuple[complex, complex, float, Span]] = field(default_factory=list)
     boxes: list[tuple[Rect, Span]] = field(default_factory=list)
+    _kept: tuple[Complexes, Complexes, Reals] = field(
+        default=(np.zeros(0, complex), np.zeros(0, complex), np.zeros(0)),
+        init=False,
+        repr=False,
+        compare=False,
+    )
 
     def line(self, points: Sequence[complex], half_width: float, span: Span = ALWAYS) -> None:
         """Add a polyline."""
@@ -80,35 +86,57 @@ class Obstacles:
                 | (y + above <= box.bottom)
             )
         if self.lines and free.any():
-            starts = np.array([line[0] for line in self.lines])
-            ends = np.array([line[1] for line in self.lines])
-            halves = np.array([line[2] for line in self.lines])
-            sides = np.full(len(x), half_x), np.full(len(x), half_y)
-            free &= ~_meets(at, sides, starts, ends, halves).any(axis=1)
+            at, sides = at[free], (half_x, half_y)
+            free[free] = ~_meets(at, sides, *_near(at, sides, *self._strokes())).any(axis=1)
         return free
+
+    def _strokes(self) -> tuple[Complexes, Complexes, Reals]:
+        """Return the ends and half widths of all lines; they are kept until there is another."""
+        if len(self._kept[0]) != len(self.lines):
+            starts, ends, halves, _ = zip(*self.lines, strict=True)
+            self._kept = np.array(starts), np.array(ends), np.array(halves)
+        return self._kept
 
     def covered(self, start: complex, end: complex) -> float:
         """Return how much of a leader would lie on strokes; it never runs through a label."""
-        if not self.clear_of_labels(start, end, 1.5 * PIXEL):
+        if not self.clear_of_labels([(start, end)], 1.5 * PIXEL).all():
             return math.inf
         steps = max(2, int(abs(end - start) / (3.0 * PIXEL)))
         centres = [start + (end - start) * i / steps for i in range(1, steps)]
         lies_on = ~self.free(centres, 0.0, 0.0, PIXEL)
         return float(lies_on.sum()) * abs(end - start) / steps
 
-    def clear_of_labels(self, start: complex, end: complex, half_width: float) -> bool:
-        """Tell whether a straight stroke would meet no box."""
-        if not self.boxes:
-            return True
+    def clear_of_labels(self, lines: Sequence[tuple[complex, complex]], half_width: float) -> Bools:
+        """Tell for each straight stroke, given by its ends, whether it would meet no box."""
         at = np.array([box.centre for box, _ in self.boxes])
         wide = np.array([box.width / 2 for box, _ in self.boxes])
         high = np.array([box.height / 2 for box, _ in self.boxes])
-        line = np.array([start]), np.array([end]), np.array([half_width])
-        return not bool(_meets(at, (wide, high), *line).any())
+        starts, ends = np.array(lines, dtype=np.complex128).T
+        halves = np.full(len(lines), half_width)
+        meets = _meets(at, (wide[:, None], high[:, None]), starts, ends, halves)
+        return np.array([not each.any() for each in meets.T])
+
+
+def _near(
+    at: Complexes, sides: tuple[float, float], starts: Complexes, ends: Complexes, halves: Reals
+) -> tuple[Complexes, Complexes, Reals]:
+    """Return the lines that come near any of the boxes."""
+    near = np.ones(len(starts), dtype=np.bool_)
+    for centre, half, start, end in (
+        (at.real, sides[0], starts.real, ends.real),
+        (at.imag, sides[1], starts.imag, ends.imag),
+    ):
+        near &= np.minimum(start, end) - halves <= centre.max() + half
+        near &= np.maximum(start, end) + halves >= centre.min() - half
+    return starts[near], ends[near], halves[near]
 
 
 def _meets(
-    at: Complexes, sides: tuple[Reals, Reals], starts: Complexes, ends: Complexes, halves: Reals
+    at: Complexes,
+    sides: tuple[float | Reals, float | Reals],
+    starts: Complexes,
+    ends: Complexes,
+    halves: Reals,
 ) -> Bools:
     """Tell which boxes (rows) meet which lines (columns), by the slab method."""
     ways = ends - starts
@@ -118,8 +146,8 @@ def _meets(
         (at.real, sides[0], starts.real, ways.real),
         (at.imag, sides[1], starts.imag, ways.imag),
     ):
-        low = (centre - half)[:, None] - halves - start
-        high = (centre + half)[:, None] + halves - start
+        low = centre[:, None] - half - halves - start
+        high = centre[:, None] + half + halves - start
         still = np.abs(way) < 1e-12
         step = np.where(still, 1.0, way)
         one, other = low / step, high / step

@@ -10,8 +10,10 @@ import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from vad.plan.geometry import Rect
 from vad.plan.labels.obstacles import PIXEL, Obstacles
@@ -73,17 +75,21 @@ class Wish:
 
     def around(self, gap: float, count: int) -> list[complex]:
         """Return the centres of ``count`` boxes about the dot, ``gap`` away, the best first."""
-        ways = fan(self.first, count)
-        return [beside(self.at, way, gap + self.radius, self.wide, self.high) for way in ways]
+        ways = self.first * _turns(count)
+        with np.errstate(divide="ignore"):
+            across = self.wide / 2 / np.abs(ways.real)
+            upright = self.high / 2 / np.abs(ways.imag)
+        centres = self.at + ways * (gap + self.radius + np.minimum(across, upright))
+        found: list[complex] = centres.tolist()
+        return found
 
 
 def beside(at: complex, way: complex, gap: float, wide: float, high: float) -> complex:
     """Return the centre of a box whose edge lies ``gap`` from ``at`` in the direction ``way``."""
-    reach = min(
-        wide / 2 / abs(way.real) if abs(way.real) > 1e-9 else math.inf,
-        high / 2 / abs(way.imag) if abs(way.imag) > 1e-9 else math.inf,
-    )
-    return at + way * (gap + reach)
+    aside, above = abs(way.real), abs(way.imag)
+    across = wide / 2 / aside if aside > 1e-9 else math.inf
+    upright = high / 2 / above if above > 1e-9 else math.inf
+    return at + way * (gap + (across if across < upright else upright))
 
 
 def outward(ways: Iterable[complex]) -> complex:
@@ -99,8 +105,15 @@ def outward(ways: Iterable[complex]) -> complex:
 
 def fan(first: complex, count: int) -> list[complex]:
     """Return ``count`` directions, the nearest to ``first`` first."""
+    found: list[complex] = (first * _turns(count)).tolist()
+    return found
+
+
+@cache
+def _turns(count: int) -> NDArray[np.complex128]:
+    """Return unit vectors all round, the nearest to 1 first."""
     turns = sorted(range(count), key=lambda i: (min(i, count - i), i))
-    return [first * cmath.exp(1j * math.tau * turn / count) for turn in turns]
+    return np.exp(2j * np.pi * np.array(turns) / count)
 
 
 def place_all(obstacles: Obstacles, wishes: Sequence[Wish]) -> Iterator[tuple[int, Placed]]:

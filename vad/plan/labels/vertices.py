@@ -19,7 +19,7 @@ from vad.plan.lettering.runs import Runs, symbols
 from vad.plan.marks import Lettering, Mark, line
 from vad.plan.scale import Scale
 from vad.plan.sketch import Sketch, Tag
-from vad.strokes.sheet import Arrow, Dot, Line, Panel
+from vad.strokes.sheet import Arrow, Dot, Line, Panel, Plate
 
 LETTER = 0.040
 COINCIDENT = 0.012
@@ -61,6 +61,8 @@ def corners(panel: Panel) -> list[complex]:
             points.append(stroke.shape.at)
         elif isinstance(stroke.shape, Arrow):
             points += [stroke.shape.start, stroke.shape.end]
+        elif isinstance(stroke.shape, Plate):
+            points += stroke.shape.corners
         elif isinstance(stroke.shape, Line):
             points += [stroke.shape.through, stroke.shape.until]
     return points
@@ -88,6 +90,12 @@ def find_vertices(panel: Panel, scale: Scale) -> list[Vertex]:
             way = direction_of(scale(shape.start), scale(shape.end))
             tail.ways.append(way)
             head.ways.append(-way)
+        elif isinstance(shape, Plate):
+            places = list(map(scale, shape.corners))
+            for letter, at in zip(shape.letters, shape.corners, strict=True):
+                others = [place for place in places if place != scale(at)]
+                ways = [direction_of(scale(at), other) for other in others]
+                vertex(letter, at, index).ways.extend(ways)
     return [spot for spot in _merged(found) if spot.letters]
 
 
@@ -115,12 +123,13 @@ def label_vertices(
     sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
 ) -> None:
     """Place the labels of all vertices, each once for all strokes."""
-    wishes = [_wish(vertex, vertices, radius, near) for vertex in vertices]
+    wishes = [wish(vertex, vertices, radius, near) for vertex in vertices]
     for index, placed in place_all(sketch.obstacles, wishes):
         _letter(sketch, vertices[index], placed)
 
 
-def _wish(vertex: Vertex, all_: Sequence[Vertex], radius: float, near: Sequence[float]) -> Wish:
+def wish(vertex: Vertex, all_: Sequence[Vertex], radius: float, near: Sequence[float]) -> Wish:
+    """Return what the label of a vertex asks for."""
     size = ink_size(symbols(vertex.label), LETTER)
     rivals = [other.at for other in all_ if other is not vertex]
     return Wish(vertex.at, outward(vertex.ways), *size, radius, near, rivals)

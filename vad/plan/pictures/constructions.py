@@ -144,7 +144,7 @@ def _stub(
             reach = [0.02 + (length - 0.02) * i / 6 for i in range(7)]
             spots = [at + side * share for share in reach]
             clear = bool(obstacles.free(spots, 0.0, 0.0, 0.005).all())
-            if clear and obstacles.clear_of_labels(spots[0], spots[-1], 2.0 * PIXEL):
+            if clear and obstacles.clear_of_labels([(spots[0], spots[-1])], 2.0 * PIXEL).all():
                 return side, length
     corner = SQUARE * way
     for side in sides:

@@ -120,32 +120,39 @@ def add_sense(sketch: Sketch, index: int | None, shape: Arc, sense: float) -> No
         return
     setting, obstacles = sketch.setting, sketch.obstacles
     stroke = setting.panel.strokes[index]
-    runs, row = symbols("ω"), setting.row(stroke.link)
-    wide, high = ink_size(runs, SIZE)
+    row = setting.row(stroke.link)
     centre, crank = sketch.scale(shape.centre), shape.start + shape.sweep
     sign = math.copysign(1.0, sense)
     turns = sorted(range(0, 360, 15), key=lambda t: min(t, 360 - t))
     for strict, (radius, span), turn in itertools.product((True, False), SENSE_SIZES, turns):
         middle = crank + sign * (SENSE_LEAD + turn)
         line = arc_line(centre, radius, middle - span / 2, span)
-        out = cmath.exp(1j * math.radians(middle))
-        spot = beside(centre + radius * out, out, 0.010, wide, high)
-        if not obstacles.free([spot], wide, high, CLEARANCE, APART)[0]:
+        letter, placed = sense_letter(centre, radius, middle, row)
+        size = placed.wide, placed.high
+        if not obstacles.free([placed.centre], *size, CLEARANCE, APART)[0]:
             continue
         if not all(obstacles.edge.holds(point, -0.006) for point in line):
             continue
         if strict and not obstacles.free(line, 0.0, 0.0, 0.008).all():
             continue
-        if not all(obstacles.clear_of_labels(*ends, 0.004) for ends in itertools.pairwise(line)):
+        if not obstacles.clear_of_labels(list(itertools.pairwise(line)), 0.004).all():
             continue
-        marks = sense_arrow(centre, radius, middle, sign * span, row)
-        marks.append(text_at(runs, runs, spot, SIZE, "tag", row))
+        marks = [*sense_arrow(centre, radius, middle, sign * span, row), letter]
         sketch.add(stroke, Level.LABEL, setting.after(index), marks)
-        placed = Placed(spot, wide, high)
         sketch.tags.append(Tag("ω", placed.box))
         obstacles.box(placed.box)
         obstacles.line(line, 0.004)
         return
+
+
+def sense_letter(
+    centre: complex, radius: float, middle: float, row: int | None
+) -> tuple[Mark, Placed]:
+    """Return the ω of an arrow about ``centre`` with its middle at ``middle`` degrees."""
+    runs, out = symbols("ω"), cmath.exp(1j * math.radians(middle))
+    wide, high = ink_size(runs, SIZE)
+    spot = beside(centre + radius * out, out, 0.010, wide, high)
+    return text_at(runs, runs, spot, SIZE, "tag", row), Placed(spot, wide, high)
 
 
 def sense_arrow(

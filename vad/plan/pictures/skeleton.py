@@ -15,6 +15,7 @@ from vad.plan.pictures import machine
 from vad.plan.pictures.bars import bar_of, slit_of
 from vad.plan.pictures.constructions import add_drawn_line, add_square, line_of
 from vad.plan.pictures.guides import add_guide, name_guide
+from vad.plan.pictures.plates import add_plate
 from vad.plan.pictures.rotation import (
     add_angle,
     add_sense,
@@ -32,7 +33,7 @@ from vad.plan.pictures.yoke import yoke_of
 from vad.plan.roles import BLOCK_RIM, CONSTRUCTION
 from vad.plan.scale import fill
 from vad.plan.sketch import Setting, Sketch
-from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Sheet
+from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Plate, Sheet
 
 NEAR = (0.014, 0.020, 0.028, 0.036)
 
@@ -100,8 +101,12 @@ def pins(panel: Panel) -> set[str]:
     bodies: dict[str, set[str | None]] = {}
     for stroke in panel.strokes:
         shape = stroke.shape
-        letters = [shape.tail, shape.head] if isinstance(shape, Arrow) else [stroke.label]
-        if isinstance(shape, Arrow | Block) or stroke.kind == "fixed":
+        letters: tuple[str, ...] = (stroke.label,)
+        if isinstance(shape, Arrow):
+            letters = shape.tail, shape.head
+        elif isinstance(shape, Plate):
+            letters = shape.letters
+        if isinstance(shape, Arrow | Block | Plate) or stroke.kind == "fixed":
             for letter in letters:
                 bodies.setdefault(letter, set()).add(stroke.link)
     return {letter for letter, met in bodies.items() if len(met) > 1}
@@ -131,6 +136,8 @@ def add_stroke(sketch: Sketch, index: int) -> None:
             add_bar(sketch, index, stroke.shape)
         case Block():
             add_block(sketch, index, stroke.shape)
+        case Plate():
+            add_plate(sketch, index, stroke.shape)
         case Guide():
             add_guide(sketch, index, stroke.shape)
         case Dot(at):

@@ -124,7 +124,7 @@ def place_square(
                     edge for ring in square.rings(length) for edge in pairwise([*ring, ring[0]])
                 ]
                 crowd = sum(_swept(label - start, way, side, size, length) for label in labels)
-                crowd += sum(not obstacles.clear_of_labels(*edge, 0.0) for edge in edges)
+                crowd += int((~obstacles.clear_of_labels(edges, 0.0)).sum())
                 cost = crowd + 4.0 * (1.0 - size) + 0.1 * (ahead < 0)
                 found.append((cost, square))
     return min(found, key=lambda each: each[0])[1] if found else None
@@ -201,7 +201,7 @@ def compass(arc: Bow, row: int | None, obstacles: Obstacles) -> list[Mark]:
 
     def crowd(spot: complex) -> int:
         legs = (arc.centre, spot), (spot, tip)
-        return sum(not obstacles.clear_of_labels(*leg, HINGE) for leg in legs)
+        return int((~obstacles.clear_of_labels(legs, HINGE)).sum())
 
     hinge = min(inside, key=crowd, default=middle)
     turning = Turning(arc.centre, ((0.0, -arc.sweep), (1.0, 0.0)))

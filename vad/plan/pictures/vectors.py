@@ -18,12 +18,14 @@ from vad.plan.marks import Mark, disc
 from vad.plan.pictures.arrows import add_vector, place_vectors
 from vad.plan.pictures.constructions import add_construction, line_of, name_construction
 from vad.plan.pictures.inset import Inset, add_inset, draw_inset, find_corner, reserved
+from vad.plan.pictures.plates import add_triangles
 from vad.plan.roles import DOT_RIM
 from vad.plan.scale import fill
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.language import Language
 from vad.strokes.sheet import Arrow, Dot, Line
 
+CORIOLIS = "2ωv"
 DOT = 0.0068
 NEAR = (0.014, 0.020, 0.027, 0.034)
 INSET_SIZES = (1.0, 0.8, 0.64)
@@ -57,6 +59,7 @@ def _sketch(setting: Setting, room: Rect) -> Sketch:
     sketch = Sketch(setting, scale, Obstacles(setting.room))
     vertices = find_vertices(panel, scale)
     placed = place_vectors(sketch)
+    add_triangles(sketch)
     for index, stroke in enumerate(panel.strokes):
         if isinstance(stroke.shape, Arrow):
             add_vector(sketch, index, placed[index])
@@ -117,4 +120,4 @@ def _name_coriolis(sketch: Sketch) -> None:
     for index, stroke in enumerate(setting.panel.strokes):
         if stroke.component == "coriolis" and isinstance(stroke.shape, Arrow):
             ends = sketch.scale(stroke.shape.start), sketch.scale(stroke.shape.end)
-            add_tag(sketch, stroke, "2ωv", ends, SMALL_SIZE, ALWAYS, setting.after(index))
+            add_tag(sketch, stroke, CORIOLIS, ends, SMALL_SIZE, ALWAYS, setting.after(index))

@@ -19,6 +19,7 @@ from vad.plan.labels.tags import SMALL_SIZE
 from vad.plan.labels.vertices import LETTER, text_at
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
+from vad.plan.pictures.vectors import CORIOLIS
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.crowd import Crowd
 from vad.plan.turning.hodographs import Complexes, Hodographs
@@ -28,7 +29,6 @@ from vad.plan.turning.springs import Ballast, Boxes, Spring, find_spring
 from vad.plan.turning.turn_scale import mechanism_scale, polygon_scale
 from vad.strokes.sheet import Arrow, Block, Panel
 
-CORIOLIS = "2ωv"
 FADING = 0.025  # from the edge on, a label fades; and below that length, that of a vector
 
 
@@ -61,7 +61,9 @@ class MovingPanel:
         is_skeleton = setting.panel.picture == "skeleton"
         if is_skeleton:
             scale = mechanism_scale(setting, poses)
-            self.picture: MovingSkeleton | MovingVectors = MovingSkeleton(setting, poses, scale)
+            skeleton = MovingSkeleton(setting, poses, scale)
+            skeleton.add_dimensions(poses)
+            self.picture: MovingSkeleton | MovingVectors = skeleton
         else:
             scale = polygon_scale(setting, poses)
             self.picture = MovingVectors(setting, scale)

@@ -20,30 +20,35 @@ from vad.plan.pictures.supports import WAYS, add_axes, block_pivot, fixed_points
 from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.dimension import add_dimension
-from vad.strokes.sheet import Arrow, Block, Guide, Panel, Stroke
+from vad.strokes.sheet import Arrow, Block, Guide, Panel, Plate, Stroke
 
 PAST = 0.014  # by which guides are longer than their block's way
 
 
 class MovingSkeleton:
-    """The mechanism of a turn."""
+    """The mechanism of a turn; ``angle`` says whether the axis of its angle is drawn."""
 
-    def __init__(self, setting: Setting, poses: Sequence[Panel], scale: Scale) -> None:
+    def __init__(
+        self, setting: Setting, poses: Sequence[Panel], scale: Scale, angle: bool = False
+    ) -> None:
         self._setting = setting
         self.scale = scale
         self.size = part_size(setting.panel, scale)
         self.radius = machine.JOINT_REACH * self.size
-        frame = tuple(stroke for stroke in poses[0].strokes if stroke.kind != "angle")
+        frame = tuple(s for s in poses[0].strokes if angle or s.kind != "angle")
         first = replace(setting, panel=replace(poses[0], strokes=frame))
         self.still = Sketch(first, scale, Obstacles(setting.room))
         add_axes(self.still, [])
         guides = [s for s in frame if isinstance(s.shape, Guide) and s.shape.side is not None]
-        ways = [self._guide(poses, stroke) for stroke in guides]
+        self._ways = [self._guide(poses, stroke) for stroke in guides]
         strokes = [self.pose(pose).obstacles for pose in poses]
         for _, point in fixed_points(poses[0]):
             self._pivot(scale(point), strokes)
+
+    def add_dimensions(self, poses: Sequence[Panel]) -> None:
+        """Write along each guide of the frame how far its block gets."""
         strokes = [self.pose(pose).obstacles for pose in poses]
-        for start, end, side in ways:
+        for start, end, side in self._ways:
             add_dimension(self.still, start, end, side, strokes)
 
     def pose(self, panel: Panel) -> Sketch:
@@ -53,7 +58,9 @@ class MovingSkeleton:
         sketch = Sketch(setting, self.scale, obstacles)
         for index in painting_order(panel):
             shape = panel.strokes[index].shape
-            if isinstance(shape, Arrow | Block) or (isinstance(shape, Guide) and not shape.side):
+            if isinstance(shape, Arrow | Block | Plate) or (
+                isinstance(shape, Guide) and not shape.side
+            ):
                 add_stroke(sketch, index)
         for vertex in find_vertices(panel, self.scale):
             sketch.add(None, Level.DOT, 0, [joint_of(sketch, vertex)])

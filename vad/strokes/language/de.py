@@ -48,6 +48,13 @@ PHRASES = {
     "block from": (
         "{slide:Der} {head} steht bei {symbol} = {value} {unit}, von {tail} aus gemessen."
     ),
+    "plate": "{link:Der} ist ein starres Stück mit den Ecken {corners}.",
+    "third point": (
+        "{letter} liegt, wo sich die beiden Bögen schneiden: das Dreieck {corners} behält seinen "
+        "Sinn."
+    ),
+    "on link slot": "{letter} liegt, wo der Bogen die Gerade des Schlitzes schneidet.",
+    "in slot": "{head} liegt auf der Geraden des Schlitzes {link:des}.",
     "tip": "{letter} liegt auf {link:dem}, {size} {unit} von {tail} entfernt.",
     "tip against": (
         "{letter} liegt auf {link:dem}, {size} {unit} von {tail} entfernt auf der anderen Seite."
@@ -167,6 +174,23 @@ PHRASES = {
     "image against": (
         "{letter} aus {image} {link:des}, auf der anderen Seite: {part} = {whole}·{bar}/{base} = "
         "{known} × {size}/{length} = {own} {unit}{also}."
+    ),
+    "image similar": (
+        "{letter} aus {image} {link:des}: {triangle} ist ähnlich zu {corners}, im gleichen "
+        "Sinn beschriftet: {part} = {whole}·{bar}/{base} = "
+        "{known} × {size}/{length} = {own} {unit}."
+    ),
+    "image line": (
+        "Durch {point} unter dem Winkel {corner} = {angle}° gegen {side}, im Sinn des Glieds: "
+        "{meeting} liegt auf dieser Geraden."
+    ),
+    "image alike velocity": (
+        "{letter} fällt auf {point}: {link:der} dreht sich in diesem Augenblick nicht, alle Punkte "
+        "haben dieselbe Geschwindigkeit."
+    ),
+    "image alike acceleration": (
+        "{letter} fällt auf {point}: alle Punkte {link:des} haben in diesem Augenblick dieselbe "
+        "Beschleunigung."
     ),
     "image whose": ", {whose}",
     "image other": "; {label} = {value} {unit}",

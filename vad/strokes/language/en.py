@@ -42,6 +42,10 @@ PHRASES = {
     "bar": "The {link} {bar} stands at {symbol} = {angle}°.",
     "block": "The {slide} {head} stands at {symbol} = {value} {unit}.",
     "block from": "The {slide} {head} stands at {symbol} = {value} {unit}, measured from {tail}.",
+    "plate": "The {link} is one rigid piece with the corners {corners}.",
+    "third point": "{letter} is where the two arcs cross: the triangle {corners} keeps its sense.",
+    "on link slot": "{letter} is where the arc meets the line of the slot.",
+    "in slot": "{head} lies on the line of the slot of the {link}.",
     "tip": "{letter} lies on the {link}, {size} {unit} from {tail}.",
     "tip against": "{letter} lies on the {link}, {size} {unit} from {tail} on the other side.",
     # polygons
@@ -153,6 +157,22 @@ PHRASES = {
     "image against": (
         "{letter} by {image} of the {link}, on the other side: {part} = {whole}·{bar}/{base} = "
         "{known} × {size}/{length} = {own} {unit}{also}."
+    ),
+    "image similar": (
+        "{letter} by {image} of the {link}: {triangle} is similar to {corners}, lettered in the "
+        "same sense: {part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
+    ),
+    "image line": (
+        "Through {point} at the angle {corner} = {angle}° from {side}, in the sense of the link: "
+        "{meeting} lies on this line."
+    ),
+    "image alike velocity": (
+        "{letter} falls on {point}: the {link} does not turn at this instant, so all its points "
+        "have the same velocity."
+    ),
+    "image alike acceleration": (
+        "{letter} falls on {point}: all points of the {link} have the same acceleration at this "
+        "instant."
     ),
     "image whose": ", {whose}",
     "image other": "; {label} = {value} {unit}",

@@ -46,6 +46,12 @@ _PHRASES = {
     "bar": "{link:Le} {bar} fait un angle {symbol} = {angle}° avec l’axe x.",
     "block": "{slide:Le} {head} se trouve en {symbol} = {value} {unit}.",
     "block from": "{slide:Le} {head} se trouve en {symbol} = {value} {unit}, mesuré depuis {tail}.",
+    "plate": "{link:Le} est une pièce rigide de sommets {corners}.",
+    "third point": (
+        "{letter} est à l’intersection des deux arcs : le triangle {corners} garde son sens."
+    ),
+    "on link slot": "{letter} est à l’intersection de l’arc et de l’axe de la rainure.",
+    "in slot": "{head} est sur l’axe de la rainure {link:du}.",
     "tip": "{letter} est sur {link:le}, à {size} {unit} de {tail}.",
     "tip against": "{letter} est sur {link:le}, à {size} {unit} de {tail}, de l’autre côté.",
     # polygones
@@ -162,6 +168,22 @@ _PHRASES = {
     "image against": (
         "{letter} par {image} {link:du}, de l’autre côté : {part} = {whole}·{bar}/{base} = "
         "{known} × {size}/{length} = {own} {unit}{also}."
+    ),
+    "image similar": (
+        "{letter} par {image} {link:du} : {triangle} est semblable à {corners}, désigné dans le "
+        "même sens : {part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
+    ),
+    "image line": (
+        "Par {point}, à l’angle {corner} = {angle}° de {side}, dans le sens de la pièce : "
+        "{meeting} est sur cette droite."
+    ),
+    "image alike velocity": (
+        "{letter} tombe sur {point} : {link:le} ne tourne pas à cet instant, tous ses points ont "
+        "la même vitesse."
+    ),
+    "image alike acceleration": (
+        "{letter} tombe sur {point} : tous les points {link:du} ont à cet instant la même "
+        "accélération."
     ),
     "image whose": ", {whose}",
     "image other": " ; {label} = {value} {unit}",

@@ -1,0 +1,189 @@
+"""Files that cannot be: one line with the file and the line, and a hint where something helps."""
+
+from __future__ import annotations
+
+import pytest
+
+import vad
+from tests.files.verified import BY_NAME, written
+from vad.errors import InputError, UsageError
+
+LESSON = """\
+title = "Lesson"
+[fixed]
+A = [0, 0]
+D = [100, 0]
+[links]
+crank = { AB = 40 }
+coupler = { BC = 120, BP = 60, CP = 80 }
+rocker = { DC = 80 }
+[driver]
+crank = { angle = 60, omega = 10 }
+[assembly]
+C = "upper"
+"""
+TITLE, FIXED, CRANK, DRIVER = '"Lesson"', "A = [0, 0]", "{ AB = 40 }", "angle = 60, omega = 10"
+COUPLER, ROCKER, DC, PLACE = "BP = 60, CP = 80", "rocker = { DC = 80 }", "DC = 80", 'C = "upper"'
+GUIDE = "[guides]\nC = "
+
+
+def refused(old: str, new: str) -> InputError:
+    """Return the error of the lesson with something else in it."""
+    assert old in LESSON
+    with pytest.raises(InputError) as caught:
+        written(LESSON.replace(old, new, 1))
+    assert not isinstance(caught.value, UsageError)  # which would be a wrong command
+    return caught.value
+
+
+def test_the_lesson_itself_is_right():
+    assert written(LESSON)().assembly == {"C": "upper"}
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "message", "hint"),
+    [
+        ("[links]", "[link]", 5, "unknown table 'link'", "did you mean 'links'?"),
+        (TITLE, '"x"\nrod = { AB = 3 }', 2, "unknown table 'rod'", "known"),
+        ("title", "titel", 1, "unknown word 'titel'", "did you mean 'title'?"),
+        (TITLE, "3", 1, "title: must be a line of text", None),
+        (TITLE, '"x"\nunit = "kg"', 2, "unit: 'kg' is not a unit of length", "mm, cm"),
+        (TITLE, '"Lesson', 1, "illegal character", None),
+        ("[fixed]", "[fixed", 2, "expected ']'", None),
+        ("[fixed]", "[fixed]\n[fixed]", 3, "twice", None),
+        (DC, "DC = 80, DC = 70", 8, "duplicate", None),
+        # points
+        (FIXED, "A = [0]", 3, "A: must be two coordinates, got [0]", "A = [0, 0]"),
+        (FIXED, "a = [0, 0]", 3, "'a' is no point", "a capital letter"),
+        (FIXED, 'A = { from = "D", length = 3, angle = 0 }', 3, "no fixed point above it", None),
+        ("D = [100, 0]", 'D = { from = "A", length = 3 }', 4, "D: is no place", "angle = 0"),
+        ("D = [100, 0]", 'D = ["1/0", 0]', 4, "D: '1/0' has no value", None),
+        # numbers
+        (DC, "DC = -80", 8, "rocker: must be positive, got -80", "try 80"),
+        (DC, "DC = nan", 8, "rocker: must be a finite number", None),
+        (DC, "DC = true", 8, "rocker: must be a number, got True", None),
+        (DC, 'DC = "8 kg"', 8, "rocker: 'kg' is not a unit of length", "mm, cm"),
+        (DC, 'DC = "arm/2"', 8, "rocker: unknown dimension 'arm'", "under [dimensions]"),
+        (DC, 'DC = "1/0"', 8, "rocker: '1/0' has no value", None),
+        (DC, 'DC = "sqrt(-1)"', 8, "rocker: 'sqrt(-1)' has no value", None),
+        (DC, 'DC = "1 - 3"', 8, "rocker: 1 - 3 must be positive, got -2", None),
+        (DC, 'DC = "__import__(1)"', 8, "is no number and no expression", "a/2"),
+        (DC, 'DC = "().__class__"', 8, "is no number and no expression", "a/2"),
+        (DC, 'DC = "9**9**9**9"', 8, "has no value", None),
+        # names
+        (ROCKER, "angle = { DC = 80 }", 8, "angle: is a word of the program's own", "angle_1"),
+        (ROCKER, "lambda = { DC = 80 }", 8, "lambda: is a word of the program's own", "lambda_1"),
+        (TITLE, '"x"\n[dimensions]\ncrank = 3', 8, "two numbers of this name", None),
+        (ROCKER, '"a b" = { DC = 80 }', 5, "a b: must be one word", "feed_rod"),
+        # links
+        (CRANK, "{ ab = 40 }", 6, "crank: cannot read 'ab'", "two letters are a distance"),
+        (CRANK, "{ BAD = 40 }", 6, "crank: needs a distance", "{ AB = 60 }"),
+        (CRANK, "40", 6, "crank: must be distances", "{ AB = 60 }"),
+        (CRANK, '"AB"', 6, "crank: the pose does not say where B is", "[pose]"),
+        (CRANK, "{ AA = 40 }", 6, "crank: cannot read 'AA'", None),
+        (DC, "DC = 80, CD = 70", 8, "rocker: CD is DC, which is given already", None),
+        (COUPLER, "BP = 60, CP = 50", 7, "the triangle BCP with sides 120, 60 and 50", "than 110"),
+        (COUPLER, "BP = 60, CBP = 20, CP = 80", 7, "coupler: P is fixed twice", None),
+        (COUPLER, "CBP = 20", 7, "CBP: no distance leads to P", "add BP = 100"),
+        (COUPLER, "EP = 20", 7, "EP does not lead to another point of the link", None),
+        (COUPLER, f'{COUPLER}, sense = "left"', 7, "sense: cannot read 'left'", "clockwise"),
+        ("BC = 120,", 'BC = "variable",', 7, "a cylinder has two points", None),
+        # guides
+        (ROCKER, GUIDE + "{ y = 0, z = 3 }", 9, "C: unknown word 'z'", "known: y, x"),
+        (ROCKER, GUIDE + "{ angle = 3 }", 9, "C: is no line", "{ y = 20 }"),
+        (ROCKER, GUIDE + '{ along = "XY" }', 9, "along: no link has both X and Y", None),
+        (ROCKER, GUIDE + '{ along = "BP" }', 9, "C is a point of coupler itself", None),
+        (ROCKER, GUIDE + '{ through = "Q", angle = 3 }', 9, "neither a fixed point", "along"),
+        (ROCKER, GUIDE + '{ y = 0, name = "crank" }', 9, "a link is called crank", "a name"),
+        (ROCKER, GUIDE + '{ y = "1/0" }', 9, "C: '1/0' has no value", None),
+        # the driver
+        ("crank = { angle", "crnk = { angle", 10, "unknown driver 'crnk'", "'crank'"),
+        (DRIVER, "angle = 60, omga = 10", 10, "unknown input of crank 'omga'", "'omega'"),
+        (DRIVER, "angle = 60", 10, "crank: has no omega", "omega = 10"),
+        (DRIVER, 'angle = 60, omega = "10 mm"', 10, "'mm' is not a unit of turning", "rpm"),
+        ("[driver]\n", "[driver]\nrocker = { angle = 3, omega = 1 }\n", 9, "not 2", None),
+        # places
+        (PLACE, 'C = "above"', 12, "C: 'above' is no place", "upper, lower"),
+        (PLACE, 'E = "upper"', 12, "unknown point 'E'", "A, B, C, D, P"),
+        (PLACE, 'B = "upper"', 12, "B: has one place only", "two places have C, P"),
+        (PLACE, f'{PLACE}\nP = "lower"', 12, "C: cannot be so while P is lower", "enough"),
+        (PLACE, 'C = "parallel"', 12, "BC and the side opposite it differ by 20", "equal"),
+        (DC, "DC = 20", 12, "C cannot be reached at the driver's place: it misses by 12.82", None),
+        (ROCKER, GUIDE + "{ y = 0 }", 13, "neither of its two places is the upper", "right"),
+        (PLACE, f"{PLACE}\n[pose]\nA = [3, 4]", 14, "A: is a fixed point already", None),
+        # mobility
+        (DC, "DC = 80, DA = 100", 8, "pinned to the frame at D and A, so it cannot move", None),
+        (ROCKER, f"{ROCKER}\narm = {{ PE = 40 }}", 9, "3·4 − 2·5 = 2", "arm: is held at one"),
+        (ROCKER, f"{ROCKER}\narm = {{ DP = 40 }}", 5, "3·4 − 2·6 = 0", "can be left out"),
+        (ROCKER, f"{ROCKER}\narm = {{ EF = 40 }}", 9, "arm: shares no point with the rest", None),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_is_said_with_its_line(old, new, line, message, hint):
+    error = refused(old, new)
+    assert str(error).startswith(f"lesson.toml, line {line}: ")
+    assert message in str(error)
+    if hint is None:
+        assert error.hint is None or "known" not in error.hint
+    else:
+        assert hint in str(error.hint)
+
+
+def test_a_file_without_a_driver_has_no_line_to_name():
+    error = refused("[driver]\ncrank = { angle = 60, omega = 10 }\n", "")
+    assert str(error) == "lesson.toml: one link or slide drives, and none does"
+
+
+def test_the_other_place_of_an_earlier_dyad_may_help():
+    press = BY_NAME["toggle-press"]["toml"].replace('B = "right"', 'B = "left"')
+    with pytest.raises(InputError, match=r"line 22: .* D cannot be reached .* misses by") as caught:
+        written(press.replace("BD = 540", "BD = 200"))
+    assert caught.value.hint == "with B at its other place it would close"
+
+
+def test_a_triad_is_refused_with_the_drivers_that_would_do():
+    text = BY_NAME["stephenson-3"]["toml"].replace("crank = { angle", "output = { angle")
+    with pytest.raises(InputError) as caught:
+        written(text)
+    assert "line 9: crank, coupler, rocker, arm can only be found together" in str(caught.value)
+    assert caught.value.hint == "driven at the crank or the rocker it is dyads alone"
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (None, "No such file"),
+        (b"", "there is no fixed point"),
+        (b"\x89PNG\r\n\x1a\n\x00\x00", "is no text in UTF-8"),
+        (b"a = 1\n" * 20_000, "is longer than 100000 bytes"),
+        (b"[" * 5_000, "lesson.toml"),
+    ],
+)
+def test_what_is_no_file_of_a_mechanism(tmp_path, content, message):
+    path = tmp_path / "lesson.toml"
+    if content is not None:
+        path.write_bytes(content)
+    with pytest.raises(InputError, match=message):
+        vad.load(path)
+
+
+def test_a_folder_is_no_file(tmp_path):
+    with pytest.raises(InputError, match="directory"):
+        vad.load(tmp_path)
+
+
+def test_tables_are_named_where_there_are_no_lines():
+    tables = {
+        "fixed": {"A": (0, 0), "D": (100, 0)},
+        "links": {"crank": {"AB": 40}, "coupler": {"BC": 120}, "rocker": {"DC": 80}},
+        "driver": {"crank": {"angle": 60, "omega": 10}},
+    }
+    for wrong, message in [
+        ({"links": {**tables["links"], "rocker": {"DC": -8}}}, "links: rocker: must be positive"),
+        ({"fixed": {"A": (0, 0), "D": "there"}}, "fixed: D: must be two coordinates"),
+        ({"assembly": {"C": "above"}}, "assembly: C: 'above' is no place"),
+        ({"driver": {"crank": {"angle": object(), "omega": 1}}}, "tables: "),
+        ({"links": 3}, "links: must be a table"),
+    ]:
+        with pytest.raises(InputError) as caught:
+            vad.mechanism(**{**tables, **wrong})
+        assert str(caught.value).startswith(message)

@@ -1,0 +1,60 @@
+"""Any chain of dyads is as accurate as its numbers allow: 2 εκ for places, 4, 8, 64 for rates.
+
+``VAD_SAMPLES=1000 pytest tests/kinematics/test_chains.py`` looks longer; ``python -m
+benchmarks.chains`` says how large the errors are.
+"""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import vad
+from tests.kinematics.chains import KINDS, STARTS, Chain, errors
+from tests.kinematics.families import Draw
+from tests.kinematics.hand_built import BUILT, HandBuilt
+from tests.kinematics.worst_cases import BOUNDS
+
+SAMPLES = int(os.environ.get("VAD_SAMPLES", "12"))
+
+
+@settings(max_examples=2 * SAMPLES, deadline=None)
+@given(
+    start=st.sampled_from(STARTS),
+    kinds=st.lists(st.sampled_from(KINDS), min_size=3, max_size=5),
+    seed=st.integers(0, 2**64 - 1),
+)
+def test_errors_of_chains_stay_within_their_bounds(start: str, kinds: list[str], seed: int) -> None:
+    found = dict(errors(Chain(Draw(seed), start, kinds)))
+    assert not {key: size for key, size in found.items() if not size <= BOUNDS[key[2]]}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_each_kind_of_dyad_by_itself(kind: str) -> None:
+    for seed, start in enumerate(STARTS * (SAMPLES // 12)):
+        found = dict(errors(Chain(Draw(f"{kind} {seed}"), start, [kind])))
+        assert not {key: size for key, size in found.items() if not size <= BOUNDS[key[2]]}
+
+
+@pytest.mark.parametrize("name", list(BUILT))
+def test_many_poses_have_the_bits_of_one(name: str) -> None:
+    mechanism = HandBuilt(BUILT[name]())
+    inputs = {key: np.array([value, value, value]) for key, value in INPUTS[name].items()}
+    many, one = vad.solve(mechanism, **inputs), vad.solve(mechanism, **INPUTS[name])
+    for link in one.links:
+        for quantity in ("angle", "omega", "alpha"):
+            assert (getattr(many.link(link), quantity) == getattr(one.link(link), quantity)).all()
+    for point in one.points:
+        for quantity in ("position", "velocity", "acceleration"):
+            expected = getattr(one.point(point), quantity)
+            assert (getattr(many.point(point), quantity) == expected).all()
+
+
+INPUTS: dict[str, dict[str, Any]] = {
+    name: {"angle": 71.3, "omega": 3.0, "alpha": -2.0} for name in BUILT
+} | {"landing-gear": {"position": 420.0, "velocity": -60.0, "acceleration": 10.0}}

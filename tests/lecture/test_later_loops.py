@@ -1,0 +1,67 @@
+"""Lessons that start at a later dyad: what comes before it is on the board already."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+import vad
+from vad.cli.run import run
+from vad.lecture.lesson import Lesson
+from vad.lecture.moment import done, moments
+from vad.strokes.sheet import Sheet
+
+SHAPER = vad.CrankSlottedLever(rod=100, ram_height=180)
+
+
+@pytest.fixture(scope="module")
+def sheet() -> Sheet:
+    return vad.draw(vad.solve(SHAPER))
+
+
+@pytest.fixture(scope="module")
+def lesson(sheet: Sheet) -> Lesson:
+    return vad.animate(sheet, loop=2)
+
+
+def test_the_pencil_starts_at_the_second_dyad_in_every_panel(lesson: Lesson):
+    first: dict[str, str] = {}
+    for step in lesson.steps:
+        if not step.there:
+            first.setdefault(step.panel.name, step.stroke.name)
+    assert first == {"position": "DC.bar", "velocity": "C.image", "acceleration": "C.image"}
+
+
+def test_what_is_there_takes_no_time_but_a_look_at_it(sheet: Sheet, lesson: Lesson):
+    assert sum(step.grow for step in lesson.steps if step.there) == 0
+    assert lesson.duration < 0.75 * vad.animate(sheet).duration
+    looks = [step.hold for step in lesson.steps if step.there and step.hold]
+    assert looks == [45, 45, 45]  # 1.5 s before each panel
+
+
+def test_it_opens_with_the_first_dyad_on_the_board(lesson: Lesson):
+    opening, frames = next(moments(lesson))
+    strokes = lesson.sheet.panels[0].strokes
+    assert (opening.beat, frames) == (done(lesson.begun), lesson.opening)
+    assert strokes[lesson.begun].name == "DC.bar"
+    assert sum(repeats for _, repeats in moments(lesson)) == lesson.frames
+
+
+def test_the_first_loop_is_the_whole_lesson(sheet: Sheet):
+    assert vad.animate(sheet, loop=1) == vad.animate(sheet)
+    assert vad.animate(sheet).begun == 0
+
+
+@pytest.mark.parametrize("loop", [0, 3, True, 1.5, "2"])
+def test_a_loop_that_is_not_there_is_refused(sheet: Sheet, loop: Any):
+    with pytest.raises(vad.UsageError, match="loop: must be between 1 and 2, got") as caught:
+        vad.animate(sheet, loop=loop)
+    assert caught.value.hint == "try 2, of its 2 loops"
+
+
+def test_one_loop_has_no_second(capsys: Any):
+    assert run(["animate", "four-bar", "--loop", "2", "-o", "x.srt"]) == 2
+    assert "loop: must be between 1 and 1, got 2" in capsys.readouterr().err
+    assert run(["animate", "four-bar", "--loop", "2", "--turn", "-o", "x.mp4"]) == 2
+    assert "--loop does not go with --turn" in capsys.readouterr().err

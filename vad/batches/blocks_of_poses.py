@@ -1,0 +1,142 @@
+"""The verb `sweep`: poses by the million, block by block, where the blocks are.
+
+In come inputs as numpy or Dask arrays, out goes one array of the same kind with a field a result.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vad.errors import InputError, UsageError, shown, unknown
+from vad.kinematics.motion import Motion, solve
+from vad.mechanisms import Mechanism
+
+_LINK = ("angle", "omega", "alpha")
+_POINT = ("position", "velocity", "acceleration")
+_HINT = 'as in ("rocker.omega", "C.acceleration")'
+
+
+def sweep(mechanism: Mechanism, results: Iterable[str] | str, **inputs: Any) -> Any:
+    """Solve chosen results over arrays of inputs; Dask arrays are solved when they are computed.
+
+    Parameters
+    ----------
+    mechanism
+        The mechanism with its dimensions.
+    results
+        Their names: that of a link, point or slide, a full stop, and one of what `Motion` has of
+        it; ``"rocker.omega"``, ``"C.acceleration"``.
+    **inputs
+        As for `solve`; any of them may be a Dask array.
+
+    Returns
+    -------
+    structured array
+        One field for each result, by its name: real, of points complex x + iy; NaN where the links
+        do not close.  With the broadcast shape of the inputs; a Dask array, with their chunks, if
+        one of them is one.  Nothing of that is computed yet, and each block is solved by itself,
+        for all results at once, so that more may be asked for than memory holds.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        For an unknown result or input.
+    vad.errors.InputError
+        For inputs that are no numbers, or do not broadcast.
+
+    Examples
+    --------
+    >>> import numpy as np, vad
+    >>> swept = vad.sweep(vad.ScotchYoke(), "yoke.velocity", angle=np.array([0.0, 90.0]))
+    >>> swept["yoke.velocity"]
+    array([   0., -500.])
+    """
+    names = _names(results)
+    lazy = {name: value for name, value in inputs.items() if _is_dask(value)}
+    motion = solve(mechanism, **(inputs | dict.fromkeys(lazy, 0.0)))  # checks what is known by now
+    dtype = np.dtype([(name, _kind(motion, name)) for name in names])
+    if not lazy:
+        return _solved(motion, dtype)
+    da: Any = sys.modules["dask.array"]
+
+    for name, value in lazy.items():
+        if value.dtype.kind not in "iuf":
+            raise InputError(f"{name}: must be an array of numbers, got one of {value.dtype}")
+    many = {name: da.asarray(value) for name, value in inputs.items() if np.ndim(value)}
+    single = {name: value for name, value in inputs.items() if name not in many}
+    try:
+        arrays = da.broadcast_arrays(*many.values())
+    except ValueError:
+        shapes = ", ".join(f"{name} {value.shape}" for name, value in many.items())
+        raise InputError(f"shapes of the inputs do not broadcast: {shapes}") from None
+    return da.map_blocks(
+        _block,
+        *arrays,
+        mechanism=mechanism,
+        names=tuple(many),
+        single=single,
+        results=dtype,
+        dtype=dtype,
+        meta=np.empty((0,) * arrays[0].ndim, dtype),
+    )
+
+
+def _block(
+    *arrays: NDArray[Any],
+    mechanism: Mechanism,
+    names: tuple[str, ...],
+    single: dict[str, Any],
+    results: np.dtype[Any],
+) -> NDArray[Any]:
+    """Solve one block of inputs, which are in ``arrays`` under their ``names``."""
+    return _solved(solve(mechanism, **single, **dict(zip(names, arrays, strict=True))), results)
+
+
+def _solved(motion: Motion[Any, Any, Any], results: np.dtype[Any]) -> NDArray[Any]:
+    found = np.empty(motion.shape, results)
+    for name in results.names or ():
+        owner, _, quantity = name.rpartition(".")
+        found[name] = getattr(_part(motion, owner, quantity), quantity)
+    return found
+
+
+def _names(results: Iterable[str] | str) -> list[str]:
+    listed = [results] if isinstance(results, str) else list(results)
+    if not listed:
+        raise UsageError("results: none given", _HINT)
+    for name in listed:
+        if not isinstance(name, str) or "." not in name:
+            raise UsageError(f"results: {shown(name)} is no result", _HINT)
+    return list(dict.fromkeys(listed))
+
+
+def _kind(motion: Motion[Any, Any, Any], name: str) -> type:
+    owner, _, quantity = name.rpartition(".")
+    _part(motion, owner, quantity)
+    return complex if owner in motion.points else float
+
+
+def _part(motion: Motion[Any, Any, Any], owner: str, quantity: str) -> Any:
+    """Return the link, point or slide that has a result."""
+    known: dict[str, tuple[Any, str]] = {}
+    for names, quantities, part in (
+        (motion.links, _LINK, motion.link),
+        (motion.points, _POINT, motion.point),
+        (motion.slides, (*_POINT, "coriolis"), motion.slide),
+    ):
+        known |= {f"{name}.{each}": (part, name) for name in names for each in quantities}
+    if f"{owner}.{quantity}" not in known:
+        raise unknown("result", f"{owner}.{quantity}", known)
+    part, name = known[f"{owner}.{quantity}"]
+    return part(name)
+
+
+def _is_dask(value: object) -> bool:
+    """Tell whether a value is a Dask array, without loading Dask for one that is not."""
+    dask = sys.modules.get("dask.array")
+    return dask is not None and isinstance(value, dask.Array)

@@ -1,0 +1,152 @@
+"""What a number is drawn from: in comes what stands under [vary], out go the values to choose from.
+
+Nice numbers have two digits, the second a 0 or a 5; those that begin with a 1 have any second one.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from decimal import Decimal
+from typing import Any
+
+from vad.batches.place import written_at
+from vad.errors import InputError, shown, unknown
+from vad.units import read
+
+_NICE = (*range(10, 20), *range(20, 100, 5))
+_MOST = 10_000
+#: No number of a mechanism is larger, nor any whole number that a file may hold.
+LARGEST = 1e300
+#: So much beyond an end, as a share of it, a number is still at the end.
+_ROUNDING = 1e-12
+_FORMS = "write a number, a list, { from, to, step } or { share = 0.25 }"
+_STEP = "add a step, as in { from = 0, to = 355, step = 5 }"
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """What a number measures: its kind, as `vad.units` has it, and the unit of lengths.
+
+    ``usual`` is the value of which shares are taken, None where there is none; only what is
+    ``signed`` may be zero or negative.
+    """
+
+    kind: str
+    length_unit: str
+    usual: float | None = None
+    signed: bool = True
+
+    def number(self, value: object) -> float:
+        """Return a number, or a text with a unit, in the scene's unit.
+
+        Raises
+        ------
+        vad.errors.InputError
+            If it is neither, or not positive where it must be.
+        """
+        if isinstance(value, str):
+            number = read(value, self.kind, self.length_unit)
+        elif isinstance(value, int | float) and not isinstance(value, bool):
+            number = float(value) if abs(value) < LARGEST else math.inf
+        else:
+            raise InputError(f"must be a number, got {shown(value)}", _FORMS)
+        if not math.isfinite(number):
+            raise InputError(f"must be a finite number, got {number}")
+        if not self.signed and number <= 0.0:
+            raise InputError(f"must be positive, got {number:g}")
+        return number
+
+
+def choices(value: object, quantity: Quantity) -> tuple[float, ...]:
+    """Return the numbers that ``value`` offers, in the scene's unit.
+
+    Parameters
+    ----------
+    value
+        One number; a list; ``{from, to, step}``; or, for nice numbers, ``{from, to}`` or
+        ``{share}``, that much about the usual value.
+    quantity
+        What they measure.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If it offers none.
+
+    Examples
+    --------
+    >>> crank = Quantity("length", "mm", usual=40.0)
+    >>> choices({"share": 0.25}, crank)
+    (30.0, 35.0, 40.0, 45.0, 50.0)
+    >>> choices({"from": "1 cm", "to": 20, "step": 2.5}, crank)
+    (10.0, 12.5, 15.0, 17.5, 20.0)
+    """
+    if isinstance(value, Mapping):
+        return _between(value, quantity)
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        if not value:
+            raise InputError("the list is empty", _FORMS)
+        return tuple(map(quantity.number, value))
+    return (quantity.number(value),)
+
+
+def nice(low: float, high: float) -> tuple[float, ...]:
+    """Return the nice numbers from ``low`` to ``high``, both of one sign.
+
+    Examples
+    --------
+    >>> nice(1.75, 2.6), nice(-90, -80)
+    ((1.8, 1.9, 2.0, 2.5), (-90.0, -85.0, -80.0))
+    """
+    if high < 0.0:
+        return tuple(-number for number in reversed(nice(-high, -low)))
+    powers = range(math.floor(math.log10(low)) - 1, math.floor(math.log10(high)) + 1)
+    numbers = (float(f"{digits}e{power}") for power in powers for digits in _NICE)
+    least, most = low * (1.0 - _ROUNDING), high * (1.0 + _ROUNDING)
+    return tuple(number for number in numbers if least <= number <= most)
+
+
+def _between(table: Mapping[str, Any], quantity: Quantity) -> tuple[float, ...]:
+    known = ("share",) if "share" in table else ("from", "to", "step")
+    for word in table:
+        if word not in known:
+            raise unknown("word", word, known)
+    if "share" in table:
+        low, high = _about(table["share"], quantity.usual)
+    elif "from" in table and "to" in table:
+        low, high = quantity.number(table["from"]), quantity.number(table["to"])
+    else:
+        raise InputError("says neither from and to nor a share", _FORMS)
+    if low > high:
+        raise InputError(f"from {low:g} to {high:g} is no range", "the smaller one first")
+    if "step" in table:
+        with written_at("step"):
+            step = replace(quantity, signed=False).number(table["step"])
+            return _stepped(low, high, step)
+    if low <= 0.0 <= high:
+        raise InputError(f"there is no nice way from {low:g} to {high:g}", _STEP)
+    found = nice(low, high)
+    if not found:
+        raise InputError(f"there is no nice number from {low:g} to {high:g}", _STEP)
+    return found
+
+
+def _about(share: object, usual: float | None) -> tuple[float, float]:
+    """Return the ends of what lies within a share about the usual value."""
+    if not isinstance(share, int | float) or isinstance(share, bool) or not 0.0 < share < 1.0:
+        raise InputError(f"share: must be between 0 and 1, got {shown(share)}", "try 0.25")
+    if not usual:
+        raise InputError("share: there is no value of which to take a share", _STEP)
+    low, high = sorted((usual * (1.0 - share), usual * (1.0 + share)))
+    return low, high
+
+
+def _stepped(low: float, high: float, step: float) -> tuple[float, ...]:
+    """Return the numbers of an even range, as exact as they are written."""
+    first, last, each = (Decimal(repr(number)) for number in (low, high, step))
+    count = int((last - first) / each) + 1
+    if count > _MOST:
+        raise InputError(f"makes {count} numbers, more than {_MOST}")
+    return tuple(float(first + number * each) for number in range(count))

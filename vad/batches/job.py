@@ -1,0 +1,128 @@
+"""One sheet as a job: plain data that a worker on any machine needs, and what it sends back."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from vad import __version__
+from vad.errors import VadError
+
+#: What a parameter may be: a number in the scene's unit; an assembly's word, or places by point.
+Value = float | str | Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """What the sheets of one file, or one row of it, have in common.
+
+    Attributes
+    ----------
+    mechanism
+        The name of a mechanism, or of the file that ``text`` is from.
+    text
+        That file's text; None for a mechanism of the program's own.
+    vary
+        Parameters and inputs by name, each with the values from which it is drawn.
+    keep
+        The least sine at which the construction lines of any dyad cross.
+    seed
+        Of the random numbers.
+    files
+        The names of a sheet's files, without its number.
+    blank
+        The panels that a problem leaves to be drawn.
+    options
+        Those of `vad.draw`, `vad.animate` and `vad.save`, by name.
+    """
+
+    mechanism: str
+    text: str | None
+    vary: tuple[tuple[str, tuple[Value, ...]], ...]
+    keep: float
+    seed: int
+    files: tuple[str, ...]
+    blank: tuple[str, ...]
+    options: tuple[tuple[str, Any], ...]
+
+
+@dataclass(frozen=True)
+class Job:
+    """One sheet to be made.
+
+    Attributes
+    ----------
+    recipe
+        What it is made from.
+    number
+        Its number, from 1.
+    label
+        The number as it stands in front of the names of its files: "017".
+    place
+        Where it is written: "sheets.csv, line 18".
+    """
+
+    recipe: Recipe
+    number: int
+    label: str
+    place: str = field(repr=False)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of its files."""
+        return tuple(f"{self.label}-{name}" for name in self.recipe.files)
+
+    @property
+    def fingerprint(self) -> str:
+        """What tells it from a sheet that is made from anything else."""
+        return hashlib.sha256(f"{__version__} {self!r}".encode()).hexdigest()
+
+
+@dataclass(frozen=True)
+class Product:
+    """What a worker has made of a job.
+
+    Attributes
+    ----------
+    job
+        The job.
+    answers
+        The results, as `vad.Motion.to_dict` gives them.
+    files
+        The contents of the files by name.
+    error
+        Why there is nothing of it, if there is not.
+    """
+
+    job: Job
+    answers: Mapping[str, Any] = field(default_factory=dict)
+    files: Mapping[str, bytes] = field(default_factory=dict)
+    error: VadError | None = None
+
+
+@dataclass(frozen=True)
+class Done:
+    """One sheet of a batch, as `vad.batch` returns it.
+
+    Attributes
+    ----------
+    number
+        Its number, from 1.
+    files
+        Where its files are; none where there is an error.
+    answers
+        All results, as `vad.Motion.to_dict` gives them.
+    error
+        Why it could not be made, or None.
+    new
+        Whether it was made now; False for one that stood there already.
+    """
+
+    number: int
+    files: tuple[Path, ...] = ()
+    answers: Mapping[str, Any] = field(default_factory=dict)
+    error: VadError | None = None
+    new: bool = True

@@ -1,0 +1,136 @@
+"""``vad check FILE``: what a file describes, as text or JSON."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from vad.cli import completion
+from vad.cli.groups import HelpfulCommand
+from vad.errors import UsageError
+from vad.files.places import PARALLEL
+
+if TYPE_CHECKING:
+    from vad.files.examination import Choice, Examination, Found
+
+# A smaller sine is that of a dead centre, which a grid only nearly meets.
+_DEAD = 5e-4
+
+
+@click.command("check", cls=HelpfulCommand)
+@click.argument("file", required=False, shell_complete=completion.a_file)
+@click.option("--json", "as_json", is_flag=True, help="as JSON, with all digits")
+def command(file: str | None, as_json: bool) -> None:
+    """Look at a mechanism's file: its joints, its dyads, and the range that closes."""
+    if file is None:
+        hint = "vad check press.toml; vad example prints some to begin with"
+        raise UsageError("check needs a mechanism's file", hint)
+    from vad.files.examination import examine
+    from vad.files.loading import load
+
+    examined = examine(load(file))
+    click.echo(json.dumps(_data(examined), ensure_ascii=False) if as_json else _text(examined))
+
+
+def _text(examined: Examination) -> str:
+    written = examined.mechanism.written
+    mobility, driver = written.mobility, written.description.driver
+    head = (
+        f"{written.source.name}: {mobility.bodies} bodies, {mobility.joints} joints, "
+        f"{mobility.freedoms} degree of freedom; the {driver.name} drives"
+    )
+    rows = [
+        [str(number), each.dyad.kind, each.what, each.loop, _places(each)]
+        for number, each in enumerate(examined.found, start=1)
+    ]
+    widths = [max((len(row[i]) for row in rows), default=0) for i in range(5)]
+    lines = [
+        " " + "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
+        for row in rows
+    ]
+    return "\n".join([head, *lines, _range(examined), *_changes(examined)])
+
+
+def _places(found: Found) -> str:
+    return "; ".join(map(_choice, found.choices)) or "one place"
+
+
+def _choice(choice: Choice) -> str:
+    if choice.word == PARALLEL:
+        return f"{choice.point} parallel"
+    return f"{choice.point} {choice.word} {_at(choice.place)}, not {_at(choice.other)}"
+
+
+def _at(place: complex) -> str:
+    return f"({place.real + 0.0:.4g}, {place.imag + 0.0:.4g})"
+
+
+def _unit(examined: Examination) -> str:
+    """Return the unit of the driver's place, with the space before it."""
+    turns = examined.mechanism.written.description.driver.kind == "angle"
+    return "°" if turns else f" {examined.mechanism.length_unit}"
+
+
+def _changes(examined: Examination) -> list[str]:
+    """Say where it passes a change point."""
+    return [
+        f"dyad {change.loop + 1}: {change.words(_unit(examined))}" for change in examined.changes
+    ]
+
+
+def _range(examined: Examination) -> str:
+    """Say where it closes and where it is nearest to a dead centre."""
+    unit = _unit(examined)
+    turns = unit == "°"
+    name = next(iter(examined.mechanism.inputs))
+    if turns and examined.closes == ((0.0, 360.0),):
+        said = "closes for every angle"
+    else:
+        ends = " and ".join(f"{low:.6g}{unit} … {high:.6g}{unit}" for low, high in examined.closes)
+        said = f"closes for {name} {ends}"
+    near = examined.nearest
+    if near is None:
+        return said
+    where = f"{near.place:.1f}°" if turns else f"{near.place:.4g}{unit}"
+    if near.sine < _DEAD:
+        return f"{said}; a dead centre at {where} (dyad {near.dyad})"
+    return f"{said}; nearest to a dead centre at {where} (dyad {near.dyad}, sine {near.sine:.3f})"
+
+
+def _data(examined: Examination) -> dict[str, Any]:
+    written, near = examined.mechanism.written, examined.nearest
+    return {
+        "mechanism": examined.mechanism.name,
+        "title": examined.mechanism.title,
+        "bodies": written.mobility.bodies,
+        "joints": written.mobility.joints,
+        "freedoms": written.mobility.freedoms,
+        "driver": written.description.driver.name,
+        "dyads": [
+            {
+                "kind": each.dyad.kind,
+                "links": [link.name for link in each.dyad.links],
+                "slides": [guide.slide for guide in each.dyad.guides],
+                "loop": each.loop,
+                "places": {
+                    choice.point: {
+                        "word": choice.word,
+                        "position": [choice.place.real, choice.place.imag],
+                        "other": [choice.other.real, choice.other.imag],
+                    }
+                    for choice in each.choices
+                },
+            }
+            for each in examined.found
+        ],
+        "closes": [list(ends) for ends in examined.closes],
+        "dead_centre": None
+        if near is None
+        else {"at": near.place, "dyad": near.dyad, "sine": near.sine},
+        "change_points": [
+            {"at": change.place, "dyad": change.loop + 1, "parallel": change.parallel}
+            for change in examined.changes
+        ],
+    }

@@ -1,0 +1,232 @@
+"""What a file says, before anything is reckoned: points, links, guides and a driver.
+
+Every number is an `Expression` of the parameters, so that one description serves all dimensions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from vad.files.expressions import Expression
+from vad.files.places import Place
+
+Values = Mapping[str, float]
+Pair = tuple[str, str]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A number of the file that can be changed.
+
+    Attributes
+    ----------
+    name
+        Its option and field: ``crank``, ``BE``, ``CBE``, ``Dx``.
+    quantity
+        ``length``, ``angle`` or ``number`` (a dimension, which may be either).
+    default
+        As it is written, in the scene's unit.
+    signed
+        Whether it may be negative or zero.
+    help
+        One phrase.
+    """
+
+    name: str
+    quantity: str
+    default: float
+    signed: bool
+    help: str
+
+
+@dataclass(frozen=True)
+class Cartesian:
+    """A place by its coordinates."""
+
+    x: Expression
+    y: Expression
+
+
+@dataclass(frozen=True)
+class Polar:
+    """A place at a distance from another fixed point, in a direction in degrees."""
+
+    start: str
+    length: Expression
+    angle: Expression
+
+
+@dataclass(frozen=True)
+class Beyond:
+    """A point on the line of its link's base: ``sense`` · length from ``start``."""
+
+    start: str
+    length: Expression
+    sense: int
+
+
+@dataclass(frozen=True)
+class Aside:
+    """A point at a distance from ``start``, at an angle from the direction to ``other``.
+
+    The angle is counted counter-clockwise; ``sense`` is -1 where it is written from the point.
+    """
+
+    start: str
+    other: str
+    length: Expression
+    angle: Expression
+    sense: int
+
+
+@dataclass(frozen=True)
+class Apex:
+    """The third corner of a triangle by its distances from two others, to the left if side is 1."""
+
+    first: str
+    second: str
+    from_first: Expression
+    from_second: Expression
+    side: int
+
+
+@dataclass(frozen=True)
+class Posed:
+    """A point whose place on its link is that of one drawn position."""
+
+    letter: str
+
+
+Rule = Beyond | Aside | Apex | Posed
+
+
+@dataclass(frozen=True)
+class Link:
+    """A rigid link, or a cylinder.
+
+    Attributes
+    ----------
+    name
+        Its name.
+    base
+        The first pair of points, whose direction is the link's angle.
+    length
+        The distance of the pair; None for a cylinder, and where the pose gives it.
+    rules
+        Where further points are, in an order in which each can be found.
+    cylinder
+        Whether the length varies.
+    """
+
+    name: str
+    base: Pair
+    length: Expression | None
+    rules: Mapping[str, Rule]
+    cylinder: bool = False
+
+    @property
+    def points(self) -> tuple[str, ...]:
+        """All its points, the base's first."""
+        return (*self.base, *self.rules)
+
+
+@dataclass(frozen=True)
+class FrameLine:
+    """A line of the frame.
+
+    Attributes
+    ----------
+    through
+        A fixed point, from which the slide counts, or a place.
+    way
+        Its direction in degrees, or a second fixed point on it.
+    offset
+        By how much it lies to the left of them.
+    """
+
+    through: str | Cartesian
+    way: Expression | str
+    offset: Expression | None = None
+
+
+@dataclass(frozen=True)
+class LinkLine:
+    """The slot of a link, parallel to two of its points at an offset to the left."""
+
+    link: str
+    pair: Pair
+    offset: Expression | None
+
+
+@dataclass(frozen=True)
+class SliderLine:
+    """The slot of a slider, which does not turn: through its point, in a direction in degrees."""
+
+    through: str
+    angle: Expression
+
+
+@dataclass(frozen=True)
+class Guide:
+    """A line to which a point is bound, and the name of the slide along it."""
+
+    point: str
+    line: FrameLine | LinkLine | SliderLine
+    slide: str
+
+
+@dataclass(frozen=True)
+class Driver:
+    """What drives: a link's angle or the length of a slide, and how it moves by itself."""
+
+    kind: str
+    name: str
+    inputs: Mapping[str, float]
+
+
+@dataclass(frozen=True)
+class Description:
+    """All that a file says.
+
+    Attributes
+    ----------
+    title, unit, about
+        Its words.
+    parameters
+        Its numbers by name, in the order of the file.
+    fixed
+        The fixed points.
+    links, guides
+        By name, and by point.
+    driver
+        What drives.
+    assembly
+        Which of two places a point takes at the driver's own place.
+    pose
+        Places of one position, for links that are written as letters.
+    """
+
+    title: str
+    unit: str
+    about: str
+    parameters: Mapping[str, Parameter]
+    fixed: Mapping[str, Cartesian | Polar]
+    links: Mapping[str, Link]
+    guides: Mapping[str, Guide]
+    driver: Driver
+    assembly: Mapping[str, Place]
+    pose: Mapping[str, Cartesian]
+
+    @property
+    def points(self) -> tuple[str, ...]:
+        """All points, fixed ones first, in the order of the file."""
+        letters = dict.fromkeys(self.fixed)
+        for link in self.links.values():
+            letters.update(dict.fromkeys(link.points))
+        letters.update(dict.fromkeys(self.guides))
+        return tuple(letters)
+
+    def links_at(self, point: str) -> list[Link]:
+        """Return the links that have a point."""
+        return [link for link in self.links.values() if point in link.points]

@@ -1,0 +1,226 @@
+"""Finding the dyads: pairs of links or slides that two arcs or lines locate, one after another.
+
+In comes a description, out go `Dyad` objects in the order of drawing (Assur's groups of class II).
+What cannot be taken apart so is refused by name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+
+from vad.errors import InputError
+from vad.files.description import (
+    Description,
+    Driver,
+    FrameLine,
+    Guide,
+    Link,
+    LinkLine,
+    SliderLine,
+)
+from vad.files.tables import Source
+
+
+@dataclass(frozen=True)
+class Dyad:
+    """What is found in one step.
+
+    Attributes
+    ----------
+    kind
+        Its joints, R for a pin and P for a slide: RRR, RRP, RPR, PRP or RPP.
+    point
+        The point in which its two chains meet.
+    links
+        The links that it finds, that which the driver moves first.
+    guides
+        The guides whose slides it finds.
+    points
+        The points that it finds, the one in which its chains meet first.
+    """
+
+    kind: str
+    point: str
+    links: tuple[Link, ...] = ()
+    guides: tuple[Guide, ...] = ()
+    points: tuple[str, ...] = ()
+
+    @property
+    def two_places(self) -> bool:
+        """Whether its points can be at two places."""
+        slot = self.guides[0].line if self.kind == "RPR" and self.guides else None
+        aside = isinstance(slot, LinkLine) and slot.offset is not None
+        return self.kind in ("RRR", "RRP") or (aside and bool(self.points))
+
+    @property
+    def reversible(self) -> bool:
+        """Whether its points can be at two places once a slot is counted from either side."""
+        return self.two_places or (self.kind == "RPR" and bool(self.points))
+
+    def __str__(self) -> str:
+        return ", ".join([link.name for link in self.links] or [g.slide for g in self.guides])
+
+
+@dataclass
+class _Known:
+    """What is known so far: points with how many dyads lie before them, links and sliders."""
+
+    description: Description
+    driver: Driver
+    links: set[str] = field(default_factory=set)
+    points: dict[str, bool] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.points = dict.fromkeys(self.description.fixed, False)
+        if self.driver.kind == "angle":
+            link = self.description.links[self.driver.name]
+            if any(point in self.points for point in link.points):
+                self.learn(link)
+        for guide in self.description.guides.values():
+            if guide.slide == self.driver.name and isinstance(guide.line, FrameLine):
+                self.points[guide.point] = True
+
+    def learn(self, link: Link) -> None:
+        """Take in a link with all its points; the driver moves them."""
+        self.links.add(link.name)
+        for point in link.points:
+            self.points.setdefault(point, True)
+
+    def one_of(self, link: Link, but: str = "") -> str | None:
+        """Return the first known point of a link, a fixed one before a moving one."""
+        here = [point for point in link.points if point in self.points and point != but]
+        return min(here, key=lambda point: self.points[point], default=None)
+
+    def line(self, guide: Guide) -> bool:
+        """Tell whether it is known where a guide's line is."""
+        line = guide.line
+        if isinstance(line, FrameLine):
+            return True
+        return (
+            line.link in self.links if isinstance(line, LinkLine) else line.through in self.points
+        )
+
+
+def dyads(description: Description, driver: Driver | None = None) -> list[Dyad]:
+    """Return the dyads in the order in which they are found.
+
+    Raises
+    ------
+    vad.errors.InputError
+        Without a place, for a mechanism that is not made of dyads.
+    """
+    known = _Known(description, driver or description.driver)
+    found: list[Dyad] = []
+    while dyad := next(_dyads(known), None):
+        before = set(known.points)
+        if dyad.point not in before:
+            known.points[dyad.point] = True
+        for link in dyad.links:
+            known.learn(link)
+        for guide in dyad.guides:
+            known.points.setdefault(guide.point, True)
+        found.append(replace(dyad, points=tuple(p for p in known.points if p not in before)))
+    missing = [name for name in description.links if name not in known.links]
+    missing += [g.slide for g in description.guides.values() if g.point not in known.points]
+    if missing:
+        raise UndividedError(missing)
+    return found
+
+
+class UndividedError(InputError):
+    """What is left can only be found together."""
+
+    def __init__(self, missing: list[str]) -> None:
+        super().__init__(
+            f"{', '.join(missing)} can only be found together: a triad (Assur group of class III) "
+            "or more, not a pair that two arcs or lines locate"
+        )
+        self.missing = missing
+
+
+def check_dyads(source: Source, description: Description) -> list[Dyad]:
+    """Return the dyads of a file.
+
+    Raises
+    ------
+    vad.errors.InputError
+        With its line; the hint names the drivers with which it is made of dyads.
+    """
+    try:
+        return dyads(description)
+    except UndividedError as error:
+        others = [name for name in _other_drivers(description) if _divides(description, name)]
+        names = " or ".join(f"the {name}" for name in others)
+        hint = f"driven at {names} it is dyads alone" if others else None
+        raise source.error("links", error.missing[0], str(error), hint) from None
+
+
+def _other_drivers(description: Description) -> Iterator[str]:
+    for link in description.links.values():
+        if any(point in description.fixed for point in link.points):
+            yield link.name
+    for guide in description.guides.values():
+        if isinstance(guide.line, FrameLine):
+            yield guide.slide
+
+
+def _divides(description: Description, name: str) -> bool:
+    link = description.links.get(name)
+    kind = "angle" if link and not link.cylinder else "length"
+    try:
+        dyads(description, replace(description.driver, kind=kind, name=name))
+    except InputError:
+        return False
+    return True
+
+
+def _dyads(known: _Known) -> Iterator[Dyad]:
+    """Yield the dyads that can be found next, in the file's order."""
+    description = known.description
+    unknown = [link for link in description.links.values() if link.name not in known.links]
+    for link in unknown:
+        if link.cylinder and known.driver.name != link.name:
+            if all(point in known.points for point in link.points):
+                yield Dyad("RPR", link.base[1], (link,))
+            continue
+        turned = known.driver.kind == "angle" and known.driver.name == link.name
+        yield from _between_lines(known, link) if turned else _with_link(known, link, unknown)
+    for guide in description.guides.values():
+        line = guide.line
+        if guide.point in known.points and isinstance(line, SliderLine):
+            carrier = description.guides[line.through]
+            if line.through not in known.points and known.line(carrier):
+                yield Dyad("RPP", line.through, (), (carrier, guide))
+
+
+def _between_lines(known: _Known, link: Link) -> Iterator[Dyad]:
+    """Yield the dyad of a link that is turned while two of its points slide on known lines."""
+    guides = [known.description.guides[p] for p in link.points if p in known.description.guides]
+    if len(guides) > 1 and all(map(known.line, guides[:2])):
+        yield Dyad("PRP", guides[1].point, (link,), tuple(guides[:2]))
+
+
+def _with_link(known: _Known, link: Link, unknown: list[Link]) -> Iterator[Dyad]:
+    """Yield the dyads of which a link is the first."""
+    guides = known.description.guides
+    held = known.one_of(link)
+    if held is None:
+        return
+    for guide in guides.values():  # a known point in the slot of the link
+        slot = isinstance(guide.line, LinkLine) and guide.line.link == link.name
+        if slot and guide.point in known.points and known.one_of(link, but=guide.point):
+            yield Dyad("RPR", guide.point, (link,), (guide,))
+    for point in link.points:
+        if point in known.points:
+            continue
+        if point in guides and known.line(guides[point]):
+            yield Dyad("RRP", point, (link,), (guides[point],))
+        for other in unknown:
+            free = not other.cylinder or other.name == known.driver.name
+            if other is not link and free and point in other.points:
+                far = known.one_of(other)
+                if far is not None:
+                    moved = known.points[far] and not known.points[held]
+                    moved = (moved and not link.cylinder) or other.cylinder
+                    yield Dyad("RRR", point, (other, link) if moved else (link, other))

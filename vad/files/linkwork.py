@@ -1,0 +1,188 @@
+"""The links of a file: pairs of letters and their distances become a base and rules.
+
+In comes ``{ BC = 120, BE = 180, CBE = 30 }``, out goes a `Link`; lengths are not looked at.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from vad.errors import InputError, shown
+from vad.files.description import Apex, Aside, Beyond, Link, Pair, Posed, Rule
+from vad.files.expressions import Expression
+from vad.files.parameters import Numbers
+
+_POINT = r"[A-Z][0-9]*"
+Angle = tuple[str, str, str]
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+VARIABLE = "variable"
+
+
+def letters(text: str) -> tuple[str, ...]:
+    """Return the points that are named one behind the other; none if it is no such name.
+
+    Examples
+    --------
+    >>> letters("O2A"), letters("CBE"), letters("sense")
+    (('O2', 'A'), ('C', 'B', 'E'), ())
+    """
+    return tuple(re.findall(_POINT, text)) if re.fullmatch(f"(?:{_POINT})+", text) else ()
+
+
+def link(numbers: Numbers, name: str, value: Any) -> Link:
+    """Read one link.
+
+    Raises
+    ------
+    vad.errors.InputError
+        With its place, if it cannot be a link.
+    """
+    reader = _LinkReader(numbers, name)
+    if not _NAME.fullmatch(name):
+        raise reader.error("must be one word", "as in feed_rod")
+    if isinstance(value, str):
+        return reader.posed(value)
+    if isinstance(value, Mapping) and value:
+        return reader.measured(value)
+    raise reader.error(f"must be distances of its points, got {shown(value)}", "as in { AB = 60 }")
+
+
+class _LinkReader:
+    """The words of one link, taken one by one."""
+
+    def __init__(self, numbers: Numbers, name: str) -> None:
+        self.numbers = numbers
+        self.name = name
+
+    def error(self, message: str, hint: str | None = None) -> InputError:
+        return self.numbers.source.error("links", self.name, f"{self.name}: {message}", hint)
+
+    def posed(self, text: str) -> Link:
+        """Return a link that takes its shape from the pose."""
+        points = letters(text)
+        if len(points) < 2 or len(set(points)) < len(points):
+            raise self.error(f"must name two points or more, got {shown(text)}", "as in 'CDE'")
+        rules = {point: Posed(point) for point in points[2:]}
+        return Link(self.name, (points[0], points[1]), None, rules)
+
+    def measured(self, value: Mapping[str, Any]) -> Link:
+        """Return a link that is written with its distances."""
+        pairs: dict[Pair, Any] = {}
+        angles: dict[Angle, Any] = {}
+        side = 1
+        for key, number in value.items():
+            points = letters(key)
+            if key == "sense":
+                side = self._side(number)
+            elif len(points) not in (2, 3) or len(set(points)) < len(points):
+                hint = "two letters are a distance, three an angle"
+                raise self.error(f"cannot read {shown(key)}", hint)
+            elif len(points) == 3:
+                angles[points[0], points[1], points[2]] = number
+            elif (points[1], points[0]) in pairs:
+                raise self.error(f"{key} is {points[1]}{points[0]}, which is given already")
+            else:
+                pairs[points[0], points[1]] = number
+        if not pairs:
+            raise self.error("needs a distance", "as in { AB = 60 }")
+        base = next(iter(pairs))
+        if pairs[base] == VARIABLE:
+            if len(pairs) + len(angles) > 1:
+                raise self.error("a cylinder has two points", "fix the others to its neighbours")
+            return Link(self.name, base, None, {}, cylinder=True)
+        alone = len(pairs) == 1
+        sizes = {pair: self._length(pair, number, alone) for pair, number in pairs.items()}
+        return Link(self.name, base, sizes.pop(base), self._rules(base, sizes, angles, side))
+
+    def _side(self, word: object) -> int:
+        if word not in ("clockwise", "counter-clockwise"):
+            hint = "write 'clockwise' or 'counter-clockwise'"
+            raise self.error(f"sense: cannot read {shown(word)}", hint)
+        return -1 if word == "clockwise" else 1
+
+    def _length(self, pair: Pair, value: Any, alone: bool) -> Expression:
+        if value == VARIABLE:
+            raise self.error(f"{''.join(pair)}: only a cylinder's one length varies")
+        name = self.name if alone else "".join(pair)
+        help = f"length of {''.join(pair)}" if alone else f"distance {''.join(pair)} on {self.name}"
+        return self.numbers.take("links", self.name, name, value, "length", help=help)
+
+    def _rules(
+        self,
+        base: Pair,
+        sizes: dict[Pair, Expression],
+        angles: dict[Angle, Any],
+        side: int,
+    ) -> dict[str, Rule]:
+        """Return the rules of further points; each needs points that are known before it."""
+        known, rules = list(base), dict[str, Rule]()
+        while sizes:
+            point = self._next(known, sizes, angles)
+            own = {pair: sizes.pop(pair) for pair in _leading_to(point, known, sizes)}
+            turned = _turning(point, known, angles)
+            if len(own) > 2 or (turned and len(own) > 1) or len(turned) > 1:
+                raise self.error(f"{point} is fixed twice")
+            if turned:
+                angle = turned[0]
+                rules[point] = self._aside(point, next(iter(own.items())), angle, angles.pop(angle))
+            elif len(own) == 2:
+                (first, a), (second, b) = sorted(
+                    own.items(), key=lambda each: known.index(_other(each[0], point))
+                )
+                rules[point] = Apex(_other(first, point), _other(second, point), a, b, side)
+            else:
+                ((start, end), length), *_ = own.items()
+                beyond = point == end
+                rules[point] = Beyond(start if beyond else end, length, 1 if beyond else -1)
+            known.append(point)
+        for angle in angles:
+            text = "".join(angle)
+            hint = f"add {angle[1]}{angle[2]} = 100"
+            raise self.error(f"{text}: no distance leads to {angle[2]}", hint)
+        return rules
+
+    def _next(
+        self, known: Sequence[str], sizes: Mapping[Pair, Any], angles: Mapping[Angle, Any]
+    ) -> str:
+        """Return a point that can be found: better one to which nothing more will lead."""
+        new = [p for pair in sizes for p in pair if p not in known and _other(pair, p) in known]
+        if not new:
+            pair = next(iter(sizes))
+            if all(point in known for point in pair):
+                raise self.error(f"{''.join(pair)} is fixed already by the other distances")
+            raise self.error(f"{''.join(pair)} does not lead to another point of the link")
+        for point in new:
+            here = _leading_to(point, known, sizes)
+            whole = len(here) == sum(point in pair for pair in sizes)
+            if whole or len(here) > 1 or _turning(point, known, angles):
+                return point
+        return new[0]
+
+    def _aside(self, point: str, own: tuple[Pair, Expression], angle: Angle, value: Any) -> Aside:
+        pair, length = own
+        text = "".join(angle)
+        start, other = angle[1], angle[0] if point == angle[2] else angle[2]
+        if _other(pair, point) != start:
+            hint = f"give {start}{point}"
+            raise self.error(f"{text}: the distance of {point} from {start} is missing", hint)
+        turn = self.numbers.take(
+            "links", self.name, text, value, "angle", signed=True, help=f"angle {text}"
+        )
+        return Aside(start, other, length, turn, 1 if point == angle[2] else -1)
+
+
+def _leading_to(point: str, known: Sequence[str], sizes: Mapping[Pair, Any]) -> list[Pair]:
+    """Return the pairs that lead from known points to another one."""
+    return [pair for pair in sizes if point in pair and _other(pair, point) in known]
+
+
+def _turning(point: str, known: Sequence[str], angles: Mapping[Angle, Any]) -> list[Angle]:
+    """Return the angles between known points and another one."""
+    ends = [angle for angle in angles if point in (angle[0], angle[2])]
+    return [angle for angle in ends if {*angle} - {point} <= set(known)]
+
+
+def _other(pair: Pair, point: str) -> str:
+    return pair[1] if pair[0] == point else pair[0]

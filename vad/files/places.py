@@ -1,0 +1,53 @@
+"""The places that a point can take: words and coordinates, as they are written."""
+
+from __future__ import annotations
+
+import math
+
+#: The direction in which the place of each word lies.
+WORDS = {"upper": 1j, "lower": -1j, "left": -1.0 + 0j, "right": 1.0 + 0j}
+#: A parallelogram that stays one; this is no place but a rule.
+PARALLEL = "parallel"
+HINT = "upper, lower, left, right, parallel, or coordinates near it"
+
+# Of the larger: places that are nearer to each other are not told apart.
+SAME = 1e-9
+
+Place = str | complex
+
+
+def place_of(value: object) -> Place | None:
+    """Return the place that is written; None for what is none.
+
+    Examples
+    --------
+    >>> place_of("upper"), place_of([3, 4]), place_of("above")
+    ('upper', (3+4j), None)
+    """
+    if isinstance(value, str):
+        return value if value in (*WORDS, PARALLEL) else None
+    if isinstance(value, list | tuple) and len(value) == 2:
+        x, y = value
+        if all(isinstance(each, int | float) and math.isfinite(each) for each in (x, y)):
+            return complex(x, y)
+    return None
+
+
+def words_for(place: complex, other: complex) -> list[str]:
+    """Return the words that tell a place from another, the clearest first.
+
+    Examples
+    --------
+    >>> words_for(3 + 4j, 2 - 1j)
+    ['upper', 'right']
+    """
+    ways = {word: ahead(word, place) - ahead(word, other) for word in WORDS}
+    least = SAME * max(abs(place), abs(other))
+    return sorted((word for word in ways if ways[word] > least), key=lambda word: -ways[word])
+
+
+def ahead(want: Place, place: complex) -> float:
+    """Return how well a place fits what is wanted, to be compared with another's."""
+    if isinstance(want, str):
+        return (place * WORDS[want].conjugate()).real
+    return -abs(place - want)

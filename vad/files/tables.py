@@ -1,0 +1,194 @@
+"""A mechanism's file as text: its tables, and the line on which each of their keys stands.
+
+In comes TOML, out goes a `Source`, which says where what is wrong stands.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import date, time
+from pathlib import Path
+from typing import Any
+
+from vad.errors import InputError, shown, unknown
+
+#: What may stand in a file: single words, and tables.
+WORDS = ("title", "unit", "about", "source")
+TABLES = ("dimensions", "fixed", "links", "guides", "driver", "assembly", "pose")
+#: A mechanism fits on a page; whoever writes more has taken the wrong file.
+LONGEST = 100_000
+
+_HEADER = re.compile(r"\s*\[\s*([\w-]+)\s*\]")
+_KEY = re.compile(r"""\s*(["']?)([\w-]+)\1\s*=""")
+_PLACE = re.compile(r"(.*) \(at line (\d+), column \d+\)", re.DOTALL)
+
+
+@dataclass(frozen=True)
+class Source:
+    """The tables of a file.
+
+    Attributes
+    ----------
+    name
+        What errors call it; empty for tables that come from no file.
+    tables
+        What is written, by table and key; single words stand in the table "".
+    lines
+        The line of each key, and of each table under the key "".
+    """
+
+    name: str
+    tables: Mapping[str, Mapping[str, Any]]
+    lines: Mapping[tuple[str, str], int] = field(default_factory=dict)
+
+    def table(self, name: str) -> Mapping[str, Any]:
+        """Return a table; one that is not written is empty."""
+        return self.tables.get(name, {})
+
+    def place(self, table: str, key: str) -> str:
+        """Return where something stands: "press.toml, line 12"."""
+        line = self.lines.get((table, key)) or self.lines.get((table, ""))
+        return f"{self.name}, line {line}" if line else self.name or table
+
+    def error(self, table: str, key: str, message: str, hint: str | None = None) -> InputError:
+        """Return the error about what stands under ``key``, with its place."""
+        place = self.place(table, key)
+        return InputError(f"{place}: {message}" if place else message, hint)
+
+    def packed(self) -> str:
+        """Return all that it holds as one text, from which `unpacked` makes it again.
+
+        Raises
+        ------
+        vad.errors.InputError
+            For a value that no file could hold.
+        """
+        lines = [[*place, line] for place, line in self.lines.items()]
+        try:
+            return json.dumps([self.name, self.tables, lines], default=_plain)
+        except (TypeError, ValueError, RecursionError) as error:
+            raise InputError(f"tables: {error}", "numbers, text, and tables of them") from None
+
+    @classmethod
+    def unpacked(cls, text: str) -> Source:
+        """Return the source that was packed."""
+        name, tables, lines = json.loads(text)
+        return cls(name, tables, {(table, key): line for table, key, line in lines})
+
+
+def _plain(value: object) -> object:
+    """Return numpy's numbers, complex ones and dates as a file holds them."""
+    if isinstance(value, complex):
+        return [value.real, value.imag]
+    if isinstance(value, date | time):
+        return str(value)
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"{shown(value)} is neither a number nor text")
+
+
+def read_file(path: str | Path) -> Source:
+    """Return the tables of a file.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For a file that cannot be read, is no TOML, or has a table that no mechanism has.
+    """
+    return read_text(text_of(path), Path(path).name)
+
+
+def text_of(path: str | Path, longest: int = LONGEST) -> str:
+    """Return the text of a file of at most so many bytes.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For one that cannot be read, or is no text.
+    """
+    path = Path(path)
+    try:
+        with path.open("rb") as file:
+            data = file.read(longest + 1)
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise InputError(f"{path.name}: is no text in UTF-8") from None
+    except OSError as error:
+        raise InputError(f"'{path}': {error.strerror or error}") from None
+    except ValueError:
+        raise InputError(f"{shown(str(path))}: is no name of a file") from None
+    if len(data) > longest:
+        raise InputError(f"{path.name}: is longer than {longest} bytes")
+    return text
+
+
+def read_text(text: str, name: str) -> Source:
+    """Return the tables of a mechanism's text that errors call ``name``."""
+    return sorted_out(parsed(text, name))
+
+
+def parsed(text: str, name: str) -> Source:
+    """Return what a text in TOML says, all of it under the key "".
+
+    Raises
+    ------
+    vad.errors.InputError
+        If it is no TOML.
+    """
+    lines = _lines(text)
+    try:
+        tables = tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        message = str(error) if isinstance(error, tomllib.TOMLDecodeError) else "is nested too deep"
+        place = _PLACE.fullmatch(message)
+        if place is None:
+            raise InputError(f"{name}: {message[:1].lower()}{message[1:]}") from None
+        said = place[1][:1].lower() + place[1][1:]
+        raise InputError(f"{name}, line {place[2]}: {said}") from None
+    return Source(name, {"": tables}, lines)
+
+
+def sorted_out(source: Source) -> Source:
+    """Return the words and the tables apart, each of its right kind.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For one that no mechanism has.
+    """
+    words: dict[str, Any] = {}
+    tables: dict[str, Mapping[str, Any]] = {"": words}
+    for key, value in source.table("").items():
+        if isinstance(value, Mapping):
+            if key not in TABLES:
+                wrong = unknown("table", key, TABLES)
+                table, inside = (key, "") if (key, "") in source.lines else ("", key)
+                raise source.error(table, inside, str(wrong), wrong.hint)
+            tables[key] = value
+        elif key in WORDS:
+            if not isinstance(value, str) or not value.isprintable():
+                raise source.error("", key, f"{key}: must be a line of text")
+            words[key] = value
+        elif key in TABLES:
+            raise source.error("", key, f"{key}: must be a table", f"write [{key}]")
+        else:
+            wrong = unknown("word", key, (*WORDS, *TABLES))
+            raise source.error("", key, str(wrong), wrong.hint)
+    return Source(source.name, tables, source.lines)
+
+
+def _lines(text: str) -> dict[tuple[str, str], int]:
+    """Return on which line each key stands: the format is flat, so one pass will do."""
+    lines: dict[tuple[str, str], int] = {}
+    table = ""
+    for number, line in enumerate(text.splitlines(), start=1):
+        if header := _HEADER.match(line):
+            table = header[1]
+            lines.setdefault((table, ""), number)
+        elif key := _KEY.match(line):
+            lines.setdefault((table, key[2]), number)
+    return lines

@@ -1,0 +1,6 @@
+"""The page that is played with: a mechanism in the browser, solved and drawn here.
+
+In come questions as JSON, out go poses, lessons and files.  The browser knows no mechanism: it
+turns a pointer into a number and shows what is answered.  Nothing is kept between questions but
+caches.
+"""

@@ -1,0 +1,130 @@
+"""The routes: in comes a request that the guard lets pass, out goes a page, an answer or a file.
+
+Poses and lessons are worked out one at a time, for there is one who looks; a film is made beside
+them, and a second one is put off.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Awaitable, Callable
+from dataclasses import replace
+from typing import Any
+
+import anyio.to_thread
+from anyio import CapacityLimiter, WouldBlock
+from starlette.applications import Starlette
+from starlette.middleware import Middleware
+from starlette.middleware.trustedhost import TrustedHostMiddleware
+from starlette.requests import Request
+from starlette.responses import HTMLResponse, JSONResponse, Response
+from starlette.routing import Route
+from starlette.types import ASGIApp
+
+from vad.errors import VadError
+from vad.gui.fair import lesson
+from vad.gui.guard import HOSTS, Guard, Key, Manners, RefusalError
+from vad.gui.live import pose
+from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion, Question, read
+from vad.gui.problems import problem
+from vad.gui.saving import MEDIA, Closing, saved
+from vad.gui.window import window
+from vad.strokes.language import languages
+
+_RETRY = {"retry-after": "5"}
+
+
+def application(key: Key, start: ExportQuestion, closing: Closing) -> ASGIApp:
+    """Return the server's application.
+
+    Parameters
+    ----------
+    key
+        What opens it.
+    start
+        What is set when the page opens.
+    closing
+        Set when the server is to end; a film in the making ends with it.
+    """
+    thinking, filming = CapacityLimiter(1), CapacityLimiter(1)
+
+    async def page(request: Request) -> Response:
+        code = request.query_params.get("lang", start.language)
+        shown = replace(start, language=code if code in languages() else start.language)
+        nonce = request.state.nonce
+        return HTMLResponse(await anyio.to_thread.run_sync(window, shown, nonce, limiter=thinking))
+
+    def answer(kind: type[Question], work: Callable[[Any], dict[str, Any]]) -> Endpoint:
+        async def asked(request: Request) -> Response:
+            question = read(kind, await _json(request))
+            found = await anyio.to_thread.run_sync(_told, work, question, limiter=thinking)
+            return _reply(found)
+
+        return _explained(asked)
+
+    async def export(request: Request) -> Response:
+        extension = request.path_params["extension"]
+        if extension not in MEDIA:
+            raise RefusalError(404, "there is no such format")
+        question = read(ExportQuestion, await _json(request))
+        try:
+            filming.acquire_on_behalf_of_nowait(request)
+        except WouldBlock:
+            busy = {"message": "another file is being made", "hint": None, "kind": "busy"}
+            return JSONResponse({"error": busy}, 503, _RETRY)
+        try:
+            data, name = await anyio.to_thread.run_sync(saved, question, extension, closing)
+        except VadError as error:
+            return _reply({"error": problem(error, question.fields)})
+        finally:
+            filming.release_on_behalf_of(request)
+        headers = {"content-disposition": f'attachment; filename="{name}"'}
+        return Response(data, media_type=MEDIA[extension], headers=headers)
+
+    routes = [
+        Route("/", page, methods=["GET"]),
+        Route("/api/pose", answer(PoseQuestion, pose), methods=["POST"]),
+        Route("/api/lesson", answer(LessonQuestion, lesson), methods=["POST"]),
+        Route("/api/export/{extension}", _explained(export), methods=["POST"]),
+    ]
+    middleware = [
+        Middleware(Manners),
+        Middleware(TrustedHostMiddleware, allowed_hosts=HOSTS, www_redirect=False),
+        Middleware(Guard, key=key),
+    ]
+    return Starlette(routes=routes, middleware=middleware)
+
+
+Endpoint = Callable[[Request], Awaitable[Response]]
+
+
+def _told(work: Callable[[Any], dict[str, Any]], question: Question) -> dict[str, Any]:
+    """Return an answer, or what went wrong where a user can do something about it."""
+    try:
+        return work(question)
+    except VadError as error:
+        return {"error": problem(error, question.fields)}
+
+
+def _explained(endpoint: Endpoint) -> Endpoint:
+    """Answer a question that no page of ours asks with what is wrong with it."""
+
+    async def asked(request: Request) -> Response:
+        try:
+            return await endpoint(request)
+        except VadError as error:
+            return _reply({"error": problem(error)}, 422)
+
+    return asked
+
+
+async def _json(request: Request) -> object:
+    try:
+        return json.loads(await request.body())
+    except (ValueError, RecursionError):
+        raise RefusalError(400, "the question is not JSON") from None
+
+
+def _reply(data: dict[str, Any], status: int = 200) -> Response:
+    text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
+    return Response(text, status, media_type="application/json")

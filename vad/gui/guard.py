@@ -1,0 +1,172 @@
+"""Who may ask: the page itself, opened by whoever reads the terminal, and nobody else.
+
+The server is on 127.0.0.1, but so are other users of the machine, and every page of the web can
+send requests there from this very browser.  What they send is refused here, before anything
+reads it.
+"""
+
+from __future__ import annotations
+
+import hmac
+import secrets
+import sys
+import traceback
+from dataclasses import dataclass, field
+from http.cookies import CookieError, SimpleCookie
+
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.requests import Request
+from starlette.responses import JSONResponse, RedirectResponse, Response
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+#: What the server is called, whatever a name of the web is made to point at.
+HOSTS = ("127.0.0.1", "localhost")
+#: The longest question, in bytes.
+LONGEST = 16 * 1024
+_FOREIGN = ("cross-site", "same-site")
+_HEADERS = {
+    "x-content-type-options": "nosniff",
+    "referrer-policy": "no-referrer",
+    "cross-origin-resource-policy": "same-origin",
+    "cross-origin-opener-policy": "same-origin",
+    "cache-control": "no-store",
+}
+_POLICY = (
+    "default-src 'none'; script-src 'nonce-{nonce}'; style-src 'unsafe-inline'; font-src data:; "
+    "img-src data:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+)
+
+
+@dataclass(frozen=True)
+class Key:
+    """What opens the page: a token in the printed address, then a cookie of the same worth."""
+
+    port: int
+    token: str = field(default_factory=lambda: secrets.token_urlsafe(24), repr=False)
+
+    @property
+    def cookie(self) -> str:
+        """The name of the cookie, with the port in it: a browser sends cookies to all ports."""
+        return f"vad-{self.port}"
+
+    @property
+    def address(self) -> str:
+        """What is printed."""
+        return f"http://127.0.0.1:{self.port}/?token={self.token}"
+
+    def fits(self, other: str | None) -> bool:
+        """Tell whether a token is this one, in a time that tells nothing of it."""
+        return other is not None and hmac.compare_digest(other.encode(), self.token.encode())
+
+
+class RefusalError(Exception):
+    """A request that is not answered, with its status and one sentence."""
+
+    def __init__(self, status: int, message: str) -> None:
+        super().__init__(message)
+        self.status = status
+
+    def response(self) -> Response:
+        """Return what is sent."""
+        error = {"message": str(self), "hint": None, "kind": "refused"}
+        return JSONResponse({"error": error}, self.status)
+
+
+class Manners:
+    """Add to every answer what a browser must heed; the page's scripts are told by a nonce."""
+
+    def __init__(self, app: ASGIApp) -> None:
+        self._app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer one request; a fault is one sentence here, and more in the terminal."""
+        nonce = scope.setdefault("state", {})["nonce"] = secrets.token_urlsafe(16)
+        begun = False
+
+        async def send_with_headers(message: Message) -> None:
+            nonlocal begun
+            if message["type"] == "http.response.start":
+                begun = True
+                headers = MutableHeaders(scope=message)
+                headers.update(_HEADERS | {"content-security-policy": _POLICY.format(nonce=nonce)})
+            await send(message)
+
+        try:
+            await self._app(scope, receive, send_with_headers)
+        except Exception as error:
+            if not isinstance(error, RefusalError):
+                traceback.print_exc(file=sys.stderr)
+                error = RefusalError(500, "a fault of the program; the terminal shows where")
+            if not begun:
+                await error.response()(scope, receive, send_with_headers)
+
+
+class Guard:
+    """Let requests pass that come from the page."""
+
+    def __init__(self, app: ASGIApp, key: Key) -> None:
+        self._app = app
+        self._key = key
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer one request, or refuse it."""
+        way_in = self._welcome(Request(scope)) if scope["type"] == "http" else None
+        if way_in is not None:
+            await way_in(scope, receive, send)
+        else:
+            await self._app(scope, _limited(receive), send)
+
+    def _welcome(self, request: Request) -> Response | None:
+        """Return the way in for who has the token, None for who is in; refuse everybody else."""
+        _check_origin(request.headers, f"127.0.0.1:{self._key.port}", f"localhost:{self._key.port}")
+        if request.method == "GET" and self._key.fits(request.query_params.get("token")):
+            way_in = RedirectResponse("/", 303)
+            way_in.set_cookie(
+                self._key.cookie, self._key.token, path="/", httponly=True, samesite="strict"
+            )
+            return way_in
+        if not self._key.fits(_cookie(request.headers, self._key.cookie)):
+            raise RefusalError(403, "open the address that vad gui has printed")
+        if request.method == "POST":
+            _check_body(request.headers)
+        return None
+
+
+def _check_origin(headers: Headers, *own: str) -> None:
+    origin = headers.get("origin")
+    if origin is not None and origin not in [f"http://{host}" for host in own]:
+        raise RefusalError(403, "another site asks")
+    if headers.get("sec-fetch-site") in _FOREIGN:
+        raise RefusalError(403, "another site asks")
+
+
+def _check_body(headers: Headers) -> None:
+    """Refuse what is not JSON, which a foreign page may send only where that is granted."""
+    if headers.get("content-type", "").partition(";")[0].strip().lower() != "application/json":
+        raise RefusalError(400, "the question must be application/json")
+    length = headers.get("content-length", "0")
+    if not length.isdecimal() or int(length) > LONGEST:
+        raise RefusalError(400, f"the question must have at most {LONGEST} bytes")
+
+
+def _limited(receive: Receive) -> Receive:
+    """Return a body that ends with a refusal where it is longer than it may be."""
+    read = 0
+
+    async def receive_part() -> Message:
+        nonlocal read
+        message = await receive()
+        read += len(message.get("body", b""))
+        if read > LONGEST:
+            raise RefusalError(400, f"the question must have at most {LONGEST} bytes")
+        return message
+
+    return receive_part
+
+
+def _cookie(headers: Headers, name: str) -> str | None:
+    try:
+        found = SimpleCookie(headers.get("cookie", "")).get(name)
+    except CookieError:
+        return None
+    return found.value if found else None

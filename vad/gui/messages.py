@@ -1,0 +1,261 @@
+"""What the browser may ask: one dataclass a question, checked field by field.
+
+In comes JSON that anybody may have written, out go mechanisms with their inputs, or errors that
+name the field.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Self, TypeVar
+
+from vad import units
+from vad.errors import InputError, UsageError, one_of, shown, unknown
+from vad.lecture.timeline import check_size
+from vad.mechanisms import MECHANISMS, Mechanism
+
+#: The largest picture and the most frames a second that the page saves.
+LARGEST, MOST_FPS = (3840, 2160), 60.0
+
+Asked = TypeVar("Asked", bound="Question")
+#: A number in the scene's unit, or a text that has a unit of its own: "6 cm".
+Value = float | str
+#: The scale of each panel: x and y of its origin on the page, and its factor.
+Scales = Mapping[str, tuple[float, float, float]]
+
+
+@dataclass(frozen=True)
+class Question:
+    """A mechanism with its dimensions and its input.
+
+    Attributes
+    ----------
+    mechanism
+        Its name.
+    parameters, inputs
+        Numbers, or texts with a unit; what is left out has its default.
+    assembly
+        Which way it is assembled; None for the default.
+    length_unit
+        The unit that labels lengths; None for the mechanism's own.
+    panels
+        Which panels are drawn; empty for the usual ones.
+    language
+        The language of all words.
+    style
+        How it looks.
+    """
+
+    mechanism: str
+    parameters: Mapping[str, Value] = field(default_factory=dict)
+    inputs: Mapping[str, Value] = field(default_factory=dict)
+    assembly: Any = None
+    length_unit: str | None = None
+    panels: tuple[str, ...] = ()
+    language: str = "en"
+    style: str = "paper"
+
+    @classmethod
+    def of(cls, mechanism: Mechanism, inputs: Mapping[str, Value], **options: Any) -> Self:
+        """Return the question of a mechanism; an input that is left out has its default.
+
+        Raises
+        ------
+        vad.errors.UsageError
+            For a mechanism that is none of the program's own.
+        """
+        one_of("mechanism", mechanism.name, MECHANISMS)
+        return cls(
+            mechanism.name,
+            mechanism.parameters(),
+            {**mechanism.inputs, **inputs},
+            mechanism.assembly,
+            mechanism.length_unit,
+            **options,
+        )
+
+    @property
+    def fields(self) -> tuple[str, ...]:
+        """The names of the mechanism's parameters and inputs; none of a mechanism that is not."""
+        kind = MECHANISMS.get(self.mechanism)
+        return (*(each.name for each in dataclasses.fields(kind)), *kind.inputs) if kind else ()
+
+    def build(self) -> tuple[Mechanism, dict[str, float]]:
+        """Return the mechanism and its inputs.
+
+        Raises
+        ------
+        vad.errors.VadError
+            For a value that cannot be; the message begins with its name.
+        """
+        kind = MECHANISMS[one_of("mechanism", self.mechanism, MECHANISMS)]
+        known = {each.name: each for each in dataclasses.fields(kind)}
+        unit = str(known["length_unit"].default)
+        if self.length_unit is not None:
+            unit = units.check_length_unit(self.length_unit)
+        quantities = {name: each.metadata["quantity"] for name, each in known.items()}
+        numbers = {name: each for name, each in quantities.items() if each in ("length", "angle")}
+        given: dict[str, Any] = _numbers("parameter", self.parameters, numbers, unit)
+        if self.assembly is not None:
+            given["assembly"] = self.assembly
+        mechanism = kind(**given, length_unit=unit)
+        return mechanism, _numbers("input", self.inputs, {name: name for name in kind.inputs}, unit)
+
+
+@dataclass(frozen=True)
+class PoseQuestion(Question):
+    """One pose while something is dragged.
+
+    Attributes
+    ----------
+    scales
+        Those of the pose before.
+    ways
+        Where each label of each panel stood from its dot in the pose before: degrees.
+    """
+
+    scales: Scales = field(default_factory=dict)
+    ways: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class LessonQuestion(Question):
+    """The lecture of what is set; ``scales`` of polygons that are to be kept."""
+
+    scales: Scales = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class ExportQuestion(Question):
+    """A file of what is set; ``fps`` and ``speed`` are those of a film."""
+
+    size: tuple[int, int] = (1280, 720)
+    fps: float = 30.0
+    speed: float = 1.0
+
+
+def read(kind: type[Asked], data: object) -> Asked:
+    """Return the question that JSON data ask.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        For a field that is unknown, missing or of the wrong kind.
+    """
+    if not isinstance(data, dict):
+        raise UsageError(f"the question must be an object, got {shown(data)}")
+    known = {each.name for each in dataclasses.fields(kind)}
+    for name in data:
+        if name not in known:
+            raise unknown("field", name, sorted(known))
+    if "mechanism" not in data:
+        raise UsageError("mechanism: is missing", hint="vad list names them all")
+    return kind(**{name: _CHECKS[name](name, value) for name, value in data.items()})
+
+
+def _numbers(
+    what: str, given: Mapping[str, Value], known: Mapping[str, str], unit: str
+) -> dict[str, float]:
+    """Return numbers in the scene's units; ``known`` says of each name what it measures."""
+    found: dict[str, float] = {}
+    for name, value in given.items():
+        if name not in known:
+            raise unknown(what, name, known)
+        try:
+            found[name] = units.read(value, known[name], unit) if isinstance(value, str) else value
+        except UsageError as error:
+            raise UsageError(f"{name}: {error}", error.hint) from None
+    return found
+
+
+def _text(name: str, value: object) -> str:
+    if not isinstance(value, str):
+        raise UsageError(f"{name}: must be a text, got {shown(value)}")
+    return value
+
+
+def _optional_text(name: str, value: object) -> str | None:
+    return None if value is None else _text(name, value)
+
+
+def _texts(name: str, value: object) -> tuple[str, ...]:
+    if not isinstance(value, list):
+        raise UsageError(f"{name}: must be a list, got {shown(value)}")
+    return tuple(_text(name, each) for each in value)
+
+
+def _number(name: str, value: object) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+        raise InputError(f"{name}: must be a finite number, got {shown(value)}")
+    return float(value)
+
+
+def _object(name: str, value: object) -> dict[str, Any]:
+    if not isinstance(value, dict):
+        raise UsageError(f"{name}: must be an object, got {shown(value)}")
+    return value
+
+
+def _values(name: str, value: object) -> dict[str, Value]:
+    """Read numbers and texts by name; None stands for the default, and what is left out does."""
+    return {
+        key: each if isinstance(each, str) else _number(key, each)
+        for key, each in _object(name, value).items()
+        if each is not None
+    }
+
+
+def _scales(name: str, value: object) -> Scales:
+    found = {}
+    for panel, each in _object(name, value).items():
+        if not isinstance(each, list) or len(each) != 3:
+            raise UsageError(f"{name}: must have three numbers for {shown(panel)}")
+        x, y, factor = (_number(name, number) for number in each)
+        if factor <= 0.0:
+            raise UsageError(f"{name}: must be positive, got {factor:g}")
+        found[panel] = x, y, factor
+    return found
+
+
+def _ways(name: str, value: object) -> dict[str, dict[str, float]]:
+    return {
+        panel: {label: _number(name, way) for label, way in _object(name, each).items()}
+        for panel, each in _object(name, value).items()
+    }
+
+
+def _size(name: str, value: object) -> tuple[int, int]:
+    if not isinstance(value, list) or len(value) != 2:
+        raise UsageError(f"{name}: must be a width and a height, got {shown(value)}")
+    width, height = check_size(tuple(value))
+    if width > LARGEST[0] or height > LARGEST[1]:
+        most = f"{LARGEST[0]}x{LARGEST[1]}"
+        raise UsageError(f"{name}: must be at most {most}, got {width}x{height}")
+    return width, height
+
+
+def _fps(name: str, value: object) -> float:
+    fps = _number(name, value)
+    if fps > MOST_FPS:
+        raise UsageError(f"{name}: must be at most {MOST_FPS:g}, got {fps:g}")
+    return fps
+
+
+_CHECKS = {
+    "mechanism": _text,
+    "parameters": _values,
+    "inputs": _values,
+    "assembly": lambda name, value: value,
+    "length_unit": _optional_text,
+    "panels": _texts,
+    "language": _text,
+    "scales": _scales,
+    "ways": _ways,
+    "style": _text,
+    "size": _size,
+    "fps": _fps,
+    "speed": _number,
+}

@@ -1,0 +1,105 @@
+"""What can be set: in come the mechanisms' own fields, out go boxes and sliders."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from functools import cache
+from typing import Any
+
+from vad.kinematics.reach import closing_range
+from vad.mechanisms import MECHANISMS, Mechanism
+from vad.page.phrases import phrases
+from vad.strokes.language import Language
+from vad.units import scene_unit
+
+_TURN, _HALF = (0.0, 360.0), (-180.0, 180.0)
+_LONGEST, _SHORTEST = 3.0, 0.05  # of a default length, at the ends of its slider
+_FASTEST = 3.0  # of a default rate
+_STEPS = 50  # of a default, at most
+
+
+@cache
+def catalogue(language: str) -> dict[str, dict[str, Any]]:
+    """Return what can be set of each mechanism, by its name."""
+    return {name: entry(kind, language) for name, kind in MECHANISMS.items()}
+
+
+def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
+    """Return what can be set of one mechanism.
+
+    Returns
+    -------
+    dict
+        ``title``; ``unit`` of lengths; ``parameters`` and ``inputs`` with name, label, unit,
+        default (null where there is none), the ends of the slider and its step; ``assemblies``
+        with name and label, the first of them the default.
+    """
+    say, known = Language(language), {each.name: each for each in dataclasses.fields(kind)}
+    unit = str(known["length_unit"].default)
+    numbers = [each for each in known.values() if each.metadata["quantity"] in ("length", "angle")]
+    lengths: list[Any] = [e.default for e in numbers if e.metadata["quantity"] == "length"]
+    longest = max((abs(float(each)) for each in lengths if each), default=1.0)
+    texts = phrases(language)["window"]
+    return {
+        "title": say.name(kind.title),
+        "unit": unit,
+        "parameters": [
+            _box(each.name, say.name(each.name), each.metadata["quantity"], unit, each.default)
+            | _slider(each, longest)
+            for each in numbers
+        ],
+        "inputs": [
+            _box(name, texts[name], name, unit, value) | _travel(kind, name)
+            for name, value in kind.inputs.items()
+        ],
+        "assemblies": [
+            [name, texts.get(name, name)] for name in known["assembly"].metadata["choices"]
+        ],
+    }
+
+
+def _box(name: str, label: str, quantity: str, unit: str, default: Any) -> dict[str, Any]:
+    written = scene_unit(quantity, unit).replace("deg", "°").replace("^2", "²")
+    return {"name": name, "label": label, "unit": written, "default": default}
+
+
+def _slider(field: dataclasses.Field[Any], longest: float) -> dict[str, float]:
+    """Return the ends of a parameter's slider, and its step."""
+    if field.metadata["quantity"] == "angle":
+        return _ends(*_HALF, 1.0)
+    default: Any = field.default
+    usual = abs(default or longest)
+    if field.metadata["signed"]:
+        return _ends(-longest, longest, _step(longest))
+    step = _step(usual)
+    lowest = max(step, step * round(_SHORTEST * usual / step))
+    return _ends(lowest, _LONGEST * usual, step)
+
+
+def _travel(kind: type[Mechanism], name: str) -> dict[str, float]:
+    """Return the ends of an input's slider, and its step."""
+    place, speed, *_ = kind.inputs
+    if name == "angle":
+        return _ends(*_TURN, 1.0)
+    if name == place:
+        ranges = closing_range(kind())
+        low, high = min(low for low, _ in ranges), max(high for _, high in ranges)
+        return _ends(low, high, _step(max(-low, high)) / 10.0)
+    usual = abs(kind.inputs[name]) or (kind.inputs[speed] ** 2 if name != speed else 1.0)
+    return _ends(-_FASTEST * usual, _FASTEST * usual, _step(usual))
+
+
+def _ends(low: float, high: float, step: float) -> dict[str, float]:
+    return {"low": low, "high": high, "step": step}
+
+
+def _step(usual: float) -> float:
+    """Return the power of ten that makes a usual value some tens of steps.
+
+    Examples
+    --------
+    >>> _step(60.0), _step(0.7)
+    (1.0, 0.01)
+    """
+    return 10.0 ** math.floor(math.log10(usual / _STEPS))

@@ -1,0 +1,138 @@
+"""What is seen of a thing in a notebook.
+
+In come a sheet, a lesson, a turn …, out goes a bundle of forms, of which a viewer takes the best
+that it knows: drawings as SVG, lessons and films as HTML, for all others a PNG and words.  The
+outputs of a notebook share one page: names in a drawing are its own, a lesson has its own frame.
+"""
+
+from __future__ import annotations
+
+import io
+import sys
+import tempfile
+from base64 import b64encode
+from collections.abc import Callable, Container
+from dataclasses import replace
+from functools import cache
+from hashlib import sha256
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from vad.displayed import Displayed
+from vad.export import png, save
+from vad.lecture.lesson import Lesson
+from vad.lecture.still import Still
+from vad.lecture.timeline import SMALLEST
+from vad.lecture.turn import Turn
+from vad.page.document import document
+from vad.painting.posed import Posed, posed
+from vad.painting.svg_painter import SvgPainter
+from vad.strokes.multiples import Multiples
+from vad.strokes.sheet import Sheet
+from vad.strokes.words import describe, title
+
+Thing = Sheet | Lesson | Turn | Still | Multiples
+
+#: A cell's film: as wide as a column of text, and no heavier than a notebook can bear, as one of
+#: more pictures is.
+_WIDTH, _HEAVIEST, _LONGEST = 960, 1_000_000, 400
+
+
+def bundle(
+    thing: Displayed, include: Container[str] | None = None, exclude: Container[str] | None = None
+) -> dict[str, str]:
+    """Return a thing in every form that a viewer may know, by its MIME type; pixels in base64.
+
+    ``include`` names the only types that are wanted, ``exclude`` those that are not.  A shell in a
+    terminal gets words alone.
+    """
+    assert isinstance(thing, Thing)
+    page = Still(thing, len(thing.steps)) if isinstance(thing, Lesson) else thing
+    seen = cache(lambda: posed(page))
+    forms: dict[str, Callable[[], str]] = {
+        "text/plain": lambda: _words(thing),
+        "image/png": lambda: _pixels(seen()),
+    }
+    if isinstance(thing, Lesson):
+        forms["text/html"] = lambda: _framed(thing)
+    elif isinstance(thing, Turn):
+        forms["text/html"] = lambda: _film(thing, lambda: _pixels(seen()))
+    else:
+        forms["image/svg+xml"] = lambda: _drawing(thing, seen())
+    if _shell() and not in_notebook():
+        include = {"text/plain"}
+    return {
+        kind: form()
+        for kind, form in forms.items()
+        if (include is None or kind in include) and (exclude is None or kind not in exclude)
+    }
+
+
+def _shell() -> Any:
+    """Return the interactive shell that runs this program, if one does."""
+    python = sys.modules.get("IPython")
+    return python and python.get_ipython()
+
+
+def in_notebook() -> bool:
+    """Tell whether a shell runs this program that serves a notebook, and no terminal."""
+    return getattr(_shell(), "kernel", None) is not None
+
+
+def _words(thing: Thing) -> str:
+    match thing:
+        case Multiples():
+            sheets = thing.sheets
+        case Still():
+            sheets = (thing.drawn,)
+        case Sheet():
+            sheets = (thing,)
+        case _:
+            sheets = (thing.sheet,)
+    return "\n".join((title(sheets[0]), *map(describe, sheets)))
+
+
+def _pixels(seen: Posed) -> str:
+    target = io.BytesIO()
+    png.encode(seen, target)
+    return b64encode(target.getvalue()).decode()
+
+
+def _drawing(thing: Thing, seen: Posed) -> str:
+    """Return a drawing whose text is shapes: many viewers load no fonts out of a page."""
+    scope = "v" + sha256(repr(thing).encode()).hexdigest()[:12]
+    painter = SvgPainter(seen.sheet, "glyphs", seen.description, scope)
+    seen.play(painter)
+    return painter.svg
+
+
+def _framed(lesson: Lesson) -> str:
+    """Return a page in a frame that has no access to the notebook."""
+    return (
+        f'<iframe sandbox="allow-scripts" allow="fullscreen" title="{escape(title(lesson.sheet))}" '
+        'style="width:100%;aspect-ratio:1280/835;border:0" '
+        f'srcdoc="{escape(document(lesson))}"></iframe>'
+    )
+
+
+def _film(turn: Turn, pixels: Callable[[], str]) -> str:
+    """Return a small film that runs again and again, or a picture where that would be heavy."""
+    name = f'style="width:100%" aria-label="{escape(title(turn.sheet))}"'
+    film = _small(turn) if turn.frames <= _LONGEST else b""
+    if film and len(film) <= _HEAVIEST:
+        src = f"data:video/mp4;base64,{b64encode(film).decode()}"
+        return f'<video controls loop muted playsinline {name} src="{src}"></video>'
+    picture = f'<img role="img" {name} src="data:image/png;base64,{pixels()}">'
+    return picture + '<p>The film is long: <code>vad.save(turn, "turn.mp4")</code></p>'
+
+
+def _small(turn: Turn) -> bytes:
+    """Return a turn as a film no wider than a column of text."""
+    width, height = turn.size
+    scale = min(1.0, max(_WIDTH / width, SMALLEST[1] / height))
+    size = 2 * round(scale * width / 2), 2 * round(scale * height / 2)
+    with tempfile.TemporaryDirectory(prefix="vad-") as folder:
+        path = Path(folder, "turn.mp4")
+        save(replace(turn, size=size), path)
+        return path.read_bytes()

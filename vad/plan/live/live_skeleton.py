@@ -1,0 +1,137 @@
+"""The mechanism under the hand: scale, supports and the arrow of its turning stand still.
+
+In come poses over all that the driver reaches, out goes the sketch of any of them.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Sequence
+from itertools import product
+
+import numpy as np
+
+from vad.plan.items import Level
+from vad.plan.labels.placing import Wish
+from vad.plan.labels.vertices import find_vertices
+from vad.plan.lettering.glyphs import ink_size
+from vad.plan.lettering.runs import roman
+from vad.plan.live.live_labels import KeptLabels, Ways
+from vad.plan.marks import Mark
+from vad.plan.pictures.rotation import (
+    SENSE_SIZES,
+    SIZE,
+    angle_arc,
+    arc_line,
+    block_arc,
+    sense_arrow,
+    sense_letter,
+)
+from vad.plan.pictures.skeleton import NEAR, driven, given_rate
+from vad.plan.pictures.speed import add_speed
+from vad.plan.sketch import Setting, Sketch
+from vad.plan.turning.moving_skeleton import MovingSkeleton
+from vad.plan.turning.turn_scale import mechanism_scale
+from vad.strokes.sheet import Arc, Arrow, Block, Panel
+
+_TURNS = range(0, 360, 30)
+_CLEAR = 0.010  # about the arrow
+GRIP = 0.027  # radius of the handle
+
+
+class LiveSkeleton:
+    """The mechanism of a page that is played with; ``poses`` are panels of its whole reach."""
+
+    def __init__(self, setting: Setting, poses: Sequence[Panel]) -> None:
+        self.scale = mechanism_scale(setting, poses)
+        centres = {shape.centre for pose in poses for _, shape in _angles(pose)}
+        self._moving = MovingSkeleton(setting, poses, self.scale, angle=len(centres) == 1)
+        self.still = self._moving.still
+        self._sense = self._free_sector(poses) if centres else None
+
+    def pose(self, setting: Setting, ways: Ways) -> tuple[Sketch, dict[str, float]]:
+        """Return the mechanism in one pose, and where its labels stand."""
+        sketch = self._moving.pose(setting.panel)
+        sketch.setting = setting
+        arcs = _angles(setting.panel)
+        for _, shape in arcs:
+            block_arc(sketch.obstacles, angle_arc(sketch, shape))
+        self._add_sense(sketch)
+        _clear_grip(sketch)
+        vertices = find_vertices(setting.panel, self.scale)
+        labels = KeptLabels(sketch, ways)
+        labels.letter(vertices, self._moving.radius, NEAR)
+        for index, shape in arcs:
+            _add_angle(sketch, index, shape, labels)
+        add_speed(sketch, *given_rate(setting.sheet, "v"), self._moving.size)
+        return sketch, labels.ways
+
+    def _add_sense(self, sketch: Sketch) -> None:
+        """Add the ω arrow of the driven link, about its pivot."""
+        panel, sense = sketch.setting.panel, given_rate(sketch.setting.sheet, "ω")[1]
+        index, arcs = driven(panel), _angles(panel)
+        if index is None or not sense or not arcs or self._sense is None:
+            return
+        radius, span, middle = self._sense
+        centre = self.scale(arcs[0][1].centre)
+        row = sketch.setting.row(panel.strokes[index].link)
+        letter, placed = sense_letter(centre, radius, middle, row)
+        sweep = math.copysign(span, sense)
+        marks = [*sense_arrow(centre, radius, middle, sweep, row), letter]
+        sketch.add(panel.strokes[index], Level.LABEL, 0, marks)
+        sketch.obstacles.box(placed.box)
+        sketch.obstacles.line(arc_line(centre, radius, middle - span / 2, span), 0.004)
+
+    def _free_sector(self, poses: Sequence[Panel]) -> tuple[float, float, float]:
+        """Return radius, span and middle of the ω arrow that meets the fewest poses."""
+        places = [(*size, float(middle)) for size, middle in product(SENSE_SIZES[::2], _TURNS)]
+        points, ends = [], [0]
+        for radius, span, middle in places:
+            points += arc_line(0j, radius, middle - span / 2, span)
+            points.append(sense_letter(0j, radius, middle, None)[1].centre)
+            ends.append(len(points))
+        met = np.zeros(len(places))
+        for pose in poses:
+            centre = self.scale(_angles(pose)[0][1].centre)
+            spots = [centre + point for point in points]
+            hit = ~self._moving.pose(pose).obstacles.free(spots, 0.0, 0.0, _CLEAR)
+            met += np.add.reduceat(hit, ends[:-1]) > 0
+        return places[int(met.argmin())]
+
+
+def held(panel: Panel, driver: str) -> int | None:
+    """Return the number of the stroke that draws the driven bar, strut or block."""
+    for index, stroke in enumerate(panel.strokes):
+        if stroke.link == driver and isinstance(stroke.shape, Arrow | Block):
+            return index
+    return None
+
+
+def _clear_grip(sketch: Sketch) -> None:
+    """Keep labels clear of the handle on what is driven."""
+    panel, sheet = sketch.setting.panel, sketch.setting.sheet
+    index = held(panel, given_rate(sheet, "ω")[0] or given_rate(sheet, "v")[0])
+    shape = None if index is None else panel.strokes[index].shape
+    if isinstance(shape, Arrow):
+        sketch.obstacles.disc(sketch.scale(shape.end), GRIP)
+
+
+def _add_angle(sketch: Sketch, index: int, shape: Arc, labels: KeptLabels) -> None:
+    """Add the arc of the driven link's angle, and its value outside of it."""
+    stroke, arc = sketch.setting.panel.strokes[index], angle_arc(sketch, shape)
+    if abs(shape.sweep) > 1e-6:
+        sketch.add(stroke, Level.CONSTRUCTION, 0, [Mark(arc, "angle")])
+    runs, way = roman(stroke.label), cmath.rect(1.0, math.radians(arc.start + 0.5 * arc.sweep))
+    at = arc.centre + arc.radius * way
+    labels.add("angle", runs, SIZE, Wish(at, way, *ink_size(runs, SIZE), near=NEAR), "value")
+
+
+def _angles(panel: Panel) -> list[tuple[int, Arc]]:
+    """Return the arcs of the driven link's angle with the numbers of their strokes."""
+    found = [(index, stroke) for index, stroke in enumerate(panel.strokes)]
+    return [
+        (index, stroke.shape)
+        for index, stroke in found
+        if stroke.kind == "angle" and isinstance(stroke.shape, Arc)
+    ]

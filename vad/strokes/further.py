@@ -1,0 +1,82 @@
+"""Further points of a link in the position diagram: on its line, or as corners of a plate."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import replace
+
+from vad.kinematics.linkage import Bar, Loop, Scalar, angle_of
+from vad.strokes.figures import Figure, Unit
+from vad.strokes.inking import Ink
+from vad.strokes.scene import Scene
+from vad.strokes.sheet import Arc, Dot
+
+#: A compass arc shows this much on either side of the point that it is after, in degrees.
+COMPASS = 14.0
+
+
+class FurtherPoints:
+    """What draws the points of links that no loop finds; ``found`` are those on the board."""
+
+    def __init__(self, scene: Scene, ink: Ink, found: set[str]) -> None:
+        self.scene = scene
+        self.ink = ink
+        self.found = found
+
+    def reach(self, loop: Loop, known: set[Scalar]) -> None:
+        """Draw the points of known links with which the chains of a loop begin."""
+        for chain in (loop.first, loop.second):
+            for step in chain:
+                if step.end in self.found:
+                    continue
+                if not isinstance(step, Bar) or angle_of(step.link) not in known:
+                    break
+                if isinstance(step.length, float):
+                    self.draw(replace(step, ends=step.start + step.end, reverse=False))
+
+    def draw(self, bar: Bar) -> None:
+        """Draw a further point of a link, at the head of a bar: on its line, or as a plate."""
+        if bar.head in self.found:
+            return
+        if self.scene.in_line(bar.link, bar.head):
+            self._tip(bar)
+            return
+        base = self.scene.base(bar.link)
+        beside = []
+        for point in self.scene.points_on(bar.link):
+            if not self.scene.in_line(bar.link, point):
+                beside.append(point)
+            elif point not in self.found:
+                self._tip(Bar(base.tail + point, bar.link, self.scene.span(base.tail, point)))
+        for point in beside:
+            self._third(bar.link, point)
+        self.ink.plate(bar.link)
+
+    def _tip(self, bar: Bar) -> None:
+        """Draw a point on the line of its link."""
+        self.found.add(bar.head)
+        self.ink.bar(bar, "result", "tip against" if self.scene.against(bar) else "tip", image=True)
+
+    def _third(self, link: str, point: str) -> None:
+        """Find the third corner of a triangle by two arcs."""
+        base = self.scene.base(link)
+        for centre in (base.tail, base.head):
+            span = self.scene.span(centre, point)
+            size = self.scene.measured(span, self.scene.unit)
+            self.arc(Bar(centre + point, link, span), centre, point, size)
+        parts = {"letter": point, "corners": base.ends + point}
+        at = Dot(self.scene.at(point))
+        self.ink.draw(f"{point}.found", "intersection", point, at, "third point", parts)
+        self.found.add(point)
+
+    def arc(self, bar: Bar, centre: str, end: str, size: Figure, phrase: str = "compass") -> None:
+        """Draw a compass arc about one end of a bar through the other."""
+        at, point = self.scene.at(centre), self.scene.at(end)
+        angle = math.degrees(cmath.phase(point - at))
+        arc = Arc(at, size.value, angle - COMPASS, 2 * COMPASS, through=point)
+        letters = self.scene.letters(bar)
+        parts = {"head": end, "tail": centre, "bar": letters, "size": size, "link": bar.link}
+        parts["unit"] = Unit(self.scene.unit)
+        name = f"{bar.ends}.compass"
+        self.ink.draw(name, "construction", letters, arc, phrase, parts, link=bar.link)

@@ -1,0 +1,161 @@
+"""What the position diagram is drawn with: bars, blocks, plates and slots of a pose, in ink."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from vad.kinematics.linkage import Bar, Slide, angle_of, scalar_of
+from vad.strokes.figures import Figure, Unit
+from vad.strokes.scene import Scene
+from vad.strokes.sheet import Arrow, Block, Guide, Plate, Shape, Stroke
+
+
+class Ink:
+    """The strokes of a pose so far, in the order in which they are drawn."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self.strokes: list[Stroke] = []
+
+    def draw(
+        self,
+        name: str,
+        kind: str,
+        label: str,
+        shape: Shape,
+        phrase: str,
+        parts: Mapping[str, object],
+        **more: object,
+    ) -> None:
+        """Add a stroke with the caption that a phrase makes of its parts."""
+        caption = self.scene.say(phrase, **parts)
+        stroke = Stroke(kind, label, shape, caption, name=name, **more)  # type: ignore[arg-type]
+        self.strokes.append(stroke)
+
+    def bar(self, bar: Bar, kind: str, phrase: str, image: bool = False) -> None:
+        """Draw a bar of a link; one that is turned against its link is named by the link's own."""
+        letters, (tail, head) = self.scene.letters(bar), self.scene.ends(bar)
+        arrow = Arrow(
+            self.scene.at(tail), self.scene.at(head), tail, head, self.scene.cylinder(bar)
+        )
+        angle = self.scene.motion.link(bar.link).angle
+        driven = angle_of(bar.link) == self.scene.driver
+        parts: dict[str, object] = {"link": bar.link, "bar": letters}
+        if bar.turn != 1.0:
+            parts["bar"] = self.scene.motion.mechanism.links[bar.link]
+        parts |= {"size": self.scene.length(bar, self.scene.unit), "unit": Unit(self.scene.unit)}
+        parts |= {"angle": Figure(angle, "°", driven), "symbol": self.scene.symbol("θ", bar.link)}
+        parts |= {"letter": head, "tail": tail}
+        reveals = () if driven or image else (bar.link,)
+        self.draw(
+            f"{bar.ends}.bar",
+            kind,
+            letters,
+            arrow,
+            phrase,
+            parts,
+            link=bar.link,
+            component="link",
+            image=image,
+            reveals=reveals,
+        )
+
+    def plate(self, link: str) -> None:
+        """Draw a link of three points or more as a plate, from whose corners its points are."""
+        points = self.scene.points_on(link)
+        places = dict(zip(points, map(self.scene.at, points), strict=True))
+        letters = hull(places)
+        shape = Plate(tuple(places[letter] for letter in letters), letters)
+        label = "".join(letters)
+        parts = {"link": link, "corners": label}
+        self.draw(f"{label}.plate", "result", label, shape, "plate", parts, link=link)
+
+    def slot(self, slide: Slide) -> None:
+        """Draw the slot of a moving link, in which a block slides."""
+        owner = self.owner(slide)
+        line = self.scene.heading(self.scene.motion.frame.line(slide, self.scene.motion.pose))
+        moving = isinstance(slide.along, str)
+        guide = Guide(self.scene.at(slide.head if moving else slide.tail), line)
+        parts: dict[str, object] = {"head": slide.head, "link": owner}
+        self.draw(f"{slide.ends}.slot", "guide", "", guide, "slot", parts, link=owner)
+
+    def carrier(self, slide: Slide) -> Bar:
+        """Return the bar of a turning link that reaches to the point under a block."""
+        bars = (step for step in self.scene.motion.frame.steps if isinstance(step, Bar))
+        return next(bar for bar in bars if (bar.link, bar.length) == (slide.along, slide.name))
+
+    def has_slot(self, slide: Slide) -> bool:
+        """Tell whether a block has a slot of its own: in a yoke, or beside the line of its link."""
+        return isinstance(slide.along, float) or self.carrier(slide).offset.imag != 0.0
+
+    def owner(self, slide: Slide) -> str:
+        """Return what bears the slot along which a block slides."""
+        if isinstance(slide.along, str):
+            return slide.along
+        return next(other for other in self.scene.slides if other.head == slide.tail).name
+
+    def block(self, slide: Slide, kind: str, phrase: str) -> None:
+        """Draw a sliding block."""
+        letter = slide.head
+        line = self.scene.heading(self.scene.motion.frame.line(slide, self.scene.motion.pose))
+        on = slide.along if isinstance(slide.along, str) else None
+        driven = scalar_of(slide) == self.scene.driver
+        symbol = self.scene.slide_symbol(slide.name)
+        parts: dict[str, object] = {
+            "slide": slide.name.split("_")[0],
+            "head": letter,
+            "symbol": symbol,
+            "value": Figure(self.scene.motion.slide(slide.name).position, self.scene.unit, driven),
+            "unit": Unit(self.scene.unit),
+            "tail": self._measured_from(slide),
+        }
+        if symbol == "s":
+            phrase += " from"
+        self.draw(
+            f"{slide.ends}.block",
+            kind,
+            letter,
+            Block(self.scene.at(letter), line, on, self.scene.travel(slide.name)),
+            phrase,
+            parts,
+            link=slide.name,
+            component="link",
+            reveals=() if driven else (slide.name,),
+        )
+
+    def _measured_from(self, slide: Slide) -> str:
+        """Return the point from which a slide's position counts: a lever's pivot, a line's tail."""
+        bars = (step for step in self.scene.motion.frame.steps if isinstance(step, Bar))
+        pivots = (bar.tail for bar in bars if bar.length == slide.name)
+        return next(pivots, slide.tail)
+
+
+def hull(places: Mapping[str, complex]) -> tuple[str, ...]:
+    """Return the points that are the corners of all, counter-clockwise, the first of them first.
+
+    Examples
+    --------
+    >>> hull({"A": 0j, "B": 4 + 0j, "M": 1 + 1j, "C": 3j})
+    ('A', 'B', 'C')
+    """
+    start = min(places, key=lambda point: (places[point].imag, places[point].real))
+    corners = [start]
+    while True:
+        here = places[corners[-1]]
+        rest = [point for point in places if places[point] != here]
+        # The next corner has no point on its right hand; of several in line the farthest is one.
+        following = next(
+            point
+            for point in sorted(rest, key=lambda point: -abs(places[point] - here))
+            if all(_left(places[point] - here, places[other] - here) for other in rest)
+        )
+        if following == start:
+            break
+        corners.append(following)
+    first = corners.index(next(point for point in places if point in corners))
+    return tuple(corners[first:] + corners[:first])
+
+
+def _left(way: complex, other: complex) -> bool:
+    """Tell whether a vector points to the left of another, or along it."""
+    return (way.conjugate() * other).imag >= -1e-12 * abs(way) * abs(other)
