@@ -61,12 +61,14 @@ def test_a_language_has_all_the_words(code: str) -> None:
     english, other = (
         tomllib.loads((home / f"{each}.toml").read_text("utf-8")) for each in ("en", code)
     )
-    assert {name: set(table) for name, table in other.items()} == {
-        name: set(table) for name, table in english.items()
-    }
+    for table, words in english.items():
+        assert set(other[table]) <= set(words)
+        lacking = set(words) - set(other[table])
+        assert all(len(words[key]) == 1 for key in lacking), lacking  # ω is ω
     gaps = re.compile(r"{\w*}")
     for table, key in ((t, k) for t, keys in english.items() for k in keys):
-        assert set(gaps.findall(other[table][key])) == set(gaps.findall(english[table][key])), key
+        own = other[table].get(key, english[table][key])
+        assert set(gaps.findall(own)) == set(gaps.findall(english[table][key])), key
 
 
 @pytest.mark.parametrize(("case", "code"), list(product(EVERY, languages())))

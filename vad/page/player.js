@@ -53,11 +53,10 @@ function growing(mark, [kind, knots, x, y, ...bow]) {
     turn: ([degrees]) => mark.setAttribute("transform", `rotate(${degrees} ${x} ${y})`),
     scale: ([factor]) => elements.forEach((each, i) => each.setAttribute("r", factor * radii[i])),
     // A halo repeats its text with <use>, and stays.
-    fade: ([alpha]) => (elements.at(-1).style[mark.querySelector("text") ? "fillOpacity" : "opacity"] = alpha),
+    fade: ([alpha]) => elements.at(-1).setAttribute(mark.querySelector("text") ? "fill-opacity" : "opacity", alpha),
   };
   const restore = () => elements.concat(mark).forEach((each, i) => {
-    each.removeAttribute("transform");
-    each.removeAttribute("style");
+    for (const name of ["transform", "opacity", "fill-opacity"]) each.removeAttribute(name);
     if (data[i]) each.setAttribute("d", data[i]);
     if (radii[i]) each.setAttribute("r", radii[i]);
   });
