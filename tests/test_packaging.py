@@ -65,7 +65,7 @@ def test_the_wheel_has_the_program_and_its_licence_alone(in_wheel):
         "vad",
         "vad_diagrams",
     }
-    assert files("vad", "*.py") | {"vad/py.typed"} <= set(in_wheel)
+    assert files("vad", "*.py") | files("vad", "*.toml") | {"vad/py.typed"} <= set(in_wheel)
     assert any(name.endswith("/LICENSE") for name in in_wheel)
 
 

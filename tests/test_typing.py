@@ -56,6 +56,11 @@ assert_type(vad.turn(motion), vad.Turn)
 assert_type(vad.still(lesson, "velocity:4"), vad.Still)
 
 
+for made in vad.batch("sheets.toml", Path("sheets"), jobs=2):
+    print(made.number, made.files, made.answers["links"], made.error and made.error.hint)
+print(vad.sweep(crank, ("rod.omega", "C.velocity"), angle=np.linspace(0, 360, 7))["rod.omega"])
+
+
 def told(done: int, total: int) -> None:
     print(done, total)
 

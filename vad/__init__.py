@@ -4,7 +4,7 @@ Four verbs: `solve` a mechanism, `draw` its sheet, `animate` it as a lesson, `sa
 `turn` is a film of a whole turn, `multiples` a few poses side by side, `still` one step of a
 lesson, `sheet_from_json` a sheet that was saved; `batch` makes sheets by the hundred, and `sweep`
 solves arrays that are larger than memory.  `show` shows any of them in a browser; a notebook does
-so by itself.
+so by itself.  `widget` is a mechanism that is turned by hand in a notebook.
 Each part is loaded when it is first used.
 
 >>> import vad
@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from vad.mechanisms.scotch_yoke import ScotchYoke
     from vad.mechanisms.slider_crank import SliderCrank
     from vad.mechanisms.whitworth import Whitworth
-    from vad.notebook import show
+    from vad.showing import show, widget
     from vad.strokes.draw import draw
     from vad.strokes.multiples import Multiples, multiples
     from vad.strokes.sheet import Sheet
@@ -87,6 +87,7 @@ __all__ = [
     "still",
     "sweep",
     "turn",
+    "widget",
 ]
 
 # Where a name is when it is first used; mechanism classes are found by themselves.
@@ -107,7 +108,8 @@ _HOMES = {
     "save": "vad.export",
     "batch": "vad.batches.batch",
     "sweep": "vad.batches.blocks_of_poses",
-    "show": "vad.notebook",
+    "show": "vad.showing",
+    "widget": "vad.showing",
     "sheet_from_json": "vad.export.data.sheet_json",
     "load": "vad.files.loading",
     "mechanism": "vad.files.loading",

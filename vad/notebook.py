@@ -1,4 +1,4 @@
-"""What is seen of a thing: in a notebook by itself, elsewhere in a browser.
+"""What is seen of a thing in a notebook.
 
 In come a sheet, a lesson, a turn …, out goes a bundle of forms, of which a viewer takes the best
 that it knows: drawings as SVG, lessons and films as HTML, for all others a PNG and words.  The
@@ -16,13 +16,11 @@ from dataclasses import replace
 from functools import cache
 from hashlib import sha256
 from html import escape
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 from vad.displayed import Displayed
-from vad.errors import ExportError, UsageError, shown
-from vad.export import FORMATS, png, save
+from vad.export import png, save
 from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
 from vad.lecture.timeline import SMALLEST
@@ -39,8 +37,6 @@ Thing = Sheet | Lesson | Turn | Still | Multiples
 #: A cell's film: as wide as a column of text, and no heavier than a notebook can bear, as one of
 #: more pictures is.
 _WIDTH, _HEAVIEST, _LONGEST = 960, 1_000_000, 400
-#: The forms in which a browser shows a file, the best first.
-_SHOWN = (".html", ".mp4", ".svg")
 
 
 def bundle(
@@ -64,7 +60,7 @@ def bundle(
         forms["text/html"] = lambda: _film(thing, lambda: _pixels(seen()))
     else:
         forms["image/svg+xml"] = lambda: _drawing(thing, seen())
-    if _shell() and not _notebook():
+    if _shell() and not in_notebook():
         include = {"text/plain"}
     return {
         kind: form()
@@ -73,46 +69,14 @@ def bundle(
     }
 
 
-def show(thing: Thing) -> None:
-    """Show a thing: in a notebook beneath the cell, elsewhere in the browser.
-
-    The browser opens a file in a temporary folder: a lesson and a sheet as a page, a turn as a
-    film, a step and several poses as a drawing.
-
-    Parameters
-    ----------
-    thing
-        What `vad.draw`, `vad.animate`, `vad.turn`, `vad.still` or `vad.multiples` returns.
-
-    Raises
-    ------
-    vad.errors.UsageError
-        If it is anything else.
-    vad.errors.ExportError
-        If no browser can be started.
-    """
-    if not isinstance(thing, Thing):
-        raise UsageError(f"thing: cannot be shown, got {shown(thing)}", "draw or animate it first")
-    if _notebook():
-        import_module("IPython.display").display(thing)
-        return
-    import webbrowser
-
-    extension = next(each for each in _SHOWN if each in FORMATS[type(thing)])
-    path = Path(tempfile.mkdtemp(prefix="vad-"), "shown" + extension)
-    save(thing, path)
-    if not webbrowser.open(path.as_uri()):
-        raise ExportError("no browser can be started", hint=f"open this file in one: {path}")
-
-
 def _shell() -> Any:
     """Return the interactive shell that runs this program, if one does."""
     python = sys.modules.get("IPython")
     return python and python.get_ipython()
 
 
-def _notebook() -> bool:
-    """Tell whether that shell serves a notebook, and no terminal."""
+def in_notebook() -> bool:
+    """Tell whether a shell runs this program that serves a notebook, and no terminal."""
     return getattr(_shell(), "kernel", None) is not None
 
 

@@ -210,11 +210,12 @@ def test_numbers_that_are_nowhere_found_name_the_dyad(written, tmp_path, monkeyp
         ({"jobs": 2, "cluster": "tcp://127.0.0.1:1"}, "jobs: a cluster has its own workers"),
         ({"only": 11}, "only: there is no sheet 11"),
         ({"only": True}, "only: there is no sheet True"),
+        ({"folder": 3}, "folder: must be the name of a folder, got 3"),
     ],
 )
 def test_what_cannot_be_asked_for(written, tmp_path, options, part):
     with pytest.raises(vad.UsageError) as caught:
-        vad.batch(written(), tmp_path / "out", **options)
+        vad.batch(**{"path": written(), "folder": tmp_path / "out", **options})
     assert part in str(caught.value)
     assert not (tmp_path / "out").exists()
 

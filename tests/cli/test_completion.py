@@ -37,7 +37,10 @@ def plain(*words: str) -> list[str]:
 
 
 def test_the_verbs(offered):
-    assert offered("vad ") == plain("animate", "compare", "draw", "gui", "list", "solve", "sweep")
+    assert offered("vad ") == plain(
+        *("animate", "batch", "check", "compare", "draw", "example", "gui", "list", "solve"),
+        "sweep",
+    )
 
 
 @pytest.mark.parametrize("verb", ["solve", "draw", "animate", "sweep", "compare"])

@@ -15,6 +15,8 @@ from vad.files.description import LinkLine
 from vad.files.examination import examine
 from vad.files.examples import example_names, example_path
 from vad.files.written_mechanism import WrittenMechanism
+from vad.strokes.sheet import Arrow, Dot
+from vad.written import PRIME
 
 every = pytest.mark.parametrize("name", example_names())
 
@@ -139,3 +141,50 @@ def test_rates_are_derivatives(name):
             rate = (getattr(three, lower) - getattr(one, lower)) / (2 * step)
             wanted = getattr(two, higher)
             assert rate == pytest.approx(wanted, rel=1e-4, abs=1e-4 * (abs(wanted).max() + 1e-3))
+
+
+@every
+def test_its_polygons_close(name):
+    """Every vertex is drawn where the motion of its point ends, and the equations add up."""
+    motion = vad.solve(example(name))
+    sheet = vad.draw(motion, panels=("velocity", "acceleration"))
+    for panel in sheet.panels:
+        vertices = {
+            point.lower() + PRIME * (panel.name == "acceleration"): point for point in motion.points
+        }
+        arrows = {s.name: s.shape for s in panel.strokes if isinstance(s.shape, Arrow)}
+        size = max(abs(arrow.end - arrow.start) for arrow in arrows.values())
+        drawn = [
+            (end, at) for a in arrows.values() for end, at in ((a.tail, a.start), (a.head, a.end))
+        ]
+        drawn += [
+            (letter, stroke.shape.at)
+            for stroke in panel.strokes
+            if isinstance(stroke.shape, Dot)
+            for letter in stroke.label.split(",")
+        ]
+        for letter, at in drawn:
+            if letter in vertices:
+                wanted = getattr(motion.point(vertices[letter]), panel.name)
+                assert abs(at - wanted) <= 1e-10 * size, (panel.name, letter)
+        assert {vertices[letter] for letter, _ in drawn if letter in vertices} >= moving_points(
+            name
+        )
+        for equation in panel.equations:
+            sums = [
+                sum(
+                    arrows[term.stroke].end - arrows[term.stroke].start
+                    for term in side
+                    if term.stroke
+                )
+                for side in (equation.left, equation.right)
+            ]
+            assert abs(sums[0] - sums[1]) <= 1e-10 * size
+
+
+def moving_points(name: str) -> set[str]:
+    """Return the points of an example's links that are not fixed."""
+    description = example(name).written.description
+    return {point for link in description.links.values() for point in link.points} - set(
+        description.fixed
+    )

@@ -13,13 +13,14 @@ import pytest
 import vad
 from tests.files.verified import BY_NAME, verified
 from vad.files.examples import example_names, example_path
+from vad.mechanisms.mechanism import NUMBERS
 
 ROOT = Path(__file__).parents[2]
 
 
 def test_fields_have_defaults_and_help():
     fields = {field.name: field for field in dataclasses.fields(verified("watt-1"))}
-    numbers = [name for name in fields if name not in ("assembly", "length_unit")]
+    numbers = [name for name in fields if fields[name].metadata["quantity"] in NUMBERS]
     assert numbers == ["Dx", "crank", "BC", "BE", "CBE", "DC", "DF", "CDF", "arm", "link"]
     assert fields["CBE"].default == 30.0
     assert all(field.metadata["help"] for field in fields.values())

@@ -191,16 +191,17 @@ crank = {{ angle = 60, omega = 10 }}
     assert seen == pytest.approx(complex(motion.slide("block").position, aside), abs=1e-12)
 
 
-def test_a_cylinder_s_slide_bears_its_name():
-    text = """
+@pytest.mark.parametrize("pair", ["DB", "BD"])
+def test_a_cylinder_s_slide_bears_its_name(pair):
+    text = f"""
 [fixed]
 A = [0, 0]
 D = [0, 250]
 [links]
-crank = { AB = 60 }
-cylinder = { DB = "variable" }
+crank = {{ AB = 60 }}
+cylinder = {{ {pair} = "variable" }}
 [driver]
-cylinder = { position = 230, velocity = 5 }
+cylinder = {{ position = 230, velocity = 5 }}
 [assembly]
 B = "left"
 """
@@ -209,6 +210,9 @@ B = "left"
     assert (abs(b), abs(b - d)) == (pytest.approx(60), pytest.approx(230))
     assert motion.slide("cylinder").position == 230
     assert b.real < 0
+    way = b - d if pair == "DB" else d - b
+    angle = math.degrees(math.atan2(way.imag, way.real)) % 360
+    assert motion.link("cylinder").angle == pytest.approx(angle)
 
 
 def test_tables_in_python_are_those_of_a_file():

@@ -44,6 +44,7 @@ def test_the_lesson_itself_is_right():
     ("old", "new", "line", "message", "hint"),
     [
         ("[links]", "[link]", 5, "unknown table 'link'", "did you mean 'links'?"),
+        (TITLE, '"x"\nrod = { AB = 3 }', 2, "unknown table 'rod'", "known"),
         ("title", "titel", 1, "unknown word 'titel'", "did you mean 'title'?"),
         (TITLE, "3", 1, "title: must be a line of text", None),
         (TITLE, '"x"\nunit = "kg"', 2, "unit: 'kg' is not a unit of length", "mm, cm"),
@@ -144,7 +145,7 @@ def test_a_triad_is_refused_with_the_drivers_that_would_do():
     with pytest.raises(InputError) as caught:
         written(text)
     assert "line 9: crank, coupler, rocker, arm can only be found together" in str(caught.value)
-    assert caught.value.hint == "driven at the crank or the rocker it is made of dyads alone"
+    assert caught.value.hint == "driven at the crank or the rocker it is dyads alone"
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,7 @@ from typing import Any
 
 from vad.batches.answer_cells import cells
 from vad.batches.job import Done, Job, Product
-from vad.errors import ExportError, shown
+from vad.errors import ExportError, UsageError, shown
 from vad.export.files import new_file
 
 _ANSWERS, _TABLE, _JOURNAL = "answers.json", "answers.csv", "answers.part.jsonl"
@@ -38,14 +38,19 @@ class Folder:
     ------
     vad.errors.ExportError
         If it cannot be.
+    vad.errors.UsageError
+        For what is no name.
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
+        if not isinstance(path, str | os.PathLike):
+            raise UsageError(f"folder: must be the name of a folder, got {shown(path)}")
         self.path = Path(path)
-        if self.path.is_file():
-            raise ExportError(f"{shown(str(path))} is a file, not a folder", "name another folder")
         try:
             self.path.mkdir(exist_ok=True)
+        except FileExistsError:
+            message = f"{shown(str(path))} is a file, not a folder"
+            raise ExportError(message, "name another folder") from None
         except (OSError, ValueError) as error:
             raise _cannot(path, error) from None
         self._notes = {note["number"]: note for note in self._noted()}

@@ -27,4 +27,5 @@ def written_at(place: str) -> Iterator[None]:
     try:
         yield
     except VadError as error:
-        raise InputError(f"{place}: {error}", error.hint) from None
+        said = str(error).removeprefix(f"{place}: ")
+        raise InputError(f"{place}: {said}", error.hint) from None

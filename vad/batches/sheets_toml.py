@@ -39,6 +39,8 @@ def read_toml(text: str, path: Path) -> list[Job]:
             raise InputError(f"mechanism: {said}", 'as in mechanism = "four-bar"')
         body = text_beside(path, mechanism)
         kind = kind_of(mechanism, body)
+    with written_at(source.place("sheet", "points")):
+        kind(points=words.get("points", {}))  # raises where they lie on no link
     vary = []
     for name, value in source.table("vary").items():
         with written_at(source.place("vary", name)):

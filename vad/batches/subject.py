@@ -12,7 +12,8 @@ from typing import Any
 from vad.batches.choices import Quantity, choices
 from vad.batches.job import Value
 from vad.batches.place import written_at
-from vad.errors import InputError, one_of, shown, unknown
+from vad.errors import InputError, shown, unknown
+from vad.files.examples import example_names
 from vad.files.tables import read_text, text_of
 from vad.files.written_mechanism import class_of
 from vad.mechanisms import MECHANISMS, Mechanism
@@ -31,7 +32,11 @@ def text_beside(sheets: Path, mechanism: str) -> str | None:
     """
     if mechanism.lower().endswith(_FILE):
         return text_of(sheets.parent / mechanism)
-    one_of("mechanism", mechanism, MECHANISMS)
+    if mechanism not in MECHANISMS:
+        wrong = unknown("mechanism", mechanism, MECHANISMS)
+        if mechanism in example_names():
+            wrong.hint = f"vad example {mechanism} > {mechanism}{_FILE}, and name that file"
+        raise wrong
     return None
 
 

@@ -14,6 +14,8 @@ from vad.batches.place import written_at
 from vad.errors import InputError, one_of, shown, unknown
 from vad.export import FOLDER, FORMATS
 from vad.lecture.lesson import Lesson
+from vad.lecture.timeline import checked
+from vad.mechanisms.link_points import link_points
 from vad.plan.format import paper_names
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.language import languages
@@ -68,17 +70,8 @@ def _panels(value: object) -> tuple[str, ...]:
     return tuple(one_of("panel", name, DIAGRAMS) for name in names(value))
 
 
-def _size(value: object) -> tuple[int, int]:
-    if not isinstance(value, list | tuple) or len(value) != 2:
-        raise InputError(f"must be a width and a height, got {shown(value)}", "as in [1280, 720]")
-    width, height = (whole(each, 1, 100_000) for each in value)
-    return width, height
-
-
-def _number(value: object) -> float:
-    if not isinstance(value, int | float) or isinstance(value, bool):
-        raise InputError(f"must be a number, got {shown(value)}")
-    return value
+def _film(fps: Any = 30, size: Any = (1280, 720), speed: Any = 1.0) -> tuple[Any, ...]:
+    return checked(fps, tuple(size) if isinstance(size, list) else size, speed, "paper")
 
 
 def _unit(value: object) -> str:
@@ -97,13 +90,14 @@ WORDS: dict[str, Callable[[object], Any]] = {
     "language": lambda value: one_of("language", value, languages()),
     "style": lambda value: one_of("style", value, style_names()),
     "paper": lambda value: one_of("paper", value, paper_names()),
-    "size": _size,
-    "fps": _number,
-    "speed": _number,
+    "fps": lambda value: _film(fps=value)[0],
+    "size": lambda value: _film(size=value)[1],
+    "speed": lambda value: _film(speed=value)[2],
     "length_unit": _unit,
+    "points": lambda value: dict(link_points(value)),
 }
 #: Those that are handed on to the verbs.
-_OPTIONS = ("panels", "language", "style", "paper", "size", "fps", "speed", "length_unit")
+_OPTIONS = ("panels", "language", "style", "paper", "size", "fps", "speed", "length_unit", "points")
 
 
 def read_word(word: str, value: object) -> Any:

@@ -144,14 +144,7 @@ def gui(
     from vad.gui.messages import ExportQuestion
     from vad.gui.server import served
 
-    start = ExportQuestion(
-        mechanism.name,
-        mechanism.parameters(),
-        {**mechanism.inputs, **inputs},
-        mechanism.assembly,
-        mechanism.length_unit,
-        **options,
-    )
+    start = ExportQuestion.of(mechanism, inputs, **options)
     with signals_held_back(), served(start, port) as address:
         click.echo(address)
         if not no_browser:

@@ -11,8 +11,30 @@ from vad.cli.process import say
 from vad.cli.progress import progress, written
 from vad.errors import UsageError
 
+_HELP = """\
+Make problem sheets with their keys by the hundred.
 
-@click.command("batch", cls=HelpfulCommand)
+SHEETS is a .csv file with one row a sheet, or a .toml file such as
+
+\b
+  [sheet]
+  mechanism = "four-bar"               # or a .toml file that lies beside this one
+  count = 30
+  files = ["problem.pdf", "key.pdf"]   # also png, svg, json, mp4, gif
+  blank = ["velocity", "acceleration"]
+  [vary]
+  crank = { share = 0.25 }             # nice numbers about the default
+  angle = { from = 0, to = 355, step = 5 }
+  omega = ["60 rpm", "90 rpm"]
+  [keep]
+  sine = 0.35                          # how steeply all lines cross at least
+
+[sheet] also takes seed, panels, points, language, style, paper, size, fps, speed, length_unit.
+What stands in FOLDER already, made from the same settings, is not made again.
+"""
+
+
+@click.command("batch", cls=HelpfulCommand, help=_HELP)
 @click.argument("sheets", metavar="SHEETS", required=False, shell_complete=completion.a_file)
 @click.option(
     "-o",
@@ -35,11 +57,7 @@ def command(
     cluster: str | None,
     only: int | None,
 ) -> None:
-    """Make problem sheets with their keys by the hundred.
-
-    SHEETS is a .toml file with [sheet], [vary] and [keep], or a .csv file with one row a sheet.
-    What stands in FOLDER already, made from the same settings, is not made again.
-    """
+    """Make problem sheets with their keys by the hundred."""
     if sheets is None:
         raise UsageError("batch needs a file of sheets", "vad batch sheets.toml -o sheets/")
     with progress(output) as moved:

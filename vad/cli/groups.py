@@ -12,7 +12,7 @@ import click
 from click.shell_completion import CompletionItem
 
 from vad.cli.naming import kind_of
-from vad.cli.options import build, mechanism_options
+from vad.cli.options import OWN, build, mechanism_options
 from vad.errors import UsageError, unknown
 from vad.mechanisms import MECHANISMS
 
@@ -69,6 +69,8 @@ class MechanismGroup(click.Group):
         self.options = options
         self.ranged = ranged
         self.usual = usual
+        OWN.update(str(option.name) for option in options)
+        OWN.update(flag.strip("-").replace("-", "_") for each in options for flag in each.opts)
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Bring NAME to the front, wherever it stands among the options."""

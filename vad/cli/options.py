@@ -19,12 +19,8 @@ from vad.mechanisms.mechanism import NUMBERS
 from vad.units import LENGTH_UNITS, scene_unit
 from vad.written import typed
 
-#: What the verbs' own options are called.
-OWN = {
-    *("at", "as_json", "blank", "fps", "from", "help", "json", "language", "no-browser"),
-    *("no_browser", "output", "panels", "paper", "port", "size", "speed", "start", "steps"),
-    *("still", "stop", "style", "subtitles", "to", "turn", "version"),
-}
+#: What no parameter may be called as an option; every verb adds its own options.
+OWN = {"help", "from", "to", "start", "stop", "point"}
 _INPUT_HELP = {
     "angle": "angle of the driven link",
     "omega": "its angular velocity",

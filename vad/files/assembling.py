@@ -158,8 +158,8 @@ class _Assembling:
 
     def _solver(self, count: int, sides: Mapping[str, float]) -> Solver:
         dyads = self.dyads[:count]
-        linkage = linkage_of(self.description, dyads, self.values, sides, self.parallel)
         try:
+            linkage = linkage_of(self.description, dyads, self.values, sides, self.parallel)
             return Solver(linkage, 1.0)
         except InputError as error:
             raise UnplacedError(dyads[-1].point, str(error), error.hint) from None

@@ -133,8 +133,8 @@ class UndividedError(InputError):
 
     def __init__(self, missing: list[str]) -> None:
         super().__init__(
-            f"{', '.join(missing)} can only be found together, not as pairs that two arcs or "
-            "lines locate (an Assur group of class III or higher)"
+            f"{', '.join(missing)} can only be found together: a triad (Assur group of class III) "
+            "or more, not a pair that two arcs or lines locate"
         )
         self.missing = missing
 
@@ -152,7 +152,7 @@ def check_dyads(source: Source, description: Description) -> list[Dyad]:
     except UndividedError as error:
         others = [name for name in _other_drivers(description) if _divides(description, name)]
         names = " or ".join(f"the {name}" for name in others)
-        hint = f"driven at {names} it is made of dyads alone" if others else None
+        hint = f"driven at {names} it is dyads alone" if others else None
         raise source.error("links", error.missing[0], str(error), hint) from None
 
 

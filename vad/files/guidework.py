@@ -46,8 +46,8 @@ def guides(
         if point not in names
     }
     for point, name in usual.items():
-        several = list(usual.values()).count(name) > 1
-        names[point] = f"{name}_{point.lower()}" if several else name
+        others = [*usual.values(), *names.values(), *links]
+        names[point] = f"{name}_{point.lower()}" if others.count(name) > 1 else name
     taken = dict.fromkeys(links, "a link")
     for point, name in names.items():
         if name in taken:

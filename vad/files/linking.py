@@ -114,7 +114,7 @@ class _Linking:
             loops.append(Loop(first, second, side, dyad.point in parallel))
             for link in dyad.links:
                 self._learn(link)
-        ground = self._ground(loops)
+        ground = self._ground()
         here = {self.pivot, ground[0]} if ground else {self.pivot}
         return Linkage(
             angle_of(driver.name) if driver.kind == "angle" else length_of(driver.name),
@@ -132,17 +132,12 @@ class _Linking:
         here = [point for point in link.points if point in self.fixed] if link else []
         return here[0] if here else next(iter(self.fixed))
 
-    def _ground(self, loops: Sequence[Loop]) -> tuple[str, float, float] | None:
-        """Return the other fixed point of the first loop, by its distance and direction."""
-        starts = [chain[0].start for loop in loops[:1] for chain in (loop.first, loop.second)]
-        others = [start for start in starts if start in self.fixed and start != self.pivot]
-        if not others:
-            return None
-        written = self.description.fixed[others[0]]
-        if isinstance(written, Polar) and written.start == self.pivot:
-            return others[0], written.length(self.values), written.angle(self.values)
-        line = self.fixed[others[0]] - self.fixed[self.pivot]
-        return others[0], abs(line), math.degrees(math.atan2(line.imag, line.real))
+    def _ground(self) -> tuple[str, float, float] | None:
+        """Return the fixed point that is given by its distance and direction from the pivot."""
+        for point, place in self.description.fixed.items():
+            if isinstance(place, Polar) and place.start == self.pivot:
+                return point, place.length(self.values), place.angle(self.values)
+        return None
 
     def _held(self, link: Link) -> str | None:
         """Return the known point of a link to which the shortest chain leads."""
@@ -241,10 +236,13 @@ class _Linking:
         held = self._held(link)
         assert held is not None
         if link.cylinder:
-            tail, head = link.base if held == link.base[0] else link.base[::-1]
+            tail, head = link.base
+            turn = 1.0 + 0j
+            if held == head:
+                tail, head, turn = head, tail, -turn
             end = next(_free(STROKES, (*self.description.points, *self.under.values())))
-            stroke = Slide(tail + end, link.name, along=link.name)
-            return (*self.chains[held], stroke, Bar(end + head, link.name, link.name))
+            stroke = Slide(tail + end, link.name, along=link.name, turn=turn)
+            return (*self.chains[held], stroke, Bar(end + head, link.name, link.name, turn=turn))
         return (*self.chains[held], self._bar(link, held, point))
 
     def _slotted(self, link: Link, guide: Guide | None) -> tuple[Chain, Chain]:

@@ -93,14 +93,16 @@ class Numbers:
             raise self._error(table, key, message, f"call it {name}_1")
         if name in self.found:
             raise self._error(table, key, f"{name}: there are two numbers of this name")
-        self.found[name] = Parameter(name, quantity, number, signed, help or name)
+        self.found[name] = Parameter(name, quantity, number, signed, help or "a dimension")
         return Expression.of(name, [name])
 
-    def coordinate(self, table: str, key: str, name: str, value: Any) -> Expression:
-        """Return a coordinate; one that is written 0 stays 0."""
+    def coordinate(self, table: str, key: str, axis: str, value: Any) -> Expression:
+        """Return a coordinate of a point; one that is written 0 stays 0."""
         if not isinstance(value, bool) and isinstance(value, int | float) and value == 0:
             return Expression.of("0", [])
-        return self.take(table, key, name, value, "length", signed=True)
+        return self.take(
+            table, key, f"{key}{axis}", value, "length", signed=True, help=f"{axis} of {key}"
+        )
 
     def place(self, table: str, key: str, value: Any) -> Cartesian:
         """Return a place that is written as two coordinates."""
@@ -108,8 +110,7 @@ class Numbers:
             message = f"{key}: must be two coordinates, got {shown(value)}"
             raise self._error(table, key, message, f"write {key} = [0, 0]")
         x, y = (
-            self.coordinate(table, key, f"{key}{axis}", each)
-            for axis, each in zip("xy", value, strict=True)
+            self.coordinate(table, key, axis, each) for axis, each in zip("xy", value, strict=True)
         )
         return Cartesian(x, y)
 

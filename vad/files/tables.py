@@ -18,7 +18,7 @@ from vad.errors import InputError, shown, unknown
 
 #: What may stand in a file: single words, and tables.
 WORDS = ("title", "unit", "about", "source")
-TABLES = ("dimensions", "fixed", "links", "guides", "driver", "assembly", "pose", "show")
+TABLES = ("dimensions", "fixed", "links", "guides", "driver", "assembly", "pose")
 #: A mechanism fits on a page; whoever writes more has taken the wrong file.
 LONGEST = 100_000
 
@@ -166,7 +166,8 @@ def sorted_out(source: Source) -> Source:
         if isinstance(value, Mapping):
             if key not in TABLES:
                 wrong = unknown("table", key, TABLES)
-                raise source.error(key, "", str(wrong), wrong.hint)
+                table, inside = (key, "") if (key, "") in source.lines else ("", key)
+                raise source.error(table, inside, str(wrong), wrong.hint)
             tables[key] = value
         elif key in WORDS:
             if not isinstance(value, str) or not value.isprintable():

@@ -10,7 +10,7 @@ import dataclasses
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from typing import Any, Self, TypeVar
 
 from vad import units
 from vad.errors import InputError, UsageError, one_of, shown, unknown
@@ -57,6 +57,25 @@ class Question:
     panels: tuple[str, ...] = ()
     language: str = "en"
     style: str = "paper"
+
+    @classmethod
+    def of(cls, mechanism: Mechanism, inputs: Mapping[str, Value], **options: Any) -> Self:
+        """Return the question of a mechanism; an input that is left out has its default.
+
+        Raises
+        ------
+        vad.errors.UsageError
+            For a mechanism that is none of the program's own.
+        """
+        one_of("mechanism", mechanism.name, MECHANISMS)
+        return cls(
+            mechanism.name,
+            mechanism.parameters(),
+            {**mechanism.inputs, **inputs},
+            mechanism.assembly,
+            mechanism.length_unit,
+            **options,
+        )
 
     @property
     def fields(self) -> tuple[str, ...]:

@@ -99,8 +99,8 @@ function question(kind) {
   return { ...asked, style: start.style === "print" ? "print" : style, size: start.size, fps: start.fps, speed };
 }
 
-const post = (path, body) => fetch(`/api/${path}`, { method: "POST", headers: { "content-type": "application/json" },
-  body: JSON.stringify(body) });
+const post = globalThis.ask ?? ((path, body) => fetch(`/api/${path}`, { method: "POST", headers: { "content-type": "application/json" },
+  body: JSON.stringify(body) }));
 
 function want(kind) {
   wanted = kind;
@@ -324,6 +324,7 @@ async function save(extension) {
 }
 
 function remember() {
+  if (location.protocol === "about:") return; // in a cell of a notebook
   const kept = new URLSearchParams({ m: set.mechanism });
   for (const { name, default: value } of settable()) {
     const own = group(name)[name];

@@ -29,8 +29,10 @@ _LETTERS = string.digits + string.ascii_letters + string.punctuation + " \u00a0"
 _SIGNS = "ÄÖÜäöüßÀÉàâçéèêëîïôùûœ’«»−×·°′″⟂∥²³→…–₀₁₂₃₄₅₆₇₈₉αβγδθλμπρφψωΔΩ"
 
 
-def window(start: ExportQuestion, nonce: str) -> str:
+def window(start: ExportQuestion, nonce: str, head: str = "") -> str:
     """Return the page of the window; its script bears the ``nonce`` without which it would not run.
+
+    ``head`` is what else stands in its head.
 
     Raises
     ------
@@ -46,6 +48,7 @@ def window(start: ExportQuestion, nonce: str) -> str:
         {name: escape(text) for name, text in texts.items()},
         lang=code,
         nonce=nonce,
+        head=head,
         style=start.style,
         themes=" ".join(style.name for style in themes(load_style(start.style))),
         rules=_faces() + asset("player.css") + _file("window.css") + colours(start.style, inks),

@@ -48,6 +48,11 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
     >>> [(round(a, 2), round(b, 2)) for a, b in closing_range(FourBar(crank=130))]
     [(13.33, 120.25), (239.75, 346.67)]
     """
+    return list(_ranges(mechanism, samples))
+
+
+@lru_cache(maxsize=64)
+def _ranges(mechanism: Mechanism, samples: int) -> tuple[tuple[float, float], ...]:
     solver = solver_of(mechanism)
     turns = solver.linkage.driver.kind == "angle"
     sizes = [] if turns else _sizes(solver.frame)
@@ -59,7 +64,7 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
     grid = np.union1d(grid, _hidden(solver, grid[::_STRIDE]))
     closes = solver.closes(grid)
     if closes.all():
-        return [(float(grid[0]), float(grid[-1]))]
+        return ((float(grid[0]), float(grid[-1])),)
     ends = [
         _edge(solver, float(grid[i]), float(grid[i + 1]), edges, 1e-15 * limit)
         for i in np.flatnonzero(closes[1:] != closes[:-1])
@@ -70,7 +75,7 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
         ends = [*ends, float(grid[-1])]
     if turns and closes[0]:  # the last interval runs on through 0°
         ends = [ends[-2] - 360.0, *ends[1:-2]]
-    return list(zip(ends[::2], ends[1::2], strict=True))
+    return tuple(zip(ends[::2], ends[1::2], strict=True))
 
 
 @lru_cache(maxsize=64)

@@ -96,7 +96,7 @@ def _shortest(
     """Return the best route to each letter, from letters with the given costs.
 
     That is one over what is found early, for a later loop may be near a dead centre; and of those
-    the cheapest.
+    the point's own guide, then the cheapest.
     """
     found = {
         # Of two lines that cross, each length has an error of its own.
@@ -107,22 +107,17 @@ def _shortest(
     routes: dict[str, Route] = {letter: (letter, ()) for letter in frame.fixed}
     costs = {letter: (0, start[letter]) for letter in frame.fixed}
     while True:
-        candidates = [
-            (
-                (max(costs[tail][0], found.get(scalar_of(step), 0)), costs[tail][1] + cost(step)),
-                head,
-                tail,
-                (way, step),
-            )
-            for step in frame.steps
-            for way, tail, head in (
-                (1, step.tail, step.head),
-                (-1, step.head, step.tail),
-            )
-            if tail in routes and head not in routes
-        ]
+        candidates = []
+        for step in frame.steps:
+            for way, tail, head in ((1, step.tail, step.head), (-1, step.head, step.tail)):
+                if tail in routes and head not in routes:
+                    rank, so_far = costs[tail]
+                    total = max(rank, found.get(scalar_of(step), 0)), so_far + cost(step)
+                    guide = tail in frame.fixed and isinstance(step, Slide)
+                    key = (total[0], 0.0) if guide else total
+                    candidates.append((key, total, head, tail, (way, step)))
         if not candidates:
             return routes
-        total, head, tail, hop = min(candidates, key=lambda candidate: candidate[0])
-        start_letter, hops = routes[tail]
-        routes[head], costs[head] = (start_letter, (*hops, hop)), total
+        _, total, head, tail, hop = min(candidates, key=lambda candidate: candidate[0])
+        begin, hops = routes[tail]
+        routes[head], costs[head] = (begin, (*hops, hop)), total

@@ -1,0 +1,180 @@
+"""The window in a cell of a notebook: a page in a real browser plays the notebook."""
+
+from __future__ import annotations
+
+import json
+import webbrowser
+from base64 import b64encode
+from collections.abc import Iterator
+from types import SimpleNamespace
+from urllib.request import HTTPCookieProcessor, build_opener
+from xml.etree import ElementTree
+
+import pytest
+
+import vad
+from tests.browser import opened, until
+from tests.test_notebook import shell
+from vad import showing
+from vad.errors import ExportError, InputError, UsageError
+from vad.gui.live import pose
+from vad.gui.messages import PoseQuestion, read
+
+anywidget = pytest.importorskip("anywidget", reason="anywidget comes with the extra 'notebook'")
+
+#: A notebook: it keeps a model for the widget, and carries messages between it and Python.
+NOTEBOOK = """<!doctype html><html lang="en"><title>Notebook</title><script type="module">
+const source = URL.createObjectURL(new Blob([await trait("_esm")], { type: "text/javascript" }));
+const { default: widget } = await import(source);
+const heard = new Set(), traits = { page: await trait("page"), title: await trait("title") };
+const send = async (message) => {
+  const [answer, data] = await python(message);
+  const buffers = [new DataView(Uint8Array.from(atob(data), (each) => each.charCodeAt()).buffer)];
+  heard.forEach((each) => each(answer, buffers));
+};
+const model = { get: (name) => traits[name], send,
+  on: (_, hear) => heard.add(hear), off: (_, hear) => heard.delete(hear) };
+const leave = widget.render({ model, el: document.body });
+window.gone = () => { leave(); return heard.size; };
+</script>"""
+
+
+@pytest.fixture(scope="module")
+def cell(browser, tmp_path_factory) -> Iterator[SimpleNamespace]:
+    """Return a notebook with a widget in it: its page, and the frame of the window."""
+    window = vad.widget(vad.solve(vad.FourBar(crank=45), angle=75.0), style="chalk")
+    sent: list[list[object]] = []
+    window.send = lambda answer, buffers: sent.append([answer, b64encode(buffers[0]).decode()])
+
+    def python(message: object) -> list[object]:
+        window._handle_custom_msg(message, [])
+        return sent.pop()
+
+    path = tmp_path_factory.mktemp("notebook") / "cell.html"
+    path.write_text(NOTEBOOK)
+    with opened(browser, server="blob:", viewport={"width": 1100, "height": 800}) as page:
+        page.expose_function("python", python)
+        page.expose_function("trait", lambda name: str(getattr(window, name)))
+        page.goto(path.as_uri())
+        yield SimpleNamespace(page=page, frame=page.frame_locator("iframe"))
+
+
+def shown(cell: SimpleNamespace, words: str) -> None:
+    until(cell.page, lambda: words in cell.frame.locator(".results").inner_text())
+
+
+def test_it_opens_with_the_pose_that_is_given(cell):
+    shown(cell, "75°")
+    assert cell.frame.locator("#field-crank").input_value() == "45"
+    assert cell.frame.locator("main").get_attribute("data-theme") == "chalk"
+    assert cell.page.locator("iframe").get_attribute("title") == "vad: four-bar"
+
+
+def test_what_is_set_is_solved_by_python(cell):
+    cell.frame.locator("#field-angle").fill("150")
+    cell.frame.locator("#field-angle").press("Enter")
+    shown(cell, "150°")
+    omega = vad.solve(vad.FourBar(crank=45), angle=150.0).link("rocker").omega
+    shown(cell, f"{omega:.3f}")
+
+
+def test_what_cannot_be_is_said(cell):
+    cell.frame.locator("#field-crank").fill("-4")
+    cell.frame.locator("#field-crank").press("Enter")
+    says = cell.frame.locator(".message span")
+    until(cell.page, lambda: says.inner_text().startswith("crank: must be"))
+    cell.frame.locator("#field-crank").fill("4.5 cm")
+    cell.frame.locator("#field-crank").press("Enter")
+    until(cell.page, lambda: says.inner_text() == "Four-bar")
+
+
+def test_a_picture_is_saved(cell):
+    with cell.page.expect_download() as loading:
+        cell.frame.locator("[data-save=svg]").click()
+    assert loading.value.suggested_filename == "four-bar.svg"
+    root = ElementTree.parse(loading.value.path()).getroot()
+    assert root.find("{http://www.w3.org/2000/svg}title").text.startswith("Four-bar")
+
+
+def test_a_cell_that_is_gone_hears_nothing(cell):
+    assert cell.page.evaluate("gone()") == 0
+
+
+def test_answers_are_those_of_the_server():
+    from vad.gui.widget import answer
+
+    body = {"mechanism": "whitworth", "inputs": {"angle": 20}}
+    data, media, name = answer("pose", body)
+    told, expected = json.loads(data), json.loads(json.dumps(pose(read(PoseQuestion, body))))
+    assert (media, name) == ("application/json", "")
+    assert told | {"ms": 0} == expected | {"ms": 0}
+
+
+@pytest.mark.parametrize(
+    ("path", "body", "said"),
+    [
+        ("pose", {"mechanism": "four-bar", "parameters": {"crank": -1}}, "crank: must be positive"),
+        ("pose", {"mechanism": "press"}, "press"),
+        ("pose", [], "the question must be an object"),
+        ("export/exe", {"mechanism": "four-bar"}, "unknown format 'exe'"),
+        ("export/../svg", {"mechanism": "four-bar"}, "unknown format '../svg'"),
+    ],
+)
+def test_errors_are_answers(path, body, said):
+    from vad.gui.widget import answer
+
+    data, media, _ = answer(path, body)
+    assert media == "application/json"
+    assert said in json.loads(data)["error"]["message"]
+
+
+def test_show_of_a_mechanism_in_a_notebook_displays_the_window(monkeypatch):
+    displayed = shell(monkeypatch, kernel=object())
+    vad.show(vad.ScotchYoke())
+    assert [each.title for each in displayed] == ["vad: scotch-yoke"]
+
+
+def test_show_of_a_mechanism_elsewhere_serves_it_until_an_interrupt(monkeypatch):
+    found: list[str] = []
+
+    class Interrupted:
+        def wait(self) -> None:
+            raise KeyboardInterrupt
+
+    def browse(address: str) -> bool:
+        found.append(build_opener(HTTPCookieProcessor()).open(address).read().decode())
+        return True
+
+    monkeypatch.setattr(showing, "Event", Interrupted)
+    monkeypatch.setattr(webbrowser, "open", browse)
+    vad.show(vad.ScotchYoke(crank=61))
+    assert '"crank": 61' in found[0]
+
+
+def test_without_a_browser_show_says_how_to_get_the_address(monkeypatch):
+    monkeypatch.setattr(webbrowser, "open", lambda _: False)
+    with pytest.raises(ExportError, match="no browser can be started") as error:
+        vad.show(vad.ScotchYoke())
+    assert "vad gui scotch-yoke" in error.value.hint
+
+
+@pytest.mark.parametrize(
+    ("thing", "options", "kind"),
+    [
+        (3, {}, UsageError),
+        (vad.solve(vad.FourBar(), angle=[0, 90]), {}, InputError),
+        (vad.FourBar(), {"panels": "speed"}, UsageError),
+        (vad.FourBar(), {"style": "neon"}, UsageError),
+        (vad.FourBar(), {"language": "xx"}, UsageError),
+    ],
+)
+def test_what_has_no_window(thing, options, kind):
+    with pytest.raises(kind):
+        vad.widget(thing, **options)
+
+
+def test_without_anywidget_it_says_what_to_install(monkeypatch):
+    monkeypatch.setattr(showing, "find_spec", lambda _: None)
+    with pytest.raises(UsageError, match="needs anywidget") as error:
+        vad.widget(vad.FourBar())
+    assert "vad-diagrams[notebook]" in error.value.hint

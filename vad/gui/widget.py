@@ -1,0 +1,66 @@
+"""The window in a cell of a notebook: in comes what is set when it opens, out goes a widget.
+
+It is the page of ``vad gui`` in a frame.  Its questions come by the notebook's own channel instead
+of by HTTP, and are answered by the same functions.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from importlib.resources import files
+from threading import Event
+from typing import Any
+
+import anywidget
+import traitlets
+
+from vad.errors import VadError, one_of
+from vad.gui.fair import lesson
+from vad.gui.live import pose
+from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion, Question, read
+from vad.gui.problems import problem
+from vad.gui.saving import MEDIA, saved
+from vad.gui.window import window
+
+#: A frame has neither an address to keep nor one to load in another language.
+_HIDDEN = "<style>[data-what=link],.side{display:none}</style>\n"
+_WORK: dict[str, tuple[type[Question], Callable[[Any], dict[str, Any]]]] = {
+    "pose": (PoseQuestion, pose),
+    "lesson": (LessonQuestion, lesson),
+}
+
+
+class Window(anywidget.AnyWidget):
+    """The widget."""
+
+    _esm = (files(__package__) / "widget.js").read_text("utf-8")
+    page = traitlets.Unicode().tag(sync=True)
+    title = traitlets.Unicode().tag(sync=True)
+
+    def __init__(self, start: ExportQuestion) -> None:
+        script = (files(__package__) / "channel.js").read_text("utf-8")
+        head = f"{_HIDDEN}<script>{script}</script>\n"
+        super().__init__(page=window(start, "", head), title=f"vad: {start.mechanism}")
+        self.on_msg(self._answer)
+
+    def _answer(self, _: object, asked: dict[str, Any], __: object) -> None:
+        data, media, name = answer(asked["path"], asked["body"])
+        self.send({"id": asked["id"], "media": media, "name": name}, [data])
+
+
+def answer(path: str, body: object) -> tuple[bytes, str, str]:
+    """Return what the server answers to the same question: bytes, their type, a file's name."""
+    kind, work = _WORK.get(path, (ExportQuestion, None))
+    fields: tuple[str, ...] = ()
+    try:
+        question: Any = read(kind, body)
+        fields = question.fields
+        if work is None:
+            extension = one_of("format", path.removeprefix("export/"), MEDIA)
+            data, name = saved(question, extension, Event())
+            return data, MEDIA[extension], name
+        found = work(question)
+    except VadError as error:
+        found = {"error": problem(error, fields)}
+    return json.dumps(found, ensure_ascii=False).encode(), "application/json", ""

@@ -1,0 +1,124 @@
+"""What is asked to be seen: in comes a thing, and it stands in the notebook or in the browser.
+
+A drawing, a lesson or a film is shown as it is, a mechanism in the window in which it is turned by
+hand.
+"""
+
+from __future__ import annotations
+
+import tempfile
+import webbrowser
+from collections.abc import Sequence
+from contextlib import suppress
+from importlib import import_module
+from importlib.util import find_spec
+from pathlib import Path
+from threading import Event
+from typing import TYPE_CHECKING, Any
+
+from vad.errors import ExportError, InputError, UsageError, shown
+from vad.export import FORMATS, save
+from vad.gui.messages import ExportQuestion
+from vad.kinematics.motion import Motion
+from vad.mechanisms import Mechanism
+from vad.notebook import Thing, in_notebook
+from vad.strokes.draw import chosen
+from vad.strokes.language import Language
+from vad.style import load_style
+
+if TYPE_CHECKING:
+    from vad.gui.widget import Window
+
+#: The forms in which a browser shows a file, the best first.
+_SHOWN = (".html", ".mp4", ".svg")
+_NO_BROWSER = "no browser can be started"
+
+
+def show(thing: Thing | Mechanism) -> None:
+    """Show a thing: in a notebook beneath the cell, elsewhere in the browser.
+
+    The browser opens a file in a temporary folder: a lesson and a sheet as a page, a turn as a
+    film, a step and several poses as a drawing.  A mechanism opens as in ``vad gui``, until it is
+    interrupted; in a notebook it is that of `widget`.
+
+    Parameters
+    ----------
+    thing
+        A mechanism, or what `vad.draw`, `vad.animate`, `vad.turn`, `vad.still` or `vad.multiples`
+        returns.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If it is anything else.
+    vad.errors.ExportError
+        If no browser can be started.
+    """
+    if not isinstance(thing, Thing | Mechanism):
+        raise UsageError(f"thing: cannot be shown, got {shown(thing)}", "draw or animate it first")
+    if in_notebook():
+        import_module("IPython.display").display(
+            widget(thing) if isinstance(thing, Mechanism) else thing
+        )
+    elif isinstance(thing, Mechanism):
+        _serve(_question(thing))
+    else:
+        extension = next(each for each in _SHOWN if each in FORMATS[type(thing)])
+        path = Path(tempfile.mkdtemp(prefix="vad-"), "shown" + extension)
+        save(thing, path)
+        if not webbrowser.open(path.as_uri()):
+            raise ExportError(_NO_BROWSER, hint=f"open this file in one: {path}")
+
+
+def widget(
+    mechanism: Mechanism | Motion,
+    panels: Sequence[str] | str | None = None,
+    style: str = "paper",
+    language: str = "en",
+) -> Window:
+    """Return the window of ``vad gui`` for a cell of a notebook: the mechanism turned by hand.
+
+    Parameters
+    ----------
+    mechanism
+        One of the program's own, as it moves usually, or one pose of `vad.solve`.
+    panels, style, language
+        As for `vad.draw` and `vad.animate`.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If a value is unknown, or anywidget, the extra ``notebook``, is not installed.
+    vad.errors.InputError
+        For a motion of many poses.
+    """
+    start = _question(mechanism, panels=chosen(panels), style=style, language=language)
+    if find_spec("anywidget") is None:
+        hint = "install it: pip install 'vad-diagrams[notebook]'"
+        raise UsageError("widget: needs anywidget, which is not installed", hint)
+    from vad.gui.widget import Window
+
+    return Window(start)
+
+
+def _question(thing: Mechanism | Motion, **options: Any) -> ExportQuestion:
+    load_style(options.get("style", "paper"))
+    Language(options.get("language", "en"))
+    if isinstance(thing, Mechanism):
+        return ExportQuestion.of(thing, {}, **options)
+    if not isinstance(thing, Motion):
+        raise UsageError(f"mechanism: must be a mechanism or one pose, got {shown(thing)}")
+    if thing.many:
+        raise InputError("mechanism: a window opens with one pose, got arrays of poses")
+    return ExportQuestion.of(thing.mechanism, thing.inputs, **options)
+
+
+def _serve(start: ExportQuestion) -> None:
+    """Serve the window until an interrupt."""
+    from vad.gui.server import served
+
+    with served(start) as address:
+        if not webbrowser.open(address):
+            raise ExportError(_NO_BROWSER, hint=f"as from a shell: vad gui {start.mechanism}")
+        with suppress(KeyboardInterrupt):
+            Event().wait()
