@@ -26,7 +26,10 @@ _WATCH = """() => {
   addEventListener("pointermove", (event) => { moved ||= event.timeStamp; }, true);
   new MutationObserver(() => requestAnimationFrame(() => {
     const channel = new MessageChannel();
-    channel.port1.onmessage = () => { if (moved) spans.push(performance.now() - moved); moved = 0; };
+    channel.port1.onmessage = () => {
+      if (moved) spans.push(performance.now() - moved);
+      moved = 0;
+    };
     channel.port2.postMessage(0);
   })).observe(document.querySelector(".panels"), { childList: true, subtree: true });
 }"""

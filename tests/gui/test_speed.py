@@ -20,7 +20,7 @@ RUNS = 9
 
 
 def least(work: Callable[[], object]) -> float:
-    """Return the least processor time of a few runs: what others do at the time is no part of it."""
+    """Return the least processor time of a few runs, which others disturb the least."""
     work()
     times = []
     for _ in range(RUNS):
