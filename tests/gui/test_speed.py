@@ -16,7 +16,7 @@ from vad.gui.messages import LessonQuestion, PoseQuestion
 
 #: Of solving and drawing a pose, on the same machine at the same time.
 POSE, LESSON = 7.0, 50.0
-RUNS = 9
+RUNS = 5
 
 
 def least(work: Callable[[], object]) -> float:
