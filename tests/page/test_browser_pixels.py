@@ -44,7 +44,8 @@ BARE = """() => {
     home.append(frame);
     frame.append(svg);
   }
-  document.querySelectorAll('.board > *, .steps').forEach((each) => each.style.visibility = 'hidden');
+  const others = document.querySelectorAll('.board > *, .steps');
+  for (const each of others) each.style.visibility = 'hidden';
   for (let row = 0; row < 9; row++) home.style.setProperty(`--letter${row}`, `var(--ink${row})`);
 }"""
 

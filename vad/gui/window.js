@@ -25,6 +25,7 @@ function choose(mechanism, given = {}) {
   set = { mechanism, parameters: values(parameters), inputs: values(inputs), assembly: assembly?.[0] ?? null,
     length_unit: given.unit ?? unit };
   [scales, ways, step] = [{}, {}, given.step ?? null];
+  root.classList.add("moving");
   find("#mechanism").value = mechanism;
   fields.clear();
   find("#parameters").replaceChildren(...parameters.map(row));
@@ -120,25 +121,30 @@ async function pump() {
     const [kind, asked, answer] = await pending;
     asking = false;
     pending = wanted ? send() : null; // the next question goes out before this answer is painted
-    if (asked.mechanism === set.mechanism) take(kind, answer);
+    if (asked.mechanism === set.mechanism) take(kind, asked, answer);
   }
 }
 
-function take(kind, answer) {
+function take(kind, asked, answer) {
   if (answer.ranges) [ranges, grip] = [answer.ranges, answer.handle];
   if (answer.panels) (kind === "pose" ? move : play)(answer);
   complain(answer.error);
-  if (kind === "lesson" && !answer.error) remember();
-  if (answer.results) settle(answer.results);
+  if (kind === "lesson") {
+    root.classList.remove("moving");
+    if (!answer.error) remember();
+    else if (answer.error.kind === "dead-centre") want("pose"); // the position is there
+  }
+  if (answer.results) settle(answer.results, { ...asked.parameters, ...asked.inputs });
   hold();
 }
 
 // Boxes in which a text with a unit was written show what it came to.
-function settle({ parameters, input, assembly }) {
+function settle({ parameters, input, assembly }, asked) {
   for (const [name, value] of Object.entries({ ...parameters, ...input })) {
     const { box } = fields.get(name), own = group(name);
-    if (typeof own[name] === "string") own[name] = value;
-    if (document.activeElement !== box || typeof own[name] === "string") show(name, own[name]);
+    if (typeof own[name] !== "string" || own[name] !== asked[name]) continue;
+    own[name] = value;
+    if (box.value.trim() === asked[name]) show(name, value);
   }
   find("#assemblies").disabled = assembly === null;
 }
@@ -181,7 +187,6 @@ function play({ head, panels, table, chapters, steps, data, looks, scales: fresh
   else player = mount(root, { ...data, start: at }, { address: false });
   names.forEach((name) => glide(name, before[name], fresh[name]));
   [scales, retry] = [fresh, null];
-  root.classList.remove("moving");
   if (playing) player.play();
 }
 
@@ -211,7 +216,7 @@ function complain(error) {
   const text = error ? error.message : catalogue[set.mechanism].title;
   if (find(".message span").textContent !== text) find(".message span").textContent = text;
   const tries = error?.try && Object.entries(error.try);
-  mend.hidden = !tries && error?.kind !== "stopped";
+  mend.hidden = !tries && !["stopped", "refused", "busy"].includes(error?.kind);
   if (tries) {
     const label = (name) => settable().find((each) => each.name === name)?.label ?? name;
     mend.textContent = filled(words.try, { values: tries.map(([name, value]) => `${label(name)} ${written(value)}`).join(", ") });

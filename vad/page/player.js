@@ -45,18 +45,23 @@ function arc(part, x, y, radius, start, sweep) {
 function growing(mark, [kind, knots, x, y, ...bow]) {
   const elements = mark.localName === "g" ? [...mark.children] : [mark];
   const data = elements.map((each) => each.getAttribute("d")), radii = elements.map((each) => +each.getAttribute("r"));
-  const draw = (part, path) =>
-    elements.forEach((each, i) => each.setAttribute("d", part < 1 ? path(data[i], part) : data[i]));
+  const draw = (path) => elements.forEach((each, i) => each.setAttribute("d", path(data[i])));
   const shows = {
-    trim: ([part]) => draw(part, trimmed),
-    bow: ([part]) => draw(part, () => arc(part, x, y, ...bow)),
+    trim: ([part]) => draw((whole) => trimmed(whole, part)),
+    bow: ([part]) => draw(() => arc(part, x, y, ...bow)),
     slide: ([right, down]) => mark.setAttribute("transform", `translate(${right} ${down})`),
     turn: ([degrees]) => mark.setAttribute("transform", `rotate(${degrees} ${x} ${y})`),
     scale: ([factor]) => elements.forEach((each, i) => each.setAttribute("r", factor * radii[i])),
     // A halo repeats its text with <use>, and stays.
     fade: ([alpha]) => (elements.at(-1).style[mark.querySelector("text") ? "fillOpacity" : "opacity"] = alpha),
   };
-  return (share) => shows[kind](between(knots, share));
+  const restore = () => elements.concat(mark).forEach((each, i) => {
+    each.removeAttribute("transform");
+    each.removeAttribute("style");
+    if (data[i]) each.setAttribute("d", data[i]);
+    if (radii[i]) each.setAttribute("r", radii[i]);
+  });
+  return (share) => share < 1 ? shows[kind](between(knots, share)) : restore();
 }
 
 // The beats between which an element shows: "3 5 7 9", or "9" from which on.
@@ -74,7 +79,7 @@ export function mount(root, data, { address = true } = {}) {
   const over = new AbortController();
   const scrub = one(".scrub"), status = one("[role=status]"), speed = one(".speed");
   const caption = one(".caption p"), count = one(".count"), dialog = one("dialog");
-  let lesson, x = 0, mode = "", goal = 0, rest = 0, beat = -1, spoken = -1;
+  let lesson, x = 0, mode = "", goal = 0, rest = 0, beat, spoken;
   let frame = 0, then = 0, timer = 0, letters = true, kept = 0;
 
   const strokes = () => lesson.times.length;
@@ -87,7 +92,7 @@ export function mount(root, data, { address = true } = {}) {
     lesson.growing = all("[data-g]").map((mark) =>
       [spans(mark.parentNode)[0][0], growing(mark, lesson.grow[mark.dataset.g])]);
     scrub.max = strokes();
-    beat = spoken = -1;
+    beat = spoken = null;
     paint(at);
   }
 
@@ -177,7 +182,8 @@ export function mount(root, data, { address = true } = {}) {
   }
 
   function tick(time) {
-    let left = Math.max(0, time - then) / 1000 * speed.value, at = x;
+    // A page that was hidden goes on where it was.
+    let left = clamp(time - then, 0, 250) / 1000 * speed.value, at = x;
     then = time;
     while (left > 0 && (rest > 0 || at < goal)) {
       const stroke = Math.floor(at), [grow, hold] = lesson.times[stroke] ?? [0, 0];
@@ -261,7 +267,7 @@ export function mount(root, data, { address = true } = {}) {
   on(one(".letters"), "change", (event) => (letters = event.target.checked));
   on(window, "beforeprint", () => { kept = x; seek(strokes()); });
   on(window, "afterprint", () => seek(kept));
-  on(calm, "change", () => { beat = -1; paint(x); });
+  on(calm, "change", () => { beat = null; paint(x); });
   if (address) on(window, "hashchange", () => { const to = place(location.hash); if (to !== null) seek(to); });
 
   one(".control").hidden = false;

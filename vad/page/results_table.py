@@ -66,7 +66,7 @@ def measured_cells(plan: Plan, panel: Panel, row: Row, words: Words) -> str:
 
 
 def _cell(plan: Plan, cell: Cell, words: Words) -> str:
-    symbol = words.of(symbols(cell.symbol), heavy=not cell.given)
+    symbol = words.of(symbols(cell.symbol))
     value = words.of(_reading(plan, cell), heavy=not cell.given)
     given = " given" if cell.given else ""
     return f'<span class="cell{given}"><span class="symbol">{symbol}</span>{value}</span>'

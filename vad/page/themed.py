@@ -82,7 +82,7 @@ def readable(ink: str, style: Style) -> str:
     --------
     >>> paper = load_style("paper")
     >>> readable("#0072B2", paper), readable("#D55E00", paper)
-    ('#0072B2', '#BF5703')
+    ('#0072B2', '#C25703')
     """
     mixed = (mix(ink, style.text, share) for share in _SHARES)
     return next((c for c in mixed if contrast(c, style.background) >= CONTRAST), style.text)

@@ -22,6 +22,7 @@ from vad.plan.opening import REGION, Opening, opening
 from vad.plan.page.captioning import caption_lines
 from vad.plan.page.changing import captions, equations, heads, lights, readings, results
 from vad.plan.page.foot import Foot, compose
+from vad.plan.page.halves import height_of_halves
 from vad.plan.page.measured import lines_of
 from vad.plan.page.title import title_marks
 from vad.plan.pictures.kinds import sketched
@@ -159,7 +160,8 @@ def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[
         (p.name for p in sheet.panels if p.picture == "skeleton" and is_tall(corners(p))), ""
     )
     # A first layout tells the panels' width, the second knows how many lines they need.
-    first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines, tall)
+    block = height_of_halves(sheet.rows, names)
+    first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines, tall, block)
     feet = {
         panel.name: compose(panel, first.panels[panel.name].drawing.width) for panel in sheet.panels
     }
@@ -167,7 +169,7 @@ def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[
     if form.centimetre:
         for panel in sheet.panels:
             lines[panel.name] += lines_of(panel, first.panels[panel.name].drawing.width)
-    return lay_out(form, lines, rows, caption_lines, tall), feet
+    return lay_out(form, lines, rows, caption_lines, tall, block), feet
 
 
 def rows_of(sheet: Sheet) -> dict[str, int]:

@@ -49,11 +49,11 @@ class Page:
         True for panels side by side with the results beneath, False for a grid in which the
         results have a place of their own.
     rows
-        Baselines of the results rows (columns only).
+        Baselines of the results rows (columns only), none where they stand in one place.
     hairline
         Height of the rule above them (columns only).
     results
-        The place that holds the results table (grid only).
+        The place that holds the results table (always in a grid).
     captions
         Baselines of the caption's lines, none in a still.
     """
@@ -80,9 +80,16 @@ class Page:
 
 
 def lay_out(
-    form: Format, equations: dict[str, int], rows: int, caption_lines: int, tall: str = ""
+    form: Format,
+    equations: dict[str, int],
+    rows: int,
+    caption_lines: int,
+    tall: str = "",
+    block: float = 0.0,
 ) -> Page:
     """Return the page for the panels named in ``equations`` (their numbers of foot lines).
+
+    Beneath panels side by side the results take a line a row, or one ``block`` of that height.
 
     Panels stand side by side if that leaves them wide enough, else in a grid.  One that is
     ``tall`` needs little width, and so stands beside the others on a narrower page, too.
@@ -94,7 +101,7 @@ def lay_out(
     """
     widths = _columns(form, list(equations), tall)
     if widths:
-        page = _side_by_side(form, equations, widths, rows, caption_lines)
+        page = _side_by_side(form, equations, widths, rows, caption_lines, block)
     else:
         page = _grid(form, equations, caption_lines)
     drawings = [place.drawing for place in page.panels.values()]
@@ -135,11 +142,16 @@ def _place(
 
 
 def _side_by_side(
-    form: Format, equations: dict[str, int], widths: list[float], rows: int, caption_lines: int
+    form: Format,
+    equations: dict[str, int],
+    widths: list[float],
+    rows: int,
+    caption_lines: int,
+    block: float,
 ) -> Page:
     last = FLOOR if not caption_lines else 0.111 + CAPTION_PITCH * (caption_lines - 1)
     baselines = tuple(last + ROW_PITCH * (rows - 1 - i) for i in range(rows))
-    hairline = (baselines[0] if rows else last) + 0.034
+    hairline = last + block if block else (baselines[0] if rows else last) + 0.034
     panels: dict[str, PanelPlace] = {}
     left, rule = MARGIN, form.height - TOP_RULE
     for (name, lines), room in zip(equations.items(), widths, strict=True):
@@ -151,9 +163,9 @@ def _side_by_side(
         columns=True,
         title=form.height - 0.075,
         panels=panels,
-        rows=baselines,
+        rows=() if block else baselines,
         hairline=hairline,
-        results=None,
+        results=Rect(MARGIN, last - 0.012, form.width - MARGIN, hairline) if block else None,
         captions=_captions(caption_lines),
     )
 

@@ -188,11 +188,11 @@ class Captions:
         )
         common = {"value": found, "unit": Unit(self._unit), "label": label}
         also = "" if part == label else self._say("image other", **common)
-        if not bar.against:  # else it would take three lines
+        if not scene.against(bar):  # else it would take three lines
             whose = self._say(f"{self._panel} of", head=bar.head)
             also += self._say("image whose", whose=whose)
         return self._say(
-            "image against" if bar.against else "image",
+            "image against" if scene.against(bar) else "image",
             letter=image_letter(bar.head, self._order),
             image=self._say(f"image {self._panel}"),
             link=bar.link,

@@ -56,14 +56,14 @@ class FurtherPoints:
     def _tip(self, bar: Bar) -> None:
         """Draw a point on the line of its link."""
         self.found.add(bar.head)
-        self.ink.bar(bar, "result", "tip against" if bar.against else "tip", image=True)
+        self.ink.bar(bar, "result", "tip against" if self.scene.against(bar) else "tip", image=True)
 
     def _third(self, link: str, point: str) -> None:
         """Find the third corner of a triangle by two arcs."""
         base = self.scene.base(link)
         for centre in (base.tail, base.head):
             span = self.scene.span(centre, point)
-            size = Figure(span, self.scene.unit, given=True)
+            size = self.scene.measured(span, self.scene.unit)
             self.arc(Bar(centre + point, link, span), centre, point, size)
         parts = {"letter": point, "corners": base.ends + point}
         at = Dot(self.scene.at(point))

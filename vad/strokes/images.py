@@ -82,7 +82,7 @@ class Images:
                 "image line",
                 point=pencil.letter(near),
                 corner=corner,
-                angle=Figure(self._angle(near, far, bar.head), "°", given=True),
+                angle=scene.measured(self._angle(near, far, bar.head), "°"),
                 side=pencil.letter(near) + pencil.letter(far),
                 meeting=pencil.letter(bar.head),
             )
@@ -105,8 +105,8 @@ class Images:
         side = base.tail + bar.head
         unit = scene.rate_unit(self._order)
         spans = [abs(scene.at(head) - scene.at(base.tail)) for head in (bar.head, base.head)]
-        size = Figure(spans[0], unit, given=True)
-        length = Figure(spans[1], unit, given=isinstance(base.length, float), power=-1)
+        size = scene.measured(spans[0], unit)
+        length = scene.measured(spans[1], unit, power=-1)
         tail = pencil.place(base.tail)
         own, known = (Figure(abs(pencil.place(p) - tail), unit) for p in (bar.head, base.head))
         scene.figures.product(own, known, size, length)

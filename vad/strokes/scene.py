@@ -54,6 +54,10 @@ class Scene:
         """Return where a point is, in the user's frame and unit."""
         return complex(self.motion.read(("point", point, "position")))
 
+    def measured(self, value: float, unit: str, power: int = 1) -> Figure:
+        """Return a number of a link's shape: as given where it is short, as somebody writes it."""
+        return Figure(value, unit, abs(value - float(f"{value:.6g}")) <= 1e-12 * abs(value), power)
+
     def span(self, point: str, other: str) -> float:
         """Return the distance of two points."""
         return abs(self.at(other) - self.at(point))
@@ -81,6 +85,12 @@ class Scene:
         one, other, third = map(self.at, (base.tail, base.head, point))
         across = ((other - one).conjugate() * (third - one)).imag
         return abs(across) <= IN_LINE * abs(other - one) * abs(third - one)
+
+    def against(self, bar: Bar) -> bool:
+        """Tell whether a bar points against the one that its link is found by."""
+        base = self.base(bar.link)
+        known, own = (self.at(each.head) - self.at(each.tail) for each in (base, bar))
+        return (own * known.conjugate()).real < 0.0
 
     def base(self, link: str) -> Bar:
         """Return the bar of a link that its loop finds: both its ends are known before others."""

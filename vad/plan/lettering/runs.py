@@ -50,6 +50,8 @@ def roman(text: str, italic: Callable[[str], bool] = lambda _: False) -> Runs:
             runs.append(Run(_SUPERSCRIPTS[token], "roman", 1))
         elif _GREEK.match(token) or (token[0].isalpha() and italic(token)):
             runs.append(Run(token, "italic"))
+        elif token.isdecimal() and runs and runs[-1].face == "italic":  # of a point: O2
+            runs.append(Run(token, "roman", -1))
         else:
             runs.append(Run(token))
     return tuple(runs)
@@ -60,7 +62,7 @@ def symbols(text: str) -> Runs:
 
     A word has three letters or more, or small letters behind a sign: "of" in "∥ guide of A".
     """
-    if text[:1] in "∥⟂":
+    if text[:1] in "∥⟂∠":
         return roman(text, str.isupper)
     return roman(text, lambda token: len(token) <= 2)
 

@@ -32,6 +32,10 @@ def italic_names(sheet: Sheet) -> frozenset[str]:
         # An image is found by the ratio of two vectors, of which one is not drawn.
         ratios = (re.search(r"([a-z]{2}) = ", s.caption) for s in panel.strokes if s.image)
         strings += [ratio.group(1) for ratio in ratios if ratio]
+        found |= {name for s in panel.strokes for name in re.findall(r"\b[A-Z]{2,3}\b", s.label)}
+        for triangle in panel.triangles:
+            corners = "".join(triangle.points)
+            found |= {corners, corners.lower()}
         for equation in panel.equations:
             strings += [term.label for term in (*equation.left, *equation.right)]
         for text in strings:

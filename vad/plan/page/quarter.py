@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from vad.plan.layout import Page
+from vad.plan.geometry import Rect
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
@@ -23,6 +24,7 @@ COLUMN_PITCH = 0.146
 COLUMN_GAP = 0.022
 LEAST_SQUEEZE = 0.85  # of the type
 LEAST_TYPE = 0.022
+UNTITLED = 0.042  # from the top to the first head
 SHORT_KEY = 0.7  # of the key's length, where columns need room
 
 
@@ -41,21 +43,43 @@ class _Fit:
 
 
 class Quarter:
-    """The table of a page with its panels in a grid."""
+    """The table of a page with its panels in a grid, or ``rows`` of it without a title.
 
-    def __init__(self, entries: Entries, page: Page) -> None:
-        assert page.results is not None
-        self._entries, self._area = entries, page.results
-        self._names = list(page.panels)
-        self._groups = _grouped(entries.sheet.rows, self._names)
-        gaps = [self._depth(group) for group in self._groups]
-        need = 0.040 + HEAD_GAP + sum(FIRST_GAP + gap * ROW_PITCH for gap in gaps)
-        need += (len(self._groups) - 1) * GROUP_GAP + 0.012
-        self._squeeze = min(1.0, self._area.height / need)
+    Parameters
+    ----------
+    entries
+        What stands in it.
+    area
+        Where it stands.
+    names
+        The panels, in the order of its columns.
+    rows
+        The rows that it has.
+    titled
+        Whether it has a title, and says what grey means.
+    squeeze
+        The most of its full height that it takes.
+    """
+
+    def __init__(
+        self,
+        entries: Entries,
+        area: Rect,
+        names: list[str],
+        rows: Sequence[Row],
+        titled: bool = True,
+        squeeze: float = 1.0,
+    ) -> None:
+        self._entries, self._area, self._names, self._rows = entries, area, names, rows
+        self._titled = titled
+        self._groups = _grouped(rows, self._names)
+        gaps = [_depth(group, names) for group in self._groups]
+        self._squeeze = min(squeeze, self._area.height / need(rows, names, titled))
         self._fit = self._fitted(max(self._squeeze, LEAST_SQUEEZE))
         self._heads: list[float] = []
         self._baselines: list[float] = []
-        y = self._area.top - (0.040 + HEAD_GAP * self._squeeze)
+        top = 0.040 + HEAD_GAP * self._squeeze if titled else UNTITLED * self._squeeze
+        y = self._area.top - top
         for group, gap in zip(self._groups, gaps, strict=True):
             self._heads.append(y)
             first = y - FIRST_GAP * self._squeeze
@@ -64,25 +88,32 @@ class Quarter:
                 self._baselines.append(first)
                 first -= (1 + _extras(row, self._names)) * ROW_PITCH * self._squeeze
 
-    def _depth(self, group: list[Row]) -> int:
-        """Return how many lines a group takes below its first."""
-        return len(group) + sum(_extras(row, self._names) for row in group) - 1
+    @property
+    def right(self) -> float:
+        """Where its last column ends."""
+        return self._fit.rights[-1]
+
+    @property
+    def head(self) -> float:
+        """The baseline of its first heads."""
+        return self._heads[0]
 
     def frame(self) -> list[Mark]:
         """Return the title, the heads with their rules, keys and names."""
         area, fit, sheet = self._area, self._fit, self._entries.sheet
-        title = area.top - 0.040
-        say = Language(sheet.language).say
-        word = bold(roman(say("results")))
-        marks = [Mark(Lettering(word, complex(area.left, title), TITLE_SIZE), "words")]
-        marks += self._entries.legend(complex(fit.rights[-1], title))
+        marks: list[Mark] = []
+        if self._titled:
+            title = area.top - 0.040
+            word = bold(roman(Language(sheet.language).say("results")))
+            marks = [Mark(Lettering(word, complex(area.left, title), TITLE_SIZE), "words")]
+            marks += self._entries.legend(complex(fit.rights[-1], title))
         for group, head in zip(self._groups, self._heads, strict=True):
             for name, right in zip(self._names, fit.rights, strict=True):
                 at, size = complex(right, head), HEAD_SIZE * fit.type
                 marks.append(_right(self._quantities(group, name), at, size, "notes"))
             y = head - 0.0135 * self._squeeze
             marks.append(line([complex(area.left, y), complex(fit.rights[-1], y)], "hairline"))
-        for row, baseline in zip(sheet.rows, self._baselines, strict=True):
+        for row, baseline in zip(self._rows, self._baselines, strict=True):
             at, size = complex(area.left, baseline), SIZE * fit.type
             marks += self._entries.name(row, at, fit.key, size, fit.type, fit.words)
         return [mark for mark in marks if not isinstance(mark.shape, Lettering) or mark.shape.runs]
@@ -117,7 +148,7 @@ class Quarter:
         Where they need room, first the columns draw together, then the key is cut short, then
         all type shrinks alike; where that is not enough, the words of the names go.
         """
-        area, rows = self._area, self._entries.sheet.rows
+        area, rows = self._area, self._rows
         key = full = self._entries.key
         wide = [self._widest(name) + COLUMN_GAP for name in self._names]
         title = max((width(self._entries.heading(row), SIZE) for row in rows), default=0.0)
@@ -141,7 +172,7 @@ class Quarter:
 
     def _widest(self, name: str) -> float:
         """Return the width of a column's heads and numbers, bold or not, at type 1."""
-        rows = [row for row in self._entries.sheet.rows if row.cells.get(name)]
+        rows = [row for row in self._rows if row.cells.get(name)]
         numbers = [self._entries.figures(row.cells[name][0]) for row in rows]
         heads = [self._quantities(group, name) for group in self._groups]
         return max(
@@ -164,7 +195,20 @@ def _right(runs: Runs, at: complex, size: float, role: str) -> Mark:
     return Mark(Lettering(runs, at - width(runs, size), size), role)
 
 
-def _grouped(rows: tuple[Row, ...], names: list[str]) -> list[list[Row]]:
+def need(rows: Sequence[Row], names: list[str], titled: bool = True) -> float:
+    """Return the height of rows in full."""
+    groups = _grouped(rows, names)
+    total = sum(FIRST_GAP + _depth(group, names) * ROW_PITCH for group in groups)
+    top = 0.040 + HEAD_GAP if titled else UNTITLED
+    return top + total + (len(groups) - 1) * GROUP_GAP + 0.012
+
+
+def _depth(group: list[Row], names: list[str]) -> int:
+    """Return how many lines a group takes below its first."""
+    return len(group) + sum(_extras(row, names) for row in group) - 1
+
+
+def _grouped(rows: Sequence[Row], names: list[str]) -> list[list[Row]]:
     """Return neighbouring rows that share their units, and so a head."""
     groups: list[list[Row]] = []
     for row in rows:

@@ -11,6 +11,7 @@ from vad.plan.layout import Page
 from vad.plan.marks import Mark
 from vad.plan.page.columns import Columns
 from vad.plan.page.entries import Entries, Entry, Figures, figures
+from vad.plan.page.halves import Halves
 from vad.plan.page.quarter import Quarter
 from vad.strokes.sheet import Row, Sheet
 
@@ -31,5 +32,8 @@ def table(sheet: Sheet, page: Page, key: float, setting: Figures | None = None) 
     ``key`` is the length of the line before a row's name; ``setting`` sets its numbers in type, if
     the sheet's own notation does not.
     """
-    kind = Columns if page.columns else Quarter
-    return kind(Entries(sheet, key, setting or figures(sheet), kind is Quarter), page)
+    entries = Entries(sheet, key, setting or figures(sheet), page.results is not None)
+    if page.results is None:
+        return Columns(entries, page)
+    kind = Halves if page.columns else Quarter
+    return kind(entries, page.results, list(page.panels), sheet.rows)

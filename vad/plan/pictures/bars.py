@@ -16,7 +16,7 @@ from vad.plan.pictures import machine
 from vad.plan.pictures.lanes import Pen
 from vad.plan.roles import BAR, BLOCK_RIM
 from vad.plan.sketch import Sketch
-from vad.strokes.sheet import Arrow
+from vad.strokes.sheet import Arrow, Block, Shape
 
 NARROW = 0.6  # of a bar's width, on a longer bar
 
@@ -88,8 +88,8 @@ def slit_of(sketch: Sketch, index: int, size: float) -> Mark | None:
     if block is None:
         return None
     pivot, end = _ends(sketch, index, size)
-    way, half = block.direction, machine.LEVER_BLOCK[0] / 2 * size
-    back = sketch.scale(ends_of_travel(block)[0])
+    way, (back, _) = _way_on(lever.shape, block)
+    half, back = machine.LEVER_BLOCK[0] / 2 * size, sketch.scale(back)
     nearest = 2.0 * machine.JOINT_REACH * size
     first = max(((back - pivot) * way.conjugate()).real - half, nearest)
     corners = machine.bar_corners(pivot + first * way, end + BAR / 2 * way, machine.SLIT)
@@ -104,8 +104,21 @@ def _ends(sketch: Sketch, index: int, size: float) -> tuple[complex, complex]:
     start, end, block = scale(stroke.shape.start), scale(stroke.shape.end), block_on(panel, stroke)
     if block:
         past = machine.LEVER_BLOCK[0] / 2 * size - BAR / 2  # its cap is under the slit
-        end = scale(ends_of_travel(block)[1]) + past * block.direction
+        way, (_, ahead) = _way_on(stroke.shape, block)
+        end = scale(ahead) + past * way
     return start, end
+
+
+def _way_on(lever: Shape, block: Block) -> tuple[complex, tuple[complex, complex]]:
+    """Return the way from a lever's pivot to the block on it, and the ends of the block's travel.
+
+    That is the way of the slide, or against it where the block is behind the pivot.
+    """
+    assert isinstance(lever, Arrow)
+    back, ahead = ends_of_travel(block)
+    if ((lever.end - lever.start) * block.direction.conjugate()).real < 0:
+        return -block.direction, (ahead, back)
+    return block.direction, (back, ahead)
 
 
 def _lies_on_another(sketch: Sketch, index: int, size: float) -> bool:

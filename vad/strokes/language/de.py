@@ -181,8 +181,8 @@ PHRASES = {
         "{known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
-        "Durch {point} unter dem Winkel {corner} = {angle}° des Glieds gegen {side}, im gleichen "
-        "Sinn: {meeting} liegt auf dieser Geraden."
+        "Durch {point} unter dem Winkel {corner} = {angle}° gegen {side}, im Sinn des Glieds: "
+        "{meeting} liegt auf dieser Geraden."
     ),
     "image alike velocity": (
         "{letter} fällt auf {point}: {link:der} dreht sich in diesem Augenblick nicht, alle Punkte "

@@ -163,8 +163,8 @@ PHRASES = {
         "same sense: {part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
-        "Through {point} at the link's own angle {corner} = {angle}° from {side}, in the same "
-        "sense: {meeting} lies on this line."
+        "Through {point} at the angle {corner} = {angle}° from {side}, in the sense of the link: "
+        "{meeting} lies on this line."
     ),
     "image alike velocity": (
         "{letter} falls on {point}: the {link} does not turn at this instant, so all its points "

@@ -174,8 +174,8 @@ _PHRASES = {
         "même sens : {part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
-        "Par {point}, à l’angle {corner} = {angle}° de la pièce par rapport à {side}, dans le même "
-        "sens : {meeting} est sur cette droite."
+        "Par {point}, à l’angle {corner} = {angle}° de {side}, dans le sens de la pièce : "
+        "{meeting} est sur cette droite."
     ),
     "image alike velocity": (
         "{letter} tombe sur {point} : {link:le} ne tourne pas à cet instant, tous ses points ont "

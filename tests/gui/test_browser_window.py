@@ -1,0 +1,350 @@
+"""The window in a real browser: by hand, by keyboard, with mistakes, and with a slow server."""
+
+from __future__ import annotations
+
+import math
+import re
+import time
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import av
+import pytest
+from PIL import Image
+
+from tests.browser import opened, until, violations
+from vad.gui.live import pose
+from vad.gui.messages import ExportQuestion, PoseQuestion
+from vad.gui.server import served
+from vad.mechanisms import MECHANISMS
+from vad.strokes.language import languages
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
+
+START = ExportQuestion("slider-crank", size=(320, 240), fps=5)
+
+
+@pytest.fixture(scope="module")
+def address() -> Iterator[str]:
+    with served(START) as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def window(browser: Browser, address: str) -> Iterator[Page]:
+    """Return the page of all tests of this module."""
+    home = address.partition("?")[0]
+    options = {"viewport": {"width": 1280, "height": 800}, "has_touch": True}
+    with opened(browser, server=home, **options) as page:
+        page.goto(address)
+        assert page.url.startswith(home)
+        assert "token" not in page.url
+        still(page)
+        yield page
+
+
+def still(page: Page) -> None:
+    """Wait until nothing moves and nothing is asked."""
+    until(page, lambda: page.locator(".window:not(.moving) .control:not([hidden])").count())
+
+
+def load(page: Page, mechanism: str, **values: object) -> None:
+    """Set a mechanism as a link does."""
+    kept = "&".join([f"m={mechanism}", *(f"{name}={value}" for name, value in values.items())])
+    title = MECHANISMS[mechanism].title
+    page.evaluate(f"location.hash = '{kept}&step=0'")  # or else the address may be the same
+    page.evaluate(f"location.hash = '{kept}'")
+    until(page, lambda: page.locator("header h1").inner_text() == title)
+    still(page)
+
+
+def value(page: Page, name: str) -> float:
+    return float(page.locator(f"#field-{name}").input_value())
+
+
+def cell(page: Page, row: int, column: int) -> str:
+    return page.locator(".results tbody tr").nth(row).locator("td").nth(column).inner_text()
+
+
+def middle(page: Page, selector: str = ".handle") -> tuple[float, float]:
+    box = page.locator(selector).bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def pivot(page: Page, mechanism: str) -> tuple[float, float]:
+    """Return where the driver's motion is measured from."""
+    place = pose(PoseQuestion(mechanism))["handle"]["about"]
+    x, y = (
+        page.locator(".panel")
+        .first.locator("svg")
+        .evaluate(
+            "(svg, at) => { const p = new DOMPoint(...at).matrixTransform(svg.getScreenCTM());"
+            " return [p.x, p.y]; }",
+            place,
+        )
+    )
+    return x, y
+
+
+def about(centre: tuple[float, float], degrees: float, radius: float) -> tuple[float, float]:
+    turn = math.radians(degrees)
+    return centre[0] + radius * math.cos(turn), centre[1] - radius * math.sin(turn)
+
+
+@pytest.mark.parametrize("moves", [1, 60])
+def test_the_crank_follows_the_hand(window: Page, moves):
+    load(window, "slider-crank")
+    centre = pivot(window, "slider-crank")
+    window.mouse.move(*middle(window))
+    window.mouse.down()
+    window.mouse.move(*about(centre, 130, 90), steps=moves)
+    until(window, lambda: value(window, "angle") == pytest.approx(130, abs=1))
+    window.mouse.move(-50, centre[1])  # out of the window, to the left
+    until(window, lambda: value(window, "angle") == pytest.approx(180, abs=1))
+    window.mouse.up()
+    window.mouse.move(*about(centre, 20, 90))
+    still(window)
+    assert value(window, "angle") == pytest.approx(180, abs=1)
+    x, y = middle(window)
+    assert y == pytest.approx(centre[1], abs=3)
+    assert x < centre[0] - 20
+    assert "180" in cell(window, 0, 0)
+
+
+def test_a_finger_turns_it_too(window: Page):
+    load(window, "slider-crank")
+    centre, (x, y) = pivot(window, "slider-crank"), middle(window)
+    touch = window.context.new_cdp_session(window)
+
+    def send(kind: str, *at: float) -> None:
+        points = [{"x": at[0], "y": at[1]}] if at else []
+        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    send("touchStart", x, y)
+    for degrees in range(70, 161, 10):
+        send("touchMove", *about(centre, degrees, 80))
+    send("touchEnd")
+    touch.detach()
+    until(window, lambda: value(window, "angle") == pytest.approx(160, abs=1))
+    still(window)
+
+
+def test_the_keyboard_turns_it_and_keeps_its_place(window: Page):
+    load(window, "four-bar")
+    handle = window.locator(".handle")
+    handle.focus()
+    for _ in range(50):
+        handle.press("ArrowRight")
+    handle.press("Shift+ArrowLeft")
+    handle.press("PageUp")
+    until(window, lambda: "124.9" in cell(window, 0, 0))
+    still(window)
+    assert value(window, "angle") == 124.9
+    assert window.evaluate("document.activeElement.className") == "handle"
+    assert handle.get_attribute("role") == "slider"
+    assert handle.get_attribute("aria-valuenow") == "124.9"
+    assert handle.get_attribute("aria-valuetext") == "124.9 °"
+
+
+def test_it_stops_where_the_links_no_longer_close(window: Page):
+    load(window, "four-bar", crank=130)
+    window.locator(".handle").press("End")
+    still(window)
+    assert 345 < value(window, "angle") < 346.675
+    assert window.locator(".message.wrong").count() == 0
+    load(window, "gate-actuator")
+    window.locator(".handle").press("Home")
+    still(window)
+    assert value(window, "position") == pytest.approx(3.2, abs=0.05)
+    assert window.locator(".message.wrong").count() == 0
+
+
+def test_the_newest_value_wins(window: Page, monkeypatch):
+    load(window, "slider-crank")
+    build, asked = PoseQuestion.build, []
+
+    def slowly(question: PoseQuestion) -> object:
+        if isinstance(question, PoseQuestion):
+            asked.append(question.inputs["angle"])
+            time.sleep(0.2)
+        return build(question)
+
+    monkeypatch.setattr(PoseQuestion, "build", slowly)
+    slider = window.locator("#inputs .row input[type=range]").first
+    slider.focus()
+    for _ in range(40):
+        slider.press("ArrowRight")
+    until(window, lambda: "100" in cell(window, 0, 0))
+    still(window)
+    assert asked[-1] == 100
+    assert asked == sorted(asked)
+    assert len(asked) < 20
+
+
+def test_boxes_take_units_and_sliders_move_them(window: Page):
+    load(window, "slider-crank")
+    crank = window.locator("#field-crank")
+    crank.fill("7 cm")
+    crank.press("Enter")
+    until(window, lambda: "crank\u00a070" in window.locator("header p").inner_text())
+    crank.blur()
+    assert crank.input_value() == "70"
+    window.locator("#field-omega").fill("-120 rpm")
+    window.locator("#field-omega").press("Enter")
+    until(window, lambda: "−12.566" in cell(window, 0, 1))
+    slider = window.locator("#parameters .row input[type=range]").nth(1)
+    slider.focus()
+    slider.press("ArrowRight")
+    until(window, lambda: "rod\u00a0141" in window.locator("header p").inner_text())
+    still(window)
+    assert value(window, "rod") == 141
+
+
+def test_the_other_assembly(window: Page):
+    load(window, "slider-crank")
+    before = cell(window, 2, 0)
+    window.locator(".choice input[value=crossed]").check()
+    until(window, lambda: cell(window, 2, 0) != before)
+    still(window)
+    assert "assembly=crossed" in window.url
+    load(window, "scotch-yoke")
+    assert window.locator(".choice input").first.is_disabled()
+
+
+def test_a_mistake_is_marked_and_its_button_mends_it(window: Page):
+    load(window, "four-bar", crank=130)
+    angle, before = window.locator("#field-angle"), cell(window, 1, 0)
+    angle.fill("10")
+    angle.press("Enter")
+    until(window, lambda: angle.get_attribute("aria-invalid") == "true")
+    assert "the links miss by 4.014 mm" in window.locator(".message").inner_text()
+    assert cell(window, 1, 0) == before
+    assert window.locator(".vad.stale").count() == 1
+    assert violations(window) == []
+    window.get_by_role("button", name="try angle θ 15.46").click()
+    until(window, lambda: not window.locator(".message.wrong").count())
+    still(window)
+    assert value(window, "angle") == 15.46
+    assert angle.get_attribute("aria-invalid") == "false"
+    assert window.locator(".stale").count() == 0
+    for text, said in (("<b>bold</b>", "<b>bold</b>"), ("1 kg", "'kg' is not a unit")):
+        angle.fill(text)
+        angle.press("Enter")
+        until(window, lambda said=said: said in window.locator(".message").inner_text())
+    assert window.locator(".message b").count() == 0
+    load(window, "four-bar")
+
+
+def test_a_dead_centre_says_what_has_no_rates(window: Page):
+    load(window, "double-slider")
+    window.locator("#field-position").fill("1000")
+    window.locator("#field-position").press("Enter")
+    until(window, lambda: "dead centre" in window.locator(".message").inner_text())
+    stale = window.locator(".panel").evaluate_all("all => all.map(e => e.matches('.stale'))")
+    assert stale == [False, True, True]
+    assert middle(window)[0] > pivot(window, "double-slider")[0] + 100
+    load(window, "double-slider")
+    assert window.locator(".stale").count() == 0
+
+
+def test_draw_it_plays_the_lecture(window: Page):
+    load(window, "slider-crank")
+    window.select_option(".speed", "4")
+    window.get_by_role("button", name="Draw it").click()
+    until(window, lambda: window.locator("[data-do=play].on").count())
+    until(window, lambda: 0 < float(window.locator(".scrub").input_value()) < 3)
+    window.locator(".handle").press("ArrowRight")  # who turns the crank wants to see it all
+    still(window)
+    assert window.locator("[data-do=play].on").count() == 0
+    assert window.locator(".panel svg .off:not([data-b])").count() == 0
+    assert value(window, "angle") == 61
+    window.select_option(".speed", "1")
+
+
+def test_every_kind_of_file(window: Page):
+    load(window, "slider-crank")
+    window.select_option(".speed", "4")
+    for extension in ("png", "svg", "pdf", "mp4", "gif", "html"):
+        with window.expect_download() as waiting:
+            window.locator(f"[data-save={extension}]").click()
+        assert waiting.value.suggested_filename == f"slider-crank.{extension}"
+        path = waiting.value.path()
+        start = path.read_bytes()[:400]
+        if extension == "png":
+            with Image.open(path) as image:
+                assert image.size == (320, 240)
+        elif extension == "mp4":
+            with av.open(str(path)) as film:
+                assert 5 < film.duration / 1e6 < 60
+        else:
+            signs = {"svg": b"<svg", "pdf": b"%PDF", "gif": b"GIF89a", "html": b"<!DOCTYPE html>"}
+            assert signs[extension] in start
+    window.select_option(".speed", "1")
+
+
+def test_the_address_has_all_that_is_set(window: Page, address: str):
+    load(window, "four-bar", crank=35, angle=75, assembly="crossed", step=4)
+    assert window.locator(".scrub").input_value() == "4"
+    window.reload()
+    still(window)
+    assert (value(window, "crank"), value(window, "angle")) == (35, 75)
+    assert window.locator(".choice input[value=crossed]").is_checked()
+    assert window.locator(".scrub").input_value() == "4"
+    other = window.context.new_page()  # two tabs do not disturb each other
+    other.goto(address.partition("?")[0] + "#m=scotch-yoke&colour=red&crank=x")
+    until(other, lambda: "'x'" in other.locator(".message").inner_text())
+    window.locator(".handle").press("ArrowRight")
+    still(window)
+    assert value(window, "angle") == 76
+    other.close()
+
+
+@pytest.mark.parametrize("code", languages())
+def test_every_mechanism_in_every_language(window: Page, address: str, code):
+    window.goto(f"{address.partition('?')[0]}?lang={code}")
+    still(window)
+    assert window.evaluate("document.documentElement.lang") == code
+    names = window.locator("#mechanism option").evaluate_all("all => all.map(e => e.value)")
+    assert names == list(MECHANISMS)
+    for name in names if code == "de" else names[:1]:
+        title = window.locator(f"#mechanism option[value={name}]").inner_text()
+        window.select_option("#mechanism", name)
+        until(window, lambda title=title: window.locator("header h1").inner_text() == title)
+        still(window)
+        assert window.locator(".handle").is_visible()
+    assert violations(window) == []
+
+
+@pytest.mark.parametrize("width", [320, 700, 1000])
+def test_a_narrow_window_has_all_of_it(window: Page, address: str, width):
+    window.goto(address.partition("?")[0])
+    window.set_viewport_size({"width": width, "height": 800})
+    load(window, "whitworth")
+    window.locator("[data-do=theme]").click()
+    assert window.evaluate("document.documentElement.scrollWidth") <= width
+    for selector in ("#field-crank", ".handle", "[data-save=png]", ".results"):
+        window.locator(selector).scroll_into_view_if_needed()
+        assert window.locator(selector).is_visible()
+    assert violations(window) == []
+    window.set_viewport_size({"width": 1280, "height": 800})
+
+
+def test_a_server_that_stops_and_starts(browser: Browser):
+    gone = "Failed to load resource: net::ERR_CONNECTION_REFUSED"
+    with served(START) as address:
+        home = address.partition("?")[0]
+        context = opened(browser, server=home, expected=gone)
+        page = context.__enter__()
+        page.goto(address)
+        still(page)
+        port, cookies = int(re.search(r":(\d+)/", home)[1]), page.context.cookies()
+    page.locator(".handle").press("ArrowRight")
+    until(page, lambda: "vad gui has stopped" in page.locator(".message").inner_text())
+    still(page)
+    assert cookies
+    with served(START, port) as again:
+        page.context.new_page().goto(again)  # a new token, in another tab
+        page.get_by_role("button", name="Try again").click()
+        until(page, lambda: "61" in cell(page, 0, 0))
+        context.__exit__(None, None, None)

@@ -1,0 +1,131 @@
+"""The page of a lesson as text: small, the same twice, asking for nothing, and spelt out."""
+
+from __future__ import annotations
+
+import json
+import re
+import tomllib
+from base64 import b64encode
+from hashlib import sha256
+from itertools import product
+from pathlib import Path
+
+import pytest
+
+import vad
+from tests.page.lessons import PARTS, lesson_of, page_of
+from vad.cli.run import run
+from vad.errors import UsageError
+from vad.page import phrases
+from vad.page.document import document
+from vad.page.spoken import spoken
+from vad.page.themed import CONTRAST, contrast, readable
+from vad.plan.page.captioning import setter
+from vad.strokes.language import languages
+from vad.style import load_style, style_names
+
+LARGEST = 100_000
+EVERY = [(name, False) for name in vad.MECHANISMS] + [(name, True) for name in PARTS]
+
+
+def data_of(html: str) -> dict[str, object]:
+    text = re.search(r'<script type="application/json" id="data">(.*?)</script>', html).group(1)
+    assert "<" not in text
+    return json.loads(text)
+
+
+@pytest.mark.parametrize(("name", "whole"), EVERY)
+def test_a_page_is_small(name: str, whole: bool) -> None:
+    """German has the longest captions."""
+    assert len(page_of(name, "de", whole=whole).encode()) <= LARGEST
+
+
+def test_the_same_lesson_gives_the_same_bytes() -> None:
+    lesson = lesson_of("four-bar")
+    assert document(lesson) == document(lesson) == page_of("four-bar")
+
+
+def test_it_asks_for_nothing_and_runs_one_script() -> None:
+    html = page_of("four-bar")
+    assert not re.search(r"""(?:src|href)=["'](?!#)|url\((?!data:)|@import""", html)
+    policy = re.search(r'Security-Policy" content="(.*?)">', html).group(1)
+    assert policy.startswith("default-src 'none';")
+    (script,) = re.findall(r'<script type="module">(.*?)</script>', html, re.DOTALL)
+    proof = b64encode(sha256(script.encode()).digest()).decode()
+    assert f"script-src 'sha256-{proof}';" in policy
+
+
+@pytest.mark.parametrize("code", languages())
+def test_a_language_has_all_the_words(code: str) -> None:
+    home = Path(phrases.__file__).parent / "words"
+    english, other = (
+        tomllib.loads((home / f"{each}.toml").read_text("utf-8")) for each in ("en", code)
+    )
+    assert {name: set(table) for name, table in other.items()} == {
+        name: set(table) for name, table in english.items()
+    }
+    gaps = re.compile(r"{\w*}")
+    for table, key in ((t, k) for t, keys in english.items() for k in keys):
+        assert set(gaps.findall(other[table][key])) == set(gaps.findall(english[table][key])), key
+
+
+@pytest.mark.parametrize(("case", "code"), list(product(EVERY, languages())))
+def test_what_is_read_out_has_no_signs(case: tuple[str, bool], code: str) -> None:
+    """Screen readers drop them."""
+    sheet = lesson_of(case[0], code, whole=case[1]).sheet
+    write = setter(sheet)
+    for panel in sheet.panels:
+        for stroke in panel.strokes:
+            said = spoken(write(stroke.caption), code)
+            assert not re.search(r"[^\w\s.,;:’'()\-]|[₀-₉ₐ-ₜ²³]|\s\s|\s[.,;]", said), said
+            assert re.findall(r"\d+[.,]\d+", said) == re.findall(
+                r"\d+[.,]\d+", stroke.caption.replace("\u202f", "\u202f")
+            )
+
+
+def test_letters_are_spelt_and_signs_have_names() -> None:
+    sheet = lesson_of("slider-crank").sheet
+    write, panel = setter(sheet), sheet.panel("acceleration")
+    said = [spoken(write(stroke.caption), "en") for stroke in panel.strokes]
+    assert said[1].startswith(
+        "a prime b prime n equals omega 2 squared times A B equals 10 squared"
+    )
+    assert said[1].endswith("6000 mm per second squared, from B towards A.")
+    assert any("to c n, perpendicular to B C" in each or "Through c n" in each for each in said)
+
+
+@pytest.mark.parametrize("name", style_names())
+def test_inks_can_be_read_as_letters(name: str) -> None:
+    style = load_style(name)
+    for ink in style.inks:
+        letters = readable(ink, style)
+        assert contrast(letters, style.background) >= CONTRAST
+        assert letters == ink or contrast(ink, style.background) < CONTRAST
+
+
+def test_a_sheet_opens_finished_and_a_lesson_empty(tmp_path: Path) -> None:
+    lesson = lesson_of("four-bar")
+    for thing, start in ((lesson, 0), (lesson.sheet, len(lesson.steps))):
+        vad.save(thing, tmp_path / "a.html")
+        assert data_of((tmp_path / "a.html").read_text("utf-8"))["start"] == start
+
+
+def test_the_command_line_writes_pages(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for verb in ("draw", "animate"):
+        file = tmp_path / f"{verb}.html"
+        line = [verb, "scotch-yoke", "--style", "chalk", "--language", "fr", "-o", str(file)]
+        assert run(line) == 0
+        html = file.read_text("utf-8")
+        assert '<html lang="fr">' in html and 'data-theme="chalk"' in html
+    assert run(["draw", "four-bar", "--blank", "velocity", "-o", str(tmp_path / "b.html")]) == 2
+    assert "blank: .html has no such option" in capsys.readouterr().err
+    assert not (tmp_path / "b.html").exists()
+
+
+def test_progress_is_told_of_the_end(tmp_path: Path) -> None:
+    calls: list[tuple[int, int]] = []
+    lesson = lesson_of("four-bar")
+    vad.save(lesson, tmp_path / "a.html", progress=lambda done, total: calls.append((done, total)))
+    assert calls == [(lesson.frames, lesson.frames)]
+    with pytest.raises(UsageError, match=r"size: \.html has no such option"):
+        vad.save(lesson.sheet, tmp_path / "b.html", size=(640, 480))
