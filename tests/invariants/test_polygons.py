@@ -45,121 +45,88 @@ def size(panel: Panel) -> float:
     return max((abs(arrow.end - arrow.start) for _, arrow in arrows(panel)), default=0.0)
 
 
-@everything
-def test_every_vertex_has_one_place(name: str) -> None:
-    @drawn
-    @given(sheets(name))
-    def check(found: tuple[vad.Motion, Sheet]) -> None:
-        for panel in rates(found[1]):
-            places: dict[str, complex] = {}
-            for stroke in panel.strokes:
-                if isinstance(stroke.shape, Dot):
-                    ends = [(letter, stroke.shape.at) for letter in stroke.label.split(",")]
-                elif isinstance(stroke.shape, Arrow):
-                    arrow = stroke.shape
-                    ends = [(arrow.tail, arrow.start), (arrow.head, arrow.end)]
-                    assert stroke.label == arrow.tail + arrow.head
-                else:
-                    continue
-                for letter, at in ends:
-                    assert abs(places.setdefault(letter, at) - at) <= 1e-12 * size(panel)
-
-    check()
+def every_vertex_has_one_place(motion: vad.Motion, sheet: Sheet) -> None:
+    for panel in rates(sheet):
+        places: dict[str, complex] = {}
+        for stroke in panel.strokes:
+            if isinstance(stroke.shape, Dot):
+                ends = [(letter, stroke.shape.at) for letter in stroke.label.split(",")]
+            elif isinstance(stroke.shape, Arrow):
+                arrow = stroke.shape
+                ends = [(arrow.tail, arrow.start), (arrow.head, arrow.end)]
+                assert stroke.label == arrow.tail + arrow.head
+            else:
+                continue
+            for letter, at in ends:
+                assert abs(places.setdefault(letter, at) - at) <= 1e-12 * size(panel)
 
 
-@everything
-def test_the_equation_under_a_panel_holds(name: str) -> None:
-    @drawn
-    @given(sheets(name))
-    def check(found: tuple[vad.Motion, Sheet]) -> None:
-        for panel in rates(found[1]):
-            for equation in panel.equations:
-                total = 0j
-                for sign, terms in ((1, equation.left), (-1, equation.right)):
-                    for term in terms:
-                        if term.stroke is not None:
-                            stroke = panel.strokes[panel.number(term.stroke)]
-                            shape = stroke.shape
-                            assert isinstance(shape, Arrow)
-                            assert stroke.label == term.label
-                            total += sign * (shape.end - shape.start)
-                assert abs(total) <= 1e-11 * size(panel)
-
-    check()
+def the_equation_under_a_panel_holds(motion: vad.Motion, sheet: Sheet) -> None:
+    for panel in rates(sheet):
+        for equation in panel.equations:
+            total = 0j
+            for sign, terms in ((1, equation.left), (-1, equation.right)):
+                for term in terms:
+                    if term.stroke is not None:
+                        stroke = panel.strokes[panel.number(term.stroke)]
+                        shape = stroke.shape
+                        assert isinstance(shape, Arrow)
+                        assert stroke.label == term.label
+                        total += sign * (shape.end - shape.start)
+            assert abs(total) <= 1e-11 * size(panel)
 
 
-@everything
-def test_crossings_lie_on_their_lines(name: str) -> None:
-    @drawn
-    @given(sheets(name))
-    def check(found: tuple[vad.Motion, Sheet]) -> None:
-        for panel in rates(found[1]):
-            lines: list[Line] = []
-            for stroke in panel.strokes:
-                if isinstance(stroke.shape, Line):
-                    lines.append(stroke.shape)
-                    assert abs(abs(stroke.shape.direction) - 1) < 1e-12
-                elif stroke.kind == "intersection" and isinstance(stroke.shape, Dot):
-                    assert len(lines) == 2
-                    for line in lines:
-                        off = (line.direction.conjugate() * (stroke.shape.at - line.through)).imag
-                        assert abs(off) <= 1e-9 * size(panel)
-                        assert line.until == stroke.shape.at
-                    lines = []
-
-    check()
+def crossings_lie_on_their_lines(motion: vad.Motion, sheet: Sheet) -> None:
+    for panel in rates(sheet):
+        lines: list[Line] = []
+        for stroke in panel.strokes:
+            if isinstance(stroke.shape, Line):
+                lines.append(stroke.shape)
+                assert abs(abs(stroke.shape.direction) - 1) < 1e-12
+            elif stroke.kind == "intersection" and isinstance(stroke.shape, Dot):
+                assert len(lines) == 2
+                for line in lines:
+                    off = (line.direction.conjugate() * (stroke.shape.at - line.through)).imag
+                    assert abs(off) <= 1e-9 * size(panel)
+                    assert line.until == stroke.shape.at
+                lines = []
 
 
-@everything
-def test_images_of_links_are_similar(name: str) -> None:
+def images_of_links_are_similar(motion: vad.Motion, sheet: Sheet) -> None:
     """Every link's image is the link, turned and stretched by iω, or by iα - ω²."""
-
-    @drawn
-    @given(sheets(name))
-    def check(found: tuple[vad.Motion, Sheet]) -> None:
-        motion, sheet = found
-        for panel in rates(sheet):
-            at = {
-                letter: point
-                for _, arrow in arrows(panel)
-                for letter, point in ((arrow.tail, arrow.start), (arrow.head, arrow.end))
-            }
-            for step in motion.frame.steps:
-                image = [letter.lower() + "′" * (ORDERS[panel.name] - 1) for letter in step.ends]
-                if not isinstance(step, Bar) or not set(image) <= set(at):
-                    continue
-                if not set(step.ends) <= set(motion.points):
-                    continue  # a strut is no rigid link
-                link = motion.link(step.link)
-                factor = 1j * link.omega
-                if panel.name == "acceleration":
-                    factor = 1j * link.alpha - link.omega**2
-                tail, head = (motion.point(letter).position for letter in step.ends)
-                expected = factor * (head - tail)
-                assert abs(at[image[1]] - at[image[0]] - expected) <= 1e-9 * size(panel)
-
-    check()
+    for panel in rates(sheet):
+        at = {
+            letter: point
+            for _, arrow in arrows(panel)
+            for letter, point in ((arrow.tail, arrow.start), (arrow.head, arrow.end))
+        }
+        for step in motion.frame.steps:
+            image = [letter.lower() + "′" * (ORDERS[panel.name] - 1) for letter in step.ends]
+            if not isinstance(step, Bar) or not set(image) <= set(at):
+                continue
+            if not set(step.ends) <= set(motion.points):
+                continue  # a strut is no rigid link
+            link = motion.link(step.link)
+            factor = 1j * link.omega
+            if panel.name == "acceleration":
+                factor = 1j * link.alpha - link.omega**2
+            tail, head = (motion.point(letter).position for letter in step.ends)
+            expected = factor * (head - tail)
+            assert abs(at[image[1]] - at[image[0]] - expected) <= 1e-9 * size(panel)
 
 
-@everything
-def test_components_have_the_textbook_size_and_direction(name: str) -> None:
-    @drawn
-    @given(sheets(name))
-    def check(found: tuple[vad.Motion, Sheet]) -> None:
-        motion, sheet = found
-        for panel in rates(sheet):
-            for stroke, arrow in arrows(panel):
-                vector, link = arrow.end - arrow.start, str(stroke.link)
-                if stroke.component == "coriolis":
-                    _check_coriolis(motion, link, vector)
-                elif stroke.component in ("normal", "tangential"):
-                    bar = _bar_of(motion, stroke)
-                    omega, alpha = motion.link(link).omega, motion.link(link).alpha
-                    rate = omega if panel.name == "velocity" else alpha
-                    factor = -(omega**2) if stroke.component == "normal" else 1j * rate
-                    assert abs(vector - factor * bar) <= 1e-9 * max(size(panel), abs(vector))
-
-    check()
+def components_have_the_textbook_size_and_direction(motion: vad.Motion, sheet: Sheet) -> None:
+    for panel in rates(sheet):
+        for stroke, arrow in arrows(panel):
+            vector, link = arrow.end - arrow.start, str(stroke.link)
+            if stroke.component == "coriolis":
+                _check_coriolis(motion, link, vector)
+            elif stroke.component in ("normal", "tangential"):
+                bar = _bar_of(motion, stroke)
+                omega, alpha = motion.link(link).omega, motion.link(link).alpha
+                rate = omega if panel.name == "velocity" else alpha
+                factor = -(omega**2) if stroke.component == "normal" else 1j * rate
+                assert abs(vector - factor * bar) <= 1e-9 * max(size(panel), abs(vector))
 
 
 def _bar_of(motion: vad.Motion, stroke: Stroke) -> complex:
@@ -184,33 +151,44 @@ def _check_coriolis(motion: vad.Motion, name: str, vector: complex) -> None:
     assert motion.slide(name).coriolis == pytest.approx(abs(vector), rel=1e-12)
 
 
+def every_result_is_measured_once(motion: vad.Motion, sheet: Sheet) -> None:
+    wanted = sorted(
+        row.key for row in sheet.rows if not all(cell.given for cell in row.cells["position"])
+    )
+    names = {row.key for row in sheet.rows}
+    for panel in sheet.panels:
+        revealed = [key for stroke in panel.strokes for key in stroke.reveals]
+        assert sorted(set(revealed)) == sorted(set(wanted))
+        assert len(revealed) == len(set(revealed))
+        assert all(stroke.link in names or stroke.link is None for stroke in panel.strokes)
+        assert all(stroke.caption for stroke in panel.strokes)
+
+
+def nothing_of_length_zero_is_drawn(motion: vad.Motion, sheet: Sheet) -> None:
+    for panel in rates(sheet):
+        for _, arrow in arrows(panel):
+            assert abs(arrow.end - arrow.start) > 1e-13 * size(panel)
+
+
+CHECKS = [
+    every_vertex_has_one_place,
+    the_equation_under_a_panel_holds,
+    crossings_lie_on_their_lines,
+    images_of_links_are_similar,
+    components_have_the_textbook_size_and_direction,
+    every_result_is_measured_once,
+    nothing_of_length_zero_is_drawn,
+]
+
+
 @everything
-def test_every_result_is_measured_once(name: str) -> None:
+def test_polygons_are_as_they_should(name: str) -> None:
+    """A sheet is drawn once, and asked everything."""
+
     @drawn
     @given(sheets(name))
     def check(found: tuple[vad.Motion, Sheet]) -> None:
-        sheet = found[1]
-        wanted = sorted(
-            row.key for row in sheet.rows if not all(cell.given for cell in row.cells["position"])
-        )
-        names = {row.key for row in sheet.rows}
-        for panel in sheet.panels:
-            revealed = [key for stroke in panel.strokes for key in stroke.reveals]
-            assert sorted(set(revealed)) == sorted(set(wanted))
-            assert len(revealed) == len(set(revealed))
-            assert all(stroke.link in names or stroke.link is None for stroke in panel.strokes)
-            assert all(stroke.caption for stroke in panel.strokes)
-
-    check()
-
-
-@everything
-def test_nothing_of_length_zero_is_drawn(name: str) -> None:
-    @drawn
-    @given(sheets(name))
-    def check(found: tuple[vad.Motion, Sheet]) -> None:
-        for panel in rates(found[1]):
-            for _, arrow in arrows(panel):
-                assert abs(arrow.end - arrow.start) > 1e-13 * size(panel)
+        for each in CHECKS:
+            each(*found)
 
     check()
