@@ -179,7 +179,7 @@ def test_a_name_with_line_breaks_stays_on_one_line(vad):
 
 
 @pytest.mark.parametrize("verb", ["draw", "animate", "sweep"])
-@pytest.mark.parametrize("output", ["x.xyz", "x.png.html"])
+@pytest.mark.parametrize("output", ["x.xyz", "x.png.doc"])
 def test_another_kind_of_file(vad, verb, output, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     complaint(vad(verb, "four-bar", "-o", output), 2)
