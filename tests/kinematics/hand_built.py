@@ -28,6 +28,7 @@ class HandBuilt:
     length_unit: str = "mm"
     links: dict[str, str] = field(init=False, default_factory=dict)
     slides: dict[str, str] = field(init=False, default_factory=dict)
+    points: dict[str, Any] = field(init=False, default_factory=dict)
 
     def __post_init__(self) -> None:
         for step in self.steps:
@@ -42,7 +43,7 @@ class HandBuilt:
         return [*(s for loop in loops for _, s in loop.steps()), *self.built.images]
 
     @property
-    def points(self) -> list[str]:
+    def letters(self) -> list[str]:
         return list(dict.fromkeys(p for step in self.steps for p in (step.tail, step.head)))
 
     @property
@@ -51,6 +52,8 @@ class HandBuilt:
 
     def linkage(self) -> Linkage:
         return self.built
+
+    marked = linkage  # nobody marks further points on it
 
     def parameters(self) -> dict[str, Any]:
         return {}  # the numbers stand in the loops
