@@ -120,9 +120,13 @@ def run_examples(text: str, folder: Path) -> None:
 
 
 def _succeed(words: list[str], folder: Path) -> None:
+    """Run a command; what it prints goes into a file if the command says so."""
+    words, target = (words[:-2], words[-1]) if words[-2:-1] == [">"] else (words, None)
     code, printed = _call(words, folder)
     if code != 0:
         raise ExampleError(f"{shlex.join(words)}: exit code {code}\n{printed}")
+    if target:
+        (folder / target).write_text(printed, encoding="utf-8")
 
 
 def _call(words: list[str], folder: Path) -> tuple[int, str]:
