@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import csv
 import inspect
+import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
@@ -15,9 +16,14 @@ import click
 from vad.cli.app import app
 from vad.cli.groups import MechanismGroup
 from vad.cli.options import mechanism_options
+from vad.files.examples import example_names, example_title
 from vad.mechanisms import MECHANISMS, Mechanism
 
 _BENCHMARKS = Path(__file__).parents[1] / "benchmarks" / "results"
+_ABOUT = """\
+Options of the command line are fields of the class in Python. Whatever else is made of dyads is
+described by [a file](../how-to/mechanism-file.md); below are those that ship with the program.
+"""
 _SPEED = """\
 ## A million poses
 
@@ -45,14 +51,15 @@ def made_pages() -> dict[str, str]:
 
 
 def _mechanisms() -> str:
-    parts = ["# Mechanisms", "Options of the command line are fields of the class in Python."]
+    parts = ["# Mechanisms", _ABOUT]
     for name, kind in MECHANISMS.items():
         parts += [f"## {kind.title}", inspect.getdoc(kind) or ""]
         if name not in _without_poster():
             parts.append(f"![{kind.title}](../gallery/posters/{name}-paper.png)")
         parts.append(f"`vad solve {name}` · `vad.{kind.__name__}`")
         parts += [_options(mechanism_options(kind)), _reported(kind)]
-    return _joined(parts)
+    examples = [[f"`vad example {name}`", example_title(name)] for name in example_names()]
+    return _joined([*parts, "## From files", _table(["file", ""], examples)])
 
 
 def _without_poster() -> set[str]:
@@ -78,15 +85,21 @@ def _command_line() -> str:
         "and perhaps one `hint: …`; 2 for wrong usage."
     )
     for name, command in app.commands.items():
-        words = f"vad {name}"
-        options: Iterable[click.Parameter] = command.params
+        taken = [each for each in command.params if isinstance(each, click.Argument)]
+        options: Iterable[click.Parameter] = [each for each in command.params if each not in taken]
+        arguments = [each.human_readable_name for each in taken]
         if isinstance(command, MechanismGroup):
-            words += " NAME"
-            options = command.options
-        parts += [f"## vad {name}", f"`{words} [OPTIONS]`", command.help or "", _options(options)]
+            arguments, options = ["NAME"], command.options
+        words = " ".join(["vad", name, *arguments, "[OPTIONS]"])
+        parts += [f"## vad {name}", f"`{words}`", _help(command.help or ""), _options(options)]
         if isinstance(command, MechanismGroup):
             parts.append("And the options of the [mechanism](mechanisms.md).")
     return _joined(parts)
+
+
+def _help(text: str) -> str:
+    r"""Return a command's help; a paragraph after ``\b`` stands as it is written."""
+    return re.sub(r"^\x08\n(.+?)(?=\n\n|\Z)", r"```text\n\1\n```", text, flags=re.M | re.S)
 
 
 def _options(options: Iterable[click.Parameter]) -> str:
