@@ -116,3 +116,33 @@ def test_an_older_file_is_replaced_only_by_a_whole_one(vad, tmp_path):
 def test_an_equals_sign_after_the_short_option_is_no_part_of_the_name(vad, tmp_path):
     assert vad("sweep", "four-bar", f"-o={tmp_path}/a.csv").code == 0
     assert [each.name for each in tmp_path.iterdir()] == ["a.csv"]
+
+
+PARALLELOGRAM = (
+    "four-bar",
+    "--ground",
+    "100",
+    "--crank",
+    "40",
+    "--coupler",
+    "100",
+    "--rocker",
+    "40",
+)
+
+
+@pytest.mark.parametrize(
+    ("words", "places"),
+    [
+        ((), ["0°", "180°"]),
+        (("--from", "10", "--to", "190"), ["180°"]),
+        (("--from", "300", "--to", "400"), ["0°"]),
+        (("--from", "10", "--to", "170"), []),
+        (("--assembly", "parallel"), []),
+    ],
+)
+def test_change_points_on_the_way_are_told(vad, tmp_path, words, places):
+    result = vad("sweep", *PARALLELOGRAM, *words, "-o", str(tmp_path / "sweep.csv"))
+    assert (result.code, result.out) == (0, "")
+    told = "note: change point at {}: two motions are possible; say parallel"
+    assert result.err.splitlines() == [told.format(place) for place in places]

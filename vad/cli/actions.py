@@ -10,7 +10,7 @@ import click
 
 import vad
 from vad.cli.process import signals_held_back, wait_for_signal
-from vad.cli.progress import progress, written
+from vad.cli.progress import passed, progress, written
 from vad.errors import UsageError, VadError
 from vad.export import FOLDER, format_of
 from vad.lecture.lesson import Lesson
@@ -59,6 +59,8 @@ def draw(
         drawn = (vad.turn if turn else vad.draw)(motion, **options)
     vad.save(drawn, output, **look)
     written(output)
+    if turn:
+        passed(mechanism)
 
 
 def _multiples(mechanism: Mechanism, inputs: Inputs, at: list[float], **options: Any) -> Multiples:
@@ -121,6 +123,7 @@ def _turn(mechanism: Mechanism, inputs: Inputs, output: str, **options: Any) -> 
     with progress(output) as moved:
         vad.save(film, output, progress=moved)
     written(output, f"{film.duration:.1f} s, {film.frames} frames")
+    passed(mechanism)
 
 
 def sweep(mechanism: Mechanism, inputs: Inputs, output: str, **ends: Any) -> None:
@@ -129,8 +132,10 @@ def sweep(mechanism: Mechanism, inputs: Inputs, output: str, **ends: Any) -> Non
     from vad.export.sweep.sweep import save_sweep
 
     driven = next(iter(mechanism.inputs))
-    save_sweep(vad.solve(mechanism, **{driven: places(mechanism, **ends)}, **inputs), output)
+    swept = places(mechanism, **ends)
+    save_sweep(vad.solve(mechanism, **{driven: swept}, **inputs), output)
     written(output)
+    passed(mechanism, float(swept.min()), float(swept.max()))
 
 
 def gui(

@@ -1,7 +1,11 @@
-"""What a terminal sees while a film is written, and when a file is done; a pipe sees nothing."""
+"""What is said while a film is written, and when a file is done.
+
+Progress and the name of a file are for a terminal; a pipe sees neither.
+"""
 
 from __future__ import annotations
 
+import math
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -13,6 +17,7 @@ from vad.cli.process import check_interrupt, signals_held_back
 
 if TYPE_CHECKING:
     from vad.export.source import Progress
+    from vad.mechanisms import Mechanism
 
 
 @contextmanager
@@ -44,3 +49,16 @@ def written(path: str, details: str = "") -> None:
     """Say on a terminal which file is done."""
     if sys.stdout is not None and sys.stdout.isatty():
         click.echo(f"wrote {path}" + (f" ({details})" if details else ""))
+
+
+def passed(mechanism: Mechanism, low: float = -math.inf, high: float = math.inf) -> None:
+    """Say on stderr which change points lie in a range of the driver: there, two motions go on."""
+    from vad.kinematics.change_points import change_points
+
+    turns = "angle" in mechanism.inputs
+    unit = "°" if turns else f" {mechanism.length_unit}"
+    for change in change_points(mechanism):
+        turned = turns and low > -math.inf  # the same angle, not below the range
+        place = low + (change.place - low) % 360.0 if turned else change.place
+        if low <= place <= high:
+            click.echo(f"note: {change.words(unit)}", err=True)
