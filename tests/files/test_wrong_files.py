@@ -81,6 +81,7 @@ def test_the_lesson_itself_is_right():
         (CRANK, "{ ab = 40 }", 6, "crank: cannot read 'ab'", "two letters are a distance"),
         (CRANK, "{ BAD = 40 }", 6, "crank: needs a distance", "{ AB = 60 }"),
         (CRANK, "40", 6, "crank: must be distances", "{ AB = 60 }"),
+        (CRANK, "{ AB = 4 cm }", 6, "unclosed inline table", 'in quotes: "4 cm"'),
         (CRANK, '"AB"', 6, "crank: the pose does not say where B is", "[pose]"),
         (CRANK, "{ AA = 40 }", 6, "crank: cannot read 'AA'", None),
         (DC, "DC = 80, CD = 70", 8, "rocker: CD is DC, which is given already", None),
@@ -106,6 +107,7 @@ def test_the_lesson_itself_is_right():
         ("[driver]\n", "[driver]\nrocker = { angle = 3, omega = 1 }\n", 9, "not 2", None),
         # places
         (PLACE, 'C = "above"', 12, "C: 'above' is no place", "upper, lower"),
+        (PLACE, "C = upper", 12, "invalid value", 'in quotes: "upper"'),
         (PLACE, 'E = "upper"', 12, "unknown point 'E'", "A, B, C, D, P"),
         (PLACE, 'B = "upper"', 12, "B: has one place only", "two places have C, P"),
         (PLACE, f'{PLACE}\nP = "lower"', 12, "C: cannot be so while P is lower", "enough"),
@@ -116,6 +118,7 @@ def test_the_lesson_itself_is_right():
         # mobility
         (DC, "DC = 80, DA = 100", 8, "pinned to the frame at D and A, so it cannot move", None),
         (ROCKER, f"{ROCKER}\narm = {{ PE = 40 }}", 9, "3·4 − 2·5 = 2", "arm: is held at one"),
+        (ROCKER, f"{ROCKER}\n[guides]\nE = {{ y = 3 }}", 10, "= 2 degrees", "E: no link has"),
         (ROCKER, f"{ROCKER}\narm = {{ DP = 40 }}", 5, "3·4 − 2·6 = 0", "can be left out"),
         (ROCKER, f"{ROCKER}\narm = {{ EF = 40 }}", 9, "arm: shares no point with the rest", None),
     ],

@@ -69,6 +69,7 @@ def _print_completion(ctx: click.Context, _: click.Parameter, shell: str | None)
     "vad",
     cls=App,
     invoke_without_command=True,
+    epilog="NAME is one that vad list has, or a file such as press.toml; vad example prints some.",
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 @click.version_option(__version__, message="vad %(version)s")

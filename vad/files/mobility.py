@@ -58,6 +58,10 @@ def check_mobility(source: Source, description: Description) -> Mobility:
             if len(held) + len(lines) < 2:
                 key, hint = link.name, f"{link.name}: is held at {_at(held)} only"
                 break
+        through = [getattr(g.line, "through", "") for g in description.guides.values()]
+        for point in description.guides:
+            if hint is None and point not in through and not description.links_at(point):
+                table, key, hint = "guides", point, f"{point}: no link has this point"
     else:
         hint = "a link that only repeats a parallelogram can be left out"
     raise source.error(table, key, f"Grübler: {found}, not 1", hint)

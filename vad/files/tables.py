@@ -24,6 +24,8 @@ LONGEST = 100_000
 
 _HEADER = re.compile(r"\s*\[\s*([\w-]+)\s*\]")
 _KEY = re.compile(r"""\s*(["']?)([\w-]+)\1\s*=""")
+#: A quantity with its unit, or a word, without the quotes that it needs.
+_BARE = re.compile(r"=\s*([-+]?[\d.]+ *(?:[^\W\d_]|°)[^\s,}]*|[A-Za-z][\w/*]*)\s*(?:[,}#]|$)")
 _PLACE = re.compile(r"(.*) \(at line (\d+), column \d+\)", re.DOTALL)
 
 
@@ -118,7 +120,9 @@ def text_of(path: str | Path, longest: int = LONGEST) -> str:
     except UnicodeDecodeError:
         raise InputError(f"{path.name}: is no text in UTF-8") from None
     except OSError as error:
-        raise InputError(f"'{path}': {error.strerror or error}") from None
+        longer = Path(f"{path}.toml")
+        hint = f"{longer.name} is a file" if longer.is_file() else None
+        raise InputError(f"'{path}': {error.strerror or error}", hint) from None
     except ValueError:
         raise InputError(f"{shown(str(path))}: is no name of a file") from None
     if len(data) > longest:
@@ -148,7 +152,9 @@ def parsed(text: str, name: str) -> Source:
         if place is None:
             raise InputError(f"{name}: {message[:1].lower()}{message[1:]}") from None
         said = place[1][:1].lower() + place[1][1:]
-        raise InputError(f"{name}, line {place[2]}: {said}") from None
+        bare = _BARE.search(text.split("\n")[int(place[2]) - 1])
+        hint = f'text stands in quotes: "{bare[1]}"' if bare else None
+        raise InputError(f"{name}, line {place[2]}: {said}", hint) from None
     return Source(name, {"": tables}, lines)
 
 

@@ -67,7 +67,9 @@ class Question:
         vad.errors.UsageError
             For a mechanism that is none of the program's own.
         """
-        one_of("mechanism", mechanism.name, MECHANISMS)
+        if mechanism.name not in MECHANISMS:
+            message = f"{shown(mechanism.title)}: the window has the program's own mechanisms alone"
+            raise UsageError(message, "animate it as a page: lesson.html")
         return cls(
             mechanism.name,
             mechanism.parameters(),
