@@ -89,12 +89,13 @@ def command(name: str) -> str:
 
 def poster(name: str, style: str, path: Path) -> None:
     """Write the picture of a scene, with the colours of a style's films."""
-    vad.save(sheet(name), path, size=POSTER, style=style)
+    drawn = sheet(name)
+    vad.save(drawn, path, size=POSTER, style=style)
     with Image.open(path) as picture:
         words = PngInfo()
         for key, text in picture.text.items():
             words.add_itxt(key, text)
-        small = _with_palette(picture, fine(style))
+        small = _with_palette(picture, fine(style, len(drawn.rows)))
     small.save(path, optimize=True, pnginfo=words)
 
 

@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 from vad.lecture.lesson import Lesson, Step
 from vad.painting.picture import EMPTY, Frame
 from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Sheet, Stroke
+from vad.style import load_style
 
 Bytes = NDArray[np.uint8]
-INKS = np.array([[0, 114, 178], [213, 94, 0], [0, 158, 115], [170, 51, 119]])
+INKS = np.array([list(bytes.fromhex(ink[1:])) for ink in load_style("paper").inks[:4]])
 TEXT = np.array([26, 26, 26])
 
 POSITION = Panel(

@@ -31,7 +31,7 @@ def write(lesson: Film, folder: Path, *, progress: Progress | None = None) -> No
         folder,
         size=lesson.size,
         total=lesson.frames,
-        palette=fine(lesson.style),
+        palette=fine(lesson.style, len(lesson.sheet.rows)),
     )
 
 

@@ -1,8 +1,8 @@
 """A film's few colours: inks, their blends with the background, and the map from RGBA to them.
 
-In comes a style, out goes a table of at most 255 colours that is known before the first frame is
-painted, and the index of the nearest of them for every pixel.  Index 0 is left free: it stands
-for "as before".
+In come a style and how many of its inks are there, out goes a table of at most 255 colours that is
+known before the first frame is painted, and the index of the nearest of them for every pixel.
+Index 0 is left free: it stands for "as before".
 """
 
 from __future__ import annotations
@@ -70,12 +70,14 @@ class Palette:
         return nearest
 
 
-def coarse(style: str) -> Palette:
+def coarse(style: str, rows: int = 0) -> Palette:
     """Return the fewest colours that show a style: its inks and two tints of each.
+
+    ``rows`` is how many of the inks of links are there; 0 stands for all.
 
     Of the GIF's bytes, each further step between ink and background costs a twentieth.
     """
-    background, (text, hairline, *inks) = _colours(load_style(style))
+    background, (text, hairline, *inks) = _colours(load_style(style), rows)
     chosen = [background, text, hairline, *inks]
     for share in _TINTS:
         for ink in inks:  # text and rules find enough greys among theirs
@@ -85,12 +87,13 @@ def coarse(style: str) -> Palette:
     return Palette(_distinct(chosen)[:_MOST])
 
 
-def fine(style: str) -> Palette:
+def fine(style: str, rows: int = 0) -> Palette:
     """Return as many blends of a style's inks with its background as a table holds.
 
-    All but the crossings of two inks are within a few units of their true colour.
+    All but the crossings of two inks are within a few units of their true colour.  ``rows`` is how
+    many of the inks of links are there; 0 stands for all.
     """
-    background, inks = _colours(load_style(style))
+    background, inks = _colours(load_style(style), rows)
     blended: list[Colour] = []
     for ink in sorted(inks, key=lambda ink: -math.dist(ink, background)):
         if all(_distance(ink, background, other) > _BESIDE for other in blended):
@@ -105,9 +108,9 @@ def fine(style: str) -> Palette:
     return Palette(_distinct([background, *inks, *blends]))
 
 
-def _colours(style: Style) -> tuple[Colour, list[Colour]]:
+def _colours(style: Style, rows: int) -> tuple[Colour, list[Colour]]:
     """Return the background, and the inks: of text, of rules, of the frame, of the links."""
-    inks = [style.text, style.hairline, style.grey, *style.inks]
+    inks = [style.text, style.hairline, style.grey, *style.inks[: rows or None]]
     return _rgb(style.background), [_rgb(ink) for ink in inks]
 
 

@@ -41,7 +41,7 @@ def write(lesson: Film, stream: BinaryIO, *, progress: Progress | None = None) -
         stream,
         size=lesson.size,
         rate=rate(lesson.fps),
-        palette=coarse(lesson.style),
+        palette=coarse(lesson.style, len(lesson.sheet.rows)),
         shortest=_SHORTEST_OF_TURN if isinstance(lesson, Turn) else _SHORTEST,
     )
 
