@@ -69,6 +69,12 @@ def test_it_sweeps_and_compares(vad, press, tmp_path):
         (["solve", "press.toml", "--assembly", "X=left"], 2, "with two places 'X'", "B, D"),
         (["solve", "press.toml", "--crank", "900"], 1, "angle 45°: the links miss by", "angle"),
         (["check", "pres.toml"], 1, "'pres.toml': No such file or directory", None),
+        (
+            ["check", "watt-1"],
+            2,
+            "is an example, and no file yet",
+            "vad example watt-1 > watt-1.toml",
+        ),
         (["check"], 2, "check needs a mechanism's file", "vad example"),
         (["example", "watt"], 2, "unknown example 'watt'", "'watt-1' or 'watt-2'"),
     ],

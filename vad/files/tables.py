@@ -25,6 +25,10 @@ LONGEST = 100_000
 _HEADER = re.compile(r"\s*\[\s*([\w-]+)\s*\]")
 _KEY = re.compile(r"""\s*(["']?)([\w-]+)\1\s*=""")
 _PLACE = re.compile(r"(.*) \(at line (\d+), column \d+\)", re.DOTALL)
+_QUOTED = re.compile(r"""(["']).*?\1""")
+# A word, or a number with a unit, that stands for itself.
+_UNQUOTED = re.compile(r"=\s*[-+*/(.\d\s]*(?!(?:true|false|inf|nan)\b)[A-Za-z°]")
+_QUOTES = 'words, and numbers with a unit, stand in quotes: "60 mm"'
 
 
 @dataclass(frozen=True)
@@ -148,7 +152,9 @@ def parsed(text: str, name: str) -> Source:
         if place is None:
             raise InputError(f"{name}: {message[:1].lower()}{message[1:]}") from None
         said = place[1][:1].lower() + place[1][1:]
-        raise InputError(f"{name}, line {place[2]}: {said}") from None
+        bare = _QUOTED.sub("", text.splitlines()[int(place[2]) - 1])
+        hint = _QUOTES if _UNQUOTED.search(bare) else None
+        raise InputError(f"{name}, line {place[2]}: {said}", hint) from None
     return Source(name, {"": tables}, lines)
 
 

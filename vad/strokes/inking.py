@@ -33,7 +33,7 @@ class Ink:
         self.strokes.append(stroke)
 
     def bar(self, bar: Bar, kind: str, phrase: str, image: bool = False) -> None:
-        """Draw a bar of a link; one that points elsewhere than its link is named by the link's own."""
+        """Draw a bar of a link; if it points elsewhere than the link, that is named by its own."""
         letters, (tail, head) = self.scene.letters(bar), self.scene.ends(bar)
         arrow = Arrow(
             self.scene.at(tail), self.scene.at(head), tail, head, self.scene.cylinder(bar)
