@@ -71,6 +71,12 @@ def test_it_sweeps_and_compares(vad, press, tmp_path):
         (["check", "pres.toml"], 1, "'pres.toml': No such file or directory", None),
         (["check", "press"], 1, "'press': No such file or directory", "press.toml is a file"),
         (["gui", "press.toml"], 2, "the window has the program's own mechanisms", "lesson.html"),
+        (
+            ["check", "watt-1"],
+            2,
+            "is an example, and no file yet",
+            "vad example watt-1 > watt-1.toml",
+        ),
         (["check"], 2, "check needs a mechanism's file", "vad example"),
         (["example", "watt"], 2, "unknown example 'watt'", "'watt-1' or 'watt-2'"),
     ],

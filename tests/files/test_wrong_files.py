@@ -82,6 +82,10 @@ def test_the_lesson_itself_is_right():
         (CRANK, "{ BAD = 40 }", 6, "crank: needs a distance", "{ AB = 60 }"),
         (CRANK, "40", 6, "crank: must be distances", "{ AB = 60 }"),
         (CRANK, "{ AB = 4 cm }", 6, "unclosed inline table", 'in quotes: "4 cm"'),
+        (f"crank = {CRANK}", "AB = 40", 6, "AB: must be distances", "where crank is its name"),
+        (DC, "DC = 80 mm", 8, "unclosed inline table", 'in quotes: "80 mm"'),
+        (PLACE, "C = upper", 12, "invalid value", 'in quotes: "upper"'),
+        (PLACE, 'C = "upper" }', 12, "newline", None),
         (CRANK, '"AB"', 6, "crank: the pose does not say where B is", "[pose]"),
         (CRANK, "{ AA = 40 }", 6, "crank: cannot read 'AA'", None),
         (DC, "DC = 80, CD = 70", 8, "rocker: CD is DC, which is given already", None),
@@ -192,3 +196,20 @@ def test_tables_are_named_where_there_are_no_lines():
         with pytest.raises(InputError) as caught:
             vad.mechanism(**{**tables, **wrong})
         assert str(caught.value).startswith(message)
+
+
+def test_a_stephenson_chain_of_the_second_kind_is_no_dyads_wherever_it_is_driven():
+    links = {
+        "crank": {"AB": 30},
+        "coupler": {"BC": 90, "BE": 50, "CBE": 30},
+        "rocker": {"DF": 80, "DG": 60, "FDG": 40},
+        "front": {"CF": 50},
+        "back": {"EG": 60},
+    }
+    with pytest.raises(InputError, match="coupler, rocker, front, back can only be") as caught:
+        vad.mechanism(
+            fixed={"A": (0, 0), "D": (100, 0)},
+            links=links,
+            driver={"crank": {"angle": 60, "omega": 10}},
+        )
+    assert caught.value.hint == "no other driver makes it dyads"

@@ -7,6 +7,7 @@ import math
 import pytest
 
 import vad
+from vad.files.examples import example_path
 from vad.kinematics import motion
 from vad.kinematics.reach import closing_range
 
@@ -105,6 +106,24 @@ def test_a_swing_keeps_away_from_its_dead_centres(mechanism):
     turn = vad.turn(mechanism)
     for frame in range(turn.frames):
         vad.draw(vad.solve(mechanism, **turn.course.inputs(frame / turn.frames)))
+
+
+def test_a_swing_stays_on_its_side_of_a_change_point():
+    """Where the legs of a scissor lift lie on each other, it could turn over."""
+    lift = vad.load(example_path("scissor-lift"))
+    for place, sign in ((1300.0, 1.0), (-1300.0, -1.0)):
+        course = vad.turn(vad.solve(lift(), position=place)).course
+        assert all(0.0 < sign * end < 1600.0 for end in course.ends)
+        heights = [
+            sign * vad.solve(lift(), **course.inputs(x / 8)).point("M").position.imag
+            for x in range(8)
+        ]
+        assert min(heights) > 0.0
+
+
+def test_a_link_that_is_only_moved_along_is_not_what_comes_out():
+    film = vad.turn(vad.load(example_path("scissor-lift"))())
+    assert film.cycle.output == "outer_leg"
 
 
 def test_speed_panels_and_language():

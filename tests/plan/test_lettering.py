@@ -39,6 +39,15 @@ def test_a_caption_tells_the_point_a_from_the_article_and_seconds_from_the_point
     assert italics(sentence("Durch a parallel", names)) == "a"
 
 
+def test_short_words_are_no_names_but_where_one_stands_for_a_vector():
+    names, words = {"a", "t", "at", "e", "de", "m", "bm", "AT"}, Language("en").upright
+    assert italics(sentence("it stands at 60°, so at = at/AT", names, words)) == "at at AT"
+    assert italics(sentence("at is the velocity of T, at b", names, words)) == "at"
+    assert italics(sentence("bm = 2.1 m/s, 3 m from m", names, words)) == "bm m"
+    names, words = {"a", "m", "am", "im"}, Language("de").upright
+    assert italics(sentence("im Sinn von a, also im = am·2", names, words)) == "a im am"
+
+
 def test_a_vector_in_an_equation_is_no_french_word():
     names, words = {"d", "de", "C"}, Language("fr").upright
     assert italics(sentence("de C vers le bas, de = 630,4 mm/s", names, words)) == "C de"

@@ -11,10 +11,13 @@ import vad
 from tests.plan.overlaps import overlaps, planned
 from tests.plan.sheets import slider_crank
 from vad.errors import VadError
+from vad.files.examples import example_path
 from vad.mechanisms.mechanism import Mechanism
 from vad.painting.agg_painter import AggPainter
 from vad.painting.painter import Looks
 from vad.plan.items import Level
+from vad.plan.lettering.runs import plain
+from vad.plan.marks import Lettering
 from vad.strokes.sheet import Sheet
 from vad.style import load_style, style_names
 
@@ -74,6 +77,19 @@ def test_a_point_never_stands_in_two_labels():
     for sketch in planned(sheet).sketches.values():
         letters = [letter for tag in sketch.tags for letter in tag.text.split(", ")]
         assert len(set(letters)) == len(letters)
+
+
+def test_many_letters_of_one_point_stand_in_lines():
+    mechanism = vad.load(example_path("watt-2"))()
+    sheet = vad.draw(vad.solve(mechanism, angle=245.85))
+    assert overlaps(sheet) == []
+    board = planned(sheet)
+    [tag] = [tag for tag in board.sketches["acceleration"].tags if "a′" in tag.text]
+    assert tag.text == "a′, d′, g′, c″ₙ, f″ₙ"
+    marks = [mark.shape for item in board.shown(board.finished) for mark in item.marks]
+    texts = {plain(shape.runs): shape for shape in marks if isinstance(shape, Lettering)}
+    first, second = texts["a′, d′, g′"], texts["c″ₙ, f″ₙ"]
+    assert first.at.imag - second.at.imag > first.size
 
 
 @pytest.mark.parametrize("style", style_names())

@@ -216,7 +216,7 @@ def test_plates_have_their_corners_at_their_points(name: str):
     ("name", "plates"),
     [
         ("watt-1.toml", {"coupler": {*"BCE"}, "rocker": {*"DCF"}}),
-        ("jansen-leg.toml", {"upper": {*"CDE"}, "foot": {*"FGH"}}),
+        ("jansen-leg.toml", {"upper_plate": {*"CDE"}, "foot": {*"FGH"}}),
         ("toggle-press.toml", {}),
         ("beam-engine.toml", {}),  # its beam has four points in line
     ],
@@ -248,4 +248,42 @@ def test_a_title_has_eight_parameters_at_most_and_lengths_before_coordinates():
     for name in EXAMPLES:
         assert len(drawn(name)[0][1].parameters) <= 8
     names = [name for name, _, _ in drawn("jansen-leg.toml")[0][1].parameters]
-    assert names == ["crank", "j", "CD", "CE", "DE", "k", "c", "f"]
+    assert names == ["crank", "link j", "CD", "CE", "DE", "link k", "link c", "link f"]
+
+
+# --- blocks and cylinders ---------------------------------------------------------------------
+
+
+def captions(name: str, panel: str = "position") -> str:
+    return " ".join(stroke.caption for stroke in drawn(name)[0][1].panel(panel).strokes)
+
+
+def test_a_rod_through_a_fixed_block_is_found_by_a_line_not_by_its_unknown_length():
+    said = captions("trunnion.toml")
+    assert "The rod from B passes through D. Q is the point of the rod that lies under D" in said
+    assert "circle" not in said
+
+
+def test_an_arm_whose_block_lies_behind_its_pivot_is_named_by_its_own_ends():
+    motion, sheet = drawn("whitworth-ram.toml")[0]
+    assert motion.slide("block").position < 0.0
+    angle = sheet.notation.number(motion.link("arm").angle, "°")
+    assert f"The arm O4B stands at θ₄ = {angle}°." in captions("whitworth-ram.toml")
+
+
+def test_what_slides_in_a_cylinder_is_its_piston():
+    said = captions("oscillating-cylinder.toml", "velocity")
+    assert "in the cylinder the piston B can move no other way" in said
+    assert "the piston B slides upwards along the cylinder" in said
+
+
+def test_a_point_beside_a_cylinder_stands_out_from_it():
+    """There is no plate: of the cylinder's points only the pivot keeps its place."""
+    sheet = vad.draw(
+        vad.solve(kind("oscillating-cylinder.toml")(points={"W": ("cylinder", 50, 30)}))
+    )
+    strokes = sheet.panel("position").strokes
+    assert not any(isinstance(stroke.shape, Plate) for stroke in strokes)
+    assert strokes[-1].caption == "W lies on the cylinder, 50 mm from D."
+    arrow = strokes[-1].shape
+    assert isinstance(arrow, Arrow) and (arrow.tail, arrow.head) == ("D", "W")

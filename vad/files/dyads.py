@@ -152,7 +152,9 @@ def check_dyads(source: Source, description: Description) -> list[Dyad]:
     except UndividedError as error:
         others = [name for name in _other_drivers(description) if _divides(description, name)]
         names = " or ".join(f"the {name}" for name in others)
-        hint = f"driven at {names} it is dyads alone" if others else None
+        hint = (
+            f"driven at {names} it is dyads alone" if others else "no other driver makes it dyads"
+        )
         raise source.error("links", error.missing[0], str(error), hint) from None
 
 

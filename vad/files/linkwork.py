@@ -46,7 +46,9 @@ def link(numbers: Numbers, name: str, value: Any) -> Link:
         return reader.posed(value)
     if isinstance(value, Mapping) and value:
         return reader.measured(value)
-    raise reader.error(f"must be distances of its points, got {shown(value)}", "as in { AB = 60 }")
+    named = f"{{ {name} = 60 }}, where crank is its name" if letters(name) else "{ AB = 60 }"
+    hint = f"as in {'crank' if letters(name) else name} = {named}"
+    raise reader.error(f"must be distances of its points, got {shown(value)}", hint)
 
 
 class _LinkReader:

@@ -6,11 +6,18 @@ In comes one pose, out goes a `Course`: the driver's place and rates at any phas
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
+from typing import TYPE_CHECKING
 
 from vad.errors import AssemblyError
+from vad.kinematics.change_points import change_points
 from vad.kinematics.motion import Motion
 from vad.kinematics.reach import closing_range
+
+if TYPE_CHECKING:
+    from vad.mechanisms.mechanism import Mechanism
 
 #: How far a swing keeps away from the dead centre at either end, as a share of its range.
 KEPT = 0.03
@@ -101,7 +108,7 @@ def course(motion: Motion) -> Course:
     def distance(ends: tuple[float, float]) -> float:
         return min(max(ends[0] - x, x - ends[1]) for x in around)
 
-    low, high = min(ranges, key=distance)
+    low, high = min(_parted(motion.mechanism, ranges), key=distance)
     middle, half = (low + high) / 2, (0.5 - KEPT) * (high - low)
     here = min(around, key=lambda x: abs(x - middle))
     start = math.acos(min(max((here - middle) / half, -1.0), 1.0))
@@ -109,3 +116,15 @@ def course(motion: Motion) -> Course:
     # The driver passes the given place at the given rate, and so in its sense.
     speed = abs(rate) / max(math.sin(start), LEAST)
     return Course(names, given, (middle, half, -start if rate > 0 else start, speed))
+
+
+def _parted(
+    mechanism: Mechanism, ranges: Sequence[tuple[float, float]]
+) -> list[tuple[float, float]]:
+    """Return the ranges parted at change points: a swing keeps away from them as from its ends."""
+    places = [point.place for point in change_points(mechanism)]
+    parted: list[tuple[float, float]] = []
+    for low, high in ranges:
+        inside = {x for place in places for x in (place, place - 360.0) if low < x < high}
+        parted += pairwise([low, *sorted(inside), high])
+    return parted

@@ -29,6 +29,8 @@ Complexes = NDArray[np.complex128]
 SAMPLES = 720
 #: A ratio of forward to return below this is none.
 LEAST_RATIO = 1.005
+#: A link that turns no faster than this, beside the fastest, is only moved along.
+STILL = 1e-9
 _WHOLE = 359.0  # degrees: what covers as much goes round
 
 
@@ -51,7 +53,7 @@ class Cycle:
         From 0 to 1, shape (n,).
     driver, output
         The rows of the results that are driven, and that the mechanism is there for: the last
-        slide on a guide of the frame, else the last link.
+        slide on a guide of the frame, else the last link that turns.
     place
         The driver's angle or position.
     curves
@@ -108,7 +110,9 @@ def output_of(scene: Scene) -> str:
     steps = motion.frame.steps
     guided = {s.name for s in steps if isinstance(s, Slide) and scene.is_guide(s)}
     slides = [name for name in motion.slides if name in guided and name != driver]
-    links = [name for name in motion.links if name != driver]
+    rates = {name: np.nanmax(np.abs(motion.link(name).omega)) for name in motion.links}
+    turning = [name for name, rate in rates.items() if rate > STILL * max(rates.values())]
+    links = [name for name in turning if name != driver]
     return (slides or links or [driver])[-1]
 
 

@@ -88,7 +88,7 @@ class Captions:
                 self._along(step),
                 point=place,
                 line=scene.line(step),
-                slide=step.name.split("_")[0],
+                slide=scene.slider(step),
                 head=self._sliding_point(step),
                 meeting=meeting,
             )
@@ -137,7 +137,7 @@ class Captions:
         if isinstance(step, Slide):
             return self._say(
                 f"measured sliding {self._panel}",
-                slide=step.name.split("_")[0],
+                slide=scene.slider(step),
                 head=self._sliding_point(step),
                 line=scene.line(step),
                 way=self._way(part.vector),
@@ -235,7 +235,8 @@ class Captions:
     def _along(self, slide: Slide) -> str:
         """Return the phrase for the line along which a block slides."""
         if isinstance(slide.along, str):
-            return "along velocity link" if self._order == 1 else "along acceleration"
+            inside = "slot" if slide.name == slide.along else "link"
+            return f"along velocity {inside}" if self._order == 1 else "along acceleration"
         return "along velocity" if self._scene.is_guide(slide) else "along velocity slot"
 
     def _way(self, vector: complex) -> str:

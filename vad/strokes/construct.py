@@ -137,10 +137,10 @@ class _Construction:
         if end in self.found:
             return
         phrase: tuple[str, dict[str, object]] = ("found", {"letter": end})
-        arcs = 0
-        for step in (*loop.first, *loop.second):
+        arcs, steps = 0, (*loop.first, *loop.second)
+        for step in steps:
             if isinstance(step, Bar) and scalar_of(step) in unknowns:
-                blocks = [s for s in loop.first if isinstance(s, Slide) and s.name == step.length]
+                blocks = [s for s in steps if isinstance(s, Slide) and s.name == step.length]
                 if any(scalar_of(block) in unknowns for block in blocks):
                     phrase = self._lever_line(step, end, blocks[0])
                 else:
@@ -159,7 +159,7 @@ class _Construction:
             phrase = ("arcs cross", {"letter": end})
         self.ink.draw(f"{end}.found", "intersection", end, Dot(self.scene.at(end)), *phrase)
         self.found.add(end)
-        for step in (*loop.first, *loop.second):
+        for step in steps:
             if isinstance(step, Slide) and self._is_slot(step, unknowns):
                 self._under(step)
 

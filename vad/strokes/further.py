@@ -51,7 +51,10 @@ class FurtherPoints:
                 self._tip(Bar(base.tail + point, bar.link, self.scene.span(base.tail, point)))
         for point in beside:
             self._third(bar.link, point)
-        self.ink.plate(bar.link)
+        if len(self.scene.points_on(bar.link)) > 2:
+            self.ink.plate(bar.link)
+        else:  # the link has nothing else that does not slide
+            self._tip(bar)
 
     def _tip(self, bar: Bar) -> None:
         """Draw a point on the line of its link."""

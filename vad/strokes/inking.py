@@ -33,7 +33,7 @@ class Ink:
         self.strokes.append(stroke)
 
     def bar(self, bar: Bar, kind: str, phrase: str, image: bool = False) -> None:
-        """Draw a bar of a link; one that is turned against its link is named by the link's own."""
+        """Draw a bar of a link; if it points elsewhere than the link, that is named by its own."""
         letters, (tail, head) = self.scene.letters(bar), self.scene.ends(bar)
         arrow = Arrow(
             self.scene.at(tail), self.scene.at(head), tail, head, self.scene.cylinder(bar)
@@ -41,7 +41,7 @@ class Ink:
         angle = self.scene.motion.link(bar.link).angle
         driven = angle_of(bar.link) == self.scene.driver
         parts: dict[str, object] = {"link": bar.link, "bar": letters}
-        if bar.turn != 1.0:
+        if bar.turn != 1.0 or self.scene.backward(bar):
             parts["bar"] = self.scene.motion.mechanism.links[bar.link]
         parts |= {"size": self.scene.length(bar, self.scene.unit), "unit": Unit(self.scene.unit)}
         parts |= {"angle": Figure(angle, "°", driven), "symbol": self.scene.symbol("θ", bar.link)}
@@ -102,7 +102,7 @@ class Ink:
         driven = scalar_of(slide) == self.scene.driver
         symbol = self.scene.slide_symbol(slide.name)
         parts: dict[str, object] = {
-            "slide": slide.name.split("_")[0],
+            "slide": self.scene.slider(slide),
             "head": letter,
             "symbol": symbol,
             "value": Figure(self.scene.motion.slide(slide.name).position, self.scene.unit, driven),

@@ -86,6 +86,10 @@ class Scene:
         across = ((other - one).conjugate() * (third - one)).imag
         return abs(across) <= IN_LINE * abs(other - one) * abs(third - one)
 
+    def backward(self, bar: Bar) -> bool:
+        """Tell whether a bar, whose length is a slide's position, points against its link."""
+        return isinstance(bar.length, str) and self.motion.slide(bar.length).position < 0.0
+
     def against(self, bar: Bar) -> bool:
         """Tell whether a bar points against the one that its link is found by."""
         base = self.base(bar.link)
@@ -217,6 +221,10 @@ class Scene:
         guides = {step.ends for step in self.motion.frame.steps if self.is_guide(step)}
         of = self.language.say("of point", head=slide.head) if len(guides) > 1 else ""
         return noun("guide", of)
+
+    def slider(self, slide: Slide) -> str:
+        """Name what slides: in a link whose length changes, its piston."""
+        return "piston" if slide.name in self.motion.links else slide.name.split("_")[0]
 
     def is_guide(self, step: Step) -> bool:
         """Tell whether a step slides on a line of the frame."""

@@ -23,6 +23,9 @@ from vad.strokes.sheet import Arrow, Dot, Line, Panel, Plate
 
 LETTER = 0.040
 COINCIDENT = 0.012
+#: So many letters stand in one line, and lines so far apart.
+IN_LINE = 4
+LEADING = 1.15 * LETTER
 
 
 @dataclass
@@ -51,6 +54,13 @@ class Vertex:
     def label(self) -> str:
         """The letters, as they are written at last."""
         return ", ".join(self.letters)
+
+    @property
+    def rows(self) -> list[list[str]]:
+        """The letters in lines of like length: one, or more where it would be too long."""
+        letters = list(self.letters)
+        most = -(-len(letters) // -(-len(letters) // IN_LINE))
+        return [letters[first : first + most] for first in range(0, len(letters), most)]
 
 
 def corners(panel: Panel) -> list[complex]:
@@ -130,14 +140,19 @@ def label_vertices(
 
 def wish(vertex: Vertex, all_: Sequence[Vertex], radius: float, near: Sequence[float]) -> Wish:
     """Return what the label of a vertex asks for."""
-    size = ink_size(symbols(vertex.label), LETTER)
+    widths, heights = zip(*(ink_size(_set(row), LETTER) for row in vertex.rows), strict=True)
+    size = max(widths), max(heights) + (len(heights) - 1) * LEADING
     rivals = [other.at for other in all_ if other is not vertex]
     return Wish(vertex.at, outward(vertex.ways), *size, radius, near, rivals)
 
 
+def _set(letters: Sequence[str]) -> Runs:
+    return symbols(", ".join(letters))
+
+
 def _letter(sketch: Sketch, vertex: Vertex, placed: Placed) -> None:
     """Add the label of a vertex, which grows by a letter with the stroke that brings it."""
-    setting, whole = sketch.setting, symbols(vertex.label)
+    setting, rows = sketch.setting, vertex.rows
     strokes = setting.panel.strokes
     sketch.tags.append(Tag(vertex.label, placed.box))
     if placed.leader:
@@ -146,6 +161,11 @@ def _letter(sketch: Sketch, vertex: Vertex, placed: Placed) -> None:
     numbers = sorted(set(vertex.letters.values()))
     ends = [*map(setting.after, numbers[1:]), FOREVER]
     for index, until in zip(numbers, ends, strict=True):
-        known = [letter for letter, since in vertex.letters.items() if since <= index]
-        text = text_at(symbols(", ".join(known)), whole, placed.centre, LETTER, "letter")
-        sketch.add(strokes[index], Level.LABEL, setting.after(index), [text], until)
+        texts = []
+        for number, row in enumerate(rows):
+            known = [letter for letter in row if vertex.letters[letter] <= index]
+            above = 1j * LEADING * ((len(rows) - 1) / 2 - number)
+            if known:
+                text = text_at(_set(known), _set(row), placed.centre + above, LETTER, "letter")
+                texts.append(text)
+        sketch.add(strokes[index], Level.LABEL, setting.after(index), texts, until)

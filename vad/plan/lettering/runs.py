@@ -70,11 +70,11 @@ def symbols(text: str) -> Runs:
 def sentence(text: str, names: Iterable[str], words: str = "") -> Runs:
     """Return a caption, in which the ``names`` of points, vectors and quantities are italic.
 
-    Units after a stroke (mm/s) stay upright, and so do the ``words`` of a language that are also
-    names, by a pattern: "a" before a word, in English.
+    Units after a number or a stroke (m/s) stay upright, and so do the ``words`` of a language
+    that are also names, by a pattern: "a" before a word, in English.
     """
     known = set(names)
-    upright = r"(?<=/)s(?![A-Za-z])"
+    upright = r"(?<=/)s(?![A-Za-z])|(?<=[0-9⁰-⁹¹²³] )(?:mm|cm|ft|in|m)\b"
     if words:
         upright += rf"|\b(?:{words})"
     pieces: list[Run] = []

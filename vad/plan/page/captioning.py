@@ -17,7 +17,6 @@ CAPTION = 0.040
 LEAST_CAPTION = 26.0 / 720.0
 COUNT = 0.032
 COUNT_ROOM = 0.095
-UNITS = frozenset({"mm", "cm", "ft", "in", "m"})
 
 #: Turns a sentence into runs.
 Setter = Callable[[str], Runs]
@@ -44,7 +43,7 @@ def italic_names(sheet: Sheet) -> frozenset[str]:
         found |= {token for token in re.findall(r"[A-Za-z]+", row.letters) if len(token) <= 2}
         found |= {cell.symbol for cells in row.cells.values() for cell in cells}
     singles = {letter for name in found for letter in name if letter.isalpha()}
-    return frozenset(found | singles) - UNITS
+    return frozenset(found | singles)
 
 
 def setter(sheet: Sheet) -> Setter:

@@ -60,7 +60,9 @@ def add_dimension(
 
     def free(away: complex, centre: complex) -> bool:
         along = [start + away + (end - start) * step / 8 for step in range(9)]
-        return all(
+        own = Obstacles(setting.room)
+        own.line(along, PIXEL)
+        return bool(own.free([centre], *box, 0.0)[0]) and all(
             pose.free([centre], *box, PIXEL)[0] and pose.free(along, 0.0, 0.0, TICK).all()
             for pose in sampled
         )

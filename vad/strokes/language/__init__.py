@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Iterable, Mapping
 from importlib import import_module
 from typing import Any
 
@@ -16,6 +17,13 @@ _GENERIC = {"link": "link", "slide": "slider"}
 def languages() -> tuple[str, ...]:
     """Return the codes of the languages that there are."""
     return names_in("strokes", "language")
+
+
+def _short(phrases: Iterable[str]) -> str:
+    """Return the pattern of the short words of a language, where they name no vector."""
+    bare = " ".join(re.sub(r"{.*?}", "", phrase) for phrase in phrases)
+    words = "|".join(sorted(set(re.findall(r"\b[a-z]{2,3}\b", bare))))
+    return rf"(?:{words})\b(?! =|[·/′]| (?:is|ist|est)\b)"
 
 
 class Noun:
@@ -62,7 +70,7 @@ class Language:
         self._genders: dict[str, str] = table.GENDERS
         self._articles: dict[str, dict[str, str]] = table.ARTICLES
         self.point: str = table.POINT
-        self.upright: str = table.UPRIGHT
+        self.upright: str = "|".join(filter(None, (table.UPRIGHT, _short(table.PHRASES.values()))))
 
     def say(self, phrase: str, **parts: Any) -> str:
         """Fill in one phrase; the names of links and slides are translated."""

@@ -227,6 +227,9 @@ NAMES = {
     "link": "barre",
     "arm": "bras",
     "actuator": "vérin",
+    "cylinder": "vérin",
+    "piston": "piston",
+    "pin": "axe",
     "ground": "bâti",
     "slider": "coulisseau",
     "block": "coulisseau",
@@ -253,6 +256,9 @@ GENDERS = {
     "link": "f",
     "arm": "m",
     "actuator": "m",
+    "cylinder": "m",
+    "piston": "m",
+    "pin": "m",
     "slider": "m",
     "block": "m",
     "ram": "m",
@@ -270,5 +276,5 @@ ARTICLES = {
 #: Le signe décimal.
 POINT = ","
 
-#: Une lettre élidée, et « de » qui nomme aussi un vecteur, sauf dans une équation.
-UPRIGHT = r"(?:[a-z](?=’)|de(?! =))\b"
+#: Une lettre élidée.
+UPRIGHT = r"[a-z](?=’)\b"
