@@ -11,7 +11,7 @@ from playwright.sync_api import Browser, Page, expect
 from pypdf import PdfReader
 
 import vad
-from tests.browser import opened
+from tests.browser import opened, until
 from tests.page.lessons import LESSON, STROKES, at, page_of, press, scrub, show
 from vad.page.document import document
 
@@ -47,6 +47,17 @@ def test_on_a_phone_the_panel_in_hand_is_in_sight(lesson: Page) -> None:
         press(lesson, digit, "Shift+ArrowRight")
         expect(lesson.locator(".panel h2").nth(panel)).to_be_in_viewport()
     lesson.set_viewport_size({"width": 1280, "height": 720})
+
+
+def test_the_list_is_in_reach_on_a_full_screen(lesson: Page) -> None:
+    press(lesson, "f")
+    until(lesson, lambda: lesson.evaluate("() => !!document.fullscreenElement"))
+    press(lesson, "s")
+    lesson.mouse.move(600, 300)
+    lesson.mouse.wheel(0, 9999)
+    expect(lesson.locator(".steps li").last).to_be_in_viewport()
+    press(lesson, "s", "f")
+    until(lesson, lambda: lesson.evaluate("() => !document.fullscreenElement"))
 
 
 def test_without_scripts_the_sheet_and_every_caption_stand(
