@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 import vad
 from vad.lecture.lesson import Lesson
 from vad.page.document import document
+from vad.page.phrases import phrases
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
@@ -35,11 +36,24 @@ def page_of(name: str, code: str = "en", style: str = "paper", whole: bool = Fal
     return document(lesson_of(name, code, style, whole))
 
 
+#: The lesson that is played, how many strokes it has, and the first of each panel.
+LESSON = lesson_of("slider-crank")
+STROKES = len(LESSON.steps)
+FIRST = [0, 8, 15]
+WORDS = phrases("en")["player"]
+
+
 def show(page: Page, folder: Path, html: str, hash_: str = "") -> None:
     """Open a page from a file."""
     file = folder / "lesson.html"
     file.write_text(html, "utf-8")
     page.goto(file.as_uri() + hash_)
+
+
+def press(page: Page, *keys: str) -> None:
+    """Press one key after another."""
+    for key in keys:
+        page.keyboard.press(key)
 
 
 def scrub(page: Page, x: float) -> None:

@@ -74,7 +74,6 @@ export function mount(root, data, { address = true } = {}) {
   const one = (selector) => root.querySelector(selector);
   const all = (selector) => [...root.querySelectorAll(selector)];
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
-  const stacked = matchMedia("(max-width: 42rem)");
   const over = new AbortController();
   const scrub = one(".scrub"), status = one("[role=status]"), speed = one(".speed");
   const caption = one(".caption p"), count = one(".count"), dialog = one("dialog");
@@ -129,8 +128,9 @@ export function mount(root, data, { address = true } = {}) {
     if (stroke === spoken) return;
     spoken = stroke;
     const panel = panelOf(stroke), words = lesson.spoken[stroke] ?? lesson.words.begin;
-    if (panel !== lesson.panel && stacked.matches) lesson.pictures[panel].closest(".panel").scrollIntoView({ block: "nearest" });
+    const moved = panel !== lesson.panel;
     lesson.panel = panel;
+    if (moved && getComputedStyle(one(".panels")).flexDirection === "column") reveal();
     if (stroke < 0) caption.textContent = words;
     else caption.innerHTML = lesson.links[stroke].innerHTML;
     const first = lesson.first[panel], whole = (lesson.first[panel + 1] ?? strokes()) - first;
@@ -141,6 +141,10 @@ export function mount(root, data, { address = true } = {}) {
     lesson.chapters.forEach((each, i) => each.setAttribute("aria-current", i === panel));
     clearTimeout(timer);
     if (address) timer = setTimeout(write, 250);
+  }
+
+  function reveal() {
+    lesson.pictures[lesson.panel].closest(".panel").scrollIntoView({ block: "nearest" });
   }
 
   function write() {
@@ -254,6 +258,7 @@ export function mount(root, data, { address = true } = {}) {
     else if (link && !event.ctrlKey && !event.metaKey && !event.shiftKey) {
       event.preventDefault();
       seek(lesson.links.indexOf(link) + 1);
+      reveal();
     } else if (event.target.closest(".drawing") && getSelection().isCollapsed) does.forward(false);
   }
 

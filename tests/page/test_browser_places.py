@@ -1,0 +1,116 @@
+"""The page wherever it is seen: windows, phones, print, a frame, without scripts."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from html import escape
+from pathlib import Path
+
+from playwright.sync_api import Browser, Page, expect
+from pypdf import PdfReader
+
+import vad
+from tests.browser import opened, until
+from tests.page.lessons import LESSON, STROKES, at, page_of, press, scrub, show
+from vad.page.document import document
+
+
+def test_it_fits_every_window(lesson: Page) -> None:
+    over = """() => [document.documentElement.scrollWidth - innerWidth,
+      document.documentElement.scrollHeight - innerHeight]"""
+    least = """() => Math.min(...[...document.querySelectorAll('.buttons button')]
+      .filter((button) => button.offsetParent)
+      .flatMap((button) => [button.offsetWidth, button.offsetHeight]))"""
+    for width, height in (
+        (320, 600),
+        (390, 844),
+        (768, 1024),
+        (667, 375),  # a phone held across
+        (844, 390),
+        (1280, 720),
+        (1920, 1080),
+        (3840, 2160),
+    ):
+        lesson.set_viewport_size({"width": width, "height": height})
+        wide, high = lesson.evaluate(over)
+        assert wide <= 0, width
+        if width >= 1280 or height < 400:
+            assert high <= 0, width
+        assert lesson.evaluate(least) >= (40 if width >= 390 else 36)
+    lesson.set_viewport_size({"width": 1280, "height": 720})
+
+
+def test_on_a_phone_the_panel_in_hand_is_in_sight(lesson: Page) -> None:
+    lesson.set_viewport_size({"width": 390, "height": 844})
+    for digit, panel in zip("321", (2, 1, 0), strict=True):
+        press(lesson, digit, "Shift+ArrowRight")
+        expect(lesson.locator(".panel h2").nth(panel)).to_be_in_viewport()
+    lesson.set_viewport_size({"width": 1280, "height": 720})
+
+
+def test_the_list_is_in_reach_on_a_full_screen(lesson: Page) -> None:
+    press(lesson, "f")
+    until(lesson, lambda: lesson.evaluate("() => !!document.fullscreenElement"))
+    press(lesson, "s")
+    lesson.mouse.move(600, 300)
+    lesson.mouse.wheel(0, 9999)
+    expect(lesson.locator(".steps li").last).to_be_in_viewport()
+    press(lesson, "s", "f")
+    until(lesson, lambda: lesson.evaluate("() => !document.fullscreenElement"))
+
+
+def test_without_scripts_the_sheet_and_every_caption_stand(
+    browser: Browser, tmp_path: Path
+) -> None:
+    with opened(browser, java_script_enabled=False) as page:
+        show(page, tmp_path, page_of("slider-crank"))
+        expect(page.locator(".control")).to_be_hidden()
+        expect(page.locator(".steps li")).to_have_count(STROKES)
+        expect(page.locator(".steps li").last).to_be_visible()
+        texts = page.locator(".drawing text:visible").all_text_contents()
+        assert {"b", "c", "C"} <= {text.strip() for text in texts}
+        assert not [text for text in texts if "⟂" in text]
+
+
+def test_in_a_sandbox_it_plays_too(browser: Browser, tmp_path: Path) -> None:
+    inner = escape(page_of("slider-crank"))
+    frame = f'<iframe sandbox="allow-scripts" title="x" srcdoc="{inner}"></iframe>'
+    with opened(browser) as page:
+        show(page, tmp_path, f"<!doctype html><meta charset=utf-8>{frame}")
+        inside = page.frame_locator("iframe")
+        inside.locator("[data-do=last]").click()
+        expect(inside.locator(".scrub")).to_have_js_property("value", str(STROKES))
+        inside.locator("[data-do=first]").click()
+        expect(inside.locator(".scrub")).to_have_js_property("value", "0")
+        page.wait_for_timeout(300)
+
+
+def test_it_prints_as_a_handout(lesson: Page, tmp_path: Path) -> None:
+    """From any step on chalk: the finished sheet in the colours of paper, then all captions."""
+    scrub(lesson, 3)
+    press(lesson, "t")
+    lesson.pdf(path=tmp_path / "a.pdf", prefer_css_page_size=True)
+    assert at(lesson) == 3
+    lesson.emulate_media(media="print")
+    expect(lesson.locator(".vad")).to_have_css("background-color", "rgb(255, 255, 255)")
+    lesson.emulate_media(media="null")
+    press(lesson, "t")
+    first, *others = PdfReader(tmp_path / "a.pdf").pages
+    assert first.mediabox.width > first.mediabox.height
+    assert re.search("639.5.*1918", first.extract_text())
+    text = " ".join(page.extract_text() for page in others)
+    assert all(f"{number}." in text for number in range(1, 10)) and "All strokes" in text
+
+
+def test_a_title_and_a_unit_are_text(browser: Browser, tmp_path: Path) -> None:
+    evil = "</script><script>alert(1)</script><img src=x onerror=alert(2)>&amp;"
+    sheet, unit = LESSON.sheet, "<b>&'\""
+    panels = tuple(replace(panel, title=evil, unit=unit) for panel in sheet.panels)
+    with opened(browser) as page:
+        show(page, tmp_path, document(vad.animate(replace(sheet, title=evil, panels=panels))))
+        press(page, "End")
+        expect(page.locator("h1")).to_have_text(evil)
+        expect(page.locator(".panel h2").first).to_have_text(evil)
+        expect(page.locator(".scale").first).to_contain_text(unit)
+        assert page.locator("img, .board b:not(button b)").count() == 0
