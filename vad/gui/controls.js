@@ -54,6 +54,7 @@ function row({ name, label, unit, low, high, step: by }) {
   slider.addEventListener("input", () => { put(name, +slider.value); changed(); });
   box.addEventListener("change", () => {
     const plain = box.value.trim();
+    if (plain === written(group(name)[name])) return;
     put(name, plain === "" ? null : Number.isFinite(+plain) ? +plain : plain, true);
     changed();
   });

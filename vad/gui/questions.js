@@ -39,6 +39,7 @@ async function pump() {
 
 function take(kind, asked, answer) {
   if (answer.ranges) [ranges, grip] = [answer.ranges, answer.handle];
+  if (answer.error && shown !== set.mechanism) clear();
   if (answer.panels) (kind === "pose" ? move : play)(answer);
   complain(answer.error);
   if (kind === "lesson") {

@@ -25,17 +25,28 @@ function cell(html) {
   return row.firstElementChild;
 }
 
+// Nothing is left of another mechanism.
+function clear() {
+  const title = element("h1", {});
+  title.textContent = entry().title;
+  find("header").replaceChildren(title);
+  for (const place of [".panels", ".results", ".chapters", ".lists"]) find(place).replaceChildren();
+  find(".control").hidden = true;
+  [names, grip, shown] = [[], null, set.mechanism];
+}
+
 function play({ head, panels, table, chapters, steps, data, looks, scales: fresh }) {
   const playing = retry === "play";
   rules(looks);
   const before = scales;
-  names = data.panels.map(([name]) => name);
+  [names, shown] = [data.panels.map(([name]) => name), set.mechanism];
   find("header").innerHTML = head;
   find(".panels").innerHTML = panels;
   find(".results").innerHTML = table;
   find(".chapters").innerHTML = chapters;
   find(".lists").innerHTML = steps;
   const at = playing ? 0 : step ?? data.times.length;
+  find(".control").hidden = false;
   if (player) player.load(data, at);
   else player = mount(root, { ...data, start: at }, { address: false });
   names.forEach((name) => glide(name, before[name], fresh[name]));
@@ -53,7 +64,8 @@ function rules(looks) {
 // A polygon whose scale has changed comes from the size that it had.
 function glide(name, old, fresh) {
   if (!old || !fresh || String(old) === String(fresh) || matchMedia("(prefers-reduced-motion: reduce)").matches) return;
-  const unit = 720, place = ([x, y]) => [x * unit, (1 - y) * unit], factor = old[2] / fresh[2];
+  const unit = 720, most = 3, place = ([x, y]) => [x * unit, (1 - y) * unit], factor = old[2] / fresh[2];
+  if (factor > most || factor < 1 / most) return; // it would flash across the page
   const [from, to] = [place(old), place(fresh)], shift = [0, 1].map((i) => from[i] - factor * to[i]);
   const groups = find(".panels").children[names.indexOf(name)]?.querySelectorAll("svg > g") ?? [];
   const transform = [`matrix(${factor}, 0, 0, ${factor}, ${shift[0]}, ${shift[1]})`, "none"];
