@@ -242,7 +242,8 @@ def test_pictures_have_a_largest_size(client: TestClient, size):
 
 def test_files_open(client: TestClient):
     def saved(extension: str, **more: object) -> bytes:
-        question = {"mechanism": "slider-crank", "size": [320, 240], "fps": 5, "speed": 8, **more}
+        question = {"mechanism": "slider-crank", "size": [320, 240], "fps": 5, "speed": 4}
+        question |= {"panels": ["velocity"], **more}
         answer = client.post(f"/api/export/{extension}", json=question)
         named = f'attachment; filename="slider-crank.{extension}"'
         assert answer.headers["content-disposition"] == named

@@ -22,7 +22,7 @@ from vad.strokes.language import languages
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
-START = ExportQuestion("slider-crank", size=(320, 240), fps=5)
+START = ExportQuestion("slider-crank", size=(320, 240), fps=2)
 
 
 @pytest.fixture(scope="module")

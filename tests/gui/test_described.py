@@ -41,7 +41,8 @@ def path(tmp_path_factory) -> Path:
 @pytest.fixture(scope="module")
 def start(path: Path) -> ExportQuestion:
     points = {"P": ("coupler", 60, 20)}
-    return ExportQuestion.of(vad.load(path)(crank=80, points=points), {"angle": 50.0})
+    mechanism = vad.load(path)(crank=80, points=points)
+    return ExportQuestion.of(mechanism, {"angle": 50.0}, panels=("position",))
 
 
 @pytest.fixture

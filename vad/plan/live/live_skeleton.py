@@ -37,7 +37,7 @@ from vad.strokes.sheet import Arc, Arrow, Block, Panel
 
 _TURNS = range(0, 360, 30)
 _CLEAR = 0.010  # about the arrow
-GRIP = 0.017  # radius of the handle's ring
+GRIP = 0.024  # radius of the handle's ring, in a window of usual size
 #: The value of the angle may be farther off than a letter: its arc and the arrow are in its way.
 _FAR = (*NEAR, 0.050, 0.070, 0.090)
 
