@@ -81,7 +81,7 @@ def widget(
     Parameters
     ----------
     mechanism
-        One of the program's own, as it moves usually, or one pose of `vad.solve`.
+        A mechanism, as it moves usually, or one pose of `vad.solve`.
     panels, style, language
         As for `vad.draw` and `vad.animate`.
 

@@ -70,7 +70,6 @@ def test_it_sweeps_and_compares(vad, press, tmp_path):
         (["solve", "press.toml", "--crank", "900"], 1, "angle 45°: the links miss by", "angle"),
         (["check", "pres.toml"], 1, "'pres.toml': No such file or directory", None),
         (["check", "press"], 1, "'press': No such file or directory", "press.toml is a file"),
-        (["gui", "press.toml"], 2, "the window has the program's own mechanisms", "lesson.html"),
         (
             ["check", "watt-1"],
             2,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import re
 from collections.abc import Callable
 from dataclasses import fields
 from html.parser import HTMLParser
@@ -241,7 +242,8 @@ def test_pictures_have_a_largest_size(client: TestClient, size):
 
 def test_files_open(client: TestClient):
     def saved(extension: str, **more: object) -> bytes:
-        question = {"mechanism": "slider-crank", "size": [320, 240], "fps": 5, "speed": 8, **more}
+        question = {"mechanism": "slider-crank", "size": [320, 240], "fps": 5, "speed": 4}
+        question |= {"panels": ["velocity"], **more}
         answer = client.post(f"/api/export/{extension}", json=question)
         named = f'attachment; filename="slider-crank.{extension}"'
         assert answer.headers["content-disposition"] == named
@@ -260,3 +262,20 @@ def test_files_open(client: TestClient):
         "/api/export/png", json={"mechanism": "four-bar", "parameters": {"crank": 1e3}}
     )
     assert wrong.json()["error"]["kind"] == "assembly"
+
+
+@pytest.mark.parametrize(
+    ("name", "parameters"),
+    [("gate-actuator", {}), ("double-slider", {}), ("four-bar", {"crank": 130}), *RAMS.items()],
+)
+def test_the_mechanism_stays_in_its_panel_to_the_ends_of_its_reach(ask: Ask, name, parameters):
+    answer = ask("pose", name, parameters=parameters)
+    driven = next(iter(MECHANISMS[name].inputs))
+    left, top, wide, high = map(
+        float, re.search('viewBox="([^"]+)"', answer["panels"][0][2])[1].split()
+    )
+    for low, last in answer["ranges"]:
+        for share in (0.002, 0.01, 0.5, 0.99, 0.998):
+            place = {driven: low + share * (last - low)}
+            x, y = ask("pose", name, parameters=parameters, inputs=place)["handle"]["at"]
+            assert left < x < left + wide and top < y < top + high

@@ -22,7 +22,7 @@ from vad.strokes.language import languages
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
-START = ExportQuestion("slider-crank", size=(320, 240), fps=5)
+START = ExportQuestion("slider-crank", size=(320, 240), fps=2)
 
 
 @pytest.fixture(scope="module")
@@ -246,6 +246,18 @@ def test_a_dead_centre_says_what_has_no_rates(window: Page):
     assert middle(window)[0] > pivot(window, "double-slider")[0] + 100
     load(window, "double-slider")
     assert window.locator(".stale").count() == 0
+
+
+def test_what_cannot_be_shown_leaves_nothing_of_another_mechanism(window: Page):
+    load(window, "gate-actuator", position=4.5)
+    assert window.locator("#field-ground").input_value() == "0.6864197"
+    window.evaluate("location.hash = 'm=double-slider&position=1000'")
+    until(window, lambda: "dead centre" in window.locator(".message").inner_text())
+    assert window.locator("header h1").inner_text() == "Double slider"
+    assert window.locator(".panel, .results table").count() == 0
+    load(window, "double-slider")
+    assert window.locator(".panel").count() == 3
+    assert window.locator(".control").is_visible()
 
 
 def test_draw_it_plays_the_lecture(window: Page):

@@ -33,6 +33,17 @@ def place_of(value: object) -> Place | None:
     return None
 
 
+def opposite(word: str) -> str:
+    """Return the word for the other place.
+
+    Examples
+    --------
+    >>> opposite("upper")
+    'lower'
+    """
+    return next(each for each in WORDS if WORDS[each] == -WORDS[word])
+
+
 def words_for(place: complex, other: complex) -> list[str]:
     """Return the words that tell a place from another, the clearest first.
 

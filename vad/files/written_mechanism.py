@@ -9,6 +9,7 @@ import copyreg
 import keyword
 import re
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, make_dataclass
 from functools import lru_cache
 from typing import Any, ClassVar
@@ -19,7 +20,7 @@ from vad.files.description import Description, Parameter, Values
 from vad.files.dyads import Dyad, check_dyads
 from vad.files.linking import linkage_of, names_under
 from vad.files.mobility import Mobility, check_mobility
-from vad.files.places import HINT, Place, place_of
+from vad.files.places import HINT, PARALLEL, WORDS, Place, opposite, place_of
 from vad.files.reading import describe
 from vad.files.shape import check_numbers
 from vad.files.tables import Source
@@ -58,6 +59,23 @@ class Written:
     def choices(self) -> list[str]:
         """The points that can be at two places."""
         return [point for dyad in self.dyads if dyad.reversible for point in dyad.points]
+
+    @property
+    def words(self) -> dict[str, list[str]]:
+        """The words for the places of each point that has two, its own first."""
+        found = {}
+        for point, word in self.assembly({}).words.items():
+            one = self._word(point) if word == PARALLEL else word
+            found[point] = list(dict.fromkeys([word, one, opposite(one)]))
+        return found
+
+    def _word(self, point: str) -> str:
+        """Return a word that tells the places of a point apart: those of no parallelogram."""
+        for word in WORDS:
+            with suppress(UnplacedError):
+                self.assembly({point: word})
+                return word
+        raise UnplacedError(point, f"{point}: has no two places")
 
     def assembly(self, given: Mapping[str, Place]) -> Assembly:
         """Return the sides for places that are given in place of the file's own."""

@@ -10,6 +10,7 @@ import json
 from collections.abc import Awaitable, Callable
 from dataclasses import replace
 from typing import Any
+from urllib.parse import quote
 
 import anyio.to_thread
 from anyio import CapacityLimiter, WouldBlock
@@ -56,7 +57,7 @@ def application(key: Key, start: ExportQuestion, closing: Closing) -> ASGIApp:
 
     def answer(kind: type[Question], work: Callable[[Any], dict[str, Any]]) -> Endpoint:
         async def asked(request: Request) -> Response:
-            question = read(kind, await _json(request))
+            question = read(kind, await _json(request), start.kinds)
             found = await anyio.to_thread.run_sync(_told, work, question, limiter=thinking)
             return _reply(found)
 
@@ -66,7 +67,7 @@ def application(key: Key, start: ExportQuestion, closing: Closing) -> ASGIApp:
         extension = request.path_params["extension"]
         if extension not in MEDIA:
             raise RefusalError(404, "there is no such format")
-        question = read(ExportQuestion, await _json(request))
+        question = read(ExportQuestion, await _json(request), start.kinds)
         try:
             filming.acquire_on_behalf_of_nowait(request)
         except WouldBlock:
@@ -78,7 +79,7 @@ def application(key: Key, start: ExportQuestion, closing: Closing) -> ASGIApp:
             return _reply({"error": problem(error, question.fields)})
         finally:
             filming.release_on_behalf_of(request)
-        headers = {"content-disposition": f'attachment; filename="{name}"'}
+        headers = {"content-disposition": _attached(name)}
         return Response(data, media_type=MEDIA[extension], headers=headers)
 
     routes = [
@@ -116,6 +117,16 @@ def _explained(endpoint: Endpoint) -> Endpoint:
             return _reply({"error": problem(error)}, 422)
 
     return asked
+
+
+def _attached(name: str) -> str:
+    """Return what tells a browser to save a file under its name, which may have any letters."""
+    plain = quote(name)
+    return (
+        f'attachment; filename="{name}"'
+        if plain == name
+        else f"attachment; filename*=UTF-8''{plain}"
+    )
 
 
 async def _json(request: Request) -> object:

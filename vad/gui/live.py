@@ -5,6 +5,7 @@ What is the same in all poses of a mechanism is kept for the few that were asked
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
@@ -40,6 +41,9 @@ LINES = 1
 POSITION = "position"
 #: Poses at which is looked what the mechanism needs room for.
 _POSES = 12
+#: How near to the ends of the reach they get.  They lie closer there, where links turn fastest.
+_END = 0.05
+_TURN = (0.0, 360.0)
 
 
 def pose(question: PoseQuestion) -> dict[str, Any]:
@@ -118,8 +122,12 @@ def _over(mechanism: Mechanism) -> Iterable[Motion]:
     """Yield poses over all that the driver reaches."""
     driven, ranges = next(iter(mechanism.inputs)), reach(mechanism)
     for low, high in ranges:
-        for place in np.linspace(low, high, _POSES // len(ranges) + 2)[1:-1]:
-            yield vad.solve(mechanism, **{driven: float(place)})
+        count = max(2, _POSES // len(ranges))
+        shares = 0.5 - 0.5 * np.cos(np.linspace(_END, math.pi - _END, count))
+        if ranges == [_TURN]:
+            shares = np.linspace(0.0, 1.0, count, endpoint=False)
+        for share in shares:
+            yield vad.solve(mechanism, **{driven: low + float(share) * (high - low)})
 
 
 @lru_cache(maxsize=64)

@@ -14,8 +14,10 @@ from typing import Any, Self, TypeVar
 
 from vad import units
 from vad.errors import InputError, UsageError, one_of, shown, unknown
+from vad.files.examples import EXTENSION
 from vad.lecture.timeline import check_size
 from vad.mechanisms import MECHANISMS, Mechanism
+from vad.mechanisms.mechanism import NUMBERS
 
 #: The largest picture and the most frames a second that the page saves.
 LARGEST, MOST_FPS = (3840, 2160), 60.0
@@ -23,6 +25,8 @@ LARGEST, MOST_FPS = (3840, 2160), 60.0
 Asked = TypeVar("Asked", bound="Question")
 #: A number in the scene's unit, or a text that has a unit of its own: "6 cm".
 Value = float | str
+#: The mechanisms that may be asked for, by name.
+Kinds = Mapping[str, type[Mechanism]]
 #: The scale of each panel: x and y of its origin on the page, and its factor.
 Scales = Mapping[str, tuple[float, float, float]]
 
@@ -38,7 +42,9 @@ class Question:
     parameters, inputs
         Numbers, or texts with a unit; what is left out has its default.
     assembly
-        Which way it is assembled; None for the default.
+        Which way it is assembled, or the places of points; None for the default.
+    points
+        Further points on links, as a mechanism has them.
     length_unit
         The unit that labels lengths; None for the mechanism's own.
     panels
@@ -47,42 +53,46 @@ class Question:
         The language of all words.
     style
         How it looks.
+    kinds
+        The mechanisms that there are.  The browser does not say that.
     """
 
     mechanism: str
     parameters: Mapping[str, Value] = field(default_factory=dict)
     inputs: Mapping[str, Value] = field(default_factory=dict)
     assembly: Any = None
+    points: Mapping[str, Any] = field(default_factory=dict)
     length_unit: str | None = None
     panels: tuple[str, ...] = ()
     language: str = "en"
     style: str = "paper"
+    kinds: Kinds = field(default_factory=lambda: MECHANISMS, repr=False)
 
     @classmethod
     def of(cls, mechanism: Mechanism, inputs: Mapping[str, Value], **options: Any) -> Self:
         """Return the question of a mechanism; an input that is left out has its default.
 
-        Raises
-        ------
-        vad.errors.UsageError
-            For a mechanism that is none of the program's own.
+        One that a file describes is asked for by the name of the file, and may be asked for beside
+        the program's own.
         """
-        if mechanism.name not in MECHANISMS:
-            message = f"{shown(mechanism.title)}: the window has the program's own mechanisms alone"
-            raise UsageError(message, "animate it as a page: lesson.html")
+        kind, name = type(mechanism), mechanism.name
+        if MECHANISMS.get(name) is not kind:
+            name += EXTENSION
         return cls(
-            mechanism.name,
+            name,
             mechanism.parameters(),
             {**mechanism.inputs, **inputs},
             mechanism.assembly,
+            {point: tuple(place) for point, place in mechanism.points.items()},
             mechanism.length_unit,
+            kinds={**MECHANISMS, name: kind},
             **options,
         )
 
     @property
     def fields(self) -> tuple[str, ...]:
         """The names of the mechanism's parameters and inputs; none of a mechanism that is not."""
-        kind = MECHANISMS.get(self.mechanism)
+        kind = self.kinds.get(self.mechanism)
         return (*(each.name for each in dataclasses.fields(kind)), *kind.inputs) if kind else ()
 
     def build(self) -> tuple[Mechanism, dict[str, float]]:
@@ -93,17 +103,17 @@ class Question:
         vad.errors.VadError
             For a value that cannot be; the message begins with its name.
         """
-        kind = MECHANISMS[one_of("mechanism", self.mechanism, MECHANISMS)]
+        kind = self.kinds[one_of("mechanism", self.mechanism, self.kinds)]
         known = {each.name: each for each in dataclasses.fields(kind)}
         unit = str(known["length_unit"].default)
         if self.length_unit is not None:
             unit = units.check_length_unit(self.length_unit)
         quantities = {name: each.metadata["quantity"] for name, each in known.items()}
-        numbers = {name: each for name, each in quantities.items() if each in ("length", "angle")}
+        numbers = {name: each for name, each in quantities.items() if each in NUMBERS}
         given: dict[str, Any] = _numbers("parameter", self.parameters, numbers, unit)
         if self.assembly is not None:
             given["assembly"] = self.assembly
-        mechanism = kind(**given, length_unit=unit)
+        mechanism = kind(**given, points=self.points, length_unit=unit)
         return mechanism, _numbers("input", self.inputs, {name: name for name in kind.inputs}, unit)
 
 
@@ -139,8 +149,8 @@ class ExportQuestion(Question):
     speed: float = 1.0
 
 
-def read(kind: type[Asked], data: object) -> Asked:
-    """Return the question that JSON data ask.
+def read(kind: type[Asked], data: object, kinds: Kinds = MECHANISMS) -> Asked:
+    """Return the question that JSON data ask of the mechanisms in ``kinds``.
 
     Raises
     ------
@@ -149,13 +159,13 @@ def read(kind: type[Asked], data: object) -> Asked:
     """
     if not isinstance(data, dict):
         raise UsageError(f"the question must be an object, got {shown(data)}")
-    known = {each.name for each in dataclasses.fields(kind)}
+    known = {each.name for each in dataclasses.fields(kind)} & set(_CHECKS)
     for name in data:
         if name not in known:
             raise unknown("field", name, sorted(known))
     if "mechanism" not in data:
         raise UsageError("mechanism: is missing", hint="vad list names them all")
-    return kind(**{name: _CHECKS[name](name, value) for name, value in data.items()})
+    return kind(**{name: _CHECKS[name](name, value) for name, value in data.items()}, kinds=kinds)
 
 
 def _numbers(
@@ -251,6 +261,7 @@ _CHECKS = {
     "parameters": _values,
     "inputs": _values,
     "assembly": lambda name, value: value,
+    "points": _object,
     "length_unit": _optional_text,
     "panels": _texts,
     "language": _text,

@@ -40,7 +40,7 @@ def saved(question: ExportQuestion, extension: str, closing: Closing) -> tuple[b
     mechanism, inputs = question.build()
     panels = question.panels or None
     sheet = vad.draw(vad.solve(mechanism, **inputs), panels, question.language)
-    name = f"{question.mechanism}.{extension}"
+    name = f"{mechanism.name}.{extension}"
 
     def heed(_done: int, _total: int) -> None:
         if closing.is_set():

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from functools import cache
+from collections.abc import Mapping, Sequence
 from typing import Any
 
+from vad.files.written_mechanism import WrittenMechanism
 from vad.kinematics.reach import closing_range
-from vad.mechanisms import MECHANISMS, Mechanism
+from vad.mechanisms import Mechanism
+from vad.mechanisms.mechanism import NUMBERS
 from vad.page.phrases import phrases
 from vad.strokes.language import Language
 from vad.units import scene_unit
@@ -17,12 +19,7 @@ _TURN, _HALF = (0.0, 360.0), (-180.0, 180.0)
 _LONGEST, _SHORTEST = 3.0, 0.05  # of a default length, at the ends of its slider
 _FASTEST = 3.0  # of a default rate
 _STEPS = 50  # of a default, at most
-
-
-@cache
-def catalogue(language: str) -> dict[str, dict[str, Any]]:
-    """Return what can be set of each mechanism, by its name."""
-    return {name: entry(kind, language) for name, kind in MECHANISMS.items()}
+_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")  # as in O₂
 
 
 def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
@@ -31,18 +28,21 @@ def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
     Returns
     -------
     dict
-        ``title``; ``unit`` of lengths; ``parameters`` and ``inputs`` with name, label, unit,
-        default (null where there is none), the ends of the slider and its step; ``assemblies``
-        with name and label, the first of them the default.
+        ``title``; ``name`` of its files; ``unit`` of lengths; ``parameters`` and ``inputs`` with
+        name, label, unit, default (null where there is none), the ends of the slider and its step;
+        ``assemblies``, for each point that is placed (or for "", where there is one choice for the
+        mechanism) its label and the choices, each with name and label, the first of them the
+        default.
     """
     say, known = Language(language), {each.name: each for each in dataclasses.fields(kind)}
     unit = str(known["length_unit"].default)
-    numbers = [each for each in known.values() if each.metadata["quantity"] in ("length", "angle")]
+    numbers = [each for each in known.values() if each.metadata["quantity"] in NUMBERS]
     lengths: list[Any] = [e.default for e in numbers if e.metadata["quantity"] == "length"]
     longest = max((abs(float(each)) for each in lengths if each), default=1.0)
     texts = phrases(language)["window"]
     return {
         "title": say.name(kind.title),
+        "name": kind.name,
         "unit": unit,
         "parameters": [
             _box(each.name, say.name(each.name), each.metadata["quantity"], unit, each.default)
@@ -54,9 +54,18 @@ def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
             for name, value in kind.inputs.items()
         ],
         "assemblies": [
-            [name, texts.get(name, name)] for name in known["assembly"].metadata["choices"]
+            [point, point.translate(_LOWERED), [[name, texts.get(name, name)] for name in names]]
+            for point, names in _choices(kind).items()
         ],
     }
+
+
+def _choices(kind: type[Mechanism]) -> Mapping[str, Sequence[str]]:
+    """Return the ways of assembly by point; "" where they are those of the whole mechanism."""
+    if issubclass(kind, WrittenMechanism):
+        return kind.written.words
+    field = next(each for each in dataclasses.fields(kind) if each.name == "assembly")
+    return {"": field.metadata["choices"]}
 
 
 def _box(name: str, label: str, quantity: str, unit: str, default: Any) -> dict[str, Any]:
@@ -86,7 +95,7 @@ def _travel(kind: type[Mechanism], name: str) -> dict[str, float]:
         ranges = closing_range(kind())
         low, high = min(low for low, _ in ranges), max(high for _, high in ranges)
         return _ends(low, high, _step(max(-low, high)) / 10.0)
-    usual = abs(kind.inputs[name]) or (kind.inputs[speed] ** 2 if name != speed else 1.0)
+    usual = abs(kind.inputs[name]) or (kind.inputs[speed] ** 2 if name != speed else 0.0) or 1.0
     return _ends(-_FASTEST * usual, _FASTEST * usual, _step(usual))
 
 

@@ -18,10 +18,11 @@ import traitlets
 from vad.errors import VadError, one_of
 from vad.gui.fair import lesson
 from vad.gui.live import pose
-from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion, Question, read
+from vad.gui.messages import ExportQuestion, Kinds, LessonQuestion, PoseQuestion, Question, read
 from vad.gui.problems import problem
 from vad.gui.saving import MEDIA, saved
 from vad.gui.window import window
+from vad.mechanisms import MECHANISMS
 
 #: A frame has neither an address to keep nor one to load in another language.
 _HIDDEN = "<style>[data-what=link],.side{display:none}</style>\n"
@@ -42,19 +43,20 @@ class Window(anywidget.AnyWidget):
         script = (files(__package__) / "channel.js").read_text("utf-8")
         head = f"{_HIDDEN}<script>{script}</script>\n"
         super().__init__(page=window(start, "", head), title=f"vad: {start.mechanism}")
+        self._kinds = start.kinds
         self.on_msg(self._answer)
 
     def _answer(self, _: object, asked: dict[str, Any], __: object) -> None:
-        data, media, name = answer(asked["path"], asked["body"])
+        data, media, name = answer(asked["path"], asked["body"], self._kinds)
         self.send({"id": asked["id"], "media": media, "name": name}, [data])
 
 
-def answer(path: str, body: object) -> tuple[bytes, str, str]:
+def answer(path: str, body: object, kinds: Kinds = MECHANISMS) -> tuple[bytes, str, str]:
     """Return what the server answers to the same question: bytes, their type, a file's name."""
     kind, work = _WORK.get(path, (ExportQuestion, None))
     fields: tuple[str, ...] = ()
     try:
-        question: Any = read(kind, body)
+        question: Any = read(kind, body, kinds)
         fields = question.fields
         if work is None:
             extension = one_of("format", path.removeprefix("export/"), MEDIA)

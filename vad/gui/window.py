@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import string
 from collections.abc import Mapping
-from dataclasses import asdict
 from functools import cache
 from html import escape
 from importlib.resources import files
@@ -13,8 +12,7 @@ from string import Template
 
 from vad.gui.messages import ExportQuestion
 from vad.gui.saving import MEDIA
-from vad.gui.settable import catalogue
-from vad.mechanisms import MECHANISMS
+from vad.gui.settable import entry
 from vad.page.document import asset, colours, player
 from vad.page.phrases import phrases
 from vad.page.themed import themes
@@ -24,6 +22,16 @@ from vad.strokes.draw import chosen
 from vad.strokes.language import Language, languages
 from vad.style import load_style
 
+#: The parts of its script, in order.
+SCRIPTS = (
+    "window.js",
+    "controls.js",
+    "questions.js",
+    "stage.js",
+    "hand.js",
+    "address.js",
+    "buttons.js",
+)
 #: What may be written of mechanisms that are yet to be set.
 _LETTERS = string.digits + string.ascii_letters + string.punctuation + " \u00a0"
 _SIGNS = "ÄÖÜäöüßÀÉàâçéèêëîïôùûœ’«»−×·°′″⟂∥²³→…–₀₁₂₃₄₅₆₇₈₉αβγδθλμπρφψωΔΩ"
@@ -43,7 +51,9 @@ def window(start: ExportQuestion, nonce: str, head: str = "") -> str:
     texts, own = phrases(code)["window"], phrases(code)["player"]
     inks = len(load_style(start.style).inks)
     titles = [say.name(DIAGRAMS[name].title) for name in chosen(start.panels or None)]
-    data = {"start": asdict(start), "catalogue": catalogue(code), "words": texts}
+    opening = {name: value for name, value in vars(start).items() if name != "kinds"}
+    entries = {name: entry(kind, code) for name, kind in start.kinds.items()}
+    data = {"start": opening, "catalogue": entries, "words": texts}
     return Template(_file("window.html")).substitute(
         {name: escape(text) for name, text in texts.items()},
         lang=code,
@@ -54,11 +64,11 @@ def window(start: ExportQuestion, nonce: str, head: str = "") -> str:
         rules=_faces() + asset("player.css") + _file("window.css") + colours(start.style, inks),
         player=player(code, titles),
         strokes=escape(own["strokes"]),
-        mechanisms=_options({name: say.name(kind.title) for name, kind in MECHANISMS.items()}),
+        mechanisms=_options({name: each["title"] for name, each in entries.items()}),
         languages=_options({each: each.upper() for each in languages()}),
         formats="".join(_button(extension) for extension in MEDIA),
         data=json.dumps(data, ensure_ascii=False).replace("<", "\\u003c"),
-        script=asset("player.js") + _file("window.js"),
+        script=asset("player.js") + "".join(map(_file, SCRIPTS)),
     )
 
 

@@ -37,7 +37,9 @@ from vad.strokes.sheet import Arc, Arrow, Block, Panel
 
 _TURNS = range(0, 360, 30)
 _CLEAR = 0.010  # about the arrow
-GRIP = 0.027  # radius of the handle
+GRIP = 0.024  # radius of the handle's ring, in a window of usual size
+#: The value of the angle may be farther off than a letter: its arc and the arrow are in its way.
+_FAR = (*NEAR, 0.050, 0.070, 0.090)
 
 
 class LiveSkeleton:
@@ -124,7 +126,7 @@ def _add_angle(sketch: Sketch, index: int, shape: Arc, labels: KeptLabels) -> No
         sketch.add(stroke, Level.CONSTRUCTION, 0, [Mark(arc, "angle")])
     runs, way = roman(stroke.label), cmath.rect(1.0, math.radians(arc.start + 0.5 * arc.sweep))
     at = arc.centre + arc.radius * way
-    labels.add("angle", runs, SIZE, Wish(at, way, *ink_size(runs, SIZE), near=NEAR), "value")
+    labels.add("angle", runs, SIZE, Wish(at, way, *ink_size(runs, SIZE), near=_FAR), "value")
 
 
 def _angles(panel: Panel) -> list[tuple[int, Arc]]:

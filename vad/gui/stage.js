@@ -1,0 +1,94 @@
+// What is shown: poses while something moves, lessons when it rests, and what went wrong.
+
+const GLIDE = 150;
+
+function move({ panels, rows, looks, scales: fresh, ways: sides }) {
+  rules(looks);
+  const sections = find(".panels").children, lines = find(".results tbody")?.children ?? [];
+  names.forEach((name, i) => sections[i].classList.toggle("stale", !panels.some(([each]) => each === name)));
+  for (const [name, scale, drawing] of panels) {
+    const section = sections[names.indexOf(name)];
+    if (!section) continue;
+    section.querySelector(".scale")?.remove();
+    section.querySelector(".top").insertAdjacentHTML("beforeend", scale);
+    section.querySelector(".drawing").outerHTML = drawing;
+    glide(name, scales[name], fresh[name]);
+  }
+  if (panels.length === names.length && lines.length === rows.length)
+    rows.forEach((cells, i) => lines[i].replaceChildren(lines[i].firstElementChild, ...cells.map(cell)));
+  [scales, ways] = [{ ...scales, ...fresh }, { ...ways, ...sides }];
+}
+
+function cell(html) {
+  const row = document.createElement("tr");
+  row.innerHTML = html;
+  return row.firstElementChild;
+}
+
+// Nothing is left of another mechanism.
+function clear() {
+  const title = element("h1", {});
+  title.textContent = entry().title;
+  find("header").replaceChildren(title);
+  for (const place of [".panels", ".results", ".chapters", ".lists"]) find(place).replaceChildren();
+  find(".control").hidden = true;
+  [names, grip, shown] = [[], null, set.mechanism];
+}
+
+function play({ head, panels, table, chapters, steps, data, looks, scales: fresh }) {
+  const playing = retry === "play";
+  rules(looks);
+  const before = scales;
+  [names, shown] = [data.panels.map(([name]) => name), set.mechanism];
+  find("header").innerHTML = head;
+  find(".panels").innerHTML = panels;
+  find(".results").innerHTML = table;
+  find(".chapters").innerHTML = chapters;
+  find(".lists").innerHTML = steps;
+  const at = playing ? 0 : step ?? data.times.length;
+  find(".control").hidden = false;
+  if (player) player.load(data, at);
+  else player = mount(root, { ...data, start: at }, { address: false });
+  names.forEach((name) => glide(name, before[name], fresh[name]));
+  [scales, retry] = [fresh, null];
+  if (playing) player.play();
+}
+
+const known = new Set();
+function rules(looks) {
+  const fresh = looks.split("\n").filter((rule) => rule && !known.has(rule));
+  fresh.forEach((rule) => known.add(rule));
+  if (fresh.length) document.getElementById("looks").append(`${fresh.join("\n")}\n`);
+}
+
+// A polygon whose scale has changed comes from the size that it had.
+function glide(name, old, fresh) {
+  if (!old || !fresh || String(old) === String(fresh) || matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+  const unit = 720, most = 3, place = ([x, y]) => [x * unit, (1 - y) * unit], factor = old[2] / fresh[2];
+  if (factor > most || factor < 1 / most) return; // it would flash across the page
+  const [from, to] = [place(old), place(fresh)], shift = [0, 1].map((i) => from[i] - factor * to[i]);
+  const groups = find(".panels").children[names.indexOf(name)]?.querySelectorAll("svg > g") ?? [];
+  const transform = [`matrix(${factor}, 0, 0, ${factor}, ${shift[0]}, ${shift[1]})`, "none"];
+  for (const each of groups) each.animate({ transform }, { duration: GLIDE, easing: "ease-out" });
+}
+
+function complain(error) {
+  broken = Boolean(error);
+  root.classList.toggle("stale", broken && error.kind !== "dead-centre");
+  find(".results").classList.toggle("stale", error?.kind === "dead-centre");
+  message.classList.toggle("wrong", broken);
+  for (const [name, { box }] of fields) box.setAttribute("aria-invalid", error?.field === name);
+  const text = error ? error.message : catalogue[set.mechanism].title;
+  if (find(".message span").textContent !== text) find(".message span").textContent = text;
+  const tries = error?.try && Object.entries(error.try);
+  mend.hidden = !tries && !["stopped", "refused", "busy"].includes(error?.kind);
+  if (tries) {
+    const label = (name) => settable().find((each) => each.name === name)?.label ?? name;
+    mend.textContent = filled(words.try, { values: tries.map(([name, value]) => `${label(name)} ${written(value)}`).join(", ") });
+    mend.onclick = () => { for (const [name, value] of tries) put(name, value); changed(); };
+  } else {
+    mend.textContent = words.retry;
+    mend.onclick = () => changed();
+    if (error?.hint) find(".message span").textContent = `${error.message} (${error.hint})`;
+  }
+}
