@@ -27,7 +27,7 @@ from vad.strokes.language import Language
 from vad.style import load_style
 
 if TYPE_CHECKING:
-    from vad.gui.widget import Window
+    from anywidget import AnyWidget
 
 #: The forms in which a browser shows a file, the best first.
 _SHOWN = (".html", ".mp4", ".svg")
@@ -75,7 +75,7 @@ def widget(
     panels: Sequence[str] | str | None = None,
     style: str = "paper",
     language: str = "en",
-) -> Window:
+) -> AnyWidget:
     """Return the window of ``vad gui`` for a cell of a notebook: the mechanism turned by hand.
 
     Parameters
@@ -96,9 +96,9 @@ def widget(
     if find_spec("anywidget") is None:
         hint = "install it: pip install 'vad-diagrams[notebook]'"
         raise UsageError("widget: needs anywidget, which is not installed", hint)
-    from vad.gui.widget import Window
+    from vad.gui.widget import in_cell
 
-    return Window(start)
+    return in_cell(start)
 
 
 def _question(thing: Mechanism | Motion, **options: Any) -> ExportQuestion:

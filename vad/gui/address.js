@@ -18,8 +18,8 @@ function remember() {
   history.replaceState(null, "", `${location.pathname}${location.search}#${kept}`);
 }
 
-function recall() {
-  const kept = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
+function recall(hash = location.hash) {
+  const kept = Object.fromEntries(new URLSearchParams(hash.slice(1)));
   if (!(kept.m in catalogue)) return false;
   const given = {};
   for (const { name } of [...catalogue[kept.m].parameters, ...catalogue[kept.m].inputs])
@@ -39,7 +39,12 @@ root.addEventListener("vad:step", () => {
   clearTimeout(writing);
   writing = setTimeout(() => { if (!root.classList.contains("moving") && !broken) remember(); }, 250);
 });
-addEventListener("hashchange", () => { if (recall()) want("lesson"); });
+// The address of the event, for by now another may have been remembered.
+addEventListener("hashchange", ({ newURL }) => {
+  clearTimeout(writing);
+  clearTimeout(timer);
+  if (recall(new URL(newURL).hash)) want("lesson");
+});
 
 const lang = /[#&]lang=(\w\w)/.exec(location.hash)?.[1];
 if (lang && lang !== start.language) location.replace(`/?lang=${lang}${location.hash}`);

@@ -10,10 +10,7 @@ import json
 from collections.abc import Callable
 from importlib.resources import files
 from threading import Event
-from typing import Any
-
-import anywidget
-import traitlets
+from typing import TYPE_CHECKING, Any
 
 from vad.errors import VadError, one_of
 from vad.gui.fair import lesson
@@ -24,6 +21,9 @@ from vad.gui.saving import MEDIA, saved
 from vad.gui.window import window
 from vad.mechanisms import MECHANISMS
 
+if TYPE_CHECKING:
+    from anywidget import AnyWidget
+
 #: A frame has neither an address to keep nor one to load in another language.
 _HIDDEN = "<style>[data-what=link],.side{display:none}</style>\n"
 _WORK: dict[str, tuple[type[Question], Callable[[Any], dict[str, Any]]]] = {
@@ -32,23 +32,27 @@ _WORK: dict[str, tuple[type[Question], Callable[[Any], dict[str, Any]]]] = {
 }
 
 
-class Window(anywidget.AnyWidget):
-    """The widget."""
+def in_cell(start: ExportQuestion) -> AnyWidget:
+    """Return the widget; its class is made when it is wanted, for anywidget is an extra."""
+    import anywidget
+    import traitlets
 
-    _esm = (files(__package__) / "widget.js").read_text("utf-8")
-    page = traitlets.Unicode().tag(sync=True)
-    title = traitlets.Unicode().tag(sync=True)
+    class Window(anywidget.AnyWidget):
+        _esm = (files(__package__) / "widget.js").read_text("utf-8")
+        page = traitlets.Unicode().tag(sync=True)
+        title = traitlets.Unicode().tag(sync=True)
 
-    def __init__(self, start: ExportQuestion) -> None:
-        script = (files(__package__) / "channel.js").read_text("utf-8")
-        head = f"{_HIDDEN}<script>{script}</script>\n"
-        super().__init__(page=window(start, "", head), title=f"vad: {start.mechanism}")
-        self._kinds = start.kinds
-        self.on_msg(self._answer)
+        def __init__(self) -> None:
+            script = (files(__package__) / "channel.js").read_text("utf-8")
+            head = f"{_HIDDEN}<script>{script}</script>\n"
+            super().__init__(page=window(start, "", head), title=f"vad: {start.mechanism}")
+            self.on_msg(self._answer)
 
-    def _answer(self, _: object, asked: dict[str, Any], __: object) -> None:
-        data, media, name = answer(asked["path"], asked["body"], self._kinds)
-        self.send({"id": asked["id"], "media": media, "name": name}, [data])
+        def _answer(self, _: object, asked: dict[str, Any], __: object) -> None:
+            data, media, name = answer(asked["path"], asked["body"], start.kinds)
+            self.send({"id": asked["id"], "media": media, "name": name}, [data])
+
+    return Window()
 
 
 def answer(path: str, body: object, kinds: Kinds = MECHANISMS) -> tuple[bytes, str, str]:
