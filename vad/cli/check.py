@@ -39,6 +39,9 @@ def command(file: str | None, as_json: bool) -> None:
 
 
 def _text(examined: Examination) -> str:
+    from vad.kinematics.results.report import place_unit
+
+    unit = place_unit(examined.mechanism)
     written = examined.mechanism.written
     mobility, driver = written.mobility, written.description.driver
     head = (
@@ -54,7 +57,7 @@ def _text(examined: Examination) -> str:
         " " + "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
         for row in rows
     ]
-    return "\n".join([head, *lines, _range(examined), *_changes(examined)])
+    return "\n".join([head, *lines, _range(examined, unit), *_changes(examined, unit)])
 
 
 def _places(found: Found) -> str:
@@ -71,22 +74,13 @@ def _at(place: complex) -> str:
     return f"({place.real + 0.0:.4g}, {place.imag + 0.0:.4g})"
 
 
-def _unit(examined: Examination) -> str:
-    """Return the unit of the driver's place, with the space before it."""
-    turns = examined.mechanism.written.description.driver.kind == "angle"
-    return "°" if turns else f" {examined.mechanism.length_unit}"
-
-
-def _changes(examined: Examination) -> list[str]:
+def _changes(examined: Examination, unit: str) -> list[str]:
     """Say where it passes a change point."""
-    return [
-        f"dyad {change.loop + 1}: {change.words(_unit(examined))}" for change in examined.changes
-    ]
+    return [f"dyad {change.loop + 1}: {change.words(unit)}" for change in examined.changes]
 
 
-def _range(examined: Examination) -> str:
+def _range(examined: Examination, unit: str) -> str:
     """Say where it closes and where it is nearest to a dead centre."""
-    unit = _unit(examined)
     turns = unit == "°"
     name = next(iter(examined.mechanism.inputs))
     if turns and examined.closes == ((0.0, 360.0),):

@@ -54,11 +54,11 @@ def written(path: str, details: str = "") -> None:
 def passed(mechanism: Mechanism, low: float = -math.inf, high: float = math.inf) -> None:
     """Say on stderr which change points lie in a range of the driver: there, two motions go on."""
     from vad.kinematics.change_points import change_points
+    from vad.kinematics.results.report import place_unit
 
     turns = "angle" in mechanism.inputs
-    unit = "°" if turns else f" {mechanism.length_unit}"
     for change in change_points(mechanism):
         turned = turns and low > -math.inf  # the same angle, not below the range
         place = low + (change.place - low) % 360.0 if turned else change.place
         if low <= place <= high:
-            click.echo(f"note: {change.words(unit)}", err=True)
+            click.echo(f"note: {change.words(place_unit(mechanism))}", err=True)

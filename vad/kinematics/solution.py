@@ -18,6 +18,7 @@ from vad.kinematics.linkage import Linkage
 from vad.kinematics.numbers import NAN_VECTOR, Number, Truth, is_array
 from vad.kinematics.reach import closing_range
 from vad.kinematics.results.formulas import Result, evaluate, order_of
+from vad.kinematics.results.report import place_unit
 from vad.kinematics.solver import Solver, solver_of
 from vad.kinematics.state import Pose, Rates
 
@@ -197,7 +198,7 @@ def _not_assembled(mechanism: Mechanism, value: float, miss: float) -> AssemblyE
     solver = solver_of(mechanism)
     name = next(iter(mechanism.inputs))
     turns = name == "angle"
-    unit = "°" if turns else f" {mechanism.length_unit}"
+    unit = place_unit(mechanism)
     miss *= solver.frame.scale
     message = f"{name} {value:g}{unit}: the links miss by {miss:.4g} {mechanism.length_unit}"
     ranges = closing_range(mechanism)

@@ -22,6 +22,11 @@ def units(length_unit: str) -> dict[str, str]:
     return {quantity: scene_unit(quantity, length_unit) for quantity in quantities}
 
 
+def place_unit(mechanism: Mechanism) -> str:
+    """Return the unit of the driver's place, with the space before it."""
+    return "°" if "angle" in mechanism.inputs else f" {mechanism.length_unit}"
+
+
 def plain(value: Number) -> Any:
     """Return a result as JSON holds it: numbers, [x, y] pairs, nested lists for arrays."""
     if isinstance(value, np.ndarray):
