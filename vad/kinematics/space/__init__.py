@@ -1,0 +1,1 @@
+"""Mechanisms that leave the plane: axes that meet in a point, and axes that miss each other."""

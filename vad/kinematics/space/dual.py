@@ -1,0 +1,72 @@
+"""Dual numbers a + εb with ε² = 0: an angle together with the length along its axis.
+
+By the principle of transference (Kotelnikov, Study) a formula for arcs on the sphere, evaluated in
+dual numbers, holds for axes in space: its real part turns, its dual part slides.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from vad.kinematics.numbers import Number, sqrt
+
+
+@dataclass(frozen=True, slots=True)
+class Dual:
+    """A dual number; its parts are floats or arrays.
+
+    Examples
+    --------
+    >>> Dual(2.0, 3.0) * Dual(5.0, 7.0)
+    Dual(real=10.0, dual=29.0)
+    """
+
+    real: Number
+    dual: Number
+
+    def __add__(self, other: Number) -> Dual:
+        if isinstance(other, Dual):
+            return Dual(self.real + other.real, self.dual + other.dual)
+        return Dual(self.real + other, self.dual)
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Dual:
+        return Dual(-self.real, -self.dual)
+
+    def __sub__(self, other: Number) -> Dual:
+        return self + -other
+
+    def __rsub__(self, other: Number) -> Dual:
+        return -self + other
+
+    def __mul__(self, other: Number) -> Dual:
+        if isinstance(other, Dual):
+            return Dual(self.real * other.real, self.real * other.dual + self.dual * other.real)
+        return Dual(self.real * other, self.dual * other)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Number) -> Dual:
+        if not isinstance(other, Dual):
+            return Dual(self.real / other, self.dual / other)
+        ratio = self.real / other.real
+        return Dual(ratio, (self.dual - ratio * other.dual) / other.real)
+
+
+def root(value: Number) -> Number:
+    """Return the square root of a number that is not negative."""
+    if not isinstance(value, Dual):
+        return sqrt(value)
+    real = sqrt(value.real)
+    return Dual(real, value.dual / (2.0 * real))
+
+
+def real(value: Number) -> Number:
+    """Return the part without ε."""
+    return value.real if isinstance(value, Dual) else value
+
+
+def dual(value: Number) -> Number:
+    """Return the part with ε."""
+    return value.dual if isinstance(value, Dual) else 0.0
