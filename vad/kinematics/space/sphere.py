@@ -11,7 +11,7 @@ import math
 from typing import NamedTuple
 
 from vad.kinematics.numbers import EPSILON, Number, direction, fold, not_below, select
-from vad.kinematics.space.dual import Dual, dual, real, root
+from vad.kinematics.space.dual import Dual, dual, nonzero, real, root
 from vad.kinematics.space.vectors import Vector3, added, cross, dot, scaled, triple
 
 _RADIAN = math.pi / 180.0
@@ -110,9 +110,9 @@ class Sphere:
         b: Vector3 = (sine * u.imag, -sine * u.real, cosine)
         d = self.d
         c = added(
-            scaled(self._feet[0] / (2.0 * g), added(b, d)),
-            scaled(self._feet[1] / (2.0 * h), added(d, scaled(-1.0, b))),
-            scaled(volume / (4.0 * h * g), cross(b, d)),
+            scaled(self._feet[0] / nonzero(2.0 * g), added(b, d)),
+            scaled(self._feet[1] / nonzero(2.0 * h), added(d, scaled(-1.0, b))),
+            scaled(volume / nonzero(4.0 * h * g), cross(b, d)),
         )
         return SpherePose(
             b,
@@ -165,11 +165,11 @@ class Sphere:
 
     def _solved(self, pose: SpherePose, known: Vector3) -> SphereRates:
         """Return x, y, z with known + y·b = x·d + z·c (Cramer)."""
-        b, c, d = pose.b, pose.c, self.d
+        b, c, d, volume = pose.b, pose.c, self.d, nonzero(pose.volume)
         return SphereRates(
-            -1.0 * triple(known, b, c) / pose.volume,
-            -1.0 * triple(known, d, c) / pose.volume,
-            triple(known, b, d) / pose.volume,
+            -1.0 * triple(known, b, c) / volume,
+            -1.0 * triple(known, d, c) / volume,
+            triple(known, b, d) / volume,
         )
 
 
@@ -194,5 +194,5 @@ def _positive(product: Number) -> Number:
 
 def _unit(x: Number, y: Number) -> tuple[Number, Number]:
     """Return the direction of a vector in the plane, by its parts."""
-    size = root(x * x + y * y)
+    size = nonzero(root(x * x + y * y))
     return x / size, y / size

@@ -37,3 +37,8 @@ def added(*vectors: Vector3) -> Vector3:
     for other in vectors[1:]:
         x, y, z = x + other[0], y + other[1], z + other[2]
     return x, y, z
+
+
+def over(a: Vector3, divisor: Number) -> Vector3:
+    """Return a vector divided by a number."""
+    return a[0] / divisor, a[1] / divisor, a[2] / divisor
