@@ -6,7 +6,9 @@ dual numbers, holds for axes in space: its real part turns, its dual part slides
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 from vad.kinematics import numbers
 from vad.kinematics.numbers import Number
@@ -80,3 +82,14 @@ def real(value: Number) -> Number:
 def dual(value: Number) -> Number:
     """Return the part with ε."""
     return value.dual if isinstance(value, Dual) else 0.0
+
+
+def numbers_in(value: Any) -> Iterator[Number]:
+    """Yield all numbers of nested tuples, of a dual number both parts."""
+    if isinstance(value, tuple):
+        for each in value:
+            yield from numbers_in(each)
+    elif isinstance(value, Dual):
+        yield from (value.real, value.dual)
+    else:
+        yield value

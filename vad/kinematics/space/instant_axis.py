@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from vad.kinematics.numbers import Number, degrees_of, fold, vector
+from vad.kinematics.numbers import Number, degrees_of, fold
 from vad.kinematics.space.dual import dual, nonzero, real, root
 from vad.kinematics.space.sphere import SphereRates
-from vad.kinematics.space.vectors import Vector3, cross, dot, over
+from vad.kinematics.space.vectors import Vector3, added, carried, cross, dot, over, scaled
 
 #: The normal of the frame's plane, a × d / sin α₁: the common normal from A to D.
 K: Vector3 = (1.0, 0.0, 0.0)
@@ -103,6 +103,21 @@ def axis_velocity(
     return AxisVelocity(
         along, p2, p3, (p3 + p2 * axis.cosine) / sine, (p2 + p3 * axis.cosine) / sine
     )
+
+
+def axis_motion(axis: InstantAxis, *spins: Vector3) -> Vector3:
+    """Return I on the sphere: its place, with ω₃ its velocity, with α₃ its acceleration."""
+    if not spins:
+        return axis.i
+    # The line K × n turns as i does, and grows from sin δ.
+    first = cross(K, carried(axis.n, spins[0]))
+    sine = nonzero(axis.sine)
+    tau = dot(first, axis.m) / sine
+    if len(spins) == 1:
+        return scaled(tau, axis.m)
+    second = dot(cross(K, carried(axis.n, *spins)), axis.m)
+    onward = (second - 2.0 * dot(first, axis.i) * tau) / sine
+    return added(scaled(onward, axis.m), scaled(-1.0 * tau * tau, axis.i))
 
 
 def axis_acceleration(axis: InstantAxis, d: Vector3, alpha: Number, seconds: SphereRates) -> Number:

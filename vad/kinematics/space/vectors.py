@@ -42,3 +42,19 @@ def added(*vectors: Vector3) -> Vector3:
 def over(a: Vector3, divisor: Number) -> Vector3:
     """Return a vector divided by a number."""
     return a[0] / divisor, a[1] / divisor, a[2] / divisor
+
+
+def carried(arm: Vector3, *spins: Vector3) -> Vector3:
+    """Return an arm that turns with a body: itself, with ω its velocity, with α its acceleration.
+
+    Examples
+    --------
+    >>> carried((1.0, 0.0, 0.0), (0.0, 0.0, 2.0))
+    (0.0, 2.0, 0.0)
+    """
+    if not spins:
+        return arm
+    velocity = cross(spins[0], arm)
+    if len(spins) == 1:
+        return velocity
+    return added(cross(spins[1], arm), cross(spins[0], velocity))
