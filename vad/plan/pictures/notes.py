@@ -8,12 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-
-from vad.plan.geometry import Rect
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.labels.placing import CLEARANCE, Placed
+from vad.plan.labels.placing import APART, CLEARANCE, Placed
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import Runs, roman
@@ -24,22 +21,19 @@ from vad.plan.sketch import Sketch, Tag
 SIZE = 0.030
 PITCH = 0.034
 WIDEST = 0.17
-APART = 0.012 + 0.010j  # from labels, aside and above
 STEP = 0.006
 
 
-def add_notes(sketch: Sketch, poses: Sequence[Obstacles] = ()) -> None:
-    """Add the notes of a panel, clear of all its strokes and those of other ``poses``."""
+def add_notes(sketch: Sketch) -> None:
+    """Add the notes of a panel, clear of all that is there."""
     setting = sketch.setting
     for note in setting.panel.notes:
         rows = wrap(note.text, _set, SIZE, WIDEST)
         sizes = [ink_size(runs, SIZE) for runs in rows]
         wide = max(wide for wide, _ in sizes)
         high = max(high for _, high in sizes) + (len(rows) - 1) * PITCH
-        obstacles = [sketch.obstacles, *poses]
-        centre = _nearest(setting.room, sketch.scale(note.at), (wide, high), obstacles)
-        marks = _rows(rows, centre)
-        sketch.add(None, Level.LABEL, setting.during(0), marks)
+        centre = _nearest(sketch.obstacles, sketch.scale(note.at), (wide, high))
+        sketch.add(None, Level.LABEL, setting.during(0), _rows(rows, centre))
         box = Placed(centre, wide, high).box
         sketch.tags.append(Tag(note.text, box))
         sketch.obstacles.box(box)
@@ -58,23 +52,18 @@ def _rows(rows: Sequence[Runs], centre: complex) -> list[Mark]:
     ]
 
 
-def _nearest(
-    room: Rect, at: complex, size: tuple[float, float], poses: Sequence[Obstacles]
-) -> complex:
+def _nearest(obstacles: Obstacles, at: complex, size: tuple[float, float]) -> complex:
     """Return the free place nearest to ``at``; the nearest of all where none is free."""
     wide, high = size
-    inner = Rect(
-        room.left + wide / 2, room.bottom + high / 2, room.right - wide / 2, room.top - high / 2
-    )
+    room = obstacles.edge
+    left, bottom = room.left + wide / 2, room.bottom + high / 2
     spots = [
-        complex(inner.left + i * STEP, inner.bottom + j * STEP)
-        for i in range(int(inner.width / STEP) + 1)
-        for j in range(int(inner.height / STEP) + 1)
+        complex(left + i * STEP, bottom + j * STEP)
+        for i in range(int((room.width - wide) / STEP) + 1)
+        for j in range(int((room.height - high) / STEP) + 1)
     ]
     spots.sort(key=lambda spot: abs(spot - at))
-    left = spots
-    for obstacles in poses:
-        if left:
-            free = obstacles.free(left, wide, high, CLEARANCE, APART)
-            left = [left[number] for number in np.flatnonzero(free)]
-    return (left or spots or [at])[0]
+    if not spots:
+        return at
+    free = obstacles.free(spots, wide, high, CLEARANCE, APART)
+    return spots[int(free.argmax())]  # the first that is free, or the first

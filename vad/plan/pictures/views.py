@@ -31,7 +31,7 @@ from vad.plan.pictures.vectors import swelling
 from vad.plan.roles import BLOCK_RIM, CONSTRUCTION
 from vad.plan.scale import Scale, fill
 from vad.plan.sketch import Setting, Sketch
-from vad.strokes.sheet import Arc, Arrow, Bearing, Block, Curve, Dot, Line, Panel, Stroke
+from vad.strokes.sheet import Arc, Arrow, Bearing, Block, Curve, Dot, Line, Panel, Sheet, Stroke
 
 #: Of joints and sleeves: two views have the room of one mechanism in the plane.
 SIZE = 0.8
@@ -136,11 +136,17 @@ def angle_of(sketch: Sketch, index: int) -> Bow | None:
 def add_turning(sketch: Sketch) -> None:
     """Add the arrow of ω about the centre of the driven angle."""
     setting = sketch.setting
-    link, rate = given_rate(setting.sheet, "ω")
-    for index, stroke in enumerate(setting.panel.strokes):
-        if stroke.kind == "angle" and stroke.link == link and isinstance(stroke.shape, Arc):
-            add_sense(sketch, index, stroke.shape, rate)
-            return
+    index = driven_angle(setting.sheet, setting.panel)
+    shape = None if index is None else setting.panel.strokes[index].shape
+    if isinstance(shape, Arc):
+        add_sense(sketch, index, shape, given_rate(setting.sheet, "ω")[1])
+
+
+def driven_angle(sheet: Sheet, panel: Panel) -> int | None:
+    """Return the number of the stroke that draws the angle of what turns at a given rate."""
+    link, _ = given_rate(sheet, "ω")
+    strokes = enumerate(panel.strokes)
+    return next((i for i, s in strokes if s.kind == "angle" and s.link == link), None)
 
 
 def add_names(sketch: Sketch) -> None:
