@@ -37,8 +37,8 @@ def lesson(question: LessonQuestion) -> dict[str, Any]:
     sheet = vad.draw(motion, panels, question.language)
     board, scales = board_of(mechanism, panels, question.language), {}
     for panel in sheet.panels:
-        if panel.name in board.skeletons:
-            scales[panel.name] = board.skeletons[panel.name].scale
+        if panel.name in board.pictures:
+            scales[panel.name] = board.pictures[panel.name].scale
         elif panel.name in question.scales:
             room = board.page.panels[panel.name].drawing
             scales[panel.name] = calm_scale(panel, room, scale_of(question.scales[panel.name]))

@@ -113,7 +113,7 @@ def _check_loop(sheet: Sheet, loop: int) -> None:
 
 def opens(sheet: Sheet, panel: Panel) -> bool:
     """Tell whether a panel stands large while it is drawn: a mechanism before its polygons."""
-    return panel is sheet.panels[0] and panel.picture == "skeleton" and len(sheet.panels) > 1
+    return panel is sheet.panels[0] and panel.picture != "vectors" and len(sheet.panels) > 1
 
 
 def growth(stroke: Stroke, longest: float) -> float:

@@ -110,7 +110,7 @@ class MultiplesBoard:
             yield sketched(Setting(sheet, panel, room, rows_of(sheet), 0, centimetre, scale))
 
     def _scales(self, panels: list[Panel]) -> list[Scale]:
-        name, is_position = panels[0].name, panels[0].picture == "skeleton"
+        name, is_position = panels[0].name, panels[0].picture != "vectors"
         points = [corners(panel) for panel in panels]
         if is_position:
             points = [[point for each in points for point in each]] * len(panels)

@@ -56,6 +56,7 @@ PLATE_EDGE = 0.0046
 JOINT_RIM = 0.0036
 DOT_RIM = 0.0022
 AXIS = 0.0019
+PATH = 0.0026  # on which a point of a mechanism in space runs
 LIGHT = 3.4  # beneath a growing stroke, in its widths
 HALO = 0.009
 
@@ -103,6 +104,12 @@ ROLES: dict[str, Role] = {
     "angle": Role(line="grey", width=0.0024),
     "sense": Role(line="row", width=0.0032),
     "speed": Role(line="row", width=0.0032),
+    # a mechanism in space
+    "bar far": Role(line="row", width=0.6 * BAR, dash=(2.6, 1.6)),
+    "path": Role(line="row", width=PATH, join="round"),
+    "path far": Role(line="row", width=0.6 * PATH, dash=(7.0, 5.0)),
+    "ball": Role(fill="hairline", alpha=0.16),
+    "bearing": Role(fill="ground", line="text", width=0.0019),
     # the polygons
     "vector": Role(line="row", width=VECTOR, linked=True),
     "vector light": _light(VECTOR),

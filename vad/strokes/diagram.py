@@ -9,7 +9,16 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from vad.strokes.sheet import Cell, CoriolisInset, Equation, ImageTriangle, Panel, Picture, Stroke
+from vad.strokes.sheet import (
+    Cell,
+    CoriolisInset,
+    Equation,
+    ImageTriangle,
+    Note,
+    Panel,
+    Picture,
+    Stroke,
+)
 
 if TYPE_CHECKING:
     from vad.strokes.scene import Scene
@@ -25,6 +34,7 @@ class Drawing:
     inset: CoriolisInset | None = None
     triangles: tuple[ImageTriangle, ...] = ()
     loops: tuple[int, ...] = ()
+    notes: tuple[Note, ...] = ()
 
 
 def no_cells(scene: Scene, name: str) -> tuple[Cell, ...]:
@@ -88,4 +98,5 @@ class Diagram:
             self.picture,
             drawing.triangles,
             drawing.loops,
+            drawing.notes,
         )

@@ -1,7 +1,8 @@
-"""What a teacher draws, as frozen data: shapes, strokes, panels and the sheet that holds them.
+"""What a teacher draws, as frozen data: strokes, panels and the sheet that holds them.
 
-Nothing here knows colours, times or pixels.  Coordinates are complex numbers in the panel's own
-unit (mm, mm/s, mm/s² …) with x to the right and y up; the pole of a polygon is the origin.
+Nothing here knows colours, times or pixels; the shapes are those of `vad.strokes.shapes`.
+Coordinates are complex numbers in the panel's own unit (mm, mm/s, mm/s² …) with x to the right and
+y up; the pole of a polygon is the origin.
 
 Every stroke has a name, unique in its panel and the same in every pose: the ends of a step of the
 linkage and what is drawn of it, or a point's letter and how it is found.
@@ -25,11 +26,49 @@ from typing import Literal
 
 from vad.displayed import Displayed
 from vad.strokes.notation import Notation
+from vad.strokes.shapes import (
+    Arc,
+    Arrow,
+    Bearing,
+    Block,
+    Curve,
+    Dot,
+    Guide,
+    Line,
+    Plate,
+    Shape,
+)
+
+__all__ = [
+    "Arc",
+    "Arrow",
+    "Bearing",
+    "Block",
+    "Cell",
+    "Component",
+    "CoriolisInset",
+    "Curve",
+    "Dot",
+    "Equation",
+    "Guide",
+    "ImageTriangle",
+    "Kind",
+    "Line",
+    "Note",
+    "Panel",
+    "Picture",
+    "Plate",
+    "Row",
+    "Shape",
+    "Sheet",
+    "Stroke",
+    "Term",
+]
 
 Kind = Literal[
     "fixed",  # mechanisms only: a pivot of the frame
-    "guide",  # mechanisms only: the line along which a block slides
-    "angle",  # mechanisms only: the arc of the driven link's angle
+    "guide",  # mechanisms only: the line along which a block slides, or the axis of a shaft
+    "angle",  # mechanisms only: the arc of the driven link's angle; in views, of any
     "pole",
     "known",
     "construction",
@@ -37,98 +76,8 @@ Kind = Literal[
     "result",
 ]
 Component = Literal["normal", "tangential", "coriolis", "sliding", "relative", "absolute", "link"]
-Picture = Literal["skeleton", "vectors"]
-
-
-@dataclass(frozen=True, slots=True)
-class Dot:
-    """A point with a letter: a pole, a fixed pivot or a crossing."""
-
-    at: complex
-
-
-@dataclass(frozen=True, slots=True)
-class Arrow:
-    """A vector from ``start`` to ``end``; in the position panel, the bar of a link.
-
-    ``tail`` and ``head`` are its letters.  ``cylinder`` is the length from ``start`` of the
-    cylinder of a strut, out of which its rod comes; 0 for every other bar.
-    """
-
-    start: complex
-    end: complex
-    tail: str
-    head: str
-    cylinder: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class Line:
-    """A construction line of unknown length through a known point.
-
-    It is drawn from ``through`` past ``until``, where it will be crossed; ``direction`` is a
-    unit vector that points that way.  ``square_to`` names the link that it is perpendicular
-    to ("BC"), or is None for a line parallel to a guide or a slot.
-    """
-
-    through: complex
-    direction: complex
-    until: complex
-    square_to: str | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Arc:
-    """A circular arc: the compass about ``centre``, or the angle of the driven link.
-
-    ``start`` and ``sweep`` are degrees, counter-clockwise positive.  ``through`` is the point
-    on a compass arc that the construction is after; None for an angle, whose radius is the
-    painter's affair (``radius`` is then the length of the driven link).
-    """
-
-    centre: complex
-    radius: float
-    start: float
-    sweep: float
-    through: complex | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Guide:
-    """The straight frame line through ``through``, hatched on its ``side`` away from the rod.
-
-    ``side`` is a unit vector, and None where the line is a slot in a moving link.
-    """
-
-    through: complex
-    direction: complex
-    side: complex | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Block:
-    """A sliding block at ``at``, its long side along ``direction``.
-
-    ``on`` is the turning link that it slides on, or None on a guide of the frame or of a yoke.
-    ``travel`` is how far it gets from here along its line, back (negative) and ahead, over all
-    poses of the mechanism.
-    """
-
-    at: complex
-    direction: complex
-    on: str | None = None
-    travel: tuple[float, float] = (0.0, 0.0)
-
-
-@dataclass(frozen=True, slots=True)
-class Plate:
-    """A link of three points or more in the position panel: its ``corners`` with their letters."""
-
-    corners: tuple[complex, ...]
-    letters: tuple[str, ...]
-
-
-Shape = Dot | Arrow | Line | Arc | Guide | Block | Plate
+#: A mechanism in the plane, vectors from a pole, or a mechanism in space as it is seen.
+Picture = Literal["skeleton", "vectors", "views"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -217,6 +166,14 @@ class ImageTriangle:
 
 
 @dataclass(frozen=True, slots=True)
+class Note:
+    """What is said near the point ``at``, which no stroke draws: "seen along shaft 2"."""
+
+    at: complex
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class Panel:
     """One diagram of one pose: its strokes in drawing order.
 
@@ -225,6 +182,7 @@ class Panel:
     and, where nothing moves, the lines and crossings of the polygon.  Strokes and zeros together
     have the same names in every pose.  ``title`` is its heading, ``picture`` how it is painted,
     ``triangles`` are images of links, ``loops`` the numbers of the strokes that begin each loop.
+    ``notes`` say from which sides a mechanism in space is seen.
     """
 
     name: str
@@ -237,6 +195,7 @@ class Panel:
     picture: Picture = "vectors"
     triangles: tuple[ImageTriangle, ...] = ()
     loops: tuple[int, ...] = ()
+    notes: tuple[Note, ...] = ()
 
     def full(self, name: str) -> str:
         """Return the full name of a stroke of this panel: ``velocity:BC.line``."""

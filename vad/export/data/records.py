@@ -83,6 +83,12 @@ def _read_count(value: Any, place: str) -> int:
     raise wrong(place, f"a whole number, at most {_MOST}", value)
 
 
+def _read_index(value: Any, place: str) -> int:
+    if isinstance(value, int) and not isinstance(value, bool) and value >= 0:
+        return value
+    raise wrong(place, "a whole number from 0 on", value)
+
+
 def _read_flag(value: Any, place: str) -> bool:
     if not isinstance(value, bool):
         raise wrong(place, "true or false", value)
@@ -96,6 +102,7 @@ def _read_point(value: Any, place: str) -> complex:
 TEXT = Form(str, _read_text)
 NUMBER = Form(lambda value: float(value) + 0.0, _read_number)  # adding 0 turns -0.0 into 0.0
 COUNT = Form(int, _read_count)
+INDEX = Form(int, _read_index)  # of a point in a list
 FLAG = Form(bool, _read_flag)
 
 

@@ -12,6 +12,7 @@ from typing import get_args
 from vad.export.data.records import (
     COUNT,
     FLAG,
+    INDEX,
     NUMBER,
     POINT,
     TEXT,
@@ -32,16 +33,19 @@ from vad.strokes.notation import Notation
 from vad.strokes.sheet import (
     Arc,
     Arrow,
+    Bearing,
     Block,
     Cell,
     Component,
     CoriolisInset,
+    Curve,
     Dot,
     Equation,
     Guide,
     ImageTriangle,
     Kind,
     Line,
+    Note,
     Panel,
     Picture,
     Plate,
@@ -80,6 +84,8 @@ SHAPE = variants(
         travel=optional(row(NUMBER, NUMBER), (0.0, 0.0)),
     ),
     plate=record(Plate, corners=many(POINT), letters=many(TEXT)),
+    curve=record(Curve, points=many(POINT), far=optional(many(row(INDEX, INDEX)), ())),
+    bearing=record(Bearing, at=POINT, direction=WAY),
 )
 STROKE = record(
     Stroke,
@@ -117,6 +123,7 @@ PANEL = record(
     inset=optional(INSET),
     triangles=optional(many(TRIANGLE), ()),
     loops=optional(many(COUNT), ()),
+    notes=optional(many(record(Note, at=POINT, text=TEXT)), ()),
 )
 CELL = record(Cell, symbol=TEXT, value=NUMBER, unit=UNIT, given=optional(FLAG, False))
 ROW = record(Row, key=TEXT, title=TEXT, letters=TEXT, cells=by_name(many(CELL)))

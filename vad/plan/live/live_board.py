@@ -16,10 +16,17 @@ from vad.plan.live.calm_scale import calm_scale
 from vad.plan.live.live_labels import Ways
 from vad.plan.live.live_polygon import live_polygon
 from vad.plan.live.live_skeleton import LiveSkeleton
+from vad.plan.live.live_views import LiveViews
 from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.moving_panel import lasting
-from vad.strokes.sheet import Panel, Sheet
+from vad.strokes.sheet import Panel, Picture, Sheet
+
+#: What draws the mechanism of a panel, by the picture that it says it is.
+LIVE: Mapping[Picture, type[LiveSkeleton | LiveViews]] = {
+    "skeleton": LiveSkeleton,
+    "views": LiveViews,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,10 +64,11 @@ class LiveBoard:
     def __init__(self, sheet: Sheet, form: Format, lines: int, poses: Sequence[Panel]) -> None:
         self._form = form
         self.page, _ = arrange(sheet, form, lines)
-        self.skeletons: dict[str, LiveSkeleton] = {}
+        self.pictures: dict[str, LiveSkeleton | LiveViews] = {}
         for panel in sheet.panels:
-            if panel.picture == "skeleton":
-                self.skeletons[panel.name] = LiveSkeleton(self._setting(sheet, panel), poses)
+            live = LIVE.get(panel.picture)
+            if live:
+                self.pictures[panel.name] = live(self._setting(sheet, panel), poses)
 
     def pose(self, sheet: Sheet, scales: Mapping[str, Scale], ways: Mapping[str, Ways]) -> LivePose:
         """Return a pose; ``scales`` and ``ways`` are those of the pose before, if there was one."""
@@ -71,11 +79,11 @@ class LiveBoard:
         for panel in sheet.panels:
             name, setting = panel.name, self._setting(sheet, panel)
             before = ways.get(name, {})
-            skeleton = self.skeletons.get(name)
-            if skeleton:
-                kept[name] = skeleton.scale
-                sketch, turned[name] = skeleton.pose(setting, before)
-                items += lasting(skeleton.still)
+            picture = self.pictures.get(name)
+            if picture:
+                kept[name] = picture.scale
+                sketch, turned[name] = picture.pose(setting, before)
+                items += lasting(picture.still)
             else:
                 kept[name] = calm_scale(panel, setting.room, scales.get(name))
                 sketch, turned[name] = live_polygon(setting, kept[name], before)

@@ -37,9 +37,11 @@ class KeptLabels:
 
     def letter(self, vertices: Sequence[Vertex], radius: float, near: Sequence[float]) -> None:
         """Letter the vertices."""
-        for vertex in vertices:
+        for number, vertex in enumerate(vertices):
             wanted = wish(vertex, vertices, radius, near)
-            self.add(vertex.label, symbols(vertex.label), LETTER, wanted)
+            again = sum(other.label == vertex.label for other in vertices[:number])
+            name = f"{vertex.label} {again}" if again else vertex.label  # in another view
+            self.add(name, symbols(vertex.label), LETTER, wanted)
 
     def add(
         self,

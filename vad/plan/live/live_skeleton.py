@@ -18,7 +18,7 @@ from vad.plan.labels.vertices import find_vertices
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import roman
 from vad.plan.live.live_labels import KeptLabels, Ways
-from vad.plan.marks import Mark
+from vad.plan.marks import Bow, Mark
 from vad.plan.pictures.rotation import (
     SENSE_SIZES,
     SIZE,
@@ -65,7 +65,7 @@ class LiveSkeleton:
         labels = KeptLabels(sketch, ways)
         labels.letter(vertices, self._moving.radius, NEAR)
         for index, shape in arcs:
-            _add_angle(sketch, index, shape, labels)
+            add_angle(sketch, index, angle_arc(sketch, shape), labels)
         add_speed(sketch, *given_rate(setting.sheet, "v"), self._moving.size)
         return sketch, labels.ways
 
@@ -119,14 +119,16 @@ def _clear_grip(sketch: Sketch) -> None:
         sketch.obstacles.disc(sketch.scale(shape.end), GRIP)
 
 
-def _add_angle(sketch: Sketch, index: int, shape: Arc, labels: KeptLabels) -> None:
-    """Add the arc of the driven link's angle, and its value outside of it."""
-    stroke, arc = sketch.setting.panel.strokes[index], angle_arc(sketch, shape)
-    if abs(shape.sweep) > 1e-6:
+def add_angle(sketch: Sketch, index: int, arc: Bow, labels: KeptLabels) -> None:
+    """Add the arc of an angle, and its value outside of it."""
+    stroke = sketch.setting.panel.strokes[index]
+    if abs(arc.sweep) > 1e-6:
         sketch.add(stroke, Level.CONSTRUCTION, 0, [Mark(arc, "angle")])
     runs, way = roman(stroke.label), cmath.rect(1.0, math.radians(arc.start + 0.5 * arc.sweep))
     at = arc.centre + arc.radius * way
-    labels.add("angle", runs, SIZE, Wish(at, way, *ink_size(runs, SIZE), near=_FAR), "value")
+    labels.add(
+        f"angle {stroke.name}", runs, SIZE, Wish(at, way, *ink_size(runs, SIZE), near=_FAR), "value"
+    )
 
 
 def _angles(panel: Panel) -> list[tuple[int, Arc]]:

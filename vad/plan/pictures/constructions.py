@@ -48,7 +48,10 @@ def line_of(sketch: Sketch, index: int, vectors: Mapping[int, PlacedVector]) -> 
     aside = 0j if result is None else vectors[result].lane.aside
     start, until = scale(shape.through) + aside, scale(shape.until) + aside
     end = construction_end(start, shape.direction, until, setting.room)
-    gone = setting.after(len(setting.panel.strokes) - 1 if result is None else result)
+    if setting.panel.picture == "views":
+        gone = setting.over(crossed_at(setting.panel, index))
+    else:
+        gone = setting.after(len(setting.panel.strokes) - 1 if result is None else result)
     span = setting.during(index), gone
     return PlacedLine(start, end, shape.direction, setting.row(stroke.link), span)
 
@@ -64,6 +67,13 @@ def inked_by(panel: Panel, index: int) -> int | None:
         if panel.picture == "vectors" and stroke.kind == "result" and stroke.link == link:
             return later
     return None
+
+
+def crossed_at(panel: Panel, index: int) -> int:
+    """Return the stroke that marks the crossing which construction ``index`` is drawn for."""
+    later = range(index + 1, len(panel.strokes))
+    found = (number for number in later if panel.strokes[number].kind == "intersection")
+    return next(found, len(panel.strokes) - 1)
 
 
 def drawn_line(start: complex, end: complex, row: int | None) -> tuple[Mark, Mark, Mark]:

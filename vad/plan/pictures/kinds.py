@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from vad.plan.pictures import skeleton, vectors
+from vad.plan.pictures import skeleton, vectors, views
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Picture
 
@@ -12,6 +12,7 @@ from vad.strokes.sheet import Picture
 PICTURES: Mapping[Picture, Callable[[Setting], Sketch]] = {
     "skeleton": skeleton.draw,
     "vectors": vectors.draw,
+    "views": views.draw,
 }
 
 

@@ -85,11 +85,11 @@ def block_arc(obstacles: Obstacles, arc: Bow) -> None:
     obstacles.line(arc_line(arc.centre, arc.radius, arc.start, arc.sweep), LINE / 2)
 
 
-def add_angle(sketch: Sketch, index: int, shape: Arc) -> None:
-    """Add the arc of the driven link's angle and its value."""
-    setting, arc = sketch.setting, angle_arc(sketch, shape)
+def add_angle(sketch: Sketch, index: int, arc: Bow) -> None:
+    """Add the arc of an angle and its value."""
+    setting = sketch.setting
     stroke = setting.panel.strokes[index]
-    if abs(shape.sweep) > 1e-6:
+    if abs(arc.sweep) > 1e-6:
         mark = Mark(arc, "angle", growth=Trimming())
         sketch.add(stroke, Level.CONSTRUCTION, setting.during(index), [mark])
     runs = roman(stroke.label)

@@ -68,7 +68,7 @@ def draw(setting: Setting) -> Sketch:
     _block_constructions(sketch)
     label_vertices(sketch, vertices, machine.JOINT_REACH * size, NEAR)
     for index, shape in angles:
-        add_angle(sketch, index, shape)
+        add_angle(sketch, index, angle_arc(sketch, shape))
         add_sense(sketch, driven(panel), shape, given_rate(setting.sheet, "ω")[1])
     add_speed(sketch, *given_rate(setting.sheet, "v"), size)
     for index, stroke in enumerate(panel.strokes):

@@ -20,14 +20,16 @@ from vad.plan.labels.vertices import LETTER, text_at
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
 from vad.plan.pictures.vectors import CORIOLIS
+from vad.plan.pictures.views import views_scale
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.crowd import Crowd
 from vad.plan.turning.hodographs import Complexes, Hodographs
 from vad.plan.turning.moving_skeleton import MovingSkeleton
 from vad.plan.turning.moving_vectors import MovingVectors
+from vad.plan.turning.moving_views import MovingViews
 from vad.plan.turning.springs import Ballast, Boxes, Spring, find_spring
 from vad.plan.turning.turn_scale import mechanism_scale, polygon_scale
-from vad.strokes.sheet import Arrow, Block, Panel
+from vad.strokes.sheet import Arrow, Block, Dot, Panel
 
 FADING = 0.025  # from the edge on, a label fades; and below that length, that of a vector
 
@@ -43,7 +45,7 @@ class Name:
     @property
     def text(self) -> str:
         """What is written."""
-        return ", ".join(self.letters)
+        return ", ".join(map(written, self.letters))
 
     @property
     def size(self) -> float:
@@ -58,22 +60,15 @@ class MovingPanel:
         self._setting, self._opening = setting, opening
         self.room = setting.room
         tracks = cycle.tracks[setting.panel.name]
-        is_skeleton = setting.panel.picture == "skeleton"
-        if is_skeleton:
-            scale = mechanism_scale(setting, poses)
-            skeleton = MovingSkeleton(setting, poses, scale)
-            skeleton.add_dimensions(poses)
-            self.picture: MovingSkeleton | MovingVectors = skeleton
-        else:
-            scale = polygon_scale(setting, poses)
-            self.picture = MovingVectors(setting, scale)
-        self.scale = scale
+        self.picture = _picture(setting, poses)
+        self.scale = scale = self.picture.scale
         fixed = {letter for letter, way in tracks.items() if np.ptp(way) == 0}
-        rows = {letter: setting.row(_owner(letter, fixed, poses)) for letter in tracks}
+        rows = {letter: setting.row(_owner(written(letter), fixed, poses)) for letter in tracks}
         self.hodographs = Hodographs(tracks, rows, scale, setting.room)
         drawn, straight = self.hodographs.drawn, self.hodographs.straight
+        is_place = setting.panel.picture != "vectors"
         #: The letters whose way is drawn: in a mechanism, that of a block is its guide.
-        self.ways = [each for each in drawn if not (is_skeleton and each in straight)]
+        self.ways = [each for each in drawn if not (is_place and each in straight)]
         self.names = self._place(poses)
 
     def still(self) -> list[Item]:
@@ -148,7 +143,7 @@ class MovingPanel:
         placed: Boxes = []
         names = []
         for letters, own in dots.items():
-            text = ", ".join(letters)
+            text = ", ".join(map(written, letters))
             row = self._setting.row(twists[0]) if text == CORIOLIS else None
             # A vector's name belongs to no dot.
             others = [o for o in dots if CORIOLIS not in o and o != letters]
@@ -171,6 +166,26 @@ class MovingPanel:
         return [tuple(group) for group in sorted(found, key=lambda g: g[0] in self.ways)]
 
 
+def _picture(
+    setting: Setting, poses: Sequence[Panel]
+) -> MovingSkeleton | MovingVectors | MovingViews:
+    """Return what draws a panel in motion, by the picture that it says it is."""
+    match setting.panel.picture:
+        case "skeleton":
+            skeleton = MovingSkeleton(setting, poses, mechanism_scale(setting, poses))
+            skeleton.add_dimensions(poses)
+            return skeleton
+        case "views":
+            return MovingViews(setting, poses, views_scale(setting, poses))
+        case "vectors":
+            return MovingVectors(setting, polygon_scale(setting, poses))
+
+
+def written(letter: str) -> str:
+    """Return how a letter is written: P, for the track of P in another view, ``P.plan``."""
+    return letter.partition(".")[0]
+
+
 def lasting(sketch: Sketch) -> list[Item]:
     """Return what stands when all strokes are drawn, as it stays."""
     return [
@@ -186,7 +201,8 @@ def _owner(letter: str, fixed: Collection[str], poses: Sequence[Panel]) -> str |
     blocks = [s for s in strokes if isinstance(s.shape, Block) and s.label == letter]
     arrows = [s for s in strokes if isinstance(s.shape, Arrow) and s.shape.head == letter]
     direct = [s for s in arrows if isinstance(s.shape, Arrow) and s.shape.tail in fixed]
-    return next((stroke.link for stroke in (*direct, *blocks, *arrows)), None)
+    dots = [s for s in strokes if isinstance(s.shape, Dot) and s.label == letter]
+    return next((stroke.link for stroke in (*direct, *blocks, *arrows, *dots)), None)
 
 
 def _coriolis(panel: Panel) -> list[tuple[Arrow, str | None]]:

@@ -47,7 +47,7 @@ class NumberedTurn(TurnBoard):
             sketch = moving.pose(panel, 0.0)
             _number(sketch, moving, shares)
             items += lasting(sketch)
-            if panel.picture == "skeleton" and self.clock:
+            if panel.picture != "vectors" and self.clock:
                 items.append(self.item(panel.name, self.clock.marks()))
         ticks = [(share, f"{number}") for number, share in enumerate([*shares, 1.0], 1)]
         ticks[-1] = (1.0, "1")

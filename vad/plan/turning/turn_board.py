@@ -52,7 +52,7 @@ class TurnBoard:
         rows = rows_of(sheet)
         for index, panel in enumerate(sheet.panels):
             room = self.page.panels[panel.name].drawing
-            if panel.picture == "skeleton":
+            if panel.picture != "vectors":
                 self.clock = Clock(self.cycle, turn.course, sheet, room)
                 room = Rect(room.left, room.bottom, room.right, room.top - self.clock.height)
             setting = Setting(sheet, panel, room, rows, 0, self.form.centimetre)
@@ -72,7 +72,7 @@ class TurnBoard:
         items = [*self.unmoved]
         for panel in sheet.panels:
             items += self.panels[panel.name].items(panel, phase)
-            if panel.picture == "skeleton" and self.clock:
+            if panel.picture != "vectors" and self.clock:
                 items.append(self.item(panel.name, self.clock.marks(share)))
         for name, chart in self.charts.items():
             items.append(self.item(f"{name} curve", [*chart.moving(share), *chart.words(share)]))
@@ -104,7 +104,7 @@ class TurnBoard:
             centimetre = self.form.centimetre
             marks = head(panel, place, moving.scale, centimetre, sheet.notation)
             yield f"{panel.name} head", marks
-            if panel.picture == "skeleton":
+            if panel.picture != "vectors":
                 yield panel.name, self._return_way(moving)
         for name, chart in self.charts.items():
             ticks = chart.scale(self.ticks, self.tick_rows - 1)

@@ -1,0 +1,177 @@
+"""Views of a mechanism in space: what a hand-made sheet becomes on the page, in a turn and live."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+
+import pytest
+
+from tests.plan.overlaps import overlaps, planned
+from tests.plan.sheet_of_views import ROUND, sheet_of_views
+from vad.export.data.sheet_json import sheet_from_json, to_text
+from vad.plan.format import screen
+from vad.plan.items import Item
+from vad.plan.live.live_board import LiveBoard
+from vad.plan.marks import Disc, Lettering, Mark, Polygon, Polyline
+from vad.plan.page.captioning import caption_lines
+from vad.plan.pictures.curves import PlacedCurve
+from vad.plan.pictures.views import views_scale
+from vad.plan.sketch import Setting, Sketch
+from vad.plan.turning.moving_views import MovingViews
+from vad.strokes.sheet import Arrow
+
+POSES = [sheet_of_views(degrees) for degrees in range(5, 365, 30)]
+
+
+def marks(items: list[Item], name: str, role: str) -> list[Mark]:
+    return [
+        mark for item in items if item.stroke == name for mark in item.marks if mark.role == role
+    ]
+
+
+def setting(room_of: Sketch) -> Setting:
+    return replace(room_of.setting, panel=POSES[0].panels[0])
+
+
+def length(mark: Mark) -> float:
+    assert isinstance(mark.shape, Polyline)
+    return sum(abs(b - a) for piece in mark.shape.pieces for a, b in pairwise(piece))
+
+
+@pytest.mark.parametrize(
+    "sheet", POSES[::3], ids=lambda s: f"{s.rows[0].cells['position'][0].value:g}"
+)
+def test_no_letter_lies_on_a_stroke(sheet):
+    assert overlaps(sheet, lesson=True) == []
+    assert overlaps(sheet, (1024, 768)) == []
+
+
+def test_a_sheet_of_views_reads_back_from_its_json():
+    sheet = sheet_of_views()
+    assert sheet_from_json(to_text(sheet)) == sheet
+
+
+def test_the_far_half_of_a_circle_is_dashed_and_the_near_one_solid():
+    sketch = planned(sheet_of_views()).sketches["position"]
+    (near,) = marks(sketch.items, "position:circle", "path")
+    (far,) = marks(sketch.items, "position:circle", "path far")
+    assert length(near) == pytest.approx(length(far))
+    centre = sketch.scale(0j).imag
+    assert all(z.imag >= centre - 1e-12 for piece in far.shape.pieces for z in piece)
+    assert all(z.imag <= centre + 1e-12 for piece in near.shape.pieces for z in piece)
+
+
+def test_a_curve_grows_from_its_first_point_through_near_and_far_parts():
+    curve = PlacedCurve([complex(x) for x in range(9)], frozenset((2, 3, 6)))
+    for share in (0.125, 0.3, 0.5, 0.8, 1.0):
+        grown = [
+            shown for mark in curve.marks("path", "path far", None) if (shown := mark.at(share))
+        ]
+        assert sum(map(length, grown)) == pytest.approx(8 * share)
+        reach = max(z.real for mark in grown for piece in mark.shape.pieces for z in piece)
+        assert reach == pytest.approx(8 * share)
+
+
+def test_joints_are_open_and_a_crossing_of_no_body_is_a_point():
+    sketch = planned(sheet_of_views()).sketches["position"]
+    discs = {
+        role: {
+            mark.shape.centre
+            for item in sketch.items
+            for mark in item.marks
+            if mark.role == role and isinstance(mark.shape, Disc)
+        }
+        for role in ("joint", "point")
+    }
+    assert discs["point"] == {sketch.scale(1.2 - 2.6j)}
+    assert sketch.scale(0j) in discs["joint"]
+
+
+def test_the_bushes_of_a_bearing_leave_the_shaft_free():
+    sketch = planned(sheet_of_views()).sketches["position"]
+    bushes = marks(sketch.items, "position:bearing", "bearing")
+    axis = sketch.scale(-2.6j).real
+    sides = [
+        {z.real > axis for z in mark.shape.rings[0]}
+        for mark in bushes
+        if isinstance(mark.shape, Polygon)
+    ]
+    assert sorted(map(list, sides)) == [[False], [True]]
+
+
+def test_the_scale_is_that_of_the_ball_and_is_not_stated():
+    plan = planned(sheet_of_views())
+    sketch = plan.sketches["position"]
+    (ball,) = marks(sketch.items, "position:ball", "ball")
+    assert ball.shape.rings[0] == pytest.approx([sketch.scale(z) for z in ROUND])
+    heads = [m for i in plan.items if i.region == "position head" for m in i.marks]
+    assert not [mark for mark in heads if mark.role == "scale bar"]
+
+
+def test_the_notes_are_written_near_what_they_say():
+    sketch = planned(sheet_of_views()).sketches["position"]
+    front, above = sketch.tags[-2:]
+    assert (front.text, above.text) == ("seen from the front", "from above")
+    assert front.box.centre.imag > sketch.scale(0j).imag
+    assert above.box.centre.imag < sketch.scale(-1.5j).imag
+
+
+def test_in_a_turn_only_what_moves_is_drawn_again():
+    here = planned(POSES[0]).sketches["position"]
+    panels = [sheet.panels[0] for sheet in POSES]
+    moving = MovingViews(setting(here), panels, views_scale(setting(here), panels))
+    still = {item.stroke for item in moving.still.items}
+    assert {"position:ball", "position:bearing", "position:circle", "position:sleeve"} <= still
+    moved = {item.stroke for item in moving.pose(panels[3]).items}
+    assert {"position:OP.bar", "position:yoke", "position:P.projector"} <= moved
+    assert not still & moved - {""}
+    assert not {"position:OQ.line", "position:OP.angle"} & (still | moved)
+    bars = [s.shape for s in panels[3].strokes if s.name == "OP.bar"]
+    (bar,) = marks(moving.pose(panels[3]).items, "position:OP.bar", "bar")
+    assert isinstance(bars[0], Arrow)
+    assert bar.shape.pieces == ((moving.scale(bars[0].start), moving.scale(bars[0].end)),)
+
+
+def test_the_notes_of_a_turn_lie_on_no_pose():
+    here = planned(POSES[0]).sketches["position"]
+    panels = [sheet.panels[0] for sheet in POSES]
+    moving = MovingViews(setting(here), panels, views_scale(setting(here), panels))
+    poses = [moving.pose(panel).obstacles for panel in panels]
+    notes = [box for box, _ in moving.crowd.boxes]
+    assert len(notes) == 2
+    for box in notes:
+        # What stands still has the box itself among its lines.
+        lines = [line for pose in poses for line in pose.lines]
+        others = [line for line in lines if not box.holds(line[0])]
+        poses[0].lines[:] = others
+        poses[0].boxes.clear()
+        assert poses[0].free([box.centre], box.width, box.height, 0.0)[0]
+
+
+def test_under_the_hand_the_views_keep_their_scale_and_letters_stand_once_a_view():
+    form = screen((1280, 720))
+    board = LiveBoard(POSES[0], form, 1, [sheet.panels[0] for sheet in POSES])
+    ways: dict[str, dict[str, float]] = {}
+    scales = set()
+    for sheet in POSES[:4]:
+        pose = board.pose(sheet, {}, ways)
+        ways = {name: dict(each) for name, each in pose.ways.items()}
+        scales.add(pose.scales["position"])
+        letters = [
+            "".join(run.text for run in mark.shape.runs)
+            for item in pose.plan.shown(0)
+            for mark in item.marks
+            if mark.role == "letter"
+            and isinstance(mark.shape, Lettering)
+            and item.region == "position"
+        ]
+        assert sorted(letters) == ["O", "P", "P", "Q", "T"]
+        assert {"P", "P 1"} <= set(ways["position"])
+    assert len(scales) == 1
+
+
+def test_a_lesson_of_views_opens_large():
+    plan = planned(sheet_of_views(), lesson=True)
+    assert plan.opening.factor > 1.0
+    assert caption_lines(plan.sheet, 1.6) >= 1

@@ -1,0 +1,68 @@
+"""A mechanism in space under the hand: scale, notes and the arrow of its turning stand still.
+
+In come poses over all that the driver reaches, out goes the sketch of any of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from vad.plan.items import Level
+from vad.plan.labels.obstacles import Obstacles
+from vad.plan.labels.vertices import find_vertices
+from vad.plan.live.live_labels import KeptLabels, Ways
+from vad.plan.live.live_skeleton import add_angle
+from vad.plan.pictures.rotation import add_sense, block_arc
+from vad.plan.pictures.skeleton import given_rate
+from vad.plan.pictures.views import NEAR, RADIUS, angle_of, driven_angle, views_scale
+from vad.plan.sketch import Setting, Sketch
+from vad.plan.turning.moving_views import MovingViews
+from vad.strokes.sheet import Arc, Panel
+
+
+class LiveViews:
+    """The views of a page that is played with; ``poses`` are panels of its whole reach."""
+
+    def __init__(self, setting: Setting, poses: Sequence[Panel]) -> None:
+        self.scale = views_scale(setting, poses)
+        self._moving = MovingViews(setting, poses, self.scale)
+        self.still = self._moving.still
+        angle = driven_angle(setting.sheet, poses[0])
+        self._angle = poses[0].strokes[angle].shape if angle is not None else None
+
+    def pose(self, setting: Setting, ways: Ways) -> tuple[Sketch, dict[str, float]]:
+        """Return the mechanism in one pose, and where its labels stand."""
+        sketch = self._moving.pose(setting.panel)
+        sketch.setting = setting
+        still = self.still.setting.panel.strokes
+        unmoved = {stroke.name for stroke in still}
+        arcs = {
+            index: arc
+            for index, stroke in enumerate(setting.panel.strokes)
+            if stroke.name not in unmoved and (arc := angle_of(sketch, index))
+        }
+        for arc in arcs.values():
+            block_arc(sketch.obstacles, arc)
+        self._add_turning(sketch)
+        labels = KeptLabels(sketch, ways)
+        labels.letter(find_vertices(setting.panel, self.scale), RADIUS, NEAR)
+        for index, arc in arcs.items():
+            add_angle(sketch, index, arc, labels)
+        return sketch, labels.ways
+
+    def _add_turning(self, sketch: Sketch) -> None:
+        """Add the arrow of ω where it meets no pose."""
+        setting = sketch.setting
+        index = driven_angle(setting.sheet, setting.panel)
+        rate = given_rate(setting.sheet, "ω")[1]
+        if index is None or not isinstance(self._angle, Arc):
+            return
+        crowd = self._moving.crowd
+        free = Obstacles(crowd.edge, list(crowd.lines), list(crowd.boxes))
+        arrow = Sketch(setting, self.scale, free)
+        add_sense(arrow, index, self._angle, rate)
+        for item in arrow.items:
+            sketch.items.append(replace(item, level=Level.LABEL, since=0))
+        for tag in arrow.tags:
+            sketch.obstacles.box(tag.box)
