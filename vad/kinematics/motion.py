@@ -12,9 +12,9 @@ from vad.errors import InputError, shown, unknown
 from vad.kinematics.numbers import Real, Truth, Vector
 from vad.kinematics.results.inputs import ManyPoses, OnePose, checked
 from vad.kinematics.results.report import plain, table, units
-from vad.kinematics.results.views import Link, Point, Slider
+from vad.kinematics.results.views import Joint, Link, Point, Slider
 from vad.kinematics.solution import Solution
-from vad.kinematics.solver import solver_of
+from vad.kinematics.solver import Solver, solver_of
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
@@ -60,9 +60,9 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
         if name not in mechanism.inputs:
             raise unknown("input", name, mechanism.inputs)
     solver = solver_of(mechanism)
-    turns = solver.linkage.driver.kind == "angle"
+    turns = solver.driver.kind == "angle"
     # Beyond this, squares of rates times lengths would leave the range of double precision.
-    largest = 1e60 * (1.0 if turns else solver.frame.scale)
+    largest = 1e60 * (1.0 if turns else solver.scale)
     # What is left out is the mechanism's own default, which is never refused.
     given = dict(mechanism.inputs) | {
         name: checked(name, value, math.inf if name == "angle" else largest)
@@ -96,6 +96,12 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
             raise unknown("point", letter, self.points)
         return Point(self, letter)
 
+    def joint(self, letter: str) -> Joint[Real]:
+        """Return the motion of a joint of a mechanism in space."""
+        if not isinstance(letter, str) or letter not in self.solver.joints:
+            raise unknown("joint", letter, self.joints)
+        return Joint(self, letter)
+
     def slide(self, name: str) -> Slider[Real]:
         """Return the motion of a slide."""
         if not isinstance(name, str) or name not in self.solver.slides:
@@ -109,6 +115,11 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
         return tuple(name for name in names if name in self.solver.links)
 
     @property
+    def joints(self) -> tuple[str, ...]:
+        """The letters of the joints in space that have an angle of their own."""
+        return tuple(letter for letter in self.mechanism.letters if letter in self.solver.joints)
+
+    @property
     def slides(self) -> tuple[str, ...]:
         """The names of the slides."""
         names = self.mechanism.slides
@@ -118,7 +129,7 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
     def points(self) -> tuple[str, ...]:
         """The letters of the points: the mechanism's own, then those marked on its links."""
         names = (*self.mechanism.letters, *self.mechanism.points)
-        return tuple(letter for letter in names if letter in self.solver.routes.letters)
+        return tuple(letter for letter in names if letter in self.solver.letters)
 
     def table(self) -> str:
         """Return the results as a table in plain text, with units."""
@@ -127,11 +138,13 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
     def to_dict(self) -> dict[str, Any]:
         """Return the results as the JSON object of ``vad solve --json``.
 
-        Links, points and slides are listed by name with all that is known of them; plane vectors
-        are [x, y].  An array of poses gives nested lists.
+        Links, points and slides are listed by name with all that is known of them, in space joints,
+        too; vectors are [x, y] or [x, y, z].  An array of poses gives nested lists.
         """
         mechanism = self.mechanism
+        turning = ("angle", "omega", "alpha")
         positions = ("position", "velocity", "acceleration")
+        joints = {letter: _listed(self.joint(letter), turning) for letter in self.joints}
         return {
             "mechanism": mechanism.name,
             "parameters": mechanism.parameters(),
@@ -139,8 +152,10 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
             "assembly": self.assembly,
             "units": units(mechanism.length_unit),
             "links": {
-                name: _listed(self.link(name), ("angle", "omega", "alpha")) for name in self.links
+                name: _listed(self.link(name), turning[name in self.solver.bodies :])
+                for name in self.links
             },
+            **({} if isinstance(self.solver, Solver) else {"joints": joints}),
             "points": {letter: _listed(self.point(letter), positions) for letter in self.points},
             "slides": {
                 name: _listed(self.slide(name), (*positions, "coriolis")) for name in self.slides
@@ -148,7 +163,9 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
         }
 
 
-def _listed(part: Link[Any] | Point[Any] | Slider[Any], names: tuple[str, ...]) -> dict[str, Any]:
+def _listed(
+    part: Link[Any] | Joint[Any] | Point[Any] | Slider[Any], names: tuple[str, ...]
+) -> dict[str, Any]:
     values = ((name, getattr(part, name)) for name in names)
     return {name: plain(value) for name, value in values if value is not None}
 

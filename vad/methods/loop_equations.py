@@ -41,6 +41,8 @@ def problem_of(mechanism: Mechanism, inputs: Mapping[str, float]) -> Problem:
     +1 (the length of slider_b) along (90.0)
     """
     linkage = mechanism.marked()
+    if not isinstance(linkage, Linkage):
+        raise InputError(f"{mechanism.name}: has no loop equations in the plane")
     crossed = mechanism.assembly == "crossed"
     reader = _Reader(linkage, -1 if crossed else 1)
     equations = tuple(

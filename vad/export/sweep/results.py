@@ -53,7 +53,7 @@ class Results:
 
 def results_of(motion: Motions) -> Results:
     """Return what is written of a motion: its input, links, slides and marked points."""
-    unit, driver = motion.mechanism.length_unit, motion.linkage.driver
+    unit, driver = motion.mechanism.length_unit, motion.solver.driver
     links = motion.mechanism.links
     slides = motion.mechanism.slides | links  # a link that grows slides between its own ends
     name, places = next(iter(motion.inputs.items()))
