@@ -9,12 +9,12 @@ from vad.errors import InputError, UsageError, one_of, shown
 from vad.kinematics.linkage import points_of
 from vad.kinematics.motion import Motion
 from vad.strokes.canonical import canonical
-from vad.strokes.chains import NOTHING
 from vad.strokes.diagrams import DIAGRAMS, Diagram
 from vad.strokes.language import Language
 from vad.strokes.notation import Notation, in_metres
 from vad.strokes.scene import Scene
 from vad.strokes.sheet import Arrow, Cell, Panel, Row, Sheet, Stroke
+from vad.strokes.vector_equations import NOTHING
 
 #: So many parameters a title has at most.
 MOST = 8
