@@ -10,10 +10,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from vad.strokes.sheet import (
+    BELOW,
     Cell,
-    CoriolisInset,
     Equation,
     ImageTriangle,
+    Inset,
     Note,
     Panel,
     Picture,
@@ -26,15 +27,21 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
-    """What is drawn of one pose: see `Panel`, which adds what its diagram says of itself."""
+    """What is drawn of one pose: see `Panel`, which adds what its diagram says of itself.
+
+    ``unit`` is that of its coordinates where it is not that of its diagram.
+    """
 
     strokes: tuple[Stroke, ...]
     zeros: tuple[Stroke, ...] = ()
     equations: tuple[Equation, ...] = ()
-    inset: CoriolisInset | None = None
+    inset: Inset | None = None
     triangles: tuple[ImageTriangle, ...] = ()
     loops: tuple[int, ...] = ()
     notes: tuple[Note, ...] = ()
+    remark: str = ""
+    unit: str = ""
+    below: Drawing | None = None
 
 
 def no_cells(scene: Scene, name: str) -> tuple[Cell, ...]:
@@ -69,6 +76,7 @@ class Diagram:
         From a scene and the name of a link or slide to the cells that it adds to that row.
     tracks
         From a scene to where its lettered points are: complex arrays where it has many poses.
+        Those of the polygon below the first one, too, by ``z.below``.
     usual
         Whether it is drawn where nobody asks for it by name.
     """
@@ -86,10 +94,12 @@ class Diagram:
 
     def panel(self, scene: Scene) -> Panel:
         """Return the panel of a pose, its title in the language of the scene."""
-        drawing = self.pose(scene)
+        return self._panel(scene, self.name, self.pose(scene))
+
+    def _panel(self, scene: Scene, name: str, drawing: Drawing) -> Panel:
         return Panel(
-            self.name,
-            self.unit(scene),
+            name,
+            drawing.unit or self.unit(scene),
             drawing.strokes,
             drawing.equations,
             drawing.inset,
@@ -99,4 +109,6 @@ class Diagram:
             drawing.triangles,
             drawing.loops,
             drawing.notes,
+            drawing.remark,
+            self._panel(scene, name + BELOW, drawing.below) if drawing.below else None,
         )
