@@ -159,7 +159,9 @@ def acceleration(scene: SceneInSpace) -> Drawing:
     alpha = Figure(rates.alpha2, "rad/s²", given=True)
     caption = say("hooke given acceleration", symbol=turning("α", 2), value=alpha)
     hand.vector("α2", "known", turning("α", 2), (one, two), "driving", caption)
-    hand.vector("ω42τ", "known", TURNED, (two, turned), "cross", _turned(scene, rates), "normal")
+    hand.vector(
+        "ω42τ", "known", TURNED, (two, turned), "cross", _turned(scene, rates), "normal", ("cross",)
+    )
     along = complex(rates.along)
     caption = say("hooke along OT acceleration", symbol=turning("ω", 42))
     hand.line("OT.line", "OT", turned, along, four[1], "cross", caption)
@@ -167,8 +169,9 @@ def acceleration(scene: SceneInSpace) -> Drawing:
     zeros = {"cross": rates.omega42 * rates.tau, "driven": rates.alpha4}
     hand.cross("4.crossing", four, zeros)
     hand.measure("α42", GROWN, (turned, four), "cross", abs(rates.alpha42), "tangential")
-    whole = abs(four[1] - two[1])
-    hand.measure("α42.whole", turning("α", 42), (two, four), "cross", whole, "relative")
+    several = all(hand.shows(b[1] - a[1]) for a, b in ((two, turned), (turned, four)))
+    size, symbol = abs(four[1] - two[1]), turning("α", 42)
+    hand.measure("α42.whole", symbol, (two, four), "cross", size, "relative", several=several)
     hand.measure("α4", turning("α", 4), (one, four), "driven", rates.alpha4, reveals=("driven",))
     return hand.drawing((("α2", "ω42τ", "α42"), ("α4",)))
 
