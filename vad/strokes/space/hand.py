@@ -81,7 +81,7 @@ class Hand:
         reveals: tuple[str, ...] = (),
         several: bool = True,
     ) -> None:
-        """Draw a vector between two vertices; a sum of parts if ``several`` of them are to be seen."""
+        """Draw a vector between two vertices; that of no more than one part is left out."""
         (tail, start), (head, end) = ends
         shown = self.shows(end - start)
         arrow = Arrow(start, end if shown else start, tail, head)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure
@@ -28,6 +28,9 @@ from vad.strokes.sheet import (
 )
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.written import PRIME, subscript, with_unit
+
+if TYPE_CHECKING:
+    from vad.kinematics.motion import Motion
 
 PLAN = -2.6j
 #: From O: the back of a yoke, the middle of its bearing, the end of its shaft, that of its axis.
@@ -50,6 +53,11 @@ def plan(vector: Any) -> Any:
     return -vector[..., 1] - 1j * vector[..., 2]
 
 
+def pins(motion: Motion[Any, Any, Any]) -> list[Any]:
+    """Return where P and Q are."""
+    return [motion.point(letter).position for letter in "PQ"]
+
+
 def pierced(p: Any, q: Any) -> Any:
     """Return where the line of an end of P's arm and one of Q's pierces the plane of the shafts.
 
@@ -61,7 +69,7 @@ def pierced(p: Any, q: Any) -> Any:
 
 def tracks(scene: SceneInSpace) -> Mapping[str, Any]:
     """Return where the lettered points are in both views."""
-    p, q = (scene.motion.point(letter).position for letter in "PQ")
+    p, q = pins(scene.motion)
     t = pierced(p, q)
     ways = {"P": p, "Q": q, "T": t}
     return {
@@ -89,8 +97,7 @@ class _Views:
         self.shafts = math.radians(motion.mechanism.parameters()["shaft_angle"])
         self.theta2 = float(motion.link("driving").angle)
         self.theta4 = float(motion.link("driven").angle)
-        pins: list[Any] = [motion.point(letter).position for letter in "PQ"]
-        self.p, self.q = pins
+        self.p, self.q = pins(motion)
         #: From O along shaft 4, away from it, in the plan.
         self.away = 1j * cmath.exp(1j * self.shafts)
         self.strokes: list[Stroke] = []
