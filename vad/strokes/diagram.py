@@ -23,13 +23,14 @@ from vad.strokes.sheet import (
 
 if TYPE_CHECKING:
     from vad.strokes.scene import Scene
+    from vad.strokes.scenes import AnyScene
 
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
     """What is drawn of one pose: see `Panel`, which adds what its diagram says of itself.
 
-    ``unit`` is that of its coordinates where it is not that of its diagram.
+    ``picture`` is None where it is that of the diagram; ``unit`` is that of a polygon ``below``.
     """
 
     strokes: tuple[Stroke, ...]
@@ -39,6 +40,7 @@ class Drawing:
     triangles: tuple[ImageTriangle, ...] = ()
     loops: tuple[int, ...] = ()
     notes: tuple[Note, ...] = ()
+    picture: Picture | None = None
     remark: str = ""
     unit: str = ""
     below: Drawing | None = None
@@ -92,20 +94,20 @@ class Diagram:
     tracks: Callable[[Scene], Mapping[str, Any]] = no_tracks
     usual: bool = True
 
-    def panel(self, scene: Scene) -> Panel:
+    def panel(self, scene: AnyScene) -> Panel:
         """Return the panel of a pose, its title in the language of the scene."""
-        return self._panel(scene, self.name, self.pose(scene))
+        return self._panel(scene, self.name, scene.drawing(self))
 
-    def _panel(self, scene: Scene, name: str, drawing: Drawing) -> Panel:
+    def _panel(self, scene: AnyScene, name: str, drawing: Drawing) -> Panel:
         return Panel(
             name,
-            drawing.unit or self.unit(scene),
+            drawing.unit or scene.unit_of(self),
             drawing.strokes,
             drawing.equations,
             drawing.inset,
             drawing.zeros,
             scene.language.name(self.title),
-            self.picture,
+            drawing.picture or self.picture,
             drawing.triangles,
             drawing.loops,
             drawing.notes,

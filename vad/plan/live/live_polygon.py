@@ -16,7 +16,7 @@ from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
 from vad.plan.live.live_labels import KeptLabels, Ways
 from vad.plan.pictures.arrows import place_vectors
-from vad.plan.pictures.vectors import CORIOLIS, DOT, NEAR, dot
+from vad.plan.pictures.vectors import DOT, NEAR, dot, name_of
 from vad.plan.roles import DOT_RIM
 from vad.plan.scale import Scale
 from vad.plan.sharing import add_lower_bar
@@ -39,17 +39,17 @@ def live_polygon(setting: Setting, scale: Scale, ways: Ways) -> tuple[Sketch, di
     add_lower_bar(sketch)
     labels = KeptLabels(sketch, ways)
     labels.letter(vertices, 0.0, NEAR)
-    _name_coriolis(sketch, labels)
+    _name_vectors(sketch, labels)
     return sketch, labels.ways
 
 
-def _name_coriolis(sketch: Sketch, labels: KeptLabels) -> None:
-    """Write 2ωv beside the Coriolis vectors."""
-    runs = symbols(CORIOLIS)
+def _name_vectors(sketch: Sketch, labels: KeptLabels) -> None:
+    """Write the names of vectors that have one of their own."""
     for stroke in sketch.setting.panel.strokes:
-        if stroke.component == "coriolis" and isinstance(stroke.shape, Arrow):
+        name, runs = name_of(stroke), symbols(name_of(stroke))
+        if name and isinstance(stroke.shape, Arrow):
             start, end = sketch.scale(stroke.shape.start), sketch.scale(stroke.shape.end)
             across = 1j * direction_of(start, end)
             wanted = Wish((start + end) / 2, across, *ink_size(runs, SMALL_SIZE), near=GAPS)
             row = sketch.setting.row(stroke.link)
-            labels.add(CORIOLIS, runs, SMALL_SIZE, wanted, "tag", row)
+            labels.add(name, runs, SMALL_SIZE, wanted, "tag", row)

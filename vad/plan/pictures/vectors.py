@@ -23,7 +23,7 @@ from vad.plan.scale import fill
 from vad.plan.sharing import add_lower_bar
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.language import Language
-from vad.strokes.sheet import Arrow, CoriolisInset, Dot, Line
+from vad.strokes.sheet import Arrow, CoriolisInset, Dot, Line, Stroke
 
 CORIOLIS = "2ωv"
 DOT = 0.0068
@@ -80,7 +80,7 @@ def _sketch(setting: Setting, room: Rect) -> Sketch:
         sketch.obstacles.disc(vertex.at, DOT + DOT_RIM, (setting.after(index), FOREVER))
     add_lower_bar(sketch)
     label_vertices(sketch, vertices, 0.0, NEAR)
-    _name_coriolis(sketch)
+    _name_vectors(sketch)
     return sketch
 
 
@@ -115,10 +115,21 @@ def swelling(at: complex) -> Scaling:
     return Scaling(at, ((SMALLEST, SMALLEST), (1.0, 1.0)))
 
 
-def _name_coriolis(sketch: Sketch) -> None:
-    """Write 2ωv beside the Coriolis vector: the one name on a side."""
+def name_of(stroke: Stroke) -> str:
+    """Return what is written beside a vector: 2ωv, a symbol, nothing where its ends name it."""
+    if not isinstance(stroke.shape, Arrow):
+        return ""
+    if stroke.component == "coriolis":
+        return CORIOLIS
+    ends = stroke.shape.tail + stroke.shape.head
+    return "" if stroke.label == ends else stroke.label
+
+
+def _name_vectors(sketch: Sketch) -> None:
+    """Write the names of vectors that have one of their own."""
     setting = sketch.setting
     for index, stroke in enumerate(setting.panel.strokes):
-        if stroke.component == "coriolis" and isinstance(stroke.shape, Arrow):
+        name = name_of(stroke)
+        if name and isinstance(stroke.shape, Arrow):
             ends = sketch.scale(stroke.shape.start), sketch.scale(stroke.shape.end)
-            add_tag(sketch, stroke, CORIOLIS, ends, SMALL_SIZE, ALWAYS, setting.after(index))
+            add_tag(sketch, stroke, name, ends, SMALL_SIZE, ALWAYS, setting.after(index))
