@@ -31,7 +31,9 @@ PHRASES = {
     ),
     "hooke projectors": "P und Q im Grundriss: senkrecht darunter.",
     "hooke P plan": "Der Arm von P im Grundriss.",
-    "hooke Q plan": "Der Arm von Q im Grundriss: Kreuz 3 verbindet beide Gabeln.",
+    "hooke Q plan": (
+        "Der Arm von Q im Grundriss: Kreuz 3 schwenkt um ψ = {at_p}° um P und {at_q}° um Q."
+    ),
     "hooke yoke": "Gabel {shaft} hält den Zapfen {pin}.",
     "hooke fork": "Gabel {shaft}, längs Welle 2 gesehen.",
     "hooke PQ": "Die Gerade von {one} nach {other} auf der anderen Seite der Ebene der Wellen.",
@@ -46,12 +48,12 @@ PHRASES = {
         "des Kreuzes drehen; in der Ebene der Wellen ist nur OT eine, also liegt 4 auf dieser "
         "Geraden."
     ),
+    "hooke shaft": "Welle {shaft}",
     "hooke along shaft": (
         "Durch den Pol parallel zu Welle 4: um eine andere Gerade dreht sie sich nicht, also liegt "
         "{meeting} auf dieser Geraden."
     ),
-    "hooke crossing": "{letter} liegt im Schnittpunkt der beiden Geraden.",
-    "hooke found": "{label} = {symbol} = {value} {unit}.",
+    "turning measured": "{label} = {symbol} = {value} {unit}.",
     "hooke laid over": (
         "Die Ebene des Kreuzes, um 24 umgeklappt. Durch 2 parallel zu {arm}: um {arm} dreht sich "
         "das Kreuz gegenüber Gabel 2, also liegt 3 auf dieser Geraden."

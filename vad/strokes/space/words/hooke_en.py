@@ -27,7 +27,9 @@ PHRASES = {
     "hooke theta 4": "There its angle is true: {theta} = {value}°, for tan {theta} = {ratio}.",
     "hooke projectors": "P and Q in the plan: straight below.",
     "hooke P plan": "The arm of P in the plan.",
-    "hooke Q plan": "The arm of Q in the plan: cross 3 joins both yokes.",
+    "hooke Q plan": (
+        "The arm of Q in the plan: cross 3 swings by ψ = {at_p}° about P and {at_q}° about Q."
+    ),
     "hooke yoke": "Yoke {shaft} holds the pin {pin}.",
     "hooke fork": "Yoke {shaft} as seen along shaft 2.",
     "hooke PQ": "The line from {one} to {other}, on the far side of the plane of the shafts.",
@@ -41,12 +43,12 @@ PHRASES = {
         "Through 2, parallel to OT: against yoke 2, yoke 4 can turn only about lines in the plane "
         "of the cross; in the plane of the shafts only OT is one, so 4 lies on this line."
     ),
+    "hooke shaft": "shaft {shaft}",
     "hooke along shaft": (
         "Through the pole, parallel to shaft 4: it turns about no other line, so {meeting} lies "
         "on this line."
     ),
-    "hooke crossing": "{letter} is where the two lines cross.",
-    "hooke found": "{label} = {symbol} = {value} {unit}.",
+    "turning measured": "{label} = {symbol} = {value} {unit}.",
     "hooke laid over": (
         "The plane of the cross, laid over about 24. Through 2, parallel to {arm}: about {arm} "
         "the cross turns against yoke 2, so 3 lies on this line."
@@ -67,6 +69,7 @@ PHRASES = {
 }
 
 NAMES = {
+    "Hooke's joint": "Hooke’s joint",
     "driving": "driving shaft",
     "driven": "driven shaft",
     "shaft_angle": "shaft angle",

@@ -32,7 +32,10 @@ PHRASES = {
     ),
     "hooke projectors": "P et Q dans le plan : à l’aplomb.",
     "hooke P plan": "Le bras de P dans le plan.",
-    "hooke Q plan": "Le bras de Q dans le plan : le croisillon 3 relie les deux fourches.",
+    "hooke Q plan": (
+        "Le bras de Q dans le plan : le croisillon 3 pivote de ψ = {at_p}° autour de P et "
+        "{at_q}° autour de Q."
+    ),
     "hooke yoke": "La fourche {shaft} tient le tourillon {pin}.",
     "hooke fork": "La fourche {shaft}, vue suivant l’arbre 2.",
     "hooke PQ": "La droite de {one} à {other}, de l’autre côté du plan des arbres.",
@@ -47,12 +50,12 @@ PHRASES = {
         "qu’autour de droites du plan du croisillon ; dans le plan des arbres, OT est la seule, "
         "donc 4 est sur cette droite."
     ),
+    "hooke shaft": "arbre {shaft}",
     "hooke along shaft": (
         "Par le pôle, parallèlement à l’arbre 4 : il ne tourne autour d’aucune autre droite, donc "
         "{meeting} est sur cette droite."
     ),
-    "hooke crossing": "{letter} est à l’intersection des deux droites.",
-    "hooke found": "{label} = {symbol} = {value} {unit}.",
+    "turning measured": "{label} = {symbol} = {value} {unit}.",
     "hooke laid over": (
         "Le plan du croisillon, rabattu autour de 24. Par 2, parallèlement à {arm} : autour de "
         "{arm}, le croisillon tourne par rapport à la fourche 2, donc 3 est sur cette droite."
