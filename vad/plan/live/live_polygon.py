@@ -9,7 +9,6 @@ from dataclasses import replace
 
 from vad.plan.geometry import direction_of
 from vad.plan.items import Level
-from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import Wish
 from vad.plan.labels.tags import GAPS, SMALL_SIZE
 from vad.plan.labels.vertices import find_vertices
@@ -20,6 +19,7 @@ from vad.plan.pictures.arrows import place_vectors
 from vad.plan.pictures.vectors import DOT, NEAR, dot, name_of
 from vad.plan.roles import DOT_RIM
 from vad.plan.scale import Scale
+from vad.plan.sharing import add_lower_bar
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Arrow, Dot
 
@@ -28,7 +28,7 @@ def live_polygon(setting: Setting, scale: Scale, ways: Ways) -> tuple[Sketch, di
     """Return the polygon of one pose, and where its labels stand."""
     strokes = tuple(s for s in setting.panel.strokes if isinstance(s.shape, Arrow | Dot))
     shown = replace(setting, panel=replace(setting.panel, strokes=strokes))
-    sketch = Sketch(shown, scale, Obstacles(setting.room))
+    sketch = Sketch(shown, scale, setting.clear())
     for index, placed in place_vectors(sketch).items():
         sketch.add(strokes[index], Level.STROKE, 0, placed.marks())
         placed.block(sketch.obstacles, 0)
@@ -36,6 +36,7 @@ def live_polygon(setting: Setting, scale: Scale, ways: Ways) -> tuple[Sketch, di
     for vertex in vertices:
         sketch.add(strokes[vertex.since], Level.DOT, 0, [dot(vertex.at)])
         sketch.obstacles.disc(vertex.at, DOT + DOT_RIM)
+    add_lower_bar(sketch)
     labels = KeptLabels(sketch, ways)
     labels.letter(vertices, 0.0, NEAR)
     _name_vectors(sketch, labels)
