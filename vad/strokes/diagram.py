@@ -10,10 +10,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from vad.strokes.sheet import (
+    BELOW,
     Cell,
-    CoriolisInset,
     Equation,
     ImageTriangle,
+    Inset,
     Note,
     Panel,
     Picture,
@@ -22,19 +23,27 @@ from vad.strokes.sheet import (
 
 if TYPE_CHECKING:
     from vad.strokes.scene import Scene
+    from vad.strokes.scenes import AnyScene
 
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
-    """What is drawn of one pose: see `Panel`, which adds what its diagram says of itself."""
+    """What is drawn of one pose: see `Panel`, which adds what its diagram says of itself.
+
+    ``picture`` and ``unit`` are those of its diagram where they are not given.
+    """
 
     strokes: tuple[Stroke, ...]
     zeros: tuple[Stroke, ...] = ()
     equations: tuple[Equation, ...] = ()
-    inset: CoriolisInset | None = None
+    inset: Inset | None = None
     triangles: tuple[ImageTriangle, ...] = ()
     loops: tuple[int, ...] = ()
     notes: tuple[Note, ...] = ()
+    remark: str = ""
+    unit: str = ""
+    below: Drawing | None = None
+    picture: Picture | None = None
 
 
 def no_cells(scene: Scene, name: str) -> tuple[Cell, ...]:
@@ -69,6 +78,7 @@ class Diagram:
         From a scene and the name of a link or slide to the cells that it adds to that row.
     tracks
         From a scene to where its lettered points are: complex arrays where it has many poses.
+        Those of the polygon below the first one, too, by ``z.below``.
     usual
         Whether it is drawn where nobody asks for it by name.
     """
@@ -84,19 +94,23 @@ class Diagram:
     tracks: Callable[[Scene], Mapping[str, Any]] = no_tracks
     usual: bool = True
 
-    def panel(self, scene: Scene) -> Panel:
+    def panel(self, scene: AnyScene) -> Panel:
         """Return the panel of a pose, its title in the language of the scene."""
-        drawing = self.pose(scene)
+        return self._panel(scene, self.name, scene.drawing(self))
+
+    def _panel(self, scene: AnyScene, name: str, drawing: Drawing) -> Panel:
         return Panel(
-            self.name,
-            self.unit(scene),
+            name,
+            drawing.unit or scene.unit_of(self),
             drawing.strokes,
             drawing.equations,
             drawing.inset,
             drawing.zeros,
             scene.language.name(self.title),
-            self.picture,
+            drawing.picture or self.picture,
             drawing.triangles,
             drawing.loops,
             drawing.notes,
+            drawing.remark,
+            self._panel(scene, name + BELOW, drawing.below) if drawing.below else None,
         )

@@ -36,6 +36,8 @@ from vad.strokes.sheet import Arc, Arrow, Bearing, Block, Curve, Dot, Line, Pane
 #: Of joints and sleeves: two views have the room of one mechanism in the plane.
 SIZE = 0.8
 RADIUS = machine.JOINT_REACH * SIZE
+#: Letters stand beside what reaches farthest, seldom beyond it: so much less room is kept for them.
+SLACK = 0.025
 NEAR = (0.012, 0.018, 0.026, 0.034)
 
 
@@ -73,7 +75,8 @@ def draw(setting: Setting) -> Sketch:
 def views_scale(setting: Setting, poses: Sequence[Panel]) -> Scale:
     """Return the scale at which the views fill their panel in all poses; they state none."""
     points = [point for pose in poses for point in reach(pose)]
-    scale = fill(points, setting.room, position=False, centimetre=setting.centimetre)
+    room = setting.room.inside(-SLACK)
+    scale = fill(points, room, position=False, centimetre=setting.centimetre)
     return replace(scale, bare=True)
 
 
@@ -90,8 +93,10 @@ def add_stroke(sketch: Sketch, index: int) -> None:
     setting = sketch.setting
     stroke, during = setting.panel.strokes[index], setting.during(index)
     match stroke.shape:
-        case Arrow(start, end):
+        case Arrow(start, end, tail, head):
             add_curve(sketch, index, Curve((start, end)))
+            for at in [z for z, letter in ((start, tail), (end, head)) if not letter]:
+                _add_joint(sketch, index, sketch.scale(at))
         case Curve():
             add_curve(sketch, index, stroke.shape)
         case Dot(at):
@@ -150,11 +155,12 @@ def driven_angle(sheet: Sheet, panel: Panel) -> int | None:
 
 
 def add_names(sketch: Sketch) -> None:
-    """Write the names of curves beside their middles."""
+    """Write the names of bars and curves beside their middles."""
     setting = sketch.setting
     for index, stroke in enumerate(setting.panel.strokes):
-        if isinstance(stroke.shape, Curve) and stroke.label:
-            points, since = stroke.shape.points, setting.after(index)
+        if isinstance(stroke.shape, Curve | Arrow) and stroke.label:
+            shape, since = stroke.shape, setting.after(index)
+            points = shape.points if isinstance(shape, Curve) else (shape.start, shape.end)
             middle = max(1, len(points) // 2)
             ends = sketch.scale(points[middle - 1]), sketch.scale(points[middle])
             add_tag(sketch, stroke, stroke.label, ends, SMALL_SIZE, (since, FOREVER), since)
@@ -177,6 +183,14 @@ def _add_dot(sketch: Sketch, index: int, at: complex) -> None:
     sketch.add(stroke, Level.DOT, during, [part(at, swelling(at), SIZE)], until)
     if not stroke.label:
         sketch.obstacles.disc(at, RADIUS, (during, FOREVER))
+
+
+def _add_joint(sketch: Sketch, index: int, at: complex) -> None:
+    """Add the joint at the end of a bar that bears no letter there."""
+    since = sketch.setting.after(index)
+    stroke = sketch.setting.panel.strokes[index]
+    sketch.add(stroke, Level.DOT, since, [machine.joint(at, size=SIZE)])
+    sketch.obstacles.disc(at, RADIUS, (since, FOREVER))
 
 
 def _add_sleeve(sketch: Sketch, index: int, shape: Block) -> None:
