@@ -40,8 +40,12 @@ if TYPE_CHECKING:
     from vad.mechanisms.elliptical_trammel import EllipticalTrammel
     from vad.mechanisms.four_bar import FourBar
     from vad.mechanisms.gate_actuator import GateActuator
+    from vad.mechanisms.hooke_joint import HookeJoint
+    from vad.mechanisms.rssr import RSSR
     from vad.mechanisms.scotch_yoke import ScotchYoke
     from vad.mechanisms.slider_crank import SliderCrank
+    from vad.mechanisms.spatial_four_bar import SpatialFourBar
+    from vad.mechanisms.spherical_four_bar import SphericalFourBar
     from vad.mechanisms.whitworth import Whitworth
     from vad.showing import show, widget
     from vad.strokes.draw import draw
@@ -52,6 +56,7 @@ __version__ = "0.1.0"
 
 __all__ = [
     "MECHANISMS",
+    "RSSR",
     "AssemblyError",
     "CrankSlottedLever",
     "DeadCentreError",
@@ -60,6 +65,7 @@ __all__ = [
     "ExportError",
     "FourBar",
     "GateActuator",
+    "HookeJoint",
     "InputError",
     "Lesson",
     "Mechanism",
@@ -69,6 +75,8 @@ __all__ = [
     "ScotchYoke",
     "Sheet",
     "SliderCrank",
+    "SpatialFourBar",
+    "SphericalFourBar",
     "Still",
     "Turn",
     "UsageError",

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 import vad
 from tests.invariants.test_motion import defaults, factors, optional
-from vad.kinematics import program, solver
+from vad.kinematics import any_solver, program
 from vad.kinematics.blocks import Blocks
 from vad.kinematics.compiled import Compiled
 from vad.kinematics.evaluation import Evaluation
@@ -99,7 +99,7 @@ def test_all_ways_give_the_same_bits(name: str, data: Any) -> None:
             wanted = bits(direct(mechanism, pose, result))
             assert bits(array[number]) == wanted, (result, pose)
             single = vad.solve(mechanism, **dict(zip(inputs, pose, strict=True)))
-            solver_of(mechanism)._asked[result] = solver.OFTEN
+            solver_of(mechanism)._asked[result] = any_solver.OFTEN
             try:
                 assert bits(single.read(result)) == wanted, (result, pose)
             except vad.VadError:
@@ -153,7 +153,7 @@ def test_a_position_costs_no_velocity(angle: Any, orders: int, monkeypatch: Any)
 
     monkeypatch.setattr(Solver, "rates", counted)
     mechanism = vad.FourBar(coupler=121.0 + orders, rocker=80.0 + np.size(angle))
-    for _ in range(solver.OFTEN + 2):
+    for _ in range(any_solver.OFTEN + 2):
         link = vad.solve(mechanism, angle=angle).link("rocker")
         assert np.all(link.omega if orders else link.angle)
     assert set(asked) == set(range(1, orders + 1))

@@ -96,7 +96,7 @@ def _nearest(
     mechanism: WrittenMechanism, ranges: tuple[tuple[float, float], ...]
 ) -> Nearest | None:
     """Look for the smallest sine on a grid."""
-    solver = solver_of(mechanism)
+    solver = solver_of(mechanism).plane
     if not ranges or not solver.loops:
         return None
     places = np.concatenate([np.linspace(low, high, _SAMPLES) for low, high in ranges])

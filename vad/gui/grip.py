@@ -29,13 +29,13 @@ def grip(motion: Motion, panel: Panel, scale: Scale, form: Format) -> dict[str, 
     def place(z: complex) -> list[float]:
         return [round(z.real * form.unit, 2), round((form.height - z.imag) * form.unit, 2)]
 
-    index = held(panel, motion.linkage.driver.name)
+    index = held(panel, motion.solver.driver.name)
     if index is None:
         return None
     shape, name = panel.strokes[index].shape, next(iter(motion.mechanism.inputs))
     factor = scale.factor * form.unit
     if isinstance(shape, Arrow):
-        kind = "angle" if motion.linkage.driver.kind == "angle" else "length"
+        kind = "angle" if motion.solver.driver.kind == "angle" else "length"
         about, at = scale(shape.start), scale(shape.end)
         return {
             "kind": kind,

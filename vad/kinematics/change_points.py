@@ -12,7 +12,7 @@ import numpy as np
 from vad.errors import InputError
 from vad.kinematics.closing.parallelogram import ParallelLoop
 from vad.kinematics.numbers import positive
-from vad.kinematics.reach import approach, closing_range, limits
+from vad.kinematics.reach import approach, closing_range
 from vad.kinematics.solver import Solver, solver_of
 
 if TYPE_CHECKING:
@@ -69,6 +69,8 @@ def change_points(mechanism: Mechanism) -> tuple[ChangePoint, ...]:
     ()
     """
     solver = solver_of(mechanism)
+    if not isinstance(solver, Solver):
+        return ()
     found: list[ChangePoint] = []
     for number, loop in enumerate(solver.loops):
         if not loop.two_ways or loop.loop.parallel:
@@ -86,7 +88,7 @@ def change_points(mechanism: Mechanism) -> tuple[ChangePoint, ...]:
 def _flat_places(solver: Solver, number: int, low: float, high: float) -> Iterator[float]:
     """Yield the places within a range at which the sine of a loop touches zero."""
     turns = solver.linkage.driver.kind == "angle"
-    exact = limits(solver)
+    exact = solver.limits()
     grid = np.union1d(np.linspace(low, high, _SAMPLES), exact)
     grid = grid[(grid >= low) & (grid <= high)]
     if turns and high - low == 360.0:  # round and round

@@ -8,7 +8,7 @@ from vad.kinematics.numbers import Number, direction, fold
 from vad.kinematics.state import Pose, Rates
 
 if TYPE_CHECKING:
-    from vad.kinematics.solver import Solver
+    from vad.kinematics.any_solver import AnySolver
 
 
 class Evaluation:
@@ -22,7 +22,7 @@ class Evaluation:
         The driver's angle in degrees or its length, and its two rates.
     """
 
-    def __init__(self, solver: Solver, inputs: tuple[Number, ...]) -> None:
+    def __init__(self, solver: AnySolver, inputs: tuple[Number, ...]) -> None:
         self.solver = solver
         self.inputs = inputs
         # Plain attributes: functools.cached_property takes a lock, a tenth of a pose's time.

@@ -12,16 +12,21 @@ from vad.errors import InputError, shown, unknown
 from vad.kinematics.numbers import Real, Truth, Vector
 from vad.kinematics.results.inputs import ManyPoses, OnePose, checked
 from vad.kinematics.results.report import plain, table, units
-from vad.kinematics.results.views import Link, Point, Slider
+from vad.kinematics.results.views import Joint, Link, Point, Slider
 from vad.kinematics.solution import Solution
-from vad.kinematics.solver import solver_of
+from vad.kinematics.solver import Solver, solver_of
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
+    from vad.mechanisms.mechanism_in_space import MechanismInSpace
 
 
 @overload
+def solve(mechanism: MechanismInSpace, **inputs: Unpack[OnePose]) -> MotionInSpace: ...
+@overload
 def solve(mechanism: Mechanism, **inputs: Unpack[OnePose]) -> Motion: ...
+@overload
+def solve(mechanism: MechanismInSpace, **inputs: Unpack[ManyPoses]) -> MotionsInSpace: ...
 @overload
 def solve(mechanism: Mechanism, **inputs: Unpack[ManyPoses]) -> Motions: ...
 def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
@@ -60,15 +65,16 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
         if name not in mechanism.inputs:
             raise unknown("input", name, mechanism.inputs)
     solver = solver_of(mechanism)
-    turns = solver.linkage.driver.kind == "angle"
+    turns = solver.driver.kind == "angle"
     # Beyond this, squares of rates times lengths would leave the range of double precision.
-    largest = 1e60 * (1.0 if turns else solver.frame.scale)
+    largest = 1e60 * (1.0 if turns else solver.scale)
     # What is left out is the mechanism's own default, which is never refused.
     given = dict(mechanism.inputs) | {
         name: checked(name, value, math.inf if name == "angle" else largest)
         for name, value in inputs.items()
     }
-    return Motion(mechanism, solver, given)
+    kind = Motion if isinstance(solver, Solver) else MotionInSpace
+    return kind(mechanism, solver, given)
 
 
 class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
@@ -118,7 +124,7 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
     def points(self) -> tuple[str, ...]:
         """The letters of the points: the mechanism's own, then those marked on its links."""
         names = (*self.mechanism.letters, *self.mechanism.points)
-        return tuple(letter for letter in names if letter in self.solver.routes.letters)
+        return tuple(letter for letter in names if letter in self.solver.letters)
 
     def table(self) -> str:
         """Return the results as a table in plain text, with units."""
@@ -127,10 +133,11 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
     def to_dict(self) -> dict[str, Any]:
         """Return the results as the JSON object of ``vad solve --json``.
 
-        Links, points and slides are listed by name with all that is known of them; plane vectors
-        are [x, y].  An array of poses gives nested lists.
+        Links, points and slides are listed by name with all that is known of them; vectors are
+        [x, y] or [x, y, z].  An array of poses gives nested lists.
         """
         mechanism = self.mechanism
+        turning = ("angle", "omega", "alpha")
         positions = ("position", "velocity", "acceleration")
         return {
             "mechanism": mechanism.name,
@@ -139,7 +146,8 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
             "assembly": self.assembly,
             "units": units(mechanism.length_unit),
             "links": {
-                name: _listed(self.link(name), ("angle", "omega", "alpha")) for name in self.links
+                name: _listed(self.link(name), turning[name in self.solver.bodies :])
+                for name in self.links
             },
             "points": {letter: _listed(self.point(letter), positions) for letter in self.points},
             "slides": {
@@ -148,10 +156,54 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
         }
 
 
-def _listed(part: Link[Any] | Point[Any] | Slider[Any], names: tuple[str, ...]) -> dict[str, Any]:
+class MotionInSpace(Motion[Any, Any, Any], Generic[Real, Truth]):
+    """A mechanism in space in motion: its points are vectors x, y, z, and it has joints."""
+
+    @property
+    def assembled(self) -> Truth:
+        """Whether it closes: a bool, or an array of them; a dead centre counts as closed."""
+        closed: Truth = super().assembled
+        return closed
+
+    def slide(self, name: str) -> Slider[Real]:
+        """Return the motion of a slide."""
+        return super().slide(name)
+
+    def point(self, letter: str) -> Point[NDArray[np.float64]]:
+        """Return the motion of a point, in arrays whose last axis is x, y, z."""
+        return super().point(letter)
+
+    def link(self, name: str) -> Link[Any]:
+        """Return the motion of a link; the rates of one about no fixed line are x, y, z."""
+        return super().link(name)
+
+    def joint(self, letter: str) -> Joint[Real]:
+        """Return the motion of a joint."""
+        if not isinstance(letter, str) or letter not in self.solver.joints:
+            raise unknown("joint", letter, self.joints)
+        return Joint(self, letter)
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """The letters of the joints that have an angle of their own."""
+        return tuple(self.mechanism.joints)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the results as the JSON object of ``vad solve --json``, with its joints."""
+        found = super().to_dict()
+        turning = ("angle", "omega", "alpha")
+        joints = {letter: _listed(self.joint(letter), turning) for letter in self.joints}
+        points, slides = found.pop("points"), found.pop("slides")
+        return found | {"joints": joints, "points": points, "slides": slides}
+
+
+def _listed(
+    part: Link[Any] | Joint[Any] | Point[Any] | Slider[Any], names: tuple[str, ...]
+) -> dict[str, Any]:
     values = ((name, getattr(part, name)) for name in names)
     return {name: plain(value) for name, value in values if value is not None}
 
 
 #: Many poses at once, for annotations.
 Motions = Motion[NDArray[np.float64], NDArray[np.complex128], NDArray[np.bool_]]
+MotionsInSpace = MotionInSpace[NDArray[np.float64], NDArray[np.bool_]]

@@ -16,11 +16,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from vad.kinematics.any_solver import AnySolver
 from vad.kinematics.closing.closures import OpenLoopError
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Slide
-from vad.kinematics.numbers import cross, fold, positive
-from vad.kinematics.solver import Solver, solver_of
+from vad.kinematics.numbers import cross
+from vad.kinematics.solver import solver_of
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
@@ -54,11 +55,10 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
 @lru_cache(maxsize=64)
 def _ranges(mechanism: Mechanism, samples: int) -> tuple[tuple[float, float], ...]:
     solver = solver_of(mechanism)
-    turns = solver.linkage.driver.kind == "angle"
-    sizes = [] if turns else _sizes(solver.frame)
-    limit = 360.0 if turns else sum(sizes) / _steepness(solver.frame)
+    turns = solver.driver.kind == "angle"
+    limit = 360.0 if turns else _farthest(solver.plane.frame)
     grid = np.linspace(0.0 if turns else -limit, limit, samples)
-    edges = limits(solver)
+    edges = solver.limits()
     between = 0.5 * (edges[1:] + edges[:-1])
     grid = np.unique(np.concatenate([grid, edges, between]))
     grid = np.union1d(grid, _hidden(solver, grid[::_STRIDE]))
@@ -102,14 +102,9 @@ def travels(mechanism: Mechanism, samples: int = 721) -> Mapping[str, tuple[floa
     return found
 
 
-def limits(solver: Solver) -> NDArray[np.float64]:
-    """Return all limits in closed form, of an angle within [0, 360], sorted."""
-    frame, turns = solver.frame, solver.linkage.driver.kind == "angle"
-    found = [limit for loop in solver.loops for limit in loop.limits()]
-    if turns:
-        angles = {positive(fold(limit + frame.angle)) for limit in found}
-        return np.array(sorted(angles | ({360.0} if 0.0 in angles else set())))
-    return np.unique([limit * frame.scale for limit in found])
+def _farthest(frame: ReferenceFrame) -> float:
+    """Return a position that no driven slide exceeds."""
+    return sum(_sizes(frame)) / _steepness(frame)
 
 
 def _sizes(frame: ReferenceFrame) -> list[float]:
@@ -130,16 +125,12 @@ def _steepness(frame: ReferenceFrame) -> float:
     return min((sine for sine in sines if sine), default=1.0)
 
 
-def _hidden(solver: Solver, grid: NDArray[np.float64]) -> list[float]:
+def _hidden(solver: AnySolver, grid: NDArray[np.float64]) -> list[float]:
     """Return places on the other side of a limit than both of their neighbours in the grid.
 
     They are looked for about each place that is nearer to a limit than its neighbours are.
     """
-    loops = [
-        k
-        for k, loop in enumerate(solver.loops)
-        if loop.two_ways and not loop.crank and not loop.limits()
-    ]
+    loops = solver.searched
     if not loops:
         return []
     closes = solver.closes(grid)
@@ -156,7 +147,7 @@ def _hidden(solver: Solver, grid: NDArray[np.float64]) -> list[float]:
     return found
 
 
-def _nearness(solver: Solver, value: float, loops: list[int]) -> tuple[bool, float]:
+def _nearness(solver: AnySolver, value: float, loops: list[int]) -> tuple[bool, float]:
     """Tell whether a place closes, and how near it is to where it just does."""
     try:
         pose = solver.positions(float(value))
@@ -165,14 +156,16 @@ def _nearness(solver: Solver, value: float, loops: list[int]) -> tuple[bool, flo
     return True, min(abs(pose.sine[k]) for k in loops)
 
 
-def _beyond(solver: Solver, low: float, high: float, closed: bool, loops: list[int]) -> list[float]:
+def _beyond(
+    solver: AnySolver, low: float, high: float, closed: bool, loops: list[int]
+) -> list[float]:
     """Return a place that closes where the ends do not, or the reverse, if there is one."""
     places = approach(solver, low, high, loops)
     return next(([place] for place, closes, _ in places if closes != closed), [])
 
 
 def approach(
-    solver: Solver, low: float, high: float, loops: list[int]
+    solver: AnySolver, low: float, high: float, loops: list[int]
 ) -> Iterator[tuple[float, bool, float]]:
     """Yield places nearer and nearer to where some loops come nearest to a limit.
 
@@ -189,7 +182,7 @@ def approach(
 
 
 def _edge(
-    solver: Solver, inside: float, outside: float, edges: NDArray[np.float64], tolerance: float
+    solver: AnySolver, inside: float, outside: float, edges: NDArray[np.float64], tolerance: float
 ) -> float:
     """Return the limit between two values of which exactly one closes."""
     for end in (inside, outside):

@@ -10,10 +10,10 @@ from vad.kinematics.evaluation import Evaluation
 from vad.kinematics.numbers import Number
 from vad.kinematics.program import Program
 from vad.kinematics.recording import Recorded, RecordedVector, Tape
-from vad.kinematics.results.formulas import Result, evaluate, order_of
+from vad.kinematics.results.formulas import Result, order_of
 
 if TYPE_CHECKING:
-    from vad.kinematics.solver import Solver
+    from vad.kinematics.any_solver import AnySolver
 
 
 class RecordedSolver:
@@ -23,8 +23,9 @@ class RecordedSolver:
     order are kept; what is found of them begins there, and not with the driver again.
     """
 
-    def __init__(self, solver: Solver) -> None:
+    def __init__(self, solver: AnySolver) -> None:
         tape = Tape()
+        self._solver = solver
         self._inputs = tuple(map(tape.input, ("place", "rate", "second_rate")))
         self._evaluation = Evaluation(solver, self._inputs)
         self._orders: list[Program] = []
@@ -48,9 +49,9 @@ class RecordedSolver:
         return self._orders[order]
 
     def result(self, result: Result) -> Program:
-        """Return what leads from all that is known in its order to a number, or to x and y."""
+        """Return what leads from all that is known in its order to a number, or to x, y and z."""
         if result not in self._results:
-            value = evaluate(result, self._evaluation)
+            value = self._solver.evaluate(result, self._evaluation)
             outputs = [_without_sign(x) for x in _parts([value])]
             self._results[result] = Program(self._known(order_of(result)), outputs)
         return self._results[result]
@@ -77,7 +78,9 @@ class RecordedSolver:
 
 def _parts(values: Iterable[Number]) -> Iterator[Number]:
     for value in values:
-        if isinstance(value, complex | RecordedVector):
+        if isinstance(value, tuple):
+            yield from value
+        elif isinstance(value, complex | RecordedVector):
             yield from (value.real, value.imag)
         else:
             yield value

@@ -61,6 +61,8 @@ class Recorded:
     # A minus is carried outward, until a sum takes it in: that changes no bit.
 
     def __add__(self, other: Operand) -> Operand:
+        if not isinstance(other, _REAL):
+            return NotImplemented
         if _is(other, 0.0):
             return self
         if _is_negative(other):
@@ -70,6 +72,8 @@ class Recorded:
     __radd__ = __add__
 
     def __sub__(self, other: Operand) -> Operand:
+        if not isinstance(other, _REAL):
+            return NotImplemented
         if _is(other, 0.0):
             return self
         if _is_negative(other):
@@ -79,6 +83,8 @@ class Recorded:
         return self.tape.note("subtract", self, other)
 
     def __rsub__(self, other: Operand) -> Operand:
+        if not isinstance(other, _REAL):
+            return NotImplemented
         if _is(other, 0.0):
             return -self
         return other + -self if _is_negative(self) else self.tape.note("subtract", other, self)
@@ -86,7 +92,7 @@ class Recorded:
     def __mul__(self, other: Operand) -> Operand:
         if isinstance(other, complex):
             return RecordedVector(self * other.real, self * other.imag)
-        if isinstance(other, RecordedVector):
+        if not isinstance(other, _REAL):
             return NotImplemented
         if _is(other, 1.0) or _is(other, -1.0):
             return self if other > 0.0 else -self
@@ -97,6 +103,8 @@ class Recorded:
     __rmul__ = __mul__
 
     def __truediv__(self, other: Operand) -> Operand:
+        if not isinstance(other, _REAL):
+            return NotImplemented
         if _is_negative(self) or _is_negative(other):
             return -(-self / other) if _is_negative(self) else -(self / -other)
         return self if _is(other, 1.0) else self.tape.note("divide", self, other)
@@ -132,6 +140,10 @@ class Recorded:
         return self.tape.note("either", self, other)
 
     __hash__ = None  # type: ignore[assignment]
+
+
+# What its arithmetic knows; vectors and dual numbers, made of several, have their own.
+_REAL = (float, int, Recorded)
 
 
 class RecordedVector:

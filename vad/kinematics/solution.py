@@ -11,13 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.errors import AssemblyError, DeadCentreError, InputError
+from vad.kinematics.any_solver import AnySolver
 from vad.kinematics.closing.closures import OpenLoopError
 from vad.kinematics.evaluation import Evaluation
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Linkage
 from vad.kinematics.numbers import NAN_VECTOR, Number, Truth, is_array
 from vad.kinematics.reach import closing_range
-from vad.kinematics.results.formulas import Result, evaluate, order_of
+from vad.kinematics.results.formulas import Result, order_of
 from vad.kinematics.results.report import place_unit
 from vad.kinematics.solver import Solver, solver_of
 from vad.kinematics.state import Pose, Rates
@@ -25,6 +26,8 @@ from vad.kinematics.state import Pose, Rates
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
 
+# As many numbers has a vector in space, and the axis of an array that holds it.
+_AXES = 3
 # Where in them stands whether the links close: after the first input.
 _CLOSES = 1
 
@@ -42,7 +45,7 @@ class Solution(Generic[Truth]):
         Whether any input is an array.
     """
 
-    def __init__(self, mechanism: Mechanism, solver: Solver, inputs: dict[str, Number]) -> None:
+    def __init__(self, mechanism: Mechanism, solver: AnySolver, inputs: dict[str, Number]) -> None:
         self.mechanism = mechanism
         self.solver = solver
         self._inputs = inputs
@@ -59,14 +62,19 @@ class Solution(Generic[Truth]):
         return MappingProxyType(self._inputs)
 
     @property
+    def plane(self) -> Solver:
+        """The solver of a mechanism in the plane; others raise TypeError."""
+        return self.solver.plane
+
+    @property
     def frame(self) -> ReferenceFrame:
-        """The unit and the axes of the solution."""
-        return self.solver.frame
+        """The unit and the axes of the solution in the plane."""
+        return self.plane.frame
 
     @property
     def linkage(self) -> Linkage:
-        """The loops that are solved."""
-        return self.solver.linkage
+        """The loops that are solved in the plane."""
+        return self.plane.linkage
 
     @property
     def assembly(self) -> str | dict[str, str] | None:
@@ -137,16 +145,22 @@ class Solution(Generic[Truth]):
             order, function = player
             known = self._find(order)
             parts = function(*known)
-            value = parts[0] if len(parts) == 1 else complex(*parts)
-            if known[_CLOSES] and value - value == 0:
-                return value
+            if known[_CLOSES]:
+                if len(parts) < _AXES:
+                    value = parts[0] if len(parts) == 1 else complex(*parts)
+                    if value - value == 0:
+                        return value
+                elif all(map(math.isfinite, parts)):
+                    return np.array(parts)
         self.pose  # noqa: B018  # raises where the links do not close
-        value = evaluate(result, self._evaluation)
-        if value != value:
+        value = self.solver.evaluate(result, self._evaluation)
+        parts = value if isinstance(value, tuple) else (value,)
+        if any(x != x for x in parts):
             raise self.dead_centre()
-        if value - value != 0:
+        if any(x - x != 0 for x in parts):
             raise InputError("the result leaves the range of double precision")
-        return value + 0.0  # no zero is negative
+        # No zero is negative.
+        return np.array(parts) + 0.0 if len(parts) == _AXES else value + 0.0
 
     def _read_many(self, result: Result) -> NDArray[Any]:
         program, known = self.solver.recorded.result(result), self._find(order_of(result))
@@ -155,13 +169,13 @@ class Solution(Generic[Truth]):
         nothing: Number = math.nan
         if len(program.outputs) == 2:
             found, nothing = found.view(complex), NAN_VECTOR
-        found = found.reshape(self.shape)
-        closes = known[_CLOSES].reshape(self.shape)
+        closes = known[_CLOSES]
         with np.errstate(all="ignore"):
             whole = bool(closes.all()) and math.isfinite(abs(found.sum()))
         if not whole:
-            found[~(np.isfinite(found) & closes)] = nothing
-        return found
+            found[~(np.isfinite(found).all(axis=1) & closes)] = nothing
+        in_space = len(program.outputs) == _AXES
+        return found.reshape((*self.shape, _AXES) if in_space else self.shape)
 
     def _find(self, order: int) -> tuple[Any, ...]:
         """Return the inputs and the numbers of an order and those below, of many as flat arrays."""
@@ -199,8 +213,8 @@ def _not_assembled(mechanism: Mechanism, value: float, miss: float) -> AssemblyE
     name = next(iter(mechanism.inputs))
     turns = name == "angle"
     unit = place_unit(mechanism)
-    miss *= solver.frame.scale
-    message = f"{name} {value:g}{unit}: the links miss by {miss:.4g} {mechanism.length_unit}"
+    miss_in_words = solver.miss_in_words(miss, mechanism.length_unit)
+    message = f"{name} {value:g}{unit}: the links miss by {miss_in_words}"
     ranges = closing_range(mechanism)
     if not ranges:
         return AssemblyError(f"{message}; with these lengths they close at no {name}")
@@ -225,7 +239,7 @@ def _range_in_words(low: float, high: float, unit: str) -> str:
     return f"{low:.{digits}g}{unit} … {high:.{digits}g}{unit}"
 
 
-def _shortest(solver: Solver, place: float) -> str | None:
+def _shortest(solver: AnySolver, place: float) -> str | None:
     """Write a place with as few digits, four at least, as still close."""
     for digits in range(4, 18):
         text = f"{place + 0.0:.{digits}g}"

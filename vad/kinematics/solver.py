@@ -3,44 +3,41 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
-from collections.abc import Callable
+from collections.abc import Set
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from vad.kinematics.any_solver import AnySolver, round_the_turn
 from vad.kinematics.closing.closures import OpenLoopError
 from vad.kinematics.closing.loop import LoopSolver
 from vad.kinematics.closing.loops import loop_solver
+from vad.kinematics.evaluation import Evaluation
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Linkage
 from vad.kinematics.numbers import Number, difference, direction, fold
-from vad.kinematics.recorded_solver import RecordedSolver
-from vad.kinematics.results.formulas import Result, order_of
+from vad.kinematics.results.formulas import Result, evaluate, guide_of
 from vad.kinematics.routes import Routes
+from vad.kinematics.space.solvers import space_solver
 from vad.kinematics.state import GROUND, Pose, Rates
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
 
-# The order of a result, and what it is of all that is known in this order.
-Player = tuple[int, Callable[..., tuple[float, ...]]]
-
 # The square of a smaller sine would leave the range, and with it ω at a change point.
 LEAST_SINE = 1e-100
-# Making a program costs about as much as a pose that many times without it.
-OFTEN = 50
 
 
 @lru_cache(maxsize=64)
-def solver_of(mechanism: Mechanism) -> Solver:
-    """Return the solver of a mechanism, made once."""
-    return Solver(mechanism.marked(), -1.0 if mechanism.assembly == "crossed" else 1.0)
+def solver_of(mechanism: Mechanism) -> AnySolver:
+    """Return the solver of a mechanism, of the plane or of space, made once."""
+    linkage, side = mechanism.marked(), -1.0 if mechanism.assembly == "crossed" else 1.0
+    return Solver(linkage, side) if isinstance(linkage, Linkage) else space_solver(linkage, side)
 
 
-class Solver:
+class Solver(AnySolver):
     """The loops of a linkage, each with its closed form.
 
     Parameters
@@ -54,64 +51,66 @@ class Solver:
     ----------
     frame
         The unit and the axes in which it solves.
-    links, slides
-        The names of all that turns and of all that slides.
-    two_assemblies
-        Whether any loop can be assembled in two ways.
+    loops
+        Each loop with its closed form.
     """
 
     def __init__(self, linkage: Linkage, side: float) -> None:
+        super().__init__()
         self.linkage = linkage
+        self.driver = linkage.driver
         scalars = {linkage.driver, *(scalar for pair in linkage.unknowns for scalar in pair)}
         self.links = {scalar.name for scalar in scalars if scalar.kind == "angle"}
         self.slides = {scalar.name for scalar in scalars if scalar.kind == "length"}
         self.frame = ReferenceFrame(linkage)
+        self.scale = self.frame.scale
         self.loops: list[LoopSolver] = [
             loop_solver(self.frame, side, loop, unknowns)
             for loop, unknowns in zip(linkage.loops, linkage.unknowns, strict=True)
         ]
-        self._asked: Counter[Result] = Counter()
-        self._players: dict[Result, Player] = {}
         self.two_assemblies = any(loop.two_ways for loop in self.loops)
-
-    @cached_property
-    def recorded(self) -> RecordedSolver:
-        """The programs that play what this solver does."""
-        return RecordedSolver(self)
-
-    def player(self, result: Result) -> Player | None:
-        """Return the order and the function of a result that is asked for often."""
-        player = self._players.get(result)
-        if player is None:
-            self._asked[result] += 1
-            if self._asked[result] > OFTEN:
-                player = order_of(result), self.recorded.result(result).one
-                self._players[result] = player
-        return player
-
-    def closes(self, places: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Tell for many places of the driver whether the links close."""
-        return self.recorded.order(0).many([places], places.size)[0]
-
-    def sines(self, places: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return for many places of the driver the sines of every loop, as rows."""
-        found = np.empty((len(self.loops), places.size))
-        self.recorded.sines.play([places], list(found))
-        return found
 
     @cached_property
     def routes(self) -> Routes:
         """The ways along which points are reached."""
         return Routes(self.frame)
 
-    def positions(self, value: Number) -> Pose:
-        """Solve all loops for the driver's angle (degrees) or length.
+    @property
+    def plane(self) -> Solver:
+        """Itself."""
+        return self
 
-        Raises
-        ------
-        vad.kinematics.closing.closures.OpenLoopError
-            For a pose that does not close; in a recording it is NaN.
-        """
+    @property
+    def letters(self) -> Set[str]:
+        """Every point that can be reached."""
+        return self.routes.letters
+
+    @property
+    def searched(self) -> list[int]:
+        """The numbers of the loops whose limits have no closed form."""
+        return [
+            number
+            for number, loop in enumerate(self.loops)
+            if loop.two_ways and not loop.crank and not loop.limits()
+        ]
+
+    def limits(self) -> NDArray[np.float64]:
+        """Return all limits in closed form, of an angle within [0, 360], sorted."""
+        found = [limit for loop in self.loops for limit in loop.limits()]
+        if self.driver.kind == "angle":
+            return round_the_turn(limit + self.frame.angle for limit in found)
+        return np.unique([limit * self.scale for limit in found])
+
+    def on_turning_link(self, slide: str) -> bool:
+        """Tell whether a slide is on a link that turns, and so has a Coriolis component."""
+        return guide_of(self.linkage, slide) is not None
+
+    def evaluate(self, result: Result, evaluation: Evaluation) -> Number:
+        """Return a result, of a point as a plane vector; NaN where it is undetermined."""
+        return evaluate(result, evaluation)
+
+    def positions(self, value: Number) -> Pose:
+        """Solve all loops for the driver's angle (degrees) or length."""
         pose = Pose({GROUND: 1.0 + 0j}, {}, [])
         driver = self.linkage.driver
         if driver.kind == "angle":
@@ -129,10 +128,7 @@ class Solver:
         return pose
 
     def rates(self, pose: Pose, lower: tuple[Rates, ...], value: Number) -> Rates:
-        """Solve all loops for the driver's rate, of the order after those in ``lower``.
-
-        What has no rate at a dead centre is NaN.
-        """
+        """Solve all loops for the driver's rate, of the order after those in ``lower``."""
         driver = self.linkage.driver
         if driver.kind == "angle":
             found = Rates({driver.name: value}, {})
@@ -148,3 +144,7 @@ class Solver:
             if sine == 0.0 and not loop.loop.parallel:
                 return loop.why_dead()
         return "the result is undetermined at this dead centre"
+
+    def miss_in_words(self, miss: float, length_unit: str) -> str:
+        """Say by how much the links of a pose miss each other."""
+        return f"{miss * self.scale:.4g} {length_unit}"

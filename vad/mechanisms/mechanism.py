@@ -10,9 +10,12 @@ from typing import Any, ClassVar, TypeVar
 
 from vad.errors import InputError, one_of, shown
 from vad.kinematics.linkage import Linkage
+from vad.kinematics.space.space_linkage import SpaceLinkage
 from vad.mechanisms.link_points import LinkPoints, link_points, marked
 
 CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}
+# No smaller angle between axes: its sixth power stays in the range of double precision.
+NEAREST = 1e-30
 # Between these, products of four lengths stay in the range of double precision when scaled.
 SHORTEST, LONGEST = 1e-200, 1e200
 #: Characters of a unit, which stands behind every number.
@@ -20,6 +23,8 @@ LONGEST_UNIT = 60
 
 #: The quantities of parameters that are numbers; a plain number has no unit.
 NUMBERS = ("length", "angle", "number")
+
+AnyLinkage = Linkage | SpaceLinkage
 
 #: Every mechanism class by the name that the command line knows.
 MECHANISMS: dict[str, type[Mechanism]] = {}
@@ -42,6 +47,21 @@ def length(default: Length, help: str, *, signed: bool = False) -> Length:
 def angle(default: float, help: str) -> float:
     """Declare a parameter that is an angle in degrees."""
     metadata = {"quantity": "angle", "help": help, "signed": True, "optional": False}
+    return field(default=default, metadata=metadata)
+
+
+def arc(default: float, help: str, hint: str, low: float = 0.0, high: float = 180.0) -> float:
+    """Declare an angle in degrees between axes, within ``low`` and ``high`` but neither of them.
+
+    The ``hint`` says what it would be there.
+    """
+    metadata = {
+        "quantity": "angle",
+        "help": help,
+        "signed": True,
+        "optional": False,
+        "between": (low, high, hint),
+    }
     return field(default=default, metadata=metadata)
 
 
@@ -73,7 +93,8 @@ class Mechanism:
     A subclass states its parameters as dataclass fields, those that are given by name alone after
     ``_: KW_ONLY``, and as class variables its `name` on the command line, its `title`, the
     `letters` of its points, the `links` and `slides` that it reports (links with the letters of
-    their ends, slides with the letter that slides), and its `inputs` with their defaults.
+    their ends, slides with the letter that slides), in space the `joints` by letter, and its
+    `inputs` with their defaults.
     `linkage` returns its loops.  Its user may mark further `points`, each by the name of a link,
     a distance from that link's first end, and perhaps an angle from its line in degrees.
 
@@ -88,6 +109,7 @@ class Mechanism:
     letters: ClassVar[Sequence[str]]
     links: ClassVar[dict[str, str]]
     slides: ClassVar[dict[str, str]] = {}
+    joints: ClassVar[dict[str, str]] = {}
     inputs: ClassVar[Mapping[str, float]] = CRANK
 
     _: KW_ONLY
@@ -118,10 +140,15 @@ class Mechanism:
         elif metadata["quantity"] == "points":
             object.__setattr__(self, name, link_points(value))
         elif value is not None or not metadata["optional"]:
-            object.__setattr__(self, name, self._number(name, value, metadata["signed"]))
+            number = self._number(name, value, metadata["signed"])
+            if "between" in metadata:
+                _check_arc(name, number, *metadata["between"])
+            object.__setattr__(self, name, number)
 
-    def _check_names(self, linkage: Linkage) -> None:
-        """Check that all that turns or slides has a row of the results."""
+    def _check_names(self, linkage: AnyLinkage) -> None:
+        """Check that all that turns or slides in the plane has a row of the results."""
+        if not isinstance(linkage, Linkage):
+            return
         scalars = {linkage.driver, *(scalar for pair in linkage.unknowns for scalar in pair)}
         listed = {"angle": ("link", self.links), "length": ("slide", self.slides)}
         for scalar in sorted(scalars):
@@ -146,13 +173,19 @@ class Mechanism:
             raise InputError(f"{name}: {wanted}, got {number:g}")
         return number
 
-    def linkage(self) -> Linkage:
+    def linkage(self) -> AnyLinkage:
         """Return the loops of this mechanism."""
         raise TypeError(f"{type(self).__name__} declares no linkage")
 
-    def marked(self) -> Linkage:
+    def marked(self) -> AnyLinkage:
         """Return its loops, with the points that are marked on its links."""
-        return marked(self.linkage(), link_points(self.points), self.links, {*self.letters})
+        linkage = self.linkage()
+        if isinstance(linkage, Linkage):
+            return marked(linkage, link_points(self.points), self.links, {*self.letters})
+        if self.points:
+            name = next(iter(self.points))
+            raise InputError(f"point {name}: points are marked on links in the plane alone")
+        return linkage
 
     def parameters(self) -> dict[str, float]:
         """Return the numeric parameters that are set, by name."""
@@ -162,3 +195,11 @@ class Mechanism:
             if parameter.metadata["quantity"] in NUMBERS
             and getattr(self, parameter.name) is not None
         }
+
+
+def _check_arc(name: str, number: float, low: float, high: float, hint: str) -> None:
+    """Check that an angle between axes leaves them apart."""
+    if not low < number < high:
+        raise InputError(f"{name}: must be between {low:g}° and {high:g}°, got {number:g}°", hint)
+    if low == 0.0 and number < NEAREST:
+        raise InputError(f"{name}: must be at least {NEAREST:g}°, got {number:g}°", hint)

@@ -61,7 +61,7 @@ class Pencil:
         """Return the true velocity or acceleration of a point: its place in the polygon."""
         motion = self.scene.motion
         orders = self.scene.orders(self.order)
-        return self.scene.outward(motion.solver.routes.rate(letter, motion.pose, orders))
+        return self.scene.outward(motion.plane.routes.rate(letter, motion.pose, orders))
 
     def shows(self, vector: complex) -> bool:
         """Tell whether a vector is long enough to be drawn."""

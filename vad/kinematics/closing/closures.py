@@ -44,7 +44,9 @@ class OpenLoopError(AssemblyError):
         self.miss = miss
 
 
-def _root(low: Number, high: Number, both: Number, scale_low: Number, scale_high: Number) -> Number:
+def root_of_factors(
+    low: Number, high: Number, both: Number, scale_low: Number, scale_high: Number
+) -> Number:
     """Return √(low·high); a factor within 8 ε of its scale below zero counts as zero.
 
     ``both`` is their exact sum: where it is small, what rounding adds to one factor is thus taken
@@ -150,7 +152,9 @@ class TwoAngles:
         gap, square, below, above, r, q = triangle
         total, difference = r + q, r - q
         spread = total * total
-        root = _root(below, above, 4.0 * r * q, square + spread, square + difference * difference)
+        root = root_of_factors(
+            below, above, 4.0 * r * q, square + spread, square + difference * difference
+        )
         # Both feet from Heron's factor: the short bar's from no difference of the long ones.
         along = above + (2.0 * difference) * r, (2.0 * difference) * q - above
         sideways = self.side * root
@@ -195,7 +199,7 @@ class AngleAndLength:
         """Return the bar's unit vector seen along g, the length s and the sine of normal and g."""
         below, above, height = self._rise(gap, g, u)
         spread = self.r + abs(height)
-        root = self.side * _root(below, above, 2.0 * self.r, spread, spread)
+        root = self.side * root_of_factors(below, above, 2.0 * self.r, spread, spread)
         r = nonzero(self.r)  # a bar that is nothing beside others
         return vector(root / r, height / r), root - dot(g, gap), -root / r
 
@@ -237,7 +241,7 @@ def offset_slot(pin: Number, aside: float, side: float) -> tuple[Number, Number,
     """
     length = sqrt(dot(pin, pin))
     low, high = length - abs(aside), length + abs(aside)
-    along = side * _root(low, high, 2.0 * length, high, high)
+    along = side * root_of_factors(low, high, 2.0 * length, high, high)
     cosine = along / length
     return over(times(pin, vector(cosine, -aside / length)), length), along, cosine
 

@@ -1,4 +1,4 @@
-"""What a user can read of a motion, each result in one formula.
+"""What a user can read of a motion in the plane, each result in one formula.
 
 They take an `Evaluation`, on floats or on recorded numbers, and return a number or a plane vector
 in the user's units and axes.
@@ -20,21 +20,19 @@ from vad.kinematics.numbers import (
     turned,
 )
 
-# What is read: the kind link, point or slide, its name, and which quantity of it.
+# What is read: the kind link, joint, point or slide, its name, and which quantity of it.
 Result = tuple[str, str, str]
 
 
 def order_of(result: Result) -> int:
     """Return how many derivatives a result needs."""
-    kind, _, quantity = result
-    return _FORMULAS[kind, quantity][0]
+    return _ORDERS[result[2]]
 
 
 def evaluate(result: Result, evaluation: Evaluation) -> Number:
     """Return a result; NaN where it is undetermined."""
     kind, name, quantity = result
-    order, formula = _FORMULAS[kind, quantity]
-    return formula(evaluation, name, order)
+    return _FORMULAS[kind, quantity](evaluation, name, _ORDERS[quantity])
 
 
 def guide_of(linkage: Linkage, slide: str) -> str | None:
@@ -51,7 +49,7 @@ def heading(guide: Slide) -> complex:
 
 def _angle(evaluation: Evaluation, name: str, order: int) -> Number:
     """Return a link's direction: as it was given, or as seen along its guide where it has one."""
-    frame, pose = evaluation.solver.frame, evaluation.pose
+    frame, pose = evaluation.solver.plane.frame, evaluation.pose
     if angle_of(name) == frame.linkage.driver:
         return positive(evaluation.driver_angle)
     if name in pose.leaning:
@@ -66,7 +64,8 @@ def _turning(evaluation: Evaluation, name: str, order: int) -> Number:
 
 def _position(evaluation: Evaluation, letter: str, order: int) -> Number:
     """Return where a point is: on its guide, on the driven crank, or at the end of its route."""
-    routes, frame = evaluation.solver.routes, evaluation.solver.frame
+    plane = evaluation.solver.plane
+    routes, frame = plane.routes, plane.frame
     start = routes.start(letter)
     guide, pin = routes.guide(letter), routes.pin(letter)
     if guide:
@@ -82,7 +81,7 @@ def _position(evaluation: Evaluation, letter: str, order: int) -> Number:
 
 def _motion(evaluation: Evaluation, letter: str, order: int) -> Number:
     """Return the velocity or acceleration of a point."""
-    routes = evaluation.solver.routes
+    routes = evaluation.solver.plane.routes
     guide = routes.guide(letter)
     if guide:
         return _sliding(evaluation, guide.name, order) * heading(guide)
@@ -90,38 +89,47 @@ def _motion(evaluation: Evaluation, letter: str, order: int) -> Number:
 
 
 def _outward(evaluation: Evaluation, value: Number) -> Number:
-    return _turned(evaluation, value) * evaluation.solver.frame.scale
+    return _turned(evaluation, value) * evaluation.solver.plane.frame.scale
 
 
 def _turned(evaluation: Evaluation, value: Number) -> Number:
     """Return a vector in the user's axes."""
-    turn = evaluation.solver.frame.turn
+    turn = evaluation.solver.plane.frame.turn
     return value if turn == 1 else times(value, turn)
 
 
 def _sliding(evaluation: Evaluation, name: str, order: int) -> Number:
     """Return the position, velocity or acceleration of a slide along its line."""
     lengths = evaluation.rates(order)[-1].sliding if order else evaluation.pose.length
-    return lengths[name] * evaluation.solver.frame.scale
+    return lengths[name] * evaluation.solver.plane.frame.scale
 
 
 def _coriolis(evaluation: Evaluation, name: str, order: int) -> Number:
     """Return the magnitude of 2·ω·v of a slide on a turning link."""
-    velocity, link = evaluation.rates(order)[0], guide_of(evaluation.solver.linkage, name)
+    velocity, link = evaluation.rates(order)[0], guide_of(evaluation.solver.plane.linkage, name)
     twist = abs(2.0 * velocity.turning[str(link)] * velocity.sliding[name])
-    return twist * evaluation.solver.frame.scale
+    return twist * evaluation.solver.plane.frame.scale
 
 
-# For every quantity: its order, and the formula.
-_FORMULAS: dict[tuple[str, str], tuple[int, Callable[[Evaluation, str, int], Number]]] = {
-    ("link", "angle"): (0, _angle),
-    ("link", "omega"): (1, _turning),
-    ("link", "alpha"): (2, _turning),
-    ("point", "position"): (0, _position),
-    ("point", "velocity"): (1, _motion),
-    ("point", "acceleration"): (2, _motion),
-    ("slide", "position"): (0, _sliding),
-    ("slide", "velocity"): (1, _sliding),
-    ("slide", "acceleration"): (2, _sliding),
-    ("slide", "coriolis"): (1, _coriolis),
+# How many derivatives a quantity needs.
+_ORDERS = {
+    "angle": 0,
+    "omega": 1,
+    "alpha": 2,
+    "position": 0,
+    "velocity": 1,
+    "acceleration": 2,
+    "coriolis": 1,
+}
+_FORMULAS: dict[tuple[str, str], Callable[[Evaluation, str, int], Number]] = {
+    ("link", "angle"): _angle,
+    ("link", "omega"): _turning,
+    ("link", "alpha"): _turning,
+    ("point", "position"): _position,
+    ("point", "velocity"): _motion,
+    ("point", "acceleration"): _motion,
+    ("slide", "position"): _sliding,
+    ("slide", "velocity"): _sliding,
+    ("slide", "acceleration"): _sliding,
+    ("slide", "coriolis"): _coriolis,
 }

@@ -28,7 +28,7 @@ def place_unit(mechanism: Mechanism) -> str:
 
 
 def plain(value: Number) -> Any:
-    """Return a result as JSON holds it: numbers, [x, y] pairs, nested lists for arrays."""
+    """Return a result as JSON holds it: numbers, [x, y] or [x, y, z], nested lists for arrays."""
     if isinstance(value, np.ndarray):
         if np.iscomplexobj(value):
             value = np.stack([value.real, value.imag], axis=-1)
@@ -41,42 +41,52 @@ def plain(value: Number) -> Any:
 def table(data: dict[str, Any], mechanism: Mechanism) -> str:
     """Return the results of `Motion.to_dict` as aligned columns of text."""
     unit = data["units"]
-    blocks = [f"{mechanism.title}  ({_inputs(data)})"]
-    if data["links"]:
-        head = [
-            "link",
-            f"angle, {unit['angle']}",
-            f"omega, {unit['omega']}",
-            f"alpha, {unit['alpha']}",
-        ]
-        rows = [
-            [
-                f"{name} {mechanism.links[name]}",
-                *(_number(x, unit[kind]) for kind, x in link.items()),
-            ]
-            for name, link in data["links"].items()
-        ]
-        blocks.append(_columns([head, *rows]))
-    lengths = [unit["length"], unit["velocity"], unit["acceleration"]]
-    names = ["position", "velocity", "acceleration"]
-    heads = [f"{name}, {of}" for name, of in zip(names, lengths, strict=True)]
-    if data["slides"]:
-        head = ["slide", *heads]
-        if any("coriolis" in slide for slide in data["slides"].values()):
-            head.append(f"coriolis, {unit['acceleration']}")
-        rows = [
-            [f"{name} {mechanism.slides[name]}", *(_number(x) for x in slide.values())]
-            for name, slide in data["slides"].items()
-        ]
-        blocks.append(_columns([head, *rows]))
-    rows = [
-        [letter, *(_number(part) for pair in point.values() for part in pair)]
-        for letter, point in data["points"].items()
+    titled = f"{mechanism.title}  ({_inputs(data)})"
+    turning = [f"{name}, {unit[name]}" for name in ("angle", "omega", "alpha")]
+    names = ("position", "velocity", "acceleration")
+    sliding = [f"{name}, {unit.get(name, unit['length'])}" for name in names]
+    if any("coriolis" in slide for slide in data["slides"].values()):
+        sliding.append(f"coriolis, {unit['acceleration']}")
+    links = {f"{name} {mechanism.links[name]}": link for name, link in data["links"].items()}
+    joints = {f"{name} {mechanism.joints[name]}": of for name, of in data.get("joints", {}).items()}
+    slides = {f"{name} {mechanism.slides[name]}": each for name, each in data["slides"].items()}
+    bodies = {name: link for name, link in links.items() if "angle" not in link}
+    lines = {name: link for name, link in links.items() if name not in bodies}
+    axes = "xyz"[: max(len(point["position"]) for point in data["points"].values())]
+    moving = [("", unit["length"]), ("v_", unit["velocity"]), ("a_", unit["acceleration"])]
+    spinning = [(f"{name}_", unit[name]) for name in ("omega", "alpha")]
+    blocks = [
+        _block(["link", *turning], lines),
+        _block(["body", *_by_axis(spinning, axes)], bodies),
+        _block(["joint", *turning], joints),
+        _block(["slide", *sliding], slides),
+        _block(["point", *_by_axis(moving, axes)], data["points"]),
     ]
-    axes = (("x", "y"), ("v_x", "v_y"), ("a_x", "a_y"))
-    of_points = [f"{axis}, {of}" for pair, of in zip(axes, lengths, strict=True) for axis in pair]
-    blocks.append(_columns([["point", *of_points], *rows]))
-    return "\n\n".join(blocks)
+    return "\n\n".join([titled, *filter(None, blocks)])
+
+
+def _by_axis(quantities: list[tuple[str, str]], axes: str) -> list[str]:
+    return [f"{name}{axis}, {unit}" for name, unit in quantities for axis in axes]
+
+
+def _block(head: list[str], rows: dict[str, dict[str, Any]]) -> str:
+    """Return rows under a head, a vector's parts in columns of their own; nothing without rows."""
+    cells = [
+        [
+            name,
+            *(
+                _number(part, "°" if quantity == "angle" else "")
+                for quantity, value in row.items()
+                for part in _parts(value)
+            ),
+        ]
+        for name, row in rows.items()
+    ]
+    return _columns([head, *cells]) if cells else ""
+
+
+def _parts(value: Any) -> list[Any]:
+    return value if isinstance(value, list) else [value]
 
 
 def _inputs(data: dict[str, Any]) -> str:

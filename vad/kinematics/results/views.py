@@ -1,4 +1,4 @@
-"""The motion of one link, point or slide, in the user's units.
+"""The motion of one link, joint, point or slide, in the user's units.
 
 What they return are numbers or new arrays, never views of the solution.
 """
@@ -9,14 +9,16 @@ from typing import TYPE_CHECKING, Any, Generic
 
 from vad.kinematics.numbers import Real, Vector
 from vad.kinematics.reach import travels
-from vad.kinematics.results.formulas import guide_of
 
 if TYPE_CHECKING:
     from vad.kinematics.solution import Solution
 
 
 class Link(Generic[Real]):
-    """The motion of one link: ``angle`` in degrees within [0, 360), ``omega``, ``alpha``."""
+    """The motion of one link: ``angle`` in degrees within [0, 360), ``omega``, ``alpha``.
+
+    A body that turns about no fixed line has no angle, and its rates are vectors x, y, z.
+    """
 
     def __init__(self, motion: Solution[Any], name: str) -> None:
         self._motion = motion
@@ -38,8 +40,31 @@ class Link(Generic[Real]):
         return self._motion.read(("link", self._name, "alpha"))
 
 
+class Joint(Generic[Real]):
+    """The motion of one joint in space: ``angle`` in degrees within [0, 360), and its rates."""
+
+    def __init__(self, motion: Solution[Any], letter: str) -> None:
+        self._motion = motion
+        self._letter = letter
+
+    @property
+    def angle(self) -> Real:
+        """The angle between the bodies that it joins, in degrees."""
+        return self._motion.read(("joint", self._letter, "angle"))
+
+    @property
+    def omega(self) -> Real:
+        """Their relative angular velocity in rad/s."""
+        return self._motion.read(("joint", self._letter, "omega"))
+
+    @property
+    def alpha(self) -> Real:
+        """The second derivative of the angle in rad/s²."""
+        return self._motion.read(("joint", self._letter, "alpha"))
+
+
 class Point(Generic[Vector]):
-    """The motion of one point, as complex numbers x + iy in the user's length unit."""
+    """The motion of one point in the user's length unit: x + iy, or in space x, y, z."""
 
     def __init__(self, motion: Solution[Any], letter: str) -> None:
         self._motion = motion
@@ -91,6 +116,6 @@ class Slider(Generic[Real]):
     @property
     def coriolis(self) -> Real | None:
         """The magnitude of its Coriolis component 2·ω·v, or None on a line that does not turn."""
-        if guide_of(self._motion.linkage, self._name) is None:
+        if not self._motion.solver.on_turning_link(self._name):
             return None
         return self._motion.read(("slide", self._name, "coriolis"))

@@ -6,9 +6,12 @@ dual numbers, holds for axes in space: its real part turns, its dual part slides
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
-from vad.kinematics.numbers import Number, sqrt
+from vad.kinematics import numbers
+from vad.kinematics.numbers import Number
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +26,8 @@ class Dual:
 
     real: Number
     dual: Number
+
+    __array_ufunc__ = None  # numpy's numbers leave their operations to this class
 
     def __add__(self, other: Number) -> Dual:
         if isinstance(other, Dual):
@@ -57,9 +62,16 @@ class Dual:
 def root(value: Number) -> Number:
     """Return the square root of a number that is not negative."""
     if not isinstance(value, Dual):
-        return sqrt(value)
-    real = sqrt(value.real)
-    return Dual(real, value.dual / (2.0 * real))
+        return numbers.sqrt(value)
+    real = numbers.sqrt(value.real)
+    return Dual(real, value.dual / numbers.nonzero(2.0 * real))
+
+
+def nonzero(value: Number) -> Number:
+    """Return a divisor: NaN where it is zero, so that no quotient is infinite."""
+    if not isinstance(value, Dual):
+        return numbers.nonzero(value)
+    return Dual(numbers.nonzero(value.real), value.dual)
 
 
 def real(value: Number) -> Number:
@@ -70,3 +82,14 @@ def real(value: Number) -> Number:
 def dual(value: Number) -> Number:
     """Return the part with ε."""
     return value.dual if isinstance(value, Dual) else 0.0
+
+
+def numbers_in(value: Any) -> Iterator[Number]:
+    """Yield all numbers of nested tuples, of a dual number both parts."""
+    if isinstance(value, tuple):
+        for each in value:
+            yield from numbers_in(each)
+    elif isinstance(value, Dual):
+        yield from (value.real, value.dual)
+    else:
+        yield value

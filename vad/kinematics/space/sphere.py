@@ -10,18 +10,11 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vad.kinematics.numbers import EPSILON, Number, direction, fold, not_below, select
-from vad.kinematics.space.dual import Dual, dual, real, root
+from vad.kinematics.closing.closures import root_of_factors
+from vad.kinematics.numbers import Number, direction, fold, select
+from vad.kinematics.space.dual import Dual, dual, nonzero, numbers_in, real, root
+from vad.kinematics.space.space_linkage import Arc, FourAxes
 from vad.kinematics.space.vectors import Vector3, added, cross, dot, scaled, triple
-
-_RADIAN = math.pi / 180.0
-
-
-class Arc(NamedTuple):
-    """The angle between neighbouring axes in degrees, and their least distance."""
-
-    angle: float
-    length: float = 0.0
 
 
 class SpherePose(NamedTuple):
@@ -39,6 +32,10 @@ class SpherePose(NamedTuple):
     at_c: tuple[Number, Number]
     volume: Number
 
+    def numbers(self) -> list[Number]:
+        """Return all that it holds, as real numbers."""
+        return list(numbers_in(tuple(self)))
+
 
 class SphereRates(NamedTuple):
     """ω or α about D, of the coupler against the crank about B, and against the rocker about C."""
@@ -51,10 +48,11 @@ class SphereRates(NamedTuple):
 class Sphere:
     """The closure of four axes; ``side`` is +1 where C lies to the left of the arc from B to D."""
 
-    def __init__(self, side: float, ground: Arc, crank: Arc, coupler: Arc, rocker: Arc) -> None:
+    def __init__(self, side: float, axes: FourAxes) -> None:
         self.side = side
-        arcs = ground, crank, coupler, rocker
-        self._dual = any(arc.length for arc in arcs)
+        arcs = axes.ground, axes.crank, axes.coupler, axes.rocker
+        #: Whether anything slides: then all numbers are dual.
+        self.in_space = axes.slides
 
         def half(one: int, two: int, three: int, four: int) -> Number:
             return self._sine(arcs, (one, two, three, four), 0.5)
@@ -72,6 +70,7 @@ class Sphere:
             self._cosine(arcs, (0, 0, 1, 1), 0.5) * self._cosine(arcs, (0, 0, 1, -1), 0.5),
             half(0, 0, 1, 1) * half(0, 0, 1, -1),
         )
+        self._spreads = half(0, 0, 1, 1), half(0, 0, 1, -1)
         self._at_rocker = half(0, 0, 2, -1) * half(0, 0, 0, 1), half(0, 0, 0, 1)
         self._across = self._cosine(arcs, (1, 1, 0, 0), 0.5)
         zero = 0.0 * self._product
@@ -90,7 +89,7 @@ class Sphere:
     ) -> tuple[Number, Number]:
         pairs = list(zip(signs, arcs, strict=True))
         unit = direction(fold(share * math.fsum(sign * arc.angle for sign, arc in pairs)))
-        if not self._dual:
+        if not self.in_space:
             return unit.real, unit.imag
         length = share * math.fsum(sign * arc.length for sign, arc in pairs)
         return Dual(unit.real, -unit.imag * length), Dual(unit.imag, unit.real * length)
@@ -105,14 +104,14 @@ class Sphere:
         above = _where(away, self._far[1], self._near[1]) - signed
         h = self._apart * self._apart + self._product * (w.imag * w.imag)
         g = self._across * self._across + self._product * (w.real * w.real)
-        volume = (2.0 * self.side) * root(_positive(below * above))
+        volume = (2.0 * self.side) * self._root(below, above, h)
         sine, cosine = self.sines[1], self.cosines[1]
         b: Vector3 = (sine * u.imag, -sine * u.real, cosine)
         d = self.d
         c = added(
-            scaled(self._feet[0] / (2.0 * g), added(b, d)),
-            scaled(self._feet[1] / (2.0 * h), added(d, scaled(-1.0, b))),
-            scaled(volume / (4.0 * h * g), cross(b, d)),
+            scaled(self._feet[0] / nonzero(2.0 * g), added(b, d)),
+            scaled(self._feet[1] / nonzero(2.0 * h), added(d, scaled(-1.0, b))),
+            scaled(volume / nonzero(4.0 * h * g), cross(b, d)),
         )
         return SpherePose(
             b,
@@ -121,6 +120,42 @@ class Sphere:
             *self._joints(u, b, c, below - above, volume),
             volume,
         )
+
+    def _root(self, below: Number, above: Number, h: Number) -> Number:
+        """Return √(below·above), NaN where the arcs do not close."""
+        together, apart = (real(sine) * real(sine) for sine in self._spreads)
+        value = root_of_factors(
+            real(below),
+            real(above),
+            real(self.sines[2]) * real(self.sines[3]),
+            together + real(h),
+            real(h) + apart,
+        )
+        if not self.in_space:
+            return value
+        change = real(below) * dual(above) + dual(below) * real(above)
+        return Dual(value, change / nonzero(2.0 * value))
+
+    def miss(self, angle: float) -> float:
+        """Return by how much one pose fails to close, in degrees of arc."""
+        w = direction(0.5 * angle)
+        apart, product = real(self._apart), real(self._product)
+        h = math.sqrt(apart * apart + product * (w.imag * w.imag))
+        diagonal, together, least = (
+            2.0 * math.degrees(math.asin(min(1.0, abs(x)))) for x in (h, *map(real, self._spreads))
+        )
+        return max(diagonal - together, least - diagonal)
+
+    def limits(self) -> list[float]:
+        """Return the crank's angles in degrees at which coupler and rocker are in line."""
+        found = []
+        (below, above), (near_below, near_above) = self._far, self._near
+        for half_sine, half_cosine in ((below, -near_below), (-above, near_above)):
+            if real(half_sine) >= 0.0 and real(half_cosine) >= 0.0:
+                sine, cosine = math.sqrt(real(half_sine)), math.sqrt(real(half_cosine))
+                angle = 2.0 * math.degrees(math.atan2(sine, cosine))
+                found += [angle, -angle]
+        return found
 
     def _rocker(
         self,
@@ -165,11 +200,11 @@ class Sphere:
 
     def _solved(self, pose: SpherePose, known: Vector3) -> SphereRates:
         """Return x, y, z with known + y·b = x·d + z·c (Cramer)."""
-        b, c, d = pose.b, pose.c, self.d
+        b, c, d, volume = pose.b, pose.c, self.d, nonzero(pose.volume)
         return SphereRates(
-            -1.0 * triple(known, b, c) / pose.volume,
-            -1.0 * triple(known, d, c) / pose.volume,
-            triple(known, b, d) / pose.volume,
+            -1.0 * triple(known, b, c) / volume,
+            -1.0 * triple(known, d, c) / volume,
+            triple(known, b, d) / volume,
         )
 
 
@@ -185,14 +220,7 @@ def _where(condition: Number, one: Number, other: Number) -> Number:
     )
 
 
-def _positive(product: Number) -> Number:
-    """Return what a root can be drawn of: NaN below zero, but for a rounding."""
-    value = real(product)
-    kept = select(value < -8 * EPSILON, math.nan, not_below(0.0, value))
-    return Dual(kept, product.dual) if isinstance(product, Dual) else kept
-
-
 def _unit(x: Number, y: Number) -> tuple[Number, Number]:
     """Return the direction of a vector in the plane, by its parts."""
-    size = root(x * x + y * y)
+    size = nonzero(root(x * x + y * y))
     return x / size, y / size

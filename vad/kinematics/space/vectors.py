@@ -37,3 +37,24 @@ def added(*vectors: Vector3) -> Vector3:
     for other in vectors[1:]:
         x, y, z = x + other[0], y + other[1], z + other[2]
     return x, y, z
+
+
+def over(a: Vector3, divisor: Number) -> Vector3:
+    """Return a vector divided by a number."""
+    return a[0] / divisor, a[1] / divisor, a[2] / divisor
+
+
+def carried(arm: Vector3, *spins: Vector3) -> Vector3:
+    """Return an arm that turns with a body: itself, with ω its velocity, with α its acceleration.
+
+    Examples
+    --------
+    >>> carried((1.0, 0.0, 0.0), (0.0, 0.0, 2.0))
+    (0.0, 2.0, 0.0)
+    """
+    if not spins:
+        return arm
+    velocity = cross(spins[0], arm)
+    if len(spins) == 1:
+        return velocity
+    return added(cross(spins[1], arm), cross(spins[0], velocity))

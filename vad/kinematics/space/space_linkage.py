@@ -1,0 +1,76 @@
+"""What a mechanism in space is made of: four axes, two shafts and a cross, or two balls.
+
+The frame has its origin at A, z along the driven axis, x along the common normal from A to D.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from vad.kinematics.linkage import Scalar, angle_of
+
+
+class Arc(NamedTuple):
+    """The angle between neighbouring axes in degrees, and their least distance."""
+
+    angle: float
+    length: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class FourAxes:
+    """Four axes a, b, c, d, each of which keeps its angle and its distance to the next.
+
+    They meet in a point, without distances: the spherical four-bar.  If it ``slides`` it is the
+    spatial one, which turns at A and both turns and slides at B, C and D.
+    """
+
+    ground: Arc
+    crank: Arc
+    coupler: Arc
+    rocker: Arc
+    slides: bool = False
+
+    @property
+    def driver(self) -> Scalar:
+        """The angle that is turned."""
+        return angle_of("crank")
+
+
+@dataclass(frozen=True, slots=True)
+class CrossedShafts:
+    """Two shafts that meet under an angle in degrees, and the cross of Hooke's joint between."""
+
+    shaft_angle: float
+
+    @property
+    def driver(self) -> Scalar:
+        """The angle that is turned."""
+        return angle_of("driving")
+
+
+@dataclass(frozen=True, slots=True)
+class BallJointed:
+    """Crank and rocker on fixed axes, a coupler between two balls; degrees, and any unit.
+
+    The common normal of both axes is ``ground`` long; the rocker's axis is turned about it by
+    ``ground_twist``.  The circles of B and C lie ``crank_offset`` and ``rocker_offset`` from it,
+    along their axes.
+    """
+
+    ground: float
+    ground_twist: float
+    crank_offset: float
+    rocker_offset: float
+    crank: float
+    coupler: float
+    rocker: float
+
+    @property
+    def driver(self) -> Scalar:
+        """The angle that is turned."""
+        return angle_of("crank")
+
+
+SpaceLinkage = FourAxes | CrossedShafts | BallJointed

@@ -1,0 +1,44 @@
+"""The ball-jointed four-bar RSSR: two turning joints, and a coupler between two balls."""
+
+import math
+from dataclasses import KW_ONLY, dataclass
+
+from vad.kinematics.space.space_linkage import BallJointed
+from vad.mechanisms.mechanism import angle, length
+from vad.mechanisms.mechanism_in_space import MechanismInSpace
+
+
+@dataclass(frozen=True)
+class RSSR(MechanismInSpace):
+    """Crank AB turns the rocker DC about another axis, through the coupler BC between balls.
+
+    Open: C lies to the left of B′D, with B′ below B in the plane of C's circle, seen against D's
+    axis.  Both angles are counted from the common normal of the axes.  The coupler's rates leave
+    out its idle spin about BC.
+    """
+
+    name = "rssr"
+    title = "Spatial four-bar with ball joints"
+    letters = "ABCD"
+    links = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
+
+    ground: float = length(0.0, "common normal of both axes", signed=True)
+    crank: float = length(200.0, "length of AB")
+    coupler: float = length(math.sqrt(750.0**2 + 850.0**2 + 450.0**2), "length of BC")
+    rocker: float = length(math.hypot(350.0, 650.0), "length of DC")
+    _: KW_ONLY
+    ground_twist: float = angle(90.0, "angle of D's axis from A's, about the common normal")
+    crank_offset: float = length(400.0, "from the common normal to A, along A's axis", signed=True)
+    rocker_offset: float = length(850.0, "from the common normal to D, along D's axis", signed=True)
+
+    def linkage(self) -> BallJointed:
+        """AB + BC = AD + DC."""
+        return BallJointed(
+            self.ground,
+            self.ground_twist,
+            self.crank_offset,
+            self.rocker_offset,
+            self.crank,
+            self.coupler,
+            self.rocker,
+        )

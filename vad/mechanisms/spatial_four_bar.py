@@ -1,0 +1,47 @@
+"""The spatial four-bar RCCC: one turning joint, three that turn and slide."""
+
+from dataclasses import KW_ONLY, dataclass
+
+from vad.kinematics.space.space_linkage import Arc, FourAxes
+from vad.mechanisms.mechanism import arc, length
+from vad.mechanisms.mechanism_in_space import MechanismInSpace
+
+_PARALLEL = "parallel axes make a four-bar in the plane"
+
+
+@dataclass(frozen=True)
+class SpatialFourBar(MechanismInSpace):
+    """Crank AB turns the rocker DC through the coupler BC; B, C and D also slide.
+
+    Its axes turn as those of the spherical four-bar with the twists for arcs, whatever its lengths,
+    and open means the same.  B and C are the crank's and the coupler's foot on their axes, D is the
+    ground's.  The slides lead from the crank's to the coupler's foot at B, from the rocker's to the
+    coupler's at C, from the ground's to the rocker's at D.
+    """
+
+    name = "spatial-four-bar"
+    title = "Spatial four-bar"
+    letters = "ABCD"
+    links = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
+    joints = {"B": "coupler against crank", "C": "coupler against rocker"}
+    slides = {"slide_b": "B", "slide_c": "C", "slide_d": "D"}
+
+    ground: float = length(100.0, "distance of the axes at A and D", signed=True)
+    crank: float = length(40.0, "distance of the axes at A and B", signed=True)
+    coupler: float = length(80.0, "distance of the axes at B and C", signed=True)
+    rocker: float = length(60.0, "distance of the axes at D and C", signed=True)
+    _: KW_ONLY
+    ground_twist: float = arc(60.0, "angle between the axes at A and D", _PARALLEL)
+    crank_twist: float = arc(30.0, "angle between the axes at A and B", _PARALLEL)
+    coupler_twist: float = arc(55.0, "angle between the axes at B and C", _PARALLEL)
+    rocker_twist: float = arc(45.0, "angle between the axes at D and C", _PARALLEL)
+
+    def linkage(self) -> FourAxes:
+        """AB + s_B + BC = AD + s_D + DC + s_C."""
+        return FourAxes(
+            Arc(self.ground_twist, self.ground),
+            Arc(self.crank_twist, self.crank),
+            Arc(self.coupler_twist, self.coupler),
+            Arc(self.rocker_twist, self.rocker),
+            slides=True,
+        )
