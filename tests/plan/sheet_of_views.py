@@ -75,7 +75,13 @@ def sheet_of_views(degrees: float = 60.0) -> Sheet:
             name="OQ.line",
         ),
         Stroke("intersection", "Q", Dot(-0.7j * p), "They meet at Q.", "driven", name="Q.found"),
-        Stroke("construction", "", Curve((p, down)), "P from above.", name="P.projector"),
+        Stroke(
+            "construction",
+            "",
+            Curve((p, down, 0.7j, -2j), breaks=(2,)),
+            "P from above.",
+            name="P.projector",
+        ),
         Stroke(
             "result",
             "2",

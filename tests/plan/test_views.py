@@ -73,6 +73,17 @@ def test_a_curve_grows_from_its_first_point_through_near_and_far_parts():
         assert reach == pytest.approx(8 * share)
 
 
+def test_a_curve_is_lifted_over_to_a_break():
+    sketch = planned(sheet_of_views()).sketches["position"]
+    (projectors,) = marks(sketch.items, "position:P.projector", "path far")
+    assert [len(piece) for piece in projectors.shape.pieces] == [2, 2]
+    first, second = projectors.shape.pieces
+    half = projectors.at(abs(first[1] - first[0]) / length(projectors))
+    assert half is not None
+    assert half.shape.pieces[0] == pytest.approx(first)
+    assert second[0] == sketch.scale(0.7j)
+
+
 def test_joints_are_open_and_a_crossing_of_no_body_is_a_point():
     sketch = planned(sheet_of_views()).sketches["position"]
     discs = {

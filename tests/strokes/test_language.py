@@ -10,6 +10,7 @@ import pytest
 
 import vad
 from tests.strokes.motions import everything, in_every_language, strokes
+from vad.found import names_in
 from vad.strokes.language import Language, languages
 
 
@@ -25,6 +26,18 @@ def test_all_phrases_are_there(code: str) -> None:
     assert {key: gaps(phrase) for key, phrase in other.items()} == {
         key: gaps(phrase) for key, phrase in english.items()
     }
+
+
+@pytest.mark.parametrize("code", languages())
+def test_all_phrases_of_mechanisms_in_space_are_there(code: str) -> None:
+    tables = names_in("strokes", "space", "words")
+    for name in [table.removesuffix("_en") for table in tables if table.endswith("_en")]:
+        english, other = (
+            import_module(f"vad.strokes.space.words.{name}_{each}").PHRASES for each in ("en", code)
+        )
+        assert {key: gaps(phrase) for key, phrase in other.items()} == {
+            key: gaps(phrase) for key, phrase in english.items()
+        }
 
 
 @in_every_language

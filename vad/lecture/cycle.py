@@ -13,11 +13,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.kinematics.linkage import Slide
 from vad.kinematics.motion import solve
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.language import Language
-from vad.strokes.scene import Scene
+from vad.strokes.scenes import AnyScene, scene_of
 
 if TYPE_CHECKING:
     from vad.lecture.course import Course
@@ -29,8 +28,6 @@ Complexes = NDArray[np.complex128]
 SAMPLES = 720
 #: A ratio of forward to return below this is none.
 LEAST_RATIO = 1.005
-#: A link that turns no faster than this, beside the fastest, is only moved along.
-STILL = 1e-9
 _WHOLE = 359.0  # degrees: what covers as much goes round
 
 
@@ -93,7 +90,7 @@ def cycle_of(
     if stuck.any():
         scene = _scene(mechanism, course, phases + later * stuck, language)
         tracks = _tracks(scene, panels)
-    motion, output = scene.motion, output_of(scene)
+    motion, output = scene.motion, scene.output
     part: Any = motion.slide(output) if output in motion.slides else motion.link(output)
     rate = part.velocity if output in motion.slides else part.omega
     curves = {name: curve for name in panels if (curve := _curve(scene, name, output))}
@@ -104,40 +101,27 @@ def cycle_of(
     return Cycle(shares, driver, output, place, curves, tracks, back)
 
 
-def output_of(scene: Scene) -> str:
-    """Return the row of what a mechanism is there for."""
-    motion, driver = scene.motion, scene.driver.name
-    steps = motion.frame.steps
-    guided = {s.name for s in steps if isinstance(s, Slide) and scene.is_guide(s)}
-    slides = [name for name in motion.slides if name in guided and name != driver]
-    rates = {name: np.nanmax(np.abs(motion.link(name).omega)) for name in motion.links}
-    turning = [name for name, rate in rates.items() if rate > STILL * max(rates.values())]
-    links = [name for name in turning if name != driver]
-    return (slides or links or [driver])[-1]
-
-
-def _scene(mechanism: Mechanism, course: Course, phases: Reals, language: str) -> Scene:
+def _scene(mechanism: Mechanism, course: Course, phases: Reals, language: str) -> AnyScene:
     inputs = [course.inputs(phase) for phase in phases.tolist()]
     arrays: dict[str, Any] = {n: np.array([each[n] for each in inputs]) for n in course.names}
     motion: Any = solve(mechanism, **arrays)
-    return Scene(motion, Language(language))
+    return scene_of(motion, Language(language))
 
 
-def _tracks(scene: Scene, panels: Sequence[str]) -> dict[str, dict[str, Complexes]]:
+def _tracks(scene: AnyScene, panels: Sequence[str]) -> dict[str, dict[str, Complexes]]:
     shape = scene.motion.assembled.shape  # type: ignore[attr-defined]
     return {
         name: {
             letter: np.broadcast_to(np.asarray(values, dtype=np.complex128), shape)
-            for letter, values in DIAGRAMS[name].tracks(scene).items()
+            for letter, values in scene.tracks(DIAGRAMS[name]).items()
         }
         for name in panels
     }
 
 
-def _curve(scene: Scene, panel: str, name: str) -> Curve | None:
+def _curve(scene: AnyScene, panel: str, name: str) -> Curve | None:
     """Return what a panel measures of a link or slide, None for nothing."""
-    diagram, motion = DIAGRAMS[panel], scene.motion
-    cells = (diagram.slide if name in motion.slides else diagram.link)(scene, name)
+    cells, motion = scene.cells(DIAGRAMS[panel], name), scene.motion
     if not cells:
         return None
     shape = motion.assembled.shape  # type: ignore[attr-defined]

@@ -22,11 +22,15 @@ from vad.strokes.sheet import (
 
 if TYPE_CHECKING:
     from vad.strokes.scene import Scene
+    from vad.strokes.scenes import AnyScene
 
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
-    """What is drawn of one pose: see `Panel`, which adds what its diagram says of itself."""
+    """What is drawn of one pose: see `Panel`, which adds what its diagram says of itself.
+
+    ``picture`` is None where it is that of the diagram.
+    """
 
     strokes: tuple[Stroke, ...]
     zeros: tuple[Stroke, ...] = ()
@@ -35,6 +39,7 @@ class Drawing:
     triangles: tuple[ImageTriangle, ...] = ()
     loops: tuple[int, ...] = ()
     notes: tuple[Note, ...] = ()
+    picture: Picture | None = None
 
 
 def no_cells(scene: Scene, name: str) -> tuple[Cell, ...]:
@@ -84,18 +89,18 @@ class Diagram:
     tracks: Callable[[Scene], Mapping[str, Any]] = no_tracks
     usual: bool = True
 
-    def panel(self, scene: Scene) -> Panel:
+    def panel(self, scene: AnyScene) -> Panel:
         """Return the panel of a pose, its title in the language of the scene."""
-        drawing = self.pose(scene)
+        drawing = scene.drawing(self)
         return Panel(
             self.name,
-            self.unit(scene),
+            scene.unit_of(self),
             drawing.strokes,
             drawing.equations,
             drawing.inset,
             drawing.zeros,
             scene.language.name(self.title),
-            self.picture,
+            drawing.picture or self.picture,
             drawing.triangles,
             drawing.loops,
             drawing.notes,

@@ -10,11 +10,11 @@ from vad.kinematics.linkage import points_of
 from vad.kinematics.motion import Motion
 from vad.strokes.canonical import canonical
 from vad.strokes.chains import NOTHING
-from vad.strokes.diagrams import DIAGRAMS, Diagram
+from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.language import Language
 from vad.strokes.notation import Notation, in_metres
-from vad.strokes.scene import Scene
-from vad.strokes.sheet import Arrow, Cell, Panel, Row, Sheet, Stroke
+from vad.strokes.scenes import AnyScene, scene_of
+from vad.strokes.sheet import Arrow, Cell, Equation, Panel, Row, Sheet, Stroke, Term
 
 #: So many parameters a title has at most.
 MOST = 8
@@ -53,9 +53,9 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     if motion.many:
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
     diagrams = [DIAGRAMS[name] for name in chosen(panels)]
-    scene = Scene(motion, Language(language))
+    scene = scene_of(motion, Language(language))
     drawn = tuple(diagram.panel(scene) for diagram in diagrams)
-    rows = _rows(scene, diagrams)
+    rows = scene.rows(diagrams)
     largest = _largest(rows, drawn)
     rates = [size for unit, size in largest.items() if unit.startswith(f"{scene.unit}/s")]
     notation = scene.figures.settled(Notation(scene.language.point, in_metres(rates)))
@@ -94,7 +94,7 @@ def chosen(panels: Sequence[str] | str | None) -> tuple[str, ...]:
     return tuple(name for name in DIAGRAMS if name in names)
 
 
-def _parameters(scene: Scene) -> tuple[tuple[str, float, str], ...]:
+def _parameters(scene: AnyScene) -> tuple[tuple[str, float, str], ...]:
     """Return all lengths, and the angles but for 0 and a mechanism's own along the axes.
 
     Where they are too many for a line, coordinates are left out first, and then the last.
@@ -119,30 +119,20 @@ def _parameters(scene: Scene) -> tuple[tuple[str, float, str], ...]:
     return tuple(shown[:MOST])
 
 
-def _rows(scene: Scene, diagrams: list[Diagram]) -> list[Row]:
-    motion, say = scene.motion, scene.language.name
-    rows = []
-    for name in motion.links:
-        cells = {diagram.name: diagram.link(scene, name) for diagram in diagrams}
-        rows.append(Row(name, say(name), motion.mechanism.links[name], cells))
-    for name in motion.slides:
-        cells = {diagram.name: diagram.slide(scene, name) for diagram in diagrams}
-        strut = motion.mechanism.links.get(name)  # a link that grows has its stroke
-        title = say("stroke" if strut else name.split("_", maxsplit=1)[0])
-        rows.append(Row(name, title, strut or motion.mechanism.slides[name], cells))
-    return rows
+def _in_words(panel: Panel, scene: AnyScene, notation: Notation) -> Panel:
+    """Return a panel with the numbers in its captions, labels and equations."""
 
+    def text(raw: str) -> str:
+        return scene.figures.fill(raw, notation)
 
-def _in_words(panel: Panel, scene: Scene, notation: Notation) -> Panel:
-    """Return a panel with the numbers in its captions and labels."""
+    def stroke(raw: Stroke) -> Stroke:
+        return replace(raw, caption=text(raw.caption), label=text(raw.label))
 
-    def filled(stroke: Stroke) -> Stroke:
-        caption, label = (
-            scene.figures.fill(text, notation) for text in (stroke.caption, stroke.label)
-        )
-        return replace(stroke, caption=caption, label=label)
+    def terms(raw: tuple[Term, ...]) -> tuple[Term, ...]:
+        return tuple(replace(term, label=text(term.label)) for term in raw)
 
-    return replace(panel, strokes=tuple(map(filled, panel.strokes)))
+    equations = tuple(Equation(terms(each.left), terms(each.right)) for each in panel.equations)
+    return replace(panel, strokes=tuple(map(stroke, panel.strokes)), equations=equations)
 
 
 def _largest(rows: list[Row], panels: tuple[Panel, ...]) -> dict[str, float]:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, TypeGuard
+from typing import TYPE_CHECKING, Any, TypeGuard
+
+import numpy as np
 
 from vad.kinematics.linkage import (
     Bar,
@@ -16,16 +19,21 @@ from vad.kinematics.linkage import (
     points_of,
     scalar_of,
 )
-from vad.strokes.figures import Figure, Figures, Unit
+from vad.strokes.figures import Figure, Figures
 from vad.strokes.language import Language, Noun
+from vad.strokes.said import filled
+from vad.strokes.sheet import Cell, Row
 from vad.written import PRIME, per_second, subscript
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
     from vad.kinematics.state import Rates
+    from vad.strokes.diagram import Diagram, Drawing
 
 #: A point so near to the line of two others, as a sine, lies on it.
 IN_LINE = 1e-9
+#: A link that turns no faster than this, beside the fastest, is only moved along.
+STILL = 1e-9
 
 
 @dataclass(frozen=True)
@@ -40,6 +48,50 @@ class Scene:
     def unit(self) -> str:
         """The unit of lengths."""
         return self.motion.mechanism.length_unit
+
+    def drawing(self, diagram: Diagram) -> Drawing:
+        """Return what is drawn in a kind of diagram."""
+        return diagram.pose(self)
+
+    def unit_of(self, diagram: Diagram) -> str:
+        """Return the unit of a diagram's coordinates."""
+        return diagram.unit(self)
+
+    def cells(self, diagram: Diagram, key: str) -> tuple[Cell, ...]:
+        """Return what a diagram measures of a slide or link."""
+        return (diagram.slide if key in self.motion.slides else diagram.link)(self, key)
+
+    def tracks(self, diagram: Diagram) -> Mapping[str, Any]:
+        """Return where the lettered points of a diagram are."""
+        return diagram.tracks(self)
+
+    def rows(self, diagrams: Sequence[Diagram]) -> list[Row]:
+        """Return the rows of the results: the links, then the slides."""
+        motion, say = self.motion, self.language.name
+        rows = []
+        for name in motion.links:
+            cells = {diagram.name: diagram.link(self, name) for diagram in diagrams}
+            rows.append(Row(name, say(name), motion.mechanism.links[name], cells))
+        for name in motion.slides:
+            cells = {diagram.name: diagram.slide(self, name) for diagram in diagrams}
+            strut = motion.mechanism.links.get(name)  # a link that grows has its stroke
+            title = say("stroke" if strut else name.split("_", maxsplit=1)[0])
+            rows.append(Row(name, title, strut or motion.mechanism.slides[name], cells))
+        return rows
+
+    @property
+    def output(self) -> str:
+        """The row of what the mechanism is there for.
+
+        That is the last slide on a guide of the frame, else the last link that turns.
+        """
+        motion, driver = self.motion, self.driver.name
+        guided = {step.name for step in motion.frame.steps if self.is_guide(step)}
+        slides = [name for name in motion.slides if name in guided and name != driver]
+        rates = {name: np.nanmax(np.abs(motion.link(name).omega)) for name in motion.links}
+        turning = [name for name, rate in rates.items() if rate > STILL * max(rates.values())]
+        links = [name for name in turning if name != driver]
+        return (slides or links or [driver])[-1]
 
     def outward(self, vector: complex) -> complex:
         """Turn a vector of the solver into the user's frame and unit."""
@@ -172,11 +224,7 @@ class Scene:
 
     def say(self, phrase: str, **parts: object) -> str:
         """Fill in a phrase, in which the places of numbers and units are kept."""
-        kept = {
-            name: self.figures.place(part) if isinstance(part, Figure | Unit) else part
-            for name, part in parts.items()
-        }
-        return self.language.say(phrase, **kept)
+        return filled(self.language, self.figures, phrase, parts)
 
     def figure(self, scalar: Scalar, value: float, unit: str = "", power: int = 1) -> Figure:
         """Return a number of a scalar or its rates, which is given for the driver."""
@@ -226,7 +274,7 @@ class Scene:
         """Name what slides: in a link whose length changes, its piston."""
         return "piston" if slide.name in self.motion.links else slide.name.split("_")[0]
 
-    def is_guide(self, step: Step) -> bool:
+    def is_guide(self, step: Step) -> TypeGuard[Slide]:
         """Tell whether a step slides on a line of the frame."""
         return (
             isinstance(step, Slide)

@@ -101,11 +101,12 @@ class Curve:
     """A line through ``points``: a circle in space as it is seen, a bent link, a projector.
 
     ``far`` are the stretches that lie behind, by the numbers of their first and last points:
-    they are dashed.
+    they are dashed.  To the points whose numbers are in ``breaks`` the pencil is lifted over.
     """
 
     points: tuple[complex, ...]
     far: tuple[tuple[int, int], ...] = ()
+    breaks: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -84,7 +84,12 @@ SHAPE = variants(
         travel=optional(row(NUMBER, NUMBER), (0.0, 0.0)),
     ),
     plate=record(Plate, corners=many(POINT), letters=many(TEXT)),
-    curve=record(Curve, points=many(POINT), far=optional(many(row(INDEX, INDEX)), ())),
+    curve=record(
+        Curve,
+        points=many(POINT),
+        far=optional(many(row(INDEX, INDEX)), ()),
+        breaks=optional(many(INDEX), ()),
+    ),
     bearing=record(Bearing, at=POINT, direction=WAY),
 )
 STROKE = record(

@@ -13,7 +13,7 @@ from vad.plan.geometry import SHORTEST
 from vad.plan.growth import Trimming
 from vad.plan.items import FOREVER, Level, Span
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.marks import Mark, area, line, lines
+from vad.plan.marks import Mark, area, lines
 from vad.plan.pictures import machine
 from vad.plan.roles import BAR, ROLES
 from vad.plan.sketch import Sketch
@@ -26,51 +26,69 @@ _TICKS = 4
 
 @dataclass(frozen=True, slots=True)
 class PlacedCurve:
-    """A curve on the page: its points and the numbers of those whose next stretch lies behind."""
+    """A curve on the page.
+
+    Attributes
+    ----------
+    points
+        Through which it runs.
+    far, lifted
+        The numbers of the points whose next stretch lies behind, or is not drawn.
+    """
 
     points: list[complex]
-    far: frozenset[int]
+    far: frozenset[int] = frozenset()
+    lifted: frozenset[int] = frozenset()
 
     def marks(self, near: str, far: str, row: int | None) -> list[Mark]:
         """Return the curve in two roles; it grows from its first point on."""
-        lengths = [abs(b - a) for a, b in pairwise(self.points)]
-        total = sum(lengths)
-        if total < SHORTEST:
-            return []
-        reached = [0.0, *accumulate(lengths)]
+        drawn = [number not in self.lifted for number in range(len(self.points) - 1)]
+        lengths = [abs(b - a) * on for (a, b), on in zip(pairwise(self.points), drawn, strict=True)]
+        total, reached = sum(lengths), list(accumulate(lengths, initial=0.0))
         marks = []
         for role, behind in ((far, True), (near, False)):
-            own = [(number in self.far) is behind for number in range(len(lengths))]
-            size = sum(length for length, mine in zip(lengths, own, strict=True) if mine)
-            if size < SHORTEST:
-                continue
-            drawn = accumulate(
-                (length * mine for length, mine in zip(lengths, own, strict=True)), initial=0.0
-            )
-            steps = zip(reached, drawn, strict=True)
-            knots = _straightened([(at / total, part / size) for at, part in steps])
-            marks.append(lines(self._pieces(own), role, row, Trimming(knots)))
+            own = [(number in self.far) is behind and on for number, on in enumerate(drawn)]
+            parts = [length * mine for length, mine in zip(lengths, own, strict=True)]
+            size = sum(parts)
+            if size > SHORTEST:
+                grown = accumulate(parts, initial=0.0)
+                steps = zip(reached, grown, strict=True)
+                knots = _straightened([(at / total, part / size) for at, part in steps])
+                marks.append(lines(_pieces(self.points, own), role, row, Trimming(knots)))
         return marks
+
+    def whole(self, role: str, row: int | None) -> Mark:
+        """Return all that is drawn of it, which does not grow."""
+        return lines(self.pieces, role, row)
+
+    @property
+    def pieces(self) -> list[list[complex]]:
+        """Its lines, each through its points."""
+        drawn = [number not in self.lifted for number in range(len(self.points) - 1)]
+        return _pieces(self.points, drawn)
 
     def block(self, obstacles: Obstacles, width: float, span: Span) -> None:
         """Add it to what labels keep clear of."""
-        obstacles.line(self.points, width / 2, span)
+        for piece in self.pieces:
+            obstacles.line(piece, width / 2, span)
 
-    def _pieces(self, own: Sequence[bool]) -> list[list[complex]]:
-        """Return the stretches that belong together, each through its points."""
-        pieces: list[list[complex]] = []
-        for number, mine in enumerate(own):
-            if mine and (not number or not own[number - 1]):
-                pieces.append([self.points[number]])
-            if mine:
-                pieces[-1].append(self.points[number + 1])
-        return pieces
+
+def _pieces(points: Sequence[complex], own: Sequence[bool]) -> list[list[complex]]:
+    """Return the stretches that belong together, each through its points."""
+    pieces: list[list[complex]] = []
+    for number, mine in enumerate(own):
+        if mine and (not number or not own[number - 1]):
+            pieces.append([points[number]])
+        if mine:
+            pieces[-1].append(points[number + 1])
+    return pieces
 
 
 def curve_of(sketch: Sketch, shape: Curve) -> PlacedCurve:
     """Return a curve in its place."""
     far = frozenset(number for first, last in shape.far for number in range(first, last))
-    return PlacedCurve(list(map(sketch.scale, shape.points)), far)
+    lifted = frozenset(number - 1 for number in shape.breaks)
+    return PlacedCurve(list(map(sketch.scale, shape.points)), far, lifted)
 
 
 def add_curve(sketch: Sketch, index: int, shape: Curve) -> None:
@@ -82,7 +100,7 @@ def add_curve(sketch: Sketch, index: int, shape: Curve) -> None:
     if stroke.component == "link":
         light = placed.marks("bar light", "bar light", row)
         sketch.add(stroke, Level.CARRIER, during, light, over)
-        glow = line(placed.points, "bar light", row)
+        glow = placed.whole("bar light", row)
         sketch.lights.setdefault(stroke.link or "", []).append(glow)
     elif stroke.kind == "construction":
         light = placed.marks("construction light", "construction light", row)

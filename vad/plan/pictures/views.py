@@ -90,8 +90,10 @@ def add_stroke(sketch: Sketch, index: int) -> None:
     setting = sketch.setting
     stroke, during = setting.panel.strokes[index], setting.during(index)
     match stroke.shape:
-        case Arrow(start, end):
+        case Arrow(start, end, tail, head):
             add_curve(sketch, index, Curve((start, end)))
+            for at in [z for z, letter in ((start, tail), (end, head)) if not letter]:
+                _add_joint(sketch, index, sketch.scale(at))
         case Curve():
             add_curve(sketch, index, stroke.shape)
         case Dot(at):
@@ -177,6 +179,14 @@ def _add_dot(sketch: Sketch, index: int, at: complex) -> None:
     sketch.add(stroke, Level.DOT, during, [part(at, swelling(at), SIZE)], until)
     if not stroke.label:
         sketch.obstacles.disc(at, RADIUS, (during, FOREVER))
+
+
+def _add_joint(sketch: Sketch, index: int, at: complex) -> None:
+    """Add the joint at the end of a bar that bears no letter there."""
+    since = sketch.setting.after(index)
+    stroke = sketch.setting.panel.strokes[index]
+    sketch.add(stroke, Level.DOT, since, [machine.joint(at, size=SIZE)])
+    sketch.obstacles.disc(at, RADIUS, (since, FOREVER))
 
 
 def _add_sleeve(sketch: Sketch, index: int, shape: Block) -> None:

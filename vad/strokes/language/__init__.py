@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from functools import cache
 from importlib import import_module
 from typing import Any
 
@@ -12,11 +13,24 @@ from vad.found import names_in
 
 #: The parts of a phrase that are names, and what each is where a language knows no more of it.
 _GENERIC = {"link": "link", "slide": "slider"}
+#: Where the words for mechanisms in space are.
+_SPACE = ("strokes", "space", "words")
 
 
 def languages() -> tuple[str, ...]:
     """Return the codes of the languages that there are."""
     return names_in("strokes", "language")
+
+
+@cache
+def _in_space(code: str) -> tuple[Any, ...]:
+    """Return what a language says of mechanisms in space: a table for each."""
+    names = [name for name in names_in(*_SPACE) if name.endswith(f"_{code}")]
+    return tuple(import_module(".".join(("vad", *_SPACE, name))) for name in names)
+
+
+def _merged(tables: Iterable[Mapping[str, str]]) -> dict[str, str]:
+    return {key: value for table in tables for key, value in table.items()}
 
 
 def _short(phrases: Iterable[str]) -> str:
@@ -65,12 +79,13 @@ class Language:
     def __init__(self, code: str) -> None:
         table = import_module(f"{__name__}.{one_of('language', code, languages())}")
         self.code = code
-        self._phrases: dict[str, str] = table.PHRASES
-        self._names: dict[str, str] = table.NAMES
-        self._genders: dict[str, str] = table.GENDERS
+        tables = table, *_in_space(code)
+        self._phrases: dict[str, str] = _merged(each.PHRASES for each in tables)
+        self._names: dict[str, str] = _merged(each.NAMES for each in tables)
+        self._genders: dict[str, str] = _merged(each.GENDERS for each in tables)
         self._articles: dict[str, dict[str, str]] = table.ARTICLES
         self.point: str = table.POINT
-        self.upright: str = "|".join(filter(None, (table.UPRIGHT, _short(table.PHRASES.values()))))
+        self.upright: str = "|".join(filter(None, (table.UPRIGHT, _short(self._phrases.values()))))
 
     def say(self, phrase: str, **parts: Any) -> str:
         """Fill in one phrase; the names of links and slides are translated."""

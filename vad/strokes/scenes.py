@@ -1,0 +1,25 @@
+"""Which scene a motion is: that of the plane, or that of its mechanism in space."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from vad.kinematics.space.universal_solver import UniversalSolver
+from vad.strokes.language import Language
+from vad.strokes.scene import Scene
+from vad.strokes.space.hooke import HookeScene
+from vad.strokes.space.scene_in_space import SceneInSpace
+
+if TYPE_CHECKING:
+    from vad.kinematics.motion import Motion
+
+AnyScene = Scene | SceneInSpace
+
+#: The scene of each solver in space.
+IN_SPACE: Mapping[type, type[SceneInSpace]] = {UniversalSolver: HookeScene}
+
+
+def scene_of(motion: Motion, language: Language) -> AnyScene:
+    """Return the scene of a motion, whose solver tells the plane from space."""
+    return IN_SPACE.get(type(motion.solver), Scene)(motion, language)

@@ -1,0 +1,283 @@
+"""Hooke's joint in two views: above as seen along shaft 2, below the plane of the shafts.
+
+In comes the scene of a pose, out goes the construction.  Seen along shaft 2, P runs on a circle of
+radius 1; the plan stands below it, and its shafts meet at `PLAN`.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from vad.strokes.diagram import Drawing
+from vad.strokes.figures import Figure
+from vad.strokes.sheet import (
+    Arc,
+    Arrow,
+    Bearing,
+    Curve,
+    Dot,
+    Equation,
+    Line,
+    Note,
+    Shape,
+    Stroke,
+    Term,
+)
+from vad.strokes.space.scene_in_space import SceneInSpace
+from vad.written import PRIME, subscript, with_unit
+
+PLAN = -2.5j
+#: From O: the back of a yoke, the middle of its bearing, the end of its shaft.
+BACK, BEARING, END = 0.5, 0.95, 1.2
+AXIS = 1.25
+ANGLE = 0.45
+SHAFTS_ANGLE = 1.02
+#: So far a fork goes on both sides of its pin, in degrees, as seen along shaft 2.
+FORK = 13.0
+#: Points of a circle.
+POINTS = 72
+
+
+def front(vector: Any) -> Any:
+    """Return a vector as it is seen along shaft 2, the plane of the shafts horizontal."""
+    return -vector[..., 1] + 1j * vector[..., 0]
+
+
+def plan(vector: Any) -> Any:
+    """Return a vector as it is seen square to the plane of the shafts, without its place."""
+    return -vector[..., 1] - 1j * vector[..., 2]
+
+
+def pierced(p: Any, q: Any) -> Any:
+    """Return where the line of an end of P's arm and one of Q's pierces the plane of the shafts.
+
+    Of both such points, opposite each other, it is the one that stays on its side in all poses.
+    """
+    high_p, high_q = p[..., :1], q[..., :1]
+    return (p * high_q - q * high_p) / (abs(high_p) + abs(high_q))
+
+
+def tracks(scene: SceneInSpace) -> Mapping[str, Any]:
+    """Return where the lettered points are in both views."""
+    p, q = (scene.motion.point(letter).position for letter in "PQ")
+    t = pierced(p, q)
+    ways = {"P": p, "Q": q, "T": t}
+    return {
+        "O": 0j,
+        **{letter: front(way) for letter, way in ways.items()},
+        **{f"{letter}.plan": PLAN + plan(way) for letter, way in ways.items()},
+    }
+
+
+def swings(scene: SceneInSpace) -> tuple[Any, Any]:
+    """Return by how many degrees the cross swings about P and Q, within ±180."""
+    angles = (scene.motion.joint(letter).angle for letter in "PQ")
+    found = [(angle + 180.0) % 360.0 - 180.0 for angle in angles]
+    return found[0], found[1]
+
+
+def views(scene: SceneInSpace) -> Drawing:
+    """Return the construction of a pose."""
+    return _Views(scene).drawing()
+
+
+class _Views:
+    def __init__(self, scene: SceneInSpace) -> None:
+        self.scene = scene
+        motion = scene.motion
+        self.shafts = math.radians(motion.mechanism.parameters()["shaft_angle"])
+        self.theta2 = float(motion.link("driving").angle)
+        self.theta4 = float(motion.link("driven").angle)
+        pins: list[Any] = [motion.point(letter).position for letter in "PQ"]
+        self.p, self.q = pins
+        #: From O along shaft 4, away from it, in the plan.
+        self.away = 1j * cmath.exp(1j * self.shafts)
+        self.strokes: list[Stroke] = []
+
+    def drawing(self) -> Drawing:
+        self._frame()
+        self._pin_p()
+        self._pin_q()
+        self._plan()
+        self._yokes()
+        self._cut()
+        say = self.scene.language.say
+        notes = Note(AXIS + 1.2j, say("hooke along")), Note(PLAN + AXIS - 1j, say("hooke plan"))
+        return Drawing(
+            tuple(self.strokes), equations=(self._equation(),), picture="views", notes=notes
+        )
+
+    def _draw(
+        self, name: str, kind: str, label: str, shape: Shape, phrase: str, **more: Any
+    ) -> None:
+        parts = more.pop("parts", {})
+        caption = self.scene.say(f"hooke {phrase}", **parts)
+        stroke = Stroke(kind, label, shape, caption, name=name, **more)  # type: ignore[arg-type]
+        self.strokes.append(stroke)
+
+    def _frame(self) -> None:
+        """Draw shafts and bearings in the plan, and the lines of reference of the front view."""
+        for shaft, link, way in (("2", "driving", -1j), ("4", "driven", self.away)):
+            shape = Curve((PLAN + END * way, PLAN + BACK * way))
+            self._draw(
+                f"{shaft}.shaft",
+                "known",
+                shaft,
+                shape,
+                f"shaft {shaft}",
+                link=link,
+                component="link",
+            )
+            bearing = Bearing(PLAN + BEARING * way, way)
+            parts = {"shaft": shaft}
+            self._draw(f"{shaft}.bearing", "fixed", "", bearing, "bearing", parts=parts)
+        upright = (AXIS * 1j, PLAN - END * 1j)
+        tilted = (PLAN - 0.35 * self.away, PLAN + END * self.away)
+        axes = Curve((*upright, *tilted), breaks=(2,))
+        self._draw("shafts.axes", "guide", "", axes, "axes")
+        given = self._given(math.degrees(self.shafts))
+        arc = Arc(PLAN, SHAFTS_ANGLE, 90.0, math.degrees(self.shafts))
+        label = self._degrees(given)
+        self._draw("shafts.angle", "angle", label, arc, "angle", parts={"angle": given})
+        self._draw("O.fixed", "fixed", "O", Dot(0j), "O")
+        self._draw("plane.axis", "guide", "", Curve((-AXIS + 0j, AXIS + 0j)), "plane")
+
+    def _pin_p(self) -> None:
+        """Draw the circle of P, its arm and its angle."""
+        self._draw("P.circle", "known", "", Curve(_ellipse(1.0)), "circle", link="driving")
+        given, p = self._given(self.theta2), complex(front(self.p))
+        arm, parts = Arrow(-p, p, "", "P"), {"angle": given}
+        self._draw("OP.arm", "known", "", arm, "OP", link="cross", component="link", parts=parts)
+        arc = Arc(0j, ANGLE, 0.0, self.theta2)
+        self._draw("P.angle", "angle", self._degrees(given), arc, "theta 2", link="driving")
+
+    def _pin_q(self) -> None:
+        """Draw the ellipse of Q, find Q on it, and turn it into the view."""
+        q, cosine = complex(front(self.q)), math.cos(self.shafts)
+        given = self._given(math.degrees(self.shafts))
+        ellipse = Curve(_ellipse(cosine))
+        parts: dict[str, object] = {"angle": given}
+        self._draw("Q.ellipse", "construction", "", ellipse, "ellipse", link="driven", parts=parts)
+        line = Line(0j, q / abs(q), q, "OP")
+        self._draw("OQ.line", "construction", "", line, "OQ", link="cross")
+        self._draw("Q.found", "intersection", "Q", Dot(q), "Q", link="driven")
+        arm = Arrow(-q, q, "", "Q")
+        self._draw("OQ.arm", "result", "", arm, "arm", link="cross", component="link")
+        turned = 1j * cmath.exp(1j * math.radians(self.theta4))
+        self._draw("Q.turned", "construction", "", Curve((q, turned)), "turned", link="driven")
+        arc, theta = Arc(0j, ANGLE, 90.0, self.theta4), "θ" + subscript(4)
+        parts = {"theta": theta, "value": Figure(self.theta4, "°"), "ratio": self._ratio(given)}
+        self._draw(
+            "Q.angle",
+            "angle",
+            theta,
+            arc,
+            "theta 4",
+            link="driven",
+            parts=parts,
+            reveals=("driven",),
+        )
+
+    def _plan(self) -> None:
+        """Draw the cross in the plan."""
+        p, q = complex(front(self.p)), complex(front(self.q))
+        below_p, below_q = (PLAN + complex(plan(pin)) for pin in (self.p, self.q))
+        shape = Curve((p, below_p, q, below_q), breaks=(2,))
+        self._draw("PQ.projectors", "construction", "", shape, "projectors")
+        at_p, at_q = (Figure(float(angle), "°") for angle in swings(self.scene))
+        parts = {"at_p": at_p, "at_q": at_q}
+        for letter, below in (("P", below_p), ("Q", below_q)):
+            arm = Arrow(2 * PLAN - below, below, "", letter)
+            shown = ("cross",) if letter == "Q" else ()
+            self._draw(
+                f"{letter}.plan",
+                "result",
+                "",
+                arm,
+                f"{letter} plan",
+                link="cross",
+                component="link",
+                parts=parts,
+                reveals=shown,
+            )
+
+    def _yokes(self) -> None:
+        """Draw the yokes, in the plan and as they are seen along shaft 2."""
+        for shaft, link, pin, way, width in (
+            ("2", "driving", self.p, -1j, 1.0),
+            ("4", "driven", self.q, self.away, math.cos(self.shafts)),
+        ):
+            letter = "P" if shaft == "2" else "Q"
+            end = complex(plan(pin))
+            arms = [PLAN + end, PLAN + end + BACK * way, PLAN - end + BACK * way, PLAN - end]
+            parts = {"shaft": shaft, "pin": letter}
+            self._draw(
+                f"{shaft}.yoke",
+                "result",
+                "",
+                Curve(tuple(arms)),
+                "yoke",
+                link=link,
+                component="link",
+                parts=parts,
+            )
+            own = self.theta2 if shaft == "2" else 90.0 + self.theta4
+            fork = [_on_ellipse(width, own + by) for by in (-FORK, 0.0, FORK)]
+            shape = Curve((*fork, *(-z for z in fork)), breaks=(3,))
+            self._draw(
+                f"{shaft}.fork",
+                "result",
+                "",
+                shape,
+                "fork",
+                link=link,
+                component="link",
+                parts={"shaft": shaft},
+            )
+
+    def _cut(self) -> None:
+        """Find the line in which the plane of the cross cuts that of the shafts."""
+        t = pierced(self.p, self.q)
+        at, below = complex(front(t)), PLAN + complex(plan(t))
+        one, first = ("P", 1) if self.q[0] >= 0.0 else ("P" + PRIME, -1)
+        other, second = ("Q" + PRIME, -1) if self.p[0] >= 0.0 else ("Q", 1)
+        start, end = first * complex(front(self.p)), second * complex(front(self.q))
+        line = Line(start, (end - start) / abs(end - start), end)
+        parts = {"one": one, "other": other}
+        self._draw("PQ.line", "construction", "", line, "PQ", link="cross", parts=parts)
+        self._draw("T.found", "intersection", "T", Dot(at), "T")
+        self._draw("T.projector", "construction", "", Curve((at, below)), "T plan")
+        self._draw("T.plan", "intersection", "T", Dot(below), "T plan")
+        way = (below - PLAN) / abs(below - PLAN)
+        line = Line(PLAN, way, PLAN + 1.1 * way)
+        self._draw("OT.line", "construction", "", line, "OT", link="cross")
+
+    def _equation(self) -> Equation:
+        """Return tan θ₄ = tan θ₂ / cos 30°."""
+        ratio = self._ratio(self._given(math.degrees(self.shafts)))
+        left = Term(f"tan θ{subscript(4)}", "driven", "Q.angle")
+        return Equation((left,), (Term(ratio, "driving", "P.angle"),))
+
+    def _ratio(self, shafts: Figure) -> str:
+        """Write what tan θ₄ is."""
+        tangent = self._degrees(self._given(self.theta2))
+        return f"tan {tangent} / cos {self._degrees(shafts)}"
+
+    def _given(self, degrees: float) -> Figure:
+        return Figure(degrees, "°", given=True)
+
+    def _degrees(self, figure: Figure) -> str:
+        return with_unit(self.scene.figures.place(figure), "°")
+
+
+def _ellipse(width: float) -> tuple[complex, ...]:
+    """Return a circle of radius 1 that is seen so wide, from its top on."""
+    return tuple(_on_ellipse(width, 90.0 + 360.0 * k / POINTS) for k in range(POINTS + 1))
+
+
+def _on_ellipse(width: float, degrees: float) -> complex:
+    z = cmath.exp(1j * math.radians(degrees))
+    return complex(width * z.real, z.imag)

@@ -1,0 +1,79 @@
+"""One pose of a mechanism in space as the board sees it: words, numbers, and what is drawn."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from vad.kinematics.linkage import Scalar
+from vad.strokes.figures import Figures
+from vad.strokes.language import Language
+from vad.strokes.said import filled
+from vad.strokes.sheet import Cell, Row
+
+if TYPE_CHECKING:
+    from vad.kinematics.motion import Motion
+    from vad.strokes.diagram import Diagram, Drawing
+
+
+@dataclass(frozen=True)
+class SceneInSpace(ABC):
+    """A motion in space, the language of its captions, and what its mechanism draws of it."""
+
+    motion: Motion
+    language: Language
+    figures: Figures = field(default_factory=Figures)
+
+    @property
+    def unit(self) -> str:
+        """The unit of lengths."""
+        return self.motion.mechanism.length_unit
+
+    @property
+    def driver(self) -> Scalar:
+        """The scalar that drives the mechanism."""
+        return self.motion.solver.driver
+
+    @property
+    @abstractmethod
+    def output(self) -> str:
+        """The row of what the mechanism is there for."""
+
+    @property
+    @abstractmethod
+    def headings(self) -> Mapping[str, str]:
+        """The letters of every row of the results, by its key."""
+
+    @abstractmethod
+    def drawing(self, diagram: Diagram) -> Drawing:
+        """Return what is drawn in a kind of diagram."""
+
+    @abstractmethod
+    def unit_of(self, diagram: Diagram) -> str:
+        """Return the unit of a diagram's coordinates."""
+
+    @abstractmethod
+    def cells(self, diagram: Diagram, key: str) -> tuple[Cell, ...]:
+        """Return what a diagram adds to a row of the results."""
+
+    @abstractmethod
+    def tracks(self, diagram: Diagram) -> Mapping[str, Any]:
+        """Return where the lettered points of a diagram are."""
+
+    def say(self, phrase: str, **parts: object) -> str:
+        """Fill in a phrase, in which the places of numbers and units are kept."""
+        return filled(self.language, self.figures, phrase, parts)
+
+    def rows(self, diagrams: Sequence[Diagram]) -> list[Row]:
+        """Return the rows of the results."""
+        return [
+            Row(
+                key,
+                self.language.name(key),
+                letters,
+                {diagram.name: self.cells(diagram, key) for diagram in diagrams},
+            )
+            for key, letters in self.headings.items()
+        ]

@@ -1,0 +1,86 @@
+"""Was der Lehrer zum Kreuzgelenk sagt, auf Deutsch."""
+
+PHRASES = {
+    # Lageplan
+    "hooke along": "längs Welle 2 gesehen",
+    "hooke plan": "Ebene der Wellen",
+    "hooke shaft 2": "Unten die Ebene der Wellen in wahrer Größe: Welle 2 treibt an.",
+    "hooke bearing": "Welle {shaft} dreht sich im Gestell.",
+    "hooke shaft 4": "Welle 4 wird angetrieben.",
+    "hooke axes": "Die Wellen schneiden sich in O.",
+    "hooke angle": "Der Beugewinkel zwischen den Wellen ist {angle}°.",
+    "hooke O": "Oben O, längs Welle 2 gesehen.",
+    "hooke plane": "Längs Welle 2 gesehen ist die Ebene der Wellen die Waagerechte.",
+    "hooke circle": "P dreht sich um Welle 2: längs ihr gesehen auf einem Kreis.",
+    "hooke OP": "P, der Zapfen von Gabel 2, steht bei {angle}°: OP ist ein Arm des Kreuzes.",
+    "hooke theta 2": "Sein Winkel wird von der Ebene der Wellen aus gemessen.",
+    "hooke ellipse": (
+        "Q dreht sich um Welle 4: dieser Kreis erscheint als Ellipse, in der Breite mal "
+        "cos {angle}°."
+    ),
+    "hooke OQ": (
+        "OQ steht senkrecht auf OP; P liegt in der Ebene dieser Ansicht, also erscheint der "
+        "rechte Winkel als solcher: Q liegt auf dieser Geraden."
+    ),
+    "hooke Q": "Q, der Zapfen von Gabel 4, liegt, wo die Gerade die Ellipse schneidet.",
+    "hooke arm": "OQ ist der andere Arm des Kreuzes.",
+    "hooke turned": "Parallel zur Ebene der Wellen wird Q in diese Ansicht gedreht.",
+    "hooke theta 4": (
+        "Dort ist sein Winkel in wahrer Größe zu sehen: {theta} = {value}°, denn "
+        "tan {theta} = {ratio}."
+    ),
+    "hooke projectors": "P und Q im Grundriss: senkrecht darunter.",
+    "hooke P plan": "Der Arm von P im Grundriss.",
+    "hooke Q plan": (
+        "Der Arm von Q im Grundriss: Kreuz 3 schwenkt um ψ = {at_p}° um P und {at_q}° um Q."
+    ),
+    "hooke yoke": "Gabel {shaft} hält den Zapfen {pin}.",
+    "hooke fork": "Gabel {shaft}, längs Welle 2 gesehen.",
+    "hooke PQ": "Die Gerade von {one} nach {other} auf der anderen Seite der Ebene der Wellen.",
+    "hooke T": "Sie durchstößt diese Ebene in T.",
+    "hooke T plan": "T im Grundriss: senkrecht darunter.",
+    "hooke OT": "In OT schneidet die Ebene des Kreuzes die der Wellen.",
+    # Geschwindigkeitsplan
+    "hooke pole velocity": "Der Pol: das Gestell, 1, dreht sich nicht.",
+    "hooke given velocity": "12 = {symbol} = {value} rad/s, längs Welle 2.",
+    "hooke along OT": (
+        "Durch 2 parallel zu OT: gegenüber Gabel 2 kann sich Gabel 4 nur um Geraden in der Ebene "
+        "des Kreuzes drehen; in der Ebene der Wellen ist nur OT eine, also liegt 4 auf dieser "
+        "Geraden."
+    ),
+    "hooke shaft": "Welle {shaft}",
+    "hooke along shaft": (
+        "Durch den Pol parallel zu Welle 4: um eine andere Gerade dreht sie sich nicht, also liegt "
+        "{meeting} auf dieser Geraden."
+    ),
+    "turning measured": "{label} = {symbol} = {value} {unit}.",
+    "hooke laid over": (
+        "Die Ebene des Kreuzes, um 24 umgeklappt. Durch 2 parallel zu {arm}: um {arm} dreht sich "
+        "das Kreuz gegenüber Gabel 2, also liegt 3 auf dieser Geraden."
+    ),
+    "hooke thales": (
+        "Durch 4 parallel zu {arm}, senkrecht zur anderen Geraden: 3 liegt auf dem Thaleskreis "
+        "über 24."
+    ),
+    # Beschleunigungsplan
+    "hooke pole acceleration": "Der Pol: das Gestell, 1′, hat keine Winkelbeschleunigung.",
+    "hooke given acceleration": "1′2′ = {symbol} = {value} rad/s², längs Welle 2.",
+    "hooke turning": (
+        "2′4ₙ = {label} = {omega} × {tau} = {value} rad/s², senkrecht zu OT: {symbol} dreht sich "
+        "mit OT."
+    ),
+    "hooke along OT acceleration": (
+        "Durch 4ₙ parallel zu OT: um wie viel {symbol} längs OT wächst, ist noch unbekannt, also "
+        "liegt 4′ auf dieser Geraden."
+    ),
+}
+
+NAMES = {
+    "Hooke's joint": "Kreuzgelenk",
+    "driving": "Antriebswelle",
+    "driven": "Abtriebswelle",
+    "cross": "Kreuz",
+    "shaft_angle": "Beugewinkel",
+}
+
+GENDERS = {"driving": "f", "driven": "f", "cross": "n-es"}
