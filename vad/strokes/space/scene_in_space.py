@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 class SceneInSpace(ABC):
     """A motion in space, the language of its captions, and what its mechanism draws of it."""
 
-    motion: MotionInSpace
+    motion: MotionInSpace[Any, Any]
     language: Language
     figures: Figures = field(default_factory=Figures)
 
