@@ -1,4 +1,4 @@
-"""Examples in space: a case of space.json goes in, a motion of the program and its numbers come out.
+"""Examples in space: a case of space.json goes in, what the program finds comes out.
 
 The cases of the ball-jointed four-bar lie anywhere in space: they are moved into the program's
 frame, which has A at its origin, z along A's axis and x along the common normal.
@@ -122,12 +122,16 @@ def placed(given: dict[str, Any]) -> tuple[dict[str, Any], list[float], Any]:
     columns = np.array([x, a if parallel else -a, d]).T
     ground, from_a, from_d = np.linalg.lstsq(columns, way, rcond=None)[0]
     sizes = {name: given[name] for name in ("crank", "coupler", "rocker")}
-    sizes |= {"ground": float(ground), "crank_offset": float(from_a), "rocker_offset": float(from_d)}
+    sizes |= {
+        "ground": float(ground),
+        "crank_offset": float(from_a),
+        "rocker_offset": float(from_d),
+    }
     sizes["ground_twist"] = math.degrees(math.atan2(np.cross(a, d) @ x, a @ d))
     leads = []
     for axis, zero in ((a, given["crank_zero"]), (d, given["rocker_zero"])):
-        across, zero = np.cross(axis, x), np.array(zero, float)
-        leads.append(math.degrees(math.atan2(zero @ across, zero @ x)))
+        start = np.array(zero, float)
+        leads.append(math.degrees(math.atan2(start @ np.cross(axis, x), start @ x)))
     return sizes, leads, np.array([x, np.cross(a, x), a])
 
 
