@@ -42,7 +42,7 @@ def sheet_of_views(degrees: float = 60.0) -> Sheet:
         Stroke("known", "", Curve(ELLIPSE, ((0, 24),)), "A circle.", "driving", name="circle"),
         Stroke(
             "known",
-            "OP",
+            "",
             Arrow(0j, p, "O", "P"),
             "P stands at 60°.",
             "driving",

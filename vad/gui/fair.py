@@ -36,12 +36,12 @@ def lesson(question: LessonQuestion) -> dict[str, Any]:
     motion, panels = vad.solve(mechanism, **inputs), chosen(question.panels or None)
     sheet = vad.draw(motion, panels, question.language)
     board, scales = board_of(mechanism, panels, question.language), {}
-    for panel in sheet.panels:
+    for panel in sheet.halves:
         if panel.name in board.pictures:
             scales[panel.name] = board.pictures[panel.name].scale
         elif panel.name in question.scales:
-            room = board.page.panels[panel.name].drawing
-            scales[panel.name] = calm_scale(panel, room, scale_of(question.scales[panel.name]))
+            before = scale_of(question.scales[panel.name])
+            scales[panel.name] = calm_scale(panel, board.room(panel, sheet), before)
     key = load_style(question.style).key
     copy = plan(sheet, FORM, key, lesson=True, lines=LINES, scales=scales)
     made = parts(vad.animate(sheet, style=question.style), copy)

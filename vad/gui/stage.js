@@ -64,6 +64,7 @@ function rules(looks) {
 // A polygon whose scale has changed comes from the size that it had.
 function glide(name, old, fresh) {
   if (!old || !fresh || String(old) === String(fresh) || matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+  if (scales[`${name}.below`]) return; // two polygons, each at its scale
   const unit = 720, most = 3, place = ([x, y]) => [x * unit, (1 - y) * unit], factor = old[2] / fresh[2];
   if (factor > most || factor < 1 / most) return; // it would flash across the page
   const [from, to] = [place(old), place(fresh)], shift = [0, 1].map((i) => from[i] - factor * to[i]);

@@ -17,6 +17,7 @@ from vad.kinematics.motion import solve
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.language import Language
 from vad.strokes.scenes import AnyScene, scene_of
+from vad.strokes.sheet import BELOW
 
 if TYPE_CHECKING:
     from vad.lecture.course import Course
@@ -110,13 +111,14 @@ def _scene(mechanism: Mechanism, course: Course, phases: Reals, language: str) -
 
 def _tracks(scene: AnyScene, panels: Sequence[str]) -> dict[str, dict[str, Complexes]]:
     shape = scene.motion.assembled.shape  # type: ignore[attr-defined]
-    return {
-        name: {
-            letter: np.broadcast_to(np.asarray(values, dtype=np.complex128), shape)
-            for letter, values in scene.tracks(DIAGRAMS[name]).items()
-        }
-        for name in panels
-    }
+    found: dict[str, dict[str, Complexes]] = {}
+    for name in panels:
+        found[name] = {}
+        for letter, values in scene.tracks(DIAGRAMS[name]).items():
+            own = letter.removesuffix(BELOW)
+            half = found[name] if own == letter else found.setdefault(name + BELOW, {})
+            half[own] = np.broadcast_to(np.asarray(values, dtype=np.complex128), shape)
+    return found
 
 
 def _curve(scene: AnyScene, panel: str, name: str) -> Curve | None:

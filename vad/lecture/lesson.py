@@ -64,6 +64,11 @@ class Lesson(Displayed):
         """The number of strokes that are on the board before the first is drawn."""
         return next((i for i, step in enumerate(self.steps) if not step.there), len(self.steps))
 
+    def place(self, step: Step) -> int:
+        """Return the number of a step in its panel, from 1: those above it count."""
+        column = self.sheet.panel(step.panel.column)
+        return step.index + 1 + (0 if step.panel is column else len(column.strokes))
+
     @property
     def duration(self) -> float:
         """The running time in seconds."""

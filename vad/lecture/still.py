@@ -14,7 +14,7 @@ from vad.displayed import Displayed
 from vad.errors import UsageError, one_of, shown
 from vad.lecture.lesson import Lesson
 from vad.lecture.moment import Moment, done, drawing
-from vad.strokes.sheet import Sheet, Stroke
+from vad.strokes.sheet import Panel, Sheet, Stroke
 
 #: How much of a construction is drawn while it stands still.
 AT_WORK = 0.7
@@ -53,25 +53,35 @@ def part(sheet: Sheet, strokes: Mapping[str, tuple[Stroke, ...]]) -> Sheet:
 
     Panels without any are left out, and so are values that have not been measured yet.
     """
-    panels = tuple(
-        replace(panel, strokes=drawn)
-        for panel in sheet.panels
-        if (drawn := strokes.get(panel.name, ()))
-    )
-    known = {(p.name, key) for p in panels for stroke in p.strokes for key in stroke.reveals}
+    panels = tuple(filter(None, (_part(panel, strokes) for panel in sheet.panels)))
+    known = {
+        (half.name, key)
+        for panel in panels
+        for half in panel.halves
+        for stroke in half.strokes
+        for key in stroke.reveals
+    }
     rows = []
     for row in sheet.rows:
         cells = {
             panel.name: tuple(
                 cell
-                for cell in row.cells.get(panel.name, ())
-                if cell.given or (panel.name, row.key) in known
+                for half, measured in panel.measures(row)
+                for cell in measured
+                if cell.given or (half.name, row.key) in known
             )
             for panel in panels
         }
         if any(cells.values()):
             rows.append(replace(row, cells=cells))
     return replace(sheet, panels=panels, rows=tuple(rows))
+
+
+def _part(panel: Panel | None, strokes: Mapping[str, tuple[Stroke, ...]]) -> Panel | None:
+    """Return what there is of a panel, None for nothing."""
+    if panel is None or not strokes.get(panel.name):
+        return None
+    return replace(panel, strokes=strokes[panel.name], below=_part(panel.below, strokes))
 
 
 def still(lesson: Lesson, step: int | str) -> Still:
@@ -93,7 +103,7 @@ def still(lesson: Lesson, step: int | str) -> Still:
         raise UsageError(f"lesson: must be what vad.animate returns, got {shown(lesson)}")
     panel, colon, number = step.rpartition(":") if isinstance(step, str) else ("", "", step)
     places: dict[str, list[int]] = {
-        name: [i for i, each in enumerate(lesson.steps, 1) if each.panel.name == name]
+        name: [i for i, each in enumerate(lesson.steps, 1) if each.panel.column == name]
         for name in (each.name for each in lesson.sheet.panels)
     }
     steps = places[one_of("panel", panel, places)] if colon else range(1, len(lesson.steps) + 1)

@@ -82,7 +82,7 @@ def animate(
 
     steps: list[Step] = []
     clock = 0.0
-    for panel in sheet.panels:
+    for panel in sheet.halves:
         longest = max(map(_length, panel.strokes), default=0.0)
         for index, stroke in enumerate(panel.strokes):
             last = index + 1 == len(panel.strokes)

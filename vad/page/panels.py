@@ -14,10 +14,12 @@ from vad.page.wording import Words
 from vad.painting.svg.grid import number
 from vad.plan.board import Plan
 from vad.plan.items import FOREVER
-from vad.plan.lettering.runs import roman
+from vad.plan.lettering.glyphs import width
+from vad.plan.lettering.runs import bold, roman
 from vad.plan.opening import reach
 from vad.plan.page.foot import Piece, compose
-from vad.plan.page.heads import bar
+from vad.plan.page.heads import APART, TITLE
+from vad.plan.stated_scale import bar
 from vad.strokes.sheet import Panel
 
 
@@ -39,7 +41,8 @@ def scale_bar(board: Plan, panel: Panel, words: Words) -> str:
     sketch, place = board.sketches[panel.name], board.page.panels[panel.name]
     if sketch.scale.bare:
         return ""
-    length, runs = bar(panel, place, sketch.scale, board.sheet.notation)
+    room = place.drawing.width - width(bold(roman(panel.title)), TITLE) - APART
+    length, runs = bar(panel, sketch.scale, room, board.sheet.notation)
     return (
         f'<p class="scale"><span class="bar" style="--n:{number(length * board.form.unit)}">'
         f"</span>{words.of(runs)}</p>"
@@ -61,21 +64,20 @@ def picture(board: Plan, panel: Panel, inker: Inker) -> str:
 
 def _foot(board: Plan, panel: Panel, inker: Inker, words: Words) -> str:
     foot = compose(panel, board.page.panels[panel.name].drawing.width)
-    lines = (
-        "".join(_piece(board, panel, piece, inker, words) for piece in line) for line in foot.lines
-    )
+    lines = ("".join(_piece(board, piece, inker, words) for piece in line) for line in foot.lines)
     size = number(foot.size * board.form.unit)
     return "".join(f'<p style="--n:{size}">{line}</p>' for line in lines)
 
 
-def _piece(board: Plan, panel: Panel, piece: Piece, inker: Inker, words: Words) -> str:
+def _piece(board: Plan, piece: Piece, inker: Inker, words: Words) -> str:
     """Return a sign, or a term in its ink, grey until its stroke is inked."""
     space = f"margin-left:{number(piece.space)}em" if piece.space else ""
-    setting, colour, beats = board.sketches[panel.name].setting, "", ""
+    colour, beats = "", ""
     if piece.term:
+        setting = board.sketches[piece.half].setting
         colour = f";color:{lettered(inker.style.colour('row', setting.row(piece.term.link)))}"
         if piece.term.stroke:
-            inked = setting.after(panel.number(piece.term.stroke))
+            inked = setting.after(setting.panel.number(piece.term.stroke))
             beats = when([(inked, FOREVER)])
     says = f' style="{(space + colour).strip(";")}"' if space or colour else ""
     return f"<span{beats}{says}>{words.of(piece.runs)}</span>"

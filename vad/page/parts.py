@@ -79,33 +79,33 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
     style, faces = load_style(lesson.style), Faces()
     inker, words = Inker(board.form, themed(style), faces), Words(faces)
     sheet = lesson.sheet
-    said = [_listed(sheet.language, step, setter(sheet), words) for step in lesson.steps]
+    said = [_listed(lesson, step, setter(sheet), words) for step in lesson.steps]
     drawn = [panel_section(board, panel, inker, words) for panel in sheet.panels]
     results = table(board, style.key, inker, words)
     title = words.of(roman(sheet.title), light=False, heavy=True)
     items = words.of(roman(", ".join(item.replace(" ", "\u00a0") for item in parameters(sheet))))
-    settings = [board.sketches[panel.name].setting for panel in sheet.panels]
+    first = [board.sketches[panel.name].setting.first for panel in sheet.panels]
+    counts = [sum(len(half.strokes) for half in panel.halves) for panel in sheet.panels]
     return Parts(
         head=f"<h1>{title}</h1><p>{items}</p>",
         panels="".join(drawn),
         table=results,
         chapters="".join(
-            f'<button data-x="{setting.first}" style="flex-grow:{len(setting.panel.strokes)}">'
-            f"{escape(setting.panel.title)}</button>"
-            for setting in settings
+            f'<button data-x="{start}" style="flex-grow:{count}">{escape(panel.title)}</button>'
+            for panel, start, count in zip(sheet.panels, first, counts, strict=True)
         ),
         steps="".join(
             f"<div><h3>{words.of(roman(panel.title), light=False, heavy=True)}</h3><ol>"
             + "".join(
                 item
                 for step, (item, _) in zip(lesson.steps, said, strict=True)
-                if step.panel is panel
+                if step.panel.column == panel.name
             )
             + "</ol></div>"
             for panel in sheet.panels
         ),
         data={
-            "first": [setting.first for setting in settings],
+            "first": first,
             "panels": [[panel.name, panel.title] for panel in sheet.panels],
             "times": [
                 [round(step.grow / lesson.fps, 3), round(step.hold / lesson.fps, 3)]
@@ -121,8 +121,9 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
     )
 
 
-def _listed(code: str, step: Step, write: Any, words: Words) -> tuple[str, str]:
+def _listed(lesson: Lesson, step: Step, write: Any, words: Words) -> tuple[str, str]:
     """Return the caption of a step as an entry of the list, and as it is read out."""
     runs = write(tied(step.stroke.caption))
-    place = f"#step={step.panel.name}:{step.index + 1}"
-    return f'<li><a href="{place}">{words.of(runs)}</a></li>', spoken(runs, code)
+    place = f"#step={step.panel.column}:{lesson.place(step)}"
+    said = spoken(runs, lesson.sheet.language)
+    return f'<li><a href="{place}">{words.of(runs)}</a></li>', said

@@ -56,13 +56,17 @@ def _key(number: int, key: float, inker: Inker) -> str:
 def measured_cells(plan: Plan, panel: Panel, row: Row, words: Words) -> str:
     """Return what a panel measures of a row, as one cell of the table."""
     cells = row.cells.get(panel.name, ())
-    _, since = measuring(plan.sketches[panel.name].setting, row)
     room = plan.page.panels[panel.name].drawing.width
     room -= VALUES if panel is plan.sheet.panels[0] else 0.0
     need = sum(width(_reading(plan, cell), SIZE) + EQUALS for cell in cells)
     small = f' style="font-size:{100 * room / need:.0f}%"' if need > room else ""
-    written = "".join(_cell(plan, cell, words) for cell in cells)
-    return f'<td role="cell"><div{when([(since, FOREVER)])}{small}>{written}</div></td>'
+    halves = []
+    for half, measured in panel.measures(row):
+        _, since = measuring(plan.sketches[half.name].setting, row, measured)
+        written = "".join(_cell(plan, cell, words) for cell in measured)
+        halves.append(f"<div{when([(since, FOREVER)])}{small}>{written}</div>")
+    whole = "".join(halves)
+    return f'<td role="cell">{whole if len(halves) == 1 else f"<div>{whole}</div>"}</td>'
 
 
 def _cell(plan: Plan, cell: Cell, words: Words) -> str:

@@ -66,7 +66,7 @@ class SvgPainter:
         self._description = describe(sheet) if description is None else description
         self._captions = {
             panel.full(stroke.name): stroke.caption
-            for panel in sheet.panels
+            for panel in sheet.halves
             for stroke in panel.strokes
         }
         self._classes = Classes(scope)

@@ -27,6 +27,7 @@ from vad.plan.page.measured import lines_of
 from vad.plan.page.title import title_marks
 from vad.plan.pictures.kinds import sketched
 from vad.plan.scale import Scale, is_tall
+from vad.plan.sharing import OVERLAP, rooms
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Sheet
 
@@ -85,7 +86,7 @@ class Plan:
     @property
     def finished(self) -> int:
         """The beat at which all strokes are done and the tools put away."""
-        return finished(sum(len(panel.strokes) for panel in self.sheet.panels))
+        return finished(sum(len(panel.strokes) for panel in self.sheet.halves))
 
 
 def seen(board: Board, moment: Moment) -> Sequence[Item]:
@@ -129,11 +130,13 @@ def plan(
     sketches: dict[str, Sketch] = {}
     first = 0
     for panel in sheet.panels:
-        room = page.panels[panel.name].drawing
-        scale = scales.get(panel.name)
-        setting = Setting(sheet, panel, room, rows, first, form.centimetre, scale)
-        sketches[panel.name] = sketched(setting)
-        first += len(panel.strokes)
+        taken = None
+        for half, room in rooms(panel, page.panels[panel.name].drawing, OVERLAP):
+            scale = scales.get(half.name)
+            setting = Setting(sheet, half, room, rows, first, form.centimetre, scale, taken)
+            sketches[half.name] = sketched(setting)
+            taken = sketches[half.name].obstacles
+            first += len(half.strokes)
     regions = regions_of(page)
     items = [
         Item("", "title", Level.GROUND, tuple(title_marks(sheet, page))),
@@ -168,7 +171,8 @@ def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[
     lines = {name: len(foot.lines) for name, foot in feet.items()}
     if form.centimetre:
         for panel in sheet.panels:
-            lines[panel.name] += lines_of(panel, first.panels[panel.name].drawing.width)
+            room = first.panels[panel.name].drawing.width
+            lines[panel.name] += sum(lines_of(half, room) for half in panel.halves)
     return lay_out(form, lines, rows, caption_lines, tall, block), feet
 
 

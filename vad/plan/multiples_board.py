@@ -18,11 +18,13 @@ from vad.plan.layout import FLOOR, GUTTER, MARGIN, Page, PanelPlace
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark
-from vad.plan.page.heads import SCALE, TITLE, head
+from vad.plan.page.heads import TITLE, head
 from vad.plan.page.title import title_marks
 from vad.plan.pictures.kinds import sketched
 from vad.plan.scale import Scale, fill
+from vad.plan.sharing import rooms
 from vad.plan.sketch import Setting, Sketch
+from vad.plan.stated_scale import SIZE as SCALE
 from vad.strokes.multiples import Multiples
 from vad.strokes.notation import Notation
 from vad.strokes.sheet import Cell, Panel
@@ -60,9 +62,9 @@ class MultiplesBoard:
             **{name: place.region for name, place in self._page.panels.items()},
         }
         self.sketches: list[dict[str, Sketch]] = [{} for _ in range(count)]
-        for panel in first.panels:
-            for sketch, found in zip(self._sketched(panel.name), self.sketches, strict=True):
-                found[panel.name] = sketch
+        for half in first.halves:
+            for sketch, found in zip(self._sketched(half.name), self.sketches, strict=True):
+                found[half.name] = sketch
         self._items = [Item("", "title", Level.GROUND, tuple(self._titles()))]
         for name, place in self._page.panels.items():
             marks = tuple(self._head(name, place))
@@ -70,7 +72,8 @@ class MultiplesBoard:
             finished = (
                 item
                 for found in self.sketches
-                for item in found[name].items
+                for half in first.panel(name).halves
+                for item in found[half.name].items
                 if item.until == FOREVER
             )
             self._items += sorted(finished, key=lambda item: item.level)
@@ -95,9 +98,12 @@ class MultiplesBoard:
 
     def _cell(self, number: int, name: str) -> Rect:
         """Return the room of a picture."""
-        row = self._page.panels[name].drawing
+        first = self._multiples.sheets[0]
+        column = first.panel(first.panel(name).column)
+        row = self._page.panels[column.name].drawing
         left = row.left + number * (self._room + GUTTER)
-        return Rect(left, row.bottom, left + self._room, row.top)
+        cell = Rect(left, row.bottom, left + self._room, row.top)
+        return next(room for half, room in rooms(column, cell) if half.name == name)
 
     def _sketched(self, name: str) -> Iterator[Sketch]:
         """Yield one kind of panel in all poses, at one scale."""

@@ -44,6 +44,8 @@ class Setting:
         Its length on paper, where scales are round; None on a screen.
     scale
         That of a picture beside others; None where it fills its room.
+    taken
+        What stands in the same room already: the polygon above.
     """
 
     sheet: Sheet
@@ -53,6 +55,13 @@ class Setting:
     first: int = 0
     centimetre: float | None = None
     scale: Scale | None = None
+    taken: Obstacles | None = None
+
+    def clear(self) -> Obstacles:
+        """Return what there is to keep clear of before anything is drawn."""
+        if self.taken is None:
+            return Obstacles(self.room)
+        return Obstacles(self.room, [*self.taken.lines], [*self.taken.boxes])
 
     def row(self, link: str | None) -> int | None:
         """Return the row of a link or slide; None for the frame of the mechanism."""
@@ -114,4 +123,4 @@ class Sketch:
         if shown:
             panel = self.setting.panel
             name = panel.full(stroke.name) if stroke else ""
-            self.items.append(Item(name, panel.name, level, shown, since, until))
+            self.items.append(Item(name, panel.column, level, shown, since, until))

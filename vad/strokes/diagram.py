@@ -10,10 +10,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from vad.strokes.sheet import (
+    BELOW,
     Cell,
-    CoriolisInset,
     Equation,
     ImageTriangle,
+    Inset,
     Note,
     Panel,
     Picture,
@@ -29,16 +30,19 @@ if TYPE_CHECKING:
 class Drawing:
     """What is drawn of one pose: see `Panel`, which adds what its diagram says of itself.
 
-    ``picture`` is None where it is that of the diagram.
+    ``picture`` and ``unit`` are those of its diagram where they are not given.
     """
 
     strokes: tuple[Stroke, ...]
     zeros: tuple[Stroke, ...] = ()
     equations: tuple[Equation, ...] = ()
-    inset: CoriolisInset | None = None
+    inset: Inset | None = None
     triangles: tuple[ImageTriangle, ...] = ()
     loops: tuple[int, ...] = ()
     notes: tuple[Note, ...] = ()
+    remark: str = ""
+    unit: str = ""
+    below: Drawing | None = None
     picture: Picture | None = None
 
 
@@ -74,6 +78,7 @@ class Diagram:
         From a scene and the name of a link or slide to the cells that it adds to that row.
     tracks
         From a scene to where its lettered points are: complex arrays where it has many poses.
+        Those of the polygon below the first one, too, by ``z.below``.
     usual
         Whether it is drawn where nobody asks for it by name.
     """
@@ -91,10 +96,12 @@ class Diagram:
 
     def panel(self, scene: AnyScene) -> Panel:
         """Return the panel of a pose, its title in the language of the scene."""
-        drawing = scene.drawing(self)
+        return self._panel(scene, self.name, scene.drawing(self))
+
+    def _panel(self, scene: AnyScene, name: str, drawing: Drawing) -> Panel:
         return Panel(
-            self.name,
-            scene.unit_of(self),
+            name,
+            drawing.unit or scene.unit_of(self),
             drawing.strokes,
             drawing.equations,
             drawing.inset,
@@ -104,4 +111,6 @@ class Diagram:
             drawing.triangles,
             drawing.loops,
             drawing.notes,
+            drawing.remark,
+            self._panel(scene, name + BELOW, drawing.below) if drawing.below else None,
         )

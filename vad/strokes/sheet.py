@@ -58,6 +58,7 @@ __all__ = [
     "Panel",
     "Picture",
     "Plate",
+    "PolarInset",
     "Row",
     "Shape",
     "Sheet",
@@ -76,6 +77,8 @@ Kind = Literal[
     "result",
 ]
 Component = Literal["normal", "tangential", "coriolis", "sliding", "relative", "absolute", "link"]
+#: Ends the name of a polygon that stands below another.
+BELOW = ".below"
 #: A mechanism in the plane, vectors from a pole, or a mechanism in space as it is seen.
 Picture = Literal["skeleton", "vectors", "views"]
 
@@ -119,7 +122,7 @@ class Stroke:
 
 @dataclass(frozen=True, slots=True)
 class Term:
-    """One vector of a loop equation: ``bc``.
+    """One vector of a loop equation: ``bc``, ``ω₄₂τ̇``.
 
     ``stroke`` is the name of the stroke that draws it in its panel, None where none does.
     """
@@ -156,6 +159,29 @@ class CoriolisInset:
 
 
 @dataclass(frozen=True, slots=True)
+class PolarInset:
+    """Speeds over a turn of the driver, each laid off along the driver's direction.
+
+    ``circle`` is the radius on which ``driver`` runs, ``curve`` that of ``driven``, which begins
+    with the driver at 0°; ``ray`` is the present one.  Both agree at the ``dots``.  ``title`` and
+    ``range`` are said above and below, and it is shown from the stroke called ``stroke`` on.
+    """
+
+    driver: str
+    driven: str
+    circle: float
+    curve: tuple[complex, ...]
+    ray: complex
+    dots: tuple[complex, ...]
+    title: str
+    range: str
+    stroke: str
+
+
+Inset = CoriolisInset | PolarInset
+
+
+@dataclass(frozen=True, slots=True)
 class ImageTriangle:
     """The image of three ``points`` of a link, in its ink from the stroke called ``stroke`` on."""
 
@@ -182,20 +208,43 @@ class Panel:
     and, where nothing moves, the lines and crossings of the polygon.  Strokes and zeros together
     have the same names in every pose.  ``title`` is its heading, ``picture`` how it is painted,
     ``triangles`` are images of links, ``loops`` the numbers of the strokes that begin each loop.
-    ``notes`` say from which sides a mechanism in space is seen.
+    ``notes`` say from which sides a mechanism in space is seen, the ``remark`` stands under a
+    polygon.  ``below`` is a second polygon under the first, drawn after it, in a unit of its own;
+    it is called ``velocity.below``.
     """
 
     name: str
     unit: str
     strokes: tuple[Stroke, ...]
     equations: tuple[Equation, ...] = ()
-    inset: CoriolisInset | None = None
+    inset: Inset | None = None
     zeros: tuple[Stroke, ...] = ()
     title: str = ""
     picture: Picture = "vectors"
     triangles: tuple[ImageTriangle, ...] = ()
     loops: tuple[int, ...] = ()
     notes: tuple[Note, ...] = ()
+    remark: str = ""
+    below: Panel | None = None
+
+    @property
+    def halves(self) -> tuple[Panel, ...]:
+        """The panel and what is below it, in drawing order."""
+        return (self, self.below) if self.below else (self,)
+
+    @property
+    def column(self) -> str:
+        """The name of the panel that it is, or that it stands below."""
+        return self.name.removesuffix(BELOW)
+
+    def measures(self, row: Row) -> tuple[tuple[Panel, tuple[Cell, ...]], ...]:
+        """Return what each half measures of a row: the one below, what bears its unit."""
+        cells = row.cells.get(self.name, ())
+        lower = self.below.unit if self.below else None
+        above = self, tuple(cell for cell in cells if cell.unit != lower)
+        if self.below is None:
+            return (above,)
+        return above, (self.below, tuple(cell for cell in cells if cell.unit == lower))
 
     def full(self, name: str) -> str:
         """Return the full name of a stroke of this panel: ``velocity:BC.line``."""
@@ -254,6 +303,11 @@ class Sheet(Displayed):
     language: str = "en"
     notation: Notation = field(default_factory=Notation)
 
+    @property
+    def halves(self) -> tuple[Panel, ...]:
+        """All panels, each followed by the one below it."""
+        return tuple(half for panel in self.panels for half in panel.halves)
+
     def panel(self, name: str) -> Panel:
-        """Return the panel called ``name``."""
-        return next(panel for panel in self.panels if panel.name == name)
+        """Return the panel called ``name``, which may stand below another."""
+        return next(panel for panel in self.halves if panel.name == name)

@@ -23,7 +23,9 @@ def describe(sheet: Sheet) -> str:
     """Return what the panels show, step by step, and what was measured."""
     say = Language(sheet.language).say
     lines = [
-        panel.title + say("colon") + " ".join(s.caption for s in panel.strokes)
+        panel.title
+        + say("colon")
+        + " ".join(s.caption for half in panel.halves for s in half.strokes)
         for panel in sheet.panels
     ]
     rows = "; ".join(_row(row, sheet) for row in sheet.rows)

@@ -202,19 +202,24 @@ def record(cls: Callable[..., Any], **attributes: Form | Key) -> Form:
     return Form(write, read, cls)
 
 
-def variants(tag: str, **forms: Form) -> Form:
-    """Return the form of one of several records, told apart by the key ``tag``."""
+def variants(tag: str, usual: str | None = None, /, **forms: Form) -> Form:
+    """Return the form of one of several records, told apart by the key ``tag``.
+
+    The ``usual`` one does without it.
+    """
     which = one_of(list(forms))
     names = {form.cls: name for name, form in forms.items()}
 
     def write(value: Any) -> dict[str, Any]:
         name = names[type(value)]
-        return {tag: name, **forms[name].write(value)}
+        tagged = {} if name == usual else {tag: name}
+        return {**tagged, **forms[name].write(value)}
 
     def read(value: Any, place: str) -> Any:
-        if tag not in value:
+        name = _object(value, place).get(tag, usual)
+        if name is None:
             raise InputError(f"{within(place, tag)}: missing")
-        return forms[which.read(value[tag], within(place, tag))].read(value, place)
+        return forms[which.read(name, within(place, tag))].read(value, place)
 
     return Form(write, read)
 

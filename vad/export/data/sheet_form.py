@@ -49,6 +49,7 @@ from vad.strokes.sheet import (
     Panel,
     Picture,
     Plate,
+    PolarInset,
     Row,
     Sheet,
     Stroke,
@@ -106,7 +107,7 @@ STROKE = record(
 )
 TERM = record(Term, label=TEXT, link=optional(TEXT), stroke=optional(TEXT))
 EQUATION = record(Equation, left=many(TERM), right=many(TERM))
-INSET = record(
+CORIOLIS = record(
     CoriolisInset,
     link=TEXT,
     slide=TEXT,
@@ -116,19 +117,38 @@ INSET = record(
     sense=one_of((1, -1)),
     stroke=TEXT,
 )
+POLAR = record(
+    PolarInset,
+    driver=TEXT,
+    driven=TEXT,
+    circle=NUMBER,
+    curve=many(POINT),
+    ray=POINT,
+    dots=many(POINT),
+    title=TEXT,
+    range=TEXT,
+    stroke=TEXT,
+)
+INSET = variants("inset", "coriolis", coriolis=CORIOLIS, polar=POLAR)
 TRIANGLE = record(ImageTriangle, link=TEXT, points=many(TEXT), corners=many(POINT), stroke=TEXT)
+_DRAWN: dict[str, Form | Key] = {
+    "unit": UNIT,
+    "title": TEXT,
+    "picture": one_of(get_args(Picture)),
+    "strokes": many(STROKE),
+    "zeros": optional(many(STROKE), ()),
+    "equations": optional(many(EQUATION), ()),
+    "inset": optional(INSET),
+    "triangles": optional(many(TRIANGLE), ()),
+    "loops": optional(many(COUNT), ()),
+    "notes": optional(many(record(Note, at=POINT, text=TEXT)), ()),
+    "remark": optional(TEXT, ""),
+}
+LOWER = record(Panel, name=TEXT, **_DRAWN)
 PANEL = record(
     partial(Panel, ""),  # whose name is its key
-    unit=UNIT,
-    title=TEXT,
-    picture=one_of(get_args(Picture)),
-    strokes=many(STROKE),
-    zeros=optional(many(STROKE), ()),
-    equations=optional(many(EQUATION), ()),
-    inset=optional(INSET),
-    triangles=optional(many(TRIANGLE), ()),
-    loops=optional(many(COUNT), ()),
-    notes=optional(many(record(Note, at=POINT, text=TEXT)), ()),
+    **_DRAWN,
+    below=optional(LOWER),
 )
 CELL = record(Cell, symbol=TEXT, value=NUMBER, unit=UNIT, given=optional(FLAG, False))
 ROW = record(Row, key=TEXT, title=TEXT, letters=TEXT, cells=by_name(many(CELL)))

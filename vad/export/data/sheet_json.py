@@ -15,7 +15,7 @@ from typing import Any, BinaryIO
 from vad.errors import InputError, shown
 from vad.export.data.records import within
 from vad.export.data.sheet_form import SHEET
-from vad.strokes.sheet import Sheet
+from vad.strokes.sheet import BELOW, Sheet
 
 
 def write(
@@ -106,8 +106,10 @@ def _check(sheet: Sheet) -> None:
     """Raise an error where strokes are called by names that they do not bear."""
     if not sheet.panels:
         raise InputError("panels: there is none")
-    for panel in sheet.panels:
+    for panel in sheet.halves:
         place = within("panels", panel.name)
+        if panel.below and panel.below.name != panel.name + BELOW:
+            raise InputError(f"{place}.below.name: must be {panel.name + BELOW!r}")
         names = [stroke.name for stroke in (*panel.strokes, *panel.zeros)]
         for name in names:
             if names.count(name) > 1:

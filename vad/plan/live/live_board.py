@@ -12,7 +12,9 @@ from dataclasses import dataclass, replace
 
 from vad.plan.board import Plan, arrange, regions_of, rows_of
 from vad.plan.format import Format
+from vad.plan.geometry import Rect
 from vad.plan.items import Item
+from vad.plan.labels.obstacles import Obstacles
 from vad.plan.layout import Page
 from vad.plan.live.calm_scale import calm_scale
 from vad.plan.live.live_labels import Ways
@@ -20,6 +22,7 @@ from vad.plan.live.live_polygon import live_polygon
 from vad.plan.live.live_skeleton import LiveSkeleton
 from vad.plan.live.live_views import LiveViews
 from vad.plan.scale import Scale
+from vad.plan.sharing import OVERLAP, rooms
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.moving_panel import lasting
 from vad.strokes.sheet import Panel, Picture, Sheet
@@ -104,8 +107,9 @@ class LiveBoard:
         sketches: dict[str, Sketch] = {}
         kept: dict[str, Scale] = {}
         turned: dict[str, dict[str, float]] = {}
-        for panel in sheet.panels:
-            name, setting = panel.name, self._setting(sheet, panel)
+        for half in sheet.halves:
+            name, above = half.name, sketches.get(half.column)
+            setting = self._setting(sheet, half, above.obstacles if above else None)
             before = ways.get(name, {})
             picture = self.pictures.get(name)
             if picture:
@@ -113,7 +117,7 @@ class LiveBoard:
                 sketch, turned[name] = picture.pose(setting, before)
                 items += lasting(picture.moving.still)
             else:
-                kept[name] = calm_scale(panel, setting.room, scales.get(name))
+                kept[name] = calm_scale(half, setting.room, scales.get(name))
                 sketch, turned[name] = live_polygon(setting, kept[name], before)
             items += lasting(sketch)
             sketches[name] = sketch
@@ -121,5 +125,11 @@ class LiveBoard:
         plan = Plan(sheet, self.form, self.page, regions_of(self.page), tuple(items), sketches)
         return LivePose(plan, kept, turned)
 
-    def _setting(self, sheet: Sheet, panel: Panel) -> Setting:
-        return Setting(sheet, panel, self.page.panels[panel.name].drawing, rows_of(sheet))
+    def room(self, panel: Panel, sheet: Sheet) -> Rect:
+        """Return the room of a panel, which may stand below another of its sheet."""
+        column = sheet.panel(panel.column)
+        halves = rooms(column, self.page.panels[column.name].drawing, OVERLAP)
+        return next(room for half, room in halves if half.name == panel.name)
+
+    def _setting(self, sheet: Sheet, panel: Panel, taken: Obstacles | None = None) -> Setting:
+        return Setting(sheet, panel, self.room(panel, sheet), rows_of(sheet), taken=taken)

@@ -11,7 +11,7 @@ from vad.plan.lettering.runs import Runs, roman, sentence
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Lettering, Mark
 from vad.strokes.language import Language
-from vad.strokes.sheet import Panel, Sheet
+from vad.strokes.sheet import Sheet
 
 CAPTION = 0.040
 LEAST_CAPTION = 26.0 / 720.0
@@ -25,7 +25,7 @@ Setter = Callable[[str], Runs]
 def italic_names(sheet: Sheet) -> frozenset[str]:
     """Return the letters and letter pairs that name points, vectors and quantities."""
     found = {"v", "x", "s"}
-    for panel in sheet.panels:
+    for panel in sheet.halves:
         words = ("angle", "construction")  # whose labels have words in them
         strings = [stroke.label for stroke in panel.strokes if stroke.kind not in words]
         # An image is found by the ratio of two vectors, of which one is not drawn.
@@ -56,7 +56,7 @@ def setter(sheet: Sheet) -> Setter:
 def caption_lines(sheet: Sheet, room: float) -> int:
     """Return how many lines the sheet's longest caption takes."""
     write = setter(sheet)
-    captions = {stroke.caption for panel in sheet.panels for stroke in panel.strokes}
+    captions = {stroke.caption for panel in sheet.halves for stroke in panel.strokes}
     return max((len(_set(caption, write, room)[0]) for caption in captions), default=1)
 
 
@@ -73,14 +73,14 @@ def _set(text: str, write: Setter, room: float) -> tuple[list[Runs], float]:
     return lines, size
 
 
-def caption_marks(panel: Panel, index: int, write: Setter, page: Page) -> list[Mark]:
+def caption_marks(caption: str, number: str, write: Setter, page: Page) -> list[Mark]:
     """Return the caption of a stroke and, level with its first line, its number in the panel."""
     room = page.right - page.left
-    lines, size = _set(panel.strokes[index].caption, write, room)
+    lines, size = _set(caption, write, room)
     marks = [
         Mark(Lettering(runs, complex(page.left, baseline), size), "words")
         for runs, baseline in zip(lines, page.captions, strict=False)
     ]
-    count = roman(f"{index + 1} / {len(panel.strokes)}")
+    count = roman(number)
     at = complex(page.right - width(count, COUNT), page.captions[0])
     return [*marks, Mark(Lettering(count, at, COUNT), "notes")]

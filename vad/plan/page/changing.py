@@ -5,7 +5,7 @@ In come a sheet on its page and the sketches of its panels, out go items.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from vad.lecture.moment import drawing
 from vad.plan.items import FOREVER, Item, Level
@@ -15,10 +15,10 @@ from vad.plan.page.captioning import caption_marks, setter
 from vad.plan.page.entries import Entry
 from vad.plan.page.foot import Foot, placed
 from vad.plan.page.heads import head, pale
-from vad.plan.page.measured import measured
+from vad.plan.page.measured import lines_of, measured
 from vad.plan.page.table import table
 from vad.plan.sketch import Setting, Sketch
-from vad.strokes.sheet import Row, Sheet, Stroke
+from vad.strokes.sheet import Cell, Row, Sheet
 
 
 def heads(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[Item]:
@@ -36,16 +36,17 @@ def equations(
 ) -> Iterator[Item]:
     """Yield the equations, in which a term is pale until its stroke is inked."""
     for panel in sheet.panels:
-        setting, place = sketches[panel.name].setting, page.panels[panel.name]
-        begun, region = drawing(setting.first), f"{panel.name} foot"
+        place, region = page.panels[panel.name], f"{panel.name} foot"
         middle = place.drawing.centre.real
-        for text, term in placed(feet[panel.name], place.equations, middle):
+        for text, piece in placed(feet[panel.name], place.equations, middle):
+            setting, term = sketches[piece.half].setting, piece.term
+            begun = drawing(setting.first)
             row = setting.row(term.link) if term else None
             if term is None or term.stroke is None:
                 yield Item("", region, Level.LABEL, (Mark(text, "term", row),), begun)
                 continue
             inked = setting.after(setting.panel.number(term.stroke))
-            name = panel.full(term.stroke)
+            name = setting.panel.full(term.stroke)
             pending = (Mark(text, "pending term", row),)
             yield Item(name, region, Level.LABEL, pending, begun, inked)
             yield Item(name, region, Level.LABEL, (Mark(text, "term", row),), inked)
@@ -55,8 +56,12 @@ def readings(
     page: Page, feet: Mapping[str, Foot], sketches: Mapping[str, Sketch]
 ) -> Iterator[Item]:
     """Yield what a ruler finds on paper, below the equations."""
-    for name, sketch in sketches.items():
-        yield from measured(sketch, page.panels[name], len(feet[name].lines))
+    first: dict[str, int] = {name: len(foot.lines) for name, foot in feet.items()}
+    for sketch in sketches.values():
+        panel = sketch.setting.panel
+        place = page.panels[panel.column]
+        yield from measured(sketch, place, first[panel.column])
+        first[panel.column] += lines_of(panel, place.drawing.width)
 
 
 def results(
@@ -66,52 +71,59 @@ def results(
     entries = table(sheet, page, key)
     yield Item("", "results", Level.GROUND, tuple(entries.frame()))
     for panel in sheet.panels:
-        setting = sketches[panel.name].setting
         for index, row in enumerate(sheet.rows):
-            marks = _marks(entries.cells(index, row, panel.name, False))
-            stroke, since = measuring(setting, row)
-            name = panel.full(stroke.name) if stroke else ""
-            if lesson and stroke:
-                bold = _marks(entries.cells(index, row, panel.name, True))
-                yield Item(name, "results", Level.LABEL, bold, since, since + 1)
-                since += 1
-            yield Item(name, "results", Level.LABEL, marks, since)
+            plain, bold = (entries.cells(index, row, panel.name, new) for new in (False, True))
+            for half, cells in panel.measures(row):
+                count = len(cells)
+                marks, new = _marks(plain[:count]), _marks(bold[:count])
+                plain, bold = plain[count:], bold[count:]
+                name, since = measuring(sketches[half.name].setting, row, cells)
+                if lesson and name:
+                    yield Item(name, "results", Level.LABEL, new, since, since + 1)
+                    since += 1
+                yield Item(name, "results", Level.LABEL, marks, since)
 
 
 def _marks(entries: Iterable[Entry]) -> tuple[Mark, ...]:
     return tuple(mark for entry in entries for mark in entry.marks)
 
 
-def measuring(setting: Setting, row: Row) -> tuple[Stroke | None, int]:
-    """Return the stroke that measures a row, and the beat from which its results show.
+def measuring(setting: Setting, row: Row, cells: Sequence[Cell]) -> tuple[str, int]:
+    """Return the stroke that measures cells of a row, and the beat from which they show.
 
     What is given shows at once; what nothing measures never does.
     """
     panel = setting.panel
-    if all(cell.given for cell in row.cells.get(panel.name, ())):
-        return None, 0
+    if all(cell.given for cell in cells):
+        return "", 0
     for number, stroke in enumerate(panel.strokes):
         if row.key in stroke.reveals:
-            return stroke, setting.after(number)
-    return None, FOREVER
+            return panel.full(stroke.name), setting.after(number)
+    return "", FOREVER
 
 
 def captions(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[Item]:
     """Yield the captions, each from when its stroke is begun until the next one is."""
     write = setter(sheet)
     for panel in sheet.panels:
-        setting = sketches[panel.name].setting
-        for index, stroke in enumerate(panel.strokes):
-            marks = caption_marks(panel, index, write, page)
-            since, name = setting.during(index), panel.full(stroke.name)
-            yield Item(name, "caption", Level.LABEL, tuple(marks), since, setting.over(index))
+        count = sum(len(half.strokes) for half in panel.halves)
+        first = sketches[panel.name].setting.first
+        for half in panel.halves:
+            setting = sketches[half.name].setting
+            for index, stroke in enumerate(half.strokes):
+                number = f"{setting.first - first + index + 1} / {count}"
+                marks = caption_marks(stroke.caption, number, write, page)
+                since, name = setting.during(index), half.full(stroke.name)
+                yield Item(name, "caption", Level.LABEL, tuple(marks), since, setting.over(index))
 
 
 def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
     """Yield the light on a link of the mechanism while a vector of it is drawn elsewhere."""
-    for home, sketch in sketches.items():
-        for other, elsewhere in sketches.items():
+    for sketch in sketches.values():
+        home = sketch.setting.panel.column
+        for elsewhere in sketches.values():
             setting = elsewhere.setting
+            other = setting.panel.column
             for index, stroke in enumerate(setting.panel.strokes):
                 marks = sketch.lights.get(stroke.link or "") if other != home else None
                 if marks:

@@ -6,12 +6,13 @@ In come a panel's equations and the width that they may take, out go their terms
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.marks import Lettering
 from vad.strokes.sheet import Equation, Panel, Term
+from vad.written import MINUS
 
 SIZE = 0.036
 LEAST = 0.034  # below this a loop takes two lines
@@ -21,11 +22,12 @@ LOOP_SPACE = 1.3
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """A term or a sign, with the space before it in type sizes."""
+    """A term or a sign, with the space before it in type sizes, of a ``half`` of a panel."""
 
     runs: Runs
     term: Term | None
     space: float
+    half: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,18 +38,21 @@ class Foot:
     size: float
 
 
-def _sum(terms: Sequence[Term], sign: str = "") -> list[Piece]:
+def _sum(terms: Sequence[Term], half: str, sign: str = "") -> list[Piece]:
     pieces: list[Piece] = []
     for term in terms:
+        label = term.label
         if sign:
-            pieces.append(Piece(roman(sign), None, SPACE))
-        pieces.append(Piece(symbols(term.label), term, SPACE if sign else 0.0))
+            if sign == "+" and label.startswith(MINUS):
+                sign, label = MINUS, label.removeprefix(MINUS)
+            pieces.append(Piece(roman(sign), None, SPACE, half))
+        pieces.append(Piece(symbols(label), term, SPACE if sign else 0.0, half))
         sign = "+"
     return pieces
 
 
-def _pieces(equation: Equation) -> list[Piece]:
-    return _sum(equation.left) + _sum(equation.right, "=")
+def _pieces(equation: Equation, half: str) -> list[Piece]:
+    return _sum(equation.left, half) + _sum(equation.right, half, "=")
 
 
 def _width(pieces: Sequence[Piece]) -> float:
@@ -59,35 +64,34 @@ def compose(panel: Panel, room: float) -> Foot:
 
     A loop that is too long for one line goes on with its equals sign on the next.
     """
-    loops = [_pieces(equation) for equation in panel.equations]
+    equations = [(each, half.name) for half in panel.halves for each in half.equations]
+    loops = [_pieces(*each) for each in equations]
     if not loops:
         return Foot((), SIZE)
     together: list[Piece] = []
     for loop in loops:
-        first = Piece(loop[0].runs, loop[0].term, LOOP_SPACE if together else 0.0)
+        first = replace(loop[0], space=LOOP_SPACE if together else 0.0)
         together += [first, *loop[1:]]
     if _width(together) * SIZE <= room:
         return Foot((tuple(together),), SIZE)
     lines: list[tuple[Piece, ...]] = []
-    for equation, loop in zip(panel.equations, loops, strict=True):
+    for (equation, half), loop in zip(equations, loops, strict=True):
         if _width(loop) * LEAST <= room:
             lines.append(tuple(loop))
         else:
-            left = _sum(equation.left)
+            left = _sum(equation.left, half)
             lines += [tuple(left), tuple(loop[len(left) :])]
     widest = max(_width(line) for line in lines)
     return Foot(tuple(lines), min(SIZE, room / widest))
 
 
-def placed(
-    foot: Foot, baselines: Sequence[float], middle: float
-) -> list[tuple[Lettering, Term | None]]:
-    """Return the terms and signs of the equation, centred, each with its term."""
-    found: list[tuple[Lettering, Term | None]] = []
+def placed(foot: Foot, baselines: Sequence[float], middle: float) -> list[tuple[Lettering, Piece]]:
+    """Return the terms and signs of the equation, centred, each with its piece."""
+    found: list[tuple[Lettering, Piece]] = []
     for pieces, baseline in zip(foot.lines, baselines, strict=False):
         x = middle - _width(pieces) * foot.size / 2
         for piece in pieces:
             x += piece.space * foot.size
-            found.append((Lettering(piece.runs, complex(x, baseline), foot.size), piece.term))
+            found.append((Lettering(piece.runs, complex(x, baseline), foot.size), piece))
             x += width(piece.runs, foot.size)
     return found

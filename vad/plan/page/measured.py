@@ -43,7 +43,7 @@ def measured(sketch: Sketch, place: PanelPlace, first: int) -> Iterator[Item]:
         left = room.left + count % columns * room.width / columns
         at = complex(left, place.equations[first + count // columns])
         mark = Mark(Lettering(runs, at, size), "term", setting.row(stroke.link))
-        name, region = panel.full(stroke.name), f"{panel.name} foot"
+        name, region = panel.full(stroke.name), f"{panel.column} foot"
         yield Item(name, region, Level.LABEL, (mark,), setting.after(index))
 
 

@@ -11,7 +11,6 @@ from itertools import product
 from vad.plan.geometry import Rect
 from vad.plan.growth import Growth, Scaling
 from vad.plan.items import ALWAYS, FOREVER, Level
-from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.tags import SMALL_SIZE, add_tag
 from vad.plan.labels.vertices import corners, find_vertices, label_vertices
 from vad.plan.marks import Mark, disc
@@ -21,9 +20,10 @@ from vad.plan.pictures.inset import Inset, add_inset, draw_inset, find_corner, r
 from vad.plan.pictures.plates import add_triangles
 from vad.plan.roles import DOT_RIM
 from vad.plan.scale import fill
+from vad.plan.sharing import add_lower_bar
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.language import Language
-from vad.strokes.sheet import Arrow, Dot, Line
+from vad.strokes.sheet import Arrow, CoriolisInset, Dot, Line, Stroke
 
 CORIOLIS = "2ωv"
 DOT = 0.0068
@@ -37,7 +37,7 @@ def draw(setting: Setting) -> Sketch:
     """Return the sketch of a panel of vectors."""
     sketch = _sketch(setting, setting.room)
     inset = setting.panel.inset
-    if inset:
+    if isinstance(inset, CoriolisInset):
         rule = Language(setting.sheet.language).say("coriolis rule")
         sizes = product(INSET_SIZES, CAPTION_ROOMS)
         insets = [draw_inset(inset, rule, setting, size, room) for size, room in sizes]
@@ -56,7 +56,7 @@ def _sketch(setting: Setting, room: Rect) -> Sketch:
     scale = setting.scale or fill(
         corners(panel), room, position=False, centimetre=setting.centimetre
     )
-    sketch = Sketch(setting, scale, Obstacles(setting.room))
+    sketch = Sketch(setting, scale, setting.clear())
     vertices = find_vertices(panel, scale)
     placed = place_vectors(sketch)
     add_triangles(sketch)
@@ -78,8 +78,9 @@ def _sketch(setting: Setting, room: Rect) -> Sketch:
         index = vertex.since
         sketch.add(panel.strokes[index], Level.DOT, setting.after(index), [dot(vertex.at)])
         sketch.obstacles.disc(vertex.at, DOT + DOT_RIM, (setting.after(index), FOREVER))
+    add_lower_bar(sketch)
     label_vertices(sketch, vertices, 0.0, NEAR)
-    _name_coriolis(sketch)
+    _name_vectors(sketch)
     return sketch
 
 
@@ -114,10 +115,21 @@ def swelling(at: complex) -> Scaling:
     return Scaling(at, ((SMALLEST, SMALLEST), (1.0, 1.0)))
 
 
-def _name_coriolis(sketch: Sketch) -> None:
-    """Write 2ωv beside the Coriolis vector: the one name on a side."""
+def name_of(stroke: Stroke) -> str:
+    """Return what is written beside a vector: 2ωv, a symbol, nothing where its ends name it."""
+    if not isinstance(stroke.shape, Arrow):
+        return ""
+    if stroke.component == "coriolis":
+        return CORIOLIS
+    ends = stroke.shape.tail + stroke.shape.head
+    return "" if stroke.label == ends else stroke.label
+
+
+def _name_vectors(sketch: Sketch) -> None:
+    """Write the names of vectors that have one of their own."""
     setting = sketch.setting
     for index, stroke in enumerate(setting.panel.strokes):
-        if stroke.component == "coriolis" and isinstance(stroke.shape, Arrow):
+        name = name_of(stroke)
+        if name and isinstance(stroke.shape, Arrow):
             ends = sketch.scale(stroke.shape.start), sketch.scale(stroke.shape.end)
-            add_tag(sketch, stroke, CORIOLIS, ends, SMALL_SIZE, ALWAYS, setting.after(index))
+            add_tag(sketch, stroke, name, ends, SMALL_SIZE, ALWAYS, setting.after(index))

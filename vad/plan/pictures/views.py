@@ -36,6 +36,8 @@ from vad.strokes.sheet import Arc, Arrow, Bearing, Block, Curve, Dot, Line, Pane
 #: Of joints and sleeves: two views have the room of one mechanism in the plane.
 SIZE = 0.8
 RADIUS = machine.JOINT_REACH * SIZE
+#: Letters stand beside what reaches farthest, seldom beyond it: so much less room is kept for them.
+SLACK = 0.025
 NEAR = (0.012, 0.018, 0.026, 0.034)
 
 
@@ -73,7 +75,8 @@ def draw(setting: Setting) -> Sketch:
 def views_scale(setting: Setting, poses: Sequence[Panel]) -> Scale:
     """Return the scale at which the views fill their panel in all poses; they state none."""
     points = [point for pose in poses for point in reach(pose)]
-    scale = fill(points, setting.room, position=False, centimetre=setting.centimetre)
+    room = setting.room.inside(-SLACK)
+    scale = fill(points, room, position=False, centimetre=setting.centimetre)
     return replace(scale, bare=True)
 
 
@@ -152,11 +155,12 @@ def driven_angle(sheet: Sheet, panel: Panel) -> int | None:
 
 
 def add_names(sketch: Sketch) -> None:
-    """Write the names of curves beside their middles."""
+    """Write the names of bars and curves beside their middles."""
     setting = sketch.setting
     for index, stroke in enumerate(setting.panel.strokes):
-        if isinstance(stroke.shape, Curve) and stroke.label:
-            points, since = stroke.shape.points, setting.after(index)
+        if isinstance(stroke.shape, Curve | Arrow) and stroke.label:
+            shape, since = stroke.shape, setting.after(index)
+            points = shape.points if isinstance(shape, Curve) else (shape.start, shape.end)
             middle = max(1, len(points) // 2)
             ends = sketch.scale(points[middle - 1]), sketch.scale(points[middle])
             add_tag(sketch, stroke, stroke.label, ends, SMALL_SIZE, (since, FOREVER), since)

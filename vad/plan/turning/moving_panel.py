@@ -74,7 +74,7 @@ class MovingPanel:
     def still(self) -> list[Item]:
         """Return the items that are the same in all poses."""
         ways = self.hodographs.still(self.ways)
-        region = self._setting.panel.name
+        region = self._setting.panel.column
         found = [Item("", region, Level.GROUND, tuple(ways))] if ways else []
         return [*found, *lasting(self.picture.still)]
 

@@ -15,6 +15,7 @@ from vad.plan.pictures.straight import vector
 from vad.plan.pictures.vectors import DOT, dot
 from vad.plan.roles import DOT_RIM, ROLES
 from vad.plan.scale import Scale
+from vad.plan.sharing import add_lower_bar
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Arrow, Dot, Panel, Stroke
 
@@ -45,12 +46,14 @@ class MovingVectors:
     def __init__(self, setting: Setting, scale: Scale) -> None:
         self._setting = setting
         self.scale = scale
-        self.still = Sketch(setting, scale, Obstacles(setting.room))
+        self.still = Sketch(setting, scale, setting.clear())
+        add_lower_bar(self.still)
 
     def pose(self, panel: Panel) -> Sketch:
         """Return the vectors and dots of one pose."""
         room, shown = self._setting.room, principal(panel)
-        sketch = Sketch(replace(self._setting, panel=shown), self.scale, Obstacles(room))
+        taken = Obstacles(room, [], [*self.still.obstacles.boxes])
+        sketch = Sketch(replace(self._setting, panel=shown), self.scale, taken)
         spots: list[complex] = []
         placed = place_vectors(sketch)
         for index, stroke in enumerate(shown.strokes):

@@ -42,7 +42,7 @@ class NumberedTurn(TurnBoard):
         super().__init__(turn, form)
         shares = [number / POSITIONS for number in range(POSITIONS)]
         items = [*self.unmoved]
-        for panel in turn.sheet.panels:
+        for panel in turn.sheet.halves:
             moving = self.panels[panel.name]
             sketch = moving.pose(panel, 0.0)
             _number(sketch, moving, shares)

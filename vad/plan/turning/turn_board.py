@@ -16,6 +16,7 @@ from vad.plan.items import Item, Level
 from vad.plan.marks import Mark, lines
 from vad.plan.page.heads import head
 from vad.plan.page.title import title_marks
+from vad.plan.sharing import rooms
 from vad.plan.sketch import Setting
 from vad.plan.turning.chart import Chart, dial, driver_ticks
 from vad.plan.turning.clock import Clock
@@ -50,14 +51,17 @@ class TurnBoard:
         self.panels: dict[str, MovingPanel] = {}
         self.clock: Clock | None = None
         rows = rows_of(sheet)
-        for index, panel in enumerate(sheet.panels):
-            room = self.page.panels[panel.name].drawing
+        for panel in sheet.panels:
+            drawing = self.page.panels[panel.name].drawing
             if panel.picture != "vectors":
-                self.clock = Clock(self.cycle, turn.course, sheet, room)
-                room = Rect(room.left, room.bottom, room.right, room.top - self.clock.height)
-            setting = Setting(sheet, panel, room, rows, 0, self.form.centimetre)
-            same = [pose.panels[index] for pose in poses]
-            self.panels[panel.name] = MovingPanel(setting, same, self.cycle, turn.course.opening)
+                self.clock = Clock(self.cycle, turn.course, sheet, drawing)
+                top = drawing.top - self.clock.height
+                drawing = Rect(drawing.left, drawing.bottom, drawing.right, top)
+            for half, room in rooms(panel, drawing):
+                setting = Setting(sheet, half, room, rows, 0, self.form.centimetre)
+                same = [pose.panel(half.name) for pose in poses]
+                opening = turn.course.opening
+                self.panels[half.name] = MovingPanel(setting, same, self.cycle, opening)
         self.charts = self._charts(sheet, layout.charts)
         self.ticks = driver_ticks(turn.course, self.cycle.place.unit, notation)
         marks = self._still(sheet)
@@ -70,7 +74,7 @@ class TurnBoard:
         phase, share = beat / self.turn.frames, self.turn.share(beat)
         sheet = self._poses.get(phase) or self.turn.at(phase)
         items = [*self.unmoved]
-        for panel in sheet.panels:
+        for panel in sheet.halves:
             items += self.panels[panel.name].items(panel, phase)
             if panel.picture != "vectors" and self.clock:
                 items.append(self.item(panel.name, self.clock.marks(share)))

@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from vad.strokes.chains import NOTHING
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure, Unit
 from vad.strokes.pencil import POLE
 from vad.strokes.sheet import Arrow, Component, Dot, Equation, Kind, Line, Stroke, Term
+from vad.strokes.vector_equations import NOTHING
 
 if TYPE_CHECKING:
     from vad.strokes.space.scene_in_space import SceneInSpace
@@ -79,18 +79,17 @@ class Hand:
         caption: str,
         component: Component = "absolute",
         reveals: tuple[str, ...] = (),
+        several: bool = True,
     ) -> None:
-        """Draw a vector between two vertices."""
+        """Draw a vector between two vertices; that of no more than one part is left out."""
         (tail, start), (head, end) = ends
-        arrow = Arrow(start, end, tail, head)
+        shown = self.shows(end - start)
+        arrow = Arrow(start, end if shown else start, tail, head)
         stroke = Stroke(kind, label, arrow, caption, link, component, reveals=reveals, name=name)
-        if self.shows(end - start):
+        if shown and several:
             self.strokes.append(stroke)
         else:
-            zero = Stroke(
-                kind, label, Arrow(start, start, tail, head), "", link, component, name=name
-            )
-            self.zeros.append(zero)
+            self.zeros.append(_bare(stroke))
 
     def measure(
         self,
@@ -101,12 +100,13 @@ class Hand:
         value: float,
         component: Component = "absolute",
         reveals: tuple[str, ...] = (),
+        several: bool = True,
     ) -> None:
         """Ink what the crossing has found, and measure it."""
         figure = Figure(float(value), self._unit)
         parts = {"label": ends[0][0] + ends[1][0], "symbol": label, "value": figure}
         caption = self.scene.say("turning measured", unit=Unit(self._unit), **parts)
-        self.vector(name, "result", label, ends, link, caption, component, reveals)
+        self.vector(name, "result", label, ends, link, caption, component, reveals, several)
 
     def line(
         self,

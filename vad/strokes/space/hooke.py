@@ -67,7 +67,7 @@ def _cross_velocity(scene: SceneInSpace) -> tuple[Cell, ...]:
 
 def _cross_acceleration(scene: SceneInSpace) -> tuple[Cell, ...]:
     rates = JointAccelerations(scene)
-    turned = Cell(TURNED, rates.omega42 * rates.tau, "rad/s²")
+    turned = Cell(TURNED, rates.turning, "rad/s²")
     return turned, Cell(GROWN, rates.alpha42, "rad/s²")
 
 

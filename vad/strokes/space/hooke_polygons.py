@@ -6,6 +6,8 @@ laid over; in the acceleration, the quadrilateral 1′ 2′ 4ₙ 4′.
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +17,7 @@ from vad.kinematics.space.universal_solver import UniversalSolver
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure
 from vad.strokes.space.hand import Hand, Spot
-from vad.strokes.space.hooke_views import plan
+from vad.strokes.space.hooke_views import pierced, pins, plan
 from vad.written import PRIME, subscript
 
 if TYPE_CHECKING:
@@ -32,84 +34,85 @@ TURNED, GROWN = turning("ω", 42) + "τ̇", turning("α", 42) + "ₜ"
 
 
 class JointRates:
-    """What turns about what: the rates of a pose, or of many as arrays, in the plan.
+    """What turns about what, of one pose or of many as arrays; vectors are in the plan.
 
     Attributes
     ----------
     omega2, omega4, omega32, omega34
-        Rates; `omega42`, along OT, is positive towards T.
-    two, four, along, across
-        The ends of ω₂ and ω₄, and unit vectors along OT and square to it.
+        Rates in rad/s.
+    first, last
+        Unit vectors along the axes of shafts 2 and 4.
+    along
+        The unit vector along OT.
+    two, four
+        Where 2 and 4 are.
     """
 
     def __init__(self, scene: SceneInSpace) -> None:
         motion = scene.motion
-        self.scene, solver = scene, motion.solver
-        assert isinstance(solver, UniversalSolver)
-        self.solver = solver
-        axis = solver.axis(motion.pose)
-        self.velocity = motion.velocity
-        found = solver.axis_velocity(motion.pose, self.velocity)
+        shafts = math.radians(motion.mechanism.parameters()["shaft_angle"])
+        self.first, self.last = -1j, -1j * cmath.exp(1j * shafts)
+        p, q = ends = pins(motion)
+        self._t = pierced(*ends)
+        self._t = self._t / np.linalg.norm(self._t, axis=-1, keepdims=True)
+        self.along = plan(self._t)
+        across = np.cross(np.cross(p, q), self._t)
+        self._arms = [[np.sum(arm * axis, -1) for axis in (self._t, across)] for arm in ends]
         self.omega2, self.omega4 = motion.link("driving").omega, motion.link("driven").omega
         self.omega32, self.omega34 = (motion.joint(letter).omega for letter in "PQ")
-        self.omega42, self.tau = -1.0 * found.omega, found.tau
-        self.first, self.last = plan(_stacked((0.0, 0.0, 1.0))), plan(_stacked(solver.joint.d))
-        self.along, self.across = -plan(_stacked(axis.i)), -plan(_stacked(axis.m))
-        p, q = (motion.point(letter).position for letter in "PQ")
-        i, j = -_stacked(axis.i), -_stacked(axis.j)
-        self.p, self.q = ((np.sum(arm * i, axis=-1), np.sum(arm * j, axis=-1)) for arm in (p, q))
+        self.two, self.four = self.omega2 * self.first, self.omega4 * self.last
 
     @property
-    def two(self) -> Any:
-        """Where 2 is: ω₂ from the pole."""
-        return self.omega2 * self.first
-
-    @property
-    def four(self) -> Any:
-        """Where 4 is: ω₄ from the pole."""
-        return self.omega4 * self.last
+    def omega42(self) -> Any:
+        """ω₄₂, positive towards T."""
+        return along(self.four - self.two, self.along)
 
     @property
     def three(self) -> Any:
         """Where 3 is when the plane of the cross is laid over, away from 1."""
-        return self.two + self.omega32 * self.laid(self.p)
+        return self.two + self.omega32 * self.arm("P")
 
-    def laid(self, arm: tuple[Any, Any]) -> Any:
+    def arm(self, pin: str) -> Any:
         """Return the direction of an arm in the plane of the cross, laid over about 2 4."""
-        along, across = arm
-        height = self.omega32 * self.p[1]  # of 3 over the line 2 4
+        height = self.omega32 * self._arms[0][1]  # of 3 over the line 2 4
         pole = np.imag(-self.two * np.conj(self.along))  # of 1
         side = np.where(height * pole > 0.0, -1.0, 1.0)
-        return self.along * (along + 1j * side * across)
+        own, across = self._arms["PQ".index(pin)]
+        return self.along * (own + 1j * side * across)
 
 
 class JointAccelerations(JointRates):
-    """The angular accelerations of a pose, too."""
+    """The angular accelerations, too.
+
+    Attributes
+    ----------
+    alpha2, alpha4
+        In rad/s².
+    second, turned, last_four
+        Where 2′, 4ₙ and 4′ are.
+    """
 
     def __init__(self, scene: SceneInSpace) -> None:
         super().__init__(scene)
         motion = scene.motion
         self.alpha2, self.alpha4 = motion.link("driving").alpha, motion.link("driven").alpha
-        self.alpha42 = -1.0 * self.solver.axis_acceleration(motion.pose, motion.acceleration)
+        self.second, self.last_four = self.alpha2 * self.first, self.alpha4 * self.last
+        self.turned = self.last_four - self.alpha42 * self.along
 
     @property
-    def two(self) -> Any:
-        """Where 2′ is: α₂ from the pole."""
-        return self.alpha2 * self.first
+    def alpha42(self) -> Any:
+        """α₄₂ₜ, positive towards T."""
+        return along(self.last_four - self.second, self.along)
 
     @property
-    def turned(self) -> Any:
-        """Where 4ₙ is: from 2′ on, ω₄₂ turns with OT."""
-        return self.two + self.omega42 * self.tau * self.across
-
-    @property
-    def four(self) -> Any:
-        """Where 4′ is: α₄ from the pole."""
-        return self.alpha4 * self.last
+    def turning(self) -> Any:
+        """ω₄₂τ̇, by which ω₄₂ changes as it turns with OT, counter-clockwise positive."""
+        return along(self.last_four - self.second, 1j * self.along)
 
 
-def _stacked(vector: tuple[Any, Any, Any]) -> Any:
-    return np.stack(np.broadcast_arrays(*vector), axis=-1)
+def along(vector: Any, way: Any) -> Any:
+    """Return the part of a vector along a unit vector."""
+    return np.real(vector * np.conj(way))
 
 
 def velocity_tracks(scene: SceneInSpace) -> Mapping[str, Any]:
@@ -122,7 +125,7 @@ def acceleration_tracks(scene: SceneInSpace) -> Mapping[str, Any]:
     """Return where the vertices of the acceleration polygon are."""
     rates = JointAccelerations(scene)
     letters = ("1" + PRIME, "2" + PRIME, "4ₙ", "4" + PRIME)
-    return dict(zip(letters, (0j, rates.two, rates.turned, rates.four), strict=True))
+    return dict(zip(letters, (0j, rates.second, rates.turned, rates.last_four), strict=True))
 
 
 def velocity(scene: SceneInSpace) -> Drawing:
@@ -134,13 +137,13 @@ def velocity(scene: SceneInSpace) -> Drawing:
     omega, say = Figure(rates.omega2, "rad/s", given=True), scene.say
     caption = say("hooke given velocity", symbol=turning("ω", 2), value=omega)
     hand.vector("ω2", "known", turning("ω", 2), (one, two), "driving", caption)
-    along = complex(rates.along)
-    hand.line("OT.line", "OT", two, along, four[1], "cross", say("hooke along OT"))
+    way = complex(rates.along)
+    hand.line("OT.line", "OT", two, way, four[1], "cross", say("hooke along OT"))
     _along_shaft(hand, one, four, complex(rates.last))
     hand.cross("4.crossing", four, {})
     hand.measure("ω42", turning("ω", 42), (two, four), "cross", abs(rates.omega42))
     hand.measure("ω4", turning("ω", 4), (one, four), "driven", rates.omega4, reveals=("driven",))
-    p, q = complex(rates.laid(rates.p)), complex(rates.laid(rates.q))
+    p, q = (complex(rates.arm(pin)) for pin in "PQ")
     hand.line("OP.line", "OP", two, p, three[1], "cross", say("hooke laid over", arm="OP"))
     hand.line("OQ.line", "OQ", four, q, three[1], "cross", say("hooke thales", arm="OQ"))
     hand.cross("3.crossing", three, {"cross": rates.omega32})
@@ -159,16 +162,19 @@ def acceleration(scene: SceneInSpace) -> Drawing:
     alpha = Figure(rates.alpha2, "rad/s²", given=True)
     caption = say("hooke given acceleration", symbol=turning("α", 2), value=alpha)
     hand.vector("α2", "known", turning("α", 2), (one, two), "driving", caption)
-    hand.vector("ω42τ", "known", TURNED, (two, turned), "cross", _turned(scene, rates), "normal")
-    along = complex(rates.along)
+    hand.vector(
+        "ω42τ", "known", TURNED, (two, turned), "cross", _turned(scene), "normal", ("cross",)
+    )
+    way = complex(rates.along)
     caption = say("hooke along OT acceleration", symbol=turning("ω", 42))
-    hand.line("OT.line", "OT", turned, along, four[1], "cross", caption)
+    hand.line("OT.line", "OT", turned, way, four[1], "cross", caption)
     _along_shaft(hand, one, four, complex(rates.last))
-    zeros = {"cross": rates.omega42 * rates.tau, "driven": rates.alpha4}
+    zeros = {"cross": rates.turning, "driven": rates.alpha4}
     hand.cross("4.crossing", four, zeros)
     hand.measure("α42", GROWN, (turned, four), "cross", abs(rates.alpha42), "tangential")
-    whole = abs(four[1] - two[1])
-    hand.measure("α42.whole", turning("α", 42), (two, four), "cross", whole, "relative")
+    several = all(hand.shows(b[1] - a[1]) for a, b in ((two, turned), (turned, four)))
+    size, symbol = abs(four[1] - two[1]), turning("α", 42)
+    hand.measure("α42.whole", symbol, (two, four), "cross", size, "relative", several=several)
     hand.measure("α4", turning("α", 4), (one, four), "driven", rates.alpha4, reveals=("driven",))
     return hand.drawing((("α2", "ω42τ", "α42"), ("α4",)))
 
@@ -184,9 +190,12 @@ def _along_shaft(hand: Hand, pole: Spot, four: Spot, way: complex) -> None:
     hand.line("4.line", say("hooke shaft", shaft=4), pole, way, four[1], "driven", caption)
 
 
-def _turned(scene: SceneInSpace, rates: JointAccelerations) -> str:
+def _turned(scene: SceneInSpace) -> str:
     """Say how ω₄₂ turns with OT."""
-    omega, tau = (Figure(abs(rate), "rad/s") for rate in (rates.omega42, rates.tau))
+    motion = scene.motion
+    assert isinstance(motion.solver, UniversalSolver)
+    found = motion.solver.axis_velocity(motion.pose, motion.velocity)
+    omega, tau = (Figure(abs(float(rate)), "rad/s") for rate in (found.omega, found.tau))
     value = Figure(omega.value * tau.value, "rad/s²")
     scene.figures.product(value, omega, tau)
     symbol = turning("ω", 42)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure
@@ -29,12 +29,14 @@ from vad.strokes.sheet import (
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.written import PRIME, subscript, with_unit
 
-PLAN = -2.5j
-#: From O: the back of a yoke, the middle of its bearing, the end of its shaft.
-BACK, BEARING, END = 0.5, 0.95, 1.2
-AXIS = 1.25
-ANGLE = 0.45
-SHAFTS_ANGLE = 1.02
+if TYPE_CHECKING:
+    from vad.kinematics.motion import Motion
+
+PLAN = -2.6j
+#: From O: the back of a yoke, the middle of its bearing, the end of its shaft, that of its axis.
+BACK, BEARING, END, AXIS = 0.5, 0.85, 1.05, 1.25
+#: Radii of the arcs of θ₂, θ₄ and of the angle between the shafts.
+DRIVING, DRIVEN, SHAFTS = 1.15, 0.32, 1.15
 #: So far a fork goes on both sides of its pin, in degrees, as seen along shaft 2.
 FORK = 13.0
 #: Points of a circle.
@@ -51,6 +53,11 @@ def plan(vector: Any) -> Any:
     return -vector[..., 1] - 1j * vector[..., 2]
 
 
+def pins(motion: Motion[Any, Any, Any]) -> list[Any]:
+    """Return where P and Q are."""
+    return [motion.point(letter).position for letter in "PQ"]
+
+
 def pierced(p: Any, q: Any) -> Any:
     """Return where the line of an end of P's arm and one of Q's pierces the plane of the shafts.
 
@@ -62,11 +69,10 @@ def pierced(p: Any, q: Any) -> Any:
 
 def tracks(scene: SceneInSpace) -> Mapping[str, Any]:
     """Return where the lettered points are in both views."""
-    p, q = (scene.motion.point(letter).position for letter in "PQ")
+    p, q = pins(scene.motion)
     t = pierced(p, q)
     ways = {"P": p, "Q": q, "T": t}
     return {
-        "O": 0j,
         **{letter: front(way) for letter, way in ways.items()},
         **{f"{letter}.plan": PLAN + plan(way) for letter, way in ways.items()},
     }
@@ -91,8 +97,7 @@ class _Views:
         self.shafts = math.radians(motion.mechanism.parameters()["shaft_angle"])
         self.theta2 = float(motion.link("driving").angle)
         self.theta4 = float(motion.link("driven").angle)
-        pins: list[Any] = [motion.point(letter).position for letter in "PQ"]
-        self.p, self.q = pins
+        self.p, self.q = pins(motion)
         #: From O along shaft 4, away from it, in the plan.
         self.away = 1j * cmath.exp(1j * self.shafts)
         self.strokes: list[Stroke] = []
@@ -134,15 +139,15 @@ class _Views:
             bearing = Bearing(PLAN + BEARING * way, way)
             parts = {"shaft": shaft}
             self._draw(f"{shaft}.bearing", "fixed", "", bearing, "bearing", parts=parts)
-        upright = (AXIS * 1j, PLAN - END * 1j)
-        tilted = (PLAN - 0.35 * self.away, PLAN + END * self.away)
+        upright = (AXIS * 1j, PLAN - AXIS * 1j)
+        tilted = (PLAN - 0.35 * self.away, PLAN + AXIS * self.away)
         axes = Curve((*upright, *tilted), breaks=(2,))
         self._draw("shafts.axes", "guide", "", axes, "axes")
         given = self._given(math.degrees(self.shafts))
-        arc = Arc(PLAN, SHAFTS_ANGLE, 90.0, math.degrees(self.shafts))
+        arc = Arc(PLAN, SHAFTS, 90.0, math.degrees(self.shafts))
         label = self._degrees(given)
         self._draw("shafts.angle", "angle", label, arc, "angle", parts={"angle": given})
-        self._draw("O.fixed", "fixed", "O", Dot(0j), "O")
+        self._draw("O.fixed", "fixed", "", Dot(0j), "O")
         self._draw("plane.axis", "guide", "", Curve((-AXIS + 0j, AXIS + 0j)), "plane")
 
     def _pin_p(self) -> None:
@@ -151,7 +156,7 @@ class _Views:
         given, p = self._given(self.theta2), complex(front(self.p))
         arm, parts = Arrow(-p, p, "", "P"), {"angle": given}
         self._draw("OP.arm", "known", "", arm, "OP", link="cross", component="link", parts=parts)
-        arc = Arc(0j, ANGLE, 0.0, self.theta2)
+        arc = Arc(0j, DRIVING, 0.0, self.theta2)
         self._draw("P.angle", "angle", self._degrees(given), arc, "theta 2", link="driving")
 
     def _pin_q(self) -> None:
@@ -168,7 +173,7 @@ class _Views:
         self._draw("OQ.arm", "result", "", arm, "arm", link="cross", component="link")
         turned = 1j * cmath.exp(1j * math.radians(self.theta4))
         self._draw("Q.turned", "construction", "", Curve((q, turned)), "turned", link="driven")
-        arc, theta = Arc(0j, ANGLE, 90.0, self.theta4), "θ" + subscript(4)
+        arc, theta = Arc(0j, DRIVEN, 90.0, self.theta4), "θ" + subscript(4)
         parts = {"theta": theta, "value": Figure(self.theta4, "°"), "ratio": self._ratio(given)}
         self._draw(
             "Q.angle",
@@ -191,11 +196,11 @@ class _Views:
         parts = {"at_p": at_p, "at_q": at_q}
         for letter, below in (("P", below_p), ("Q", below_q)):
             arm = Arrow(2 * PLAN - below, below, "", letter)
-            shown = ("cross",) if letter == "Q" else ()
+            number, shown = ("3", ("cross",)) if letter == "Q" else ("", ())
             self._draw(
                 f"{letter}.plan",
                 "result",
-                "",
+                number,
                 arm,
                 f"{letter} plan",
                 link="cross",
@@ -252,8 +257,8 @@ class _Views:
         self._draw("T.projector", "construction", "", Curve((at, below)), "T plan")
         self._draw("T.plan", "intersection", "T", Dot(below), "T plan")
         way = (below - PLAN) / abs(below - PLAN)
-        line = Line(PLAN, way, PLAN + 1.1 * way)
-        self._draw("OT.line", "construction", "", line, "OT", link="cross")
+        shape = Curve((PLAN - AXIS * way, PLAN + AXIS * way))
+        self._draw("OT.line", "construction", "", shape, "OT", link="cross")
 
     def _equation(self) -> Equation:
         """Return tan θ₄ = tan θ₂ / cos 30°."""

@@ -69,6 +69,7 @@ PHRASES = {
 }
 
 NAMES = {
+    "Hooke's joint": "Hooke’s joint",
     "driving": "driving shaft",
     "driven": "driven shaft",
     "shaft_angle": "shaft angle",
