@@ -13,7 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.errors import InputError, UsageError, shown, unknown
-from vad.kinematics.motion import Motion, solve
+from vad.kinematics.motion import Motion, MotionInSpace, solve
+from vad.kinematics.results.views import Point
+from vad.kinematics.solver import Solver
 from vad.mechanisms import Mechanism
 
 _LINK = ("angle", "omega", "alpha")
@@ -37,10 +39,11 @@ def sweep(mechanism: Mechanism, results: Iterable[str] | str, **inputs: Any) -> 
     Returns
     -------
     structured array
-        One field for each result, by its name: real, of points complex x + iy; NaN where the links
-        do not close.  With the broadcast shape of the inputs; a Dask array, with their chunks, if
-        one of them is one.  Nothing of that is computed yet, and each block is solved by itself,
-        for all results at once, so that more may be asked for than memory holds.
+        One field for each result, by its name: real, of points complex x + iy, of vectors in space
+        three numbers; NaN where the links do not close.  With the broadcast shape of the inputs; a
+        Dask array, with their chunks, if one of them is one.  Nothing of that is computed yet, and
+        each block is solved by itself, for all results at once, so that more may be asked for than
+        memory holds.
 
     Raises
     ------
@@ -59,7 +62,7 @@ def sweep(mechanism: Mechanism, results: Iterable[str] | str, **inputs: Any) -> 
     names = _names(results)
     lazy = {name: value for name, value in inputs.items() if _is_dask(value)}
     motion = solve(mechanism, **(inputs | dict.fromkeys(lazy, 0.0)))  # checks what is known by now
-    dtype = np.dtype([(name, _kind(motion, name)) for name in names])
+    dtype = np.dtype([_field(motion, name) for name in names])
     if not lazy:
         return _solved(motion, dtype)
     da: Any = sys.modules["dask.array"]
@@ -115,21 +118,32 @@ def _names(results: Iterable[str] | str) -> list[str]:
     return list(dict.fromkeys(listed))
 
 
-def _kind(motion: Motion[Any, Any, Any], name: str) -> type:
+def _field(motion: Motion[Any, Any, Any], name: str) -> tuple[str, type, tuple[int, ...]]:
+    """Return a result's name, type and shape: of a vector in space, three numbers."""
     owner, _, quantity = name.rpartition(".")
-    _part(motion, owner, quantity)
-    return complex if owner in motion.points else float
+    part = _part(motion, owner, quantity)
+    vector = isinstance(part, Point) or owner in motion.solver.bodies
+    if vector and not isinstance(motion.solver, Solver):
+        return name, float, (3,)
+    return name, complex if vector else float, ()
 
 
 def _part(motion: Motion[Any, Any, Any], owner: str, quantity: str) -> Any:
-    """Return the link, point or slide that has a result."""
+    """Return the link, joint, point or slide that has a result."""
     known: dict[str, tuple[Any, str]] = {}
+    bodies = [name for name in motion.links if name in motion.solver.bodies]
+    lines = [name for name in motion.links if name not in bodies]
     for names, quantities, part in (
-        (motion.links, _LINK, motion.link),
+        (lines, _LINK, motion.link),
+        (bodies, _LINK[1:], motion.link),
         (motion.points, _POINT, motion.point),
         (motion.slides, (*_POINT, "coriolis"), motion.slide),
     ):
         known |= {f"{name}.{each}": (part, name) for name in names for each in quantities}
+    if isinstance(motion, MotionInSpace):
+        known |= {
+            f"{name}.{each}": (motion.joint, name) for name in motion.joints for each in _LINK
+        }
     if f"{owner}.{quantity}" not in known:
         raise unknown("result", f"{owner}.{quantity}", known)
     part, name = known[f"{owner}.{quantity}"]

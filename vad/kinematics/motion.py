@@ -18,10 +18,15 @@ from vad.kinematics.solver import Solver, solver_of
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
+    from vad.mechanisms.mechanism_in_space import MechanismInSpace
 
 
 @overload
+def solve(mechanism: MechanismInSpace, **inputs: Unpack[OnePose]) -> MotionInSpace: ...
+@overload
 def solve(mechanism: Mechanism, **inputs: Unpack[OnePose]) -> Motion: ...
+@overload
+def solve(mechanism: MechanismInSpace, **inputs: Unpack[ManyPoses]) -> MotionsInSpace: ...
 @overload
 def solve(mechanism: Mechanism, **inputs: Unpack[ManyPoses]) -> Motions: ...
 def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
@@ -68,7 +73,8 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
         name: checked(name, value, math.inf if name == "angle" else largest)
         for name, value in inputs.items()
     }
-    return Motion(mechanism, solver, given)
+    kind = Motion if isinstance(solver, Solver) else MotionInSpace
+    return kind(mechanism, solver, given)
 
 
 class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
@@ -96,12 +102,6 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
             raise unknown("point", letter, self.points)
         return Point(self, letter)
 
-    def joint(self, letter: str) -> Joint[Real]:
-        """Return the motion of a joint of a mechanism in space."""
-        if not isinstance(letter, str) or letter not in self.solver.joints:
-            raise unknown("joint", letter, self.joints)
-        return Joint(self, letter)
-
     def slide(self, name: str) -> Slider[Real]:
         """Return the motion of a slide."""
         if not isinstance(name, str) or name not in self.solver.slides:
@@ -113,11 +113,6 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
         """The names of the links."""
         names = self.mechanism.links
         return tuple(name for name in names if name in self.solver.links)
-
-    @property
-    def joints(self) -> tuple[str, ...]:
-        """The letters of the joints in space that have an angle of their own."""
-        return tuple(letter for letter in self.mechanism.letters if letter in self.solver.joints)
 
     @property
     def slides(self) -> tuple[str, ...]:
@@ -138,13 +133,12 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
     def to_dict(self) -> dict[str, Any]:
         """Return the results as the JSON object of ``vad solve --json``.
 
-        Links, points and slides are listed by name with all that is known of them, in space joints,
-        too; vectors are [x, y] or [x, y, z].  An array of poses gives nested lists.
+        Links, points and slides are listed by name with all that is known of them; vectors are
+        [x, y] or [x, y, z].  An array of poses gives nested lists.
         """
         mechanism = self.mechanism
         turning = ("angle", "omega", "alpha")
         positions = ("position", "velocity", "acceleration")
-        joints = {letter: _listed(self.joint(letter), turning) for letter in self.joints}
         return {
             "mechanism": mechanism.name,
             "parameters": mechanism.parameters(),
@@ -155,12 +149,52 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
                 name: _listed(self.link(name), turning[name in self.solver.bodies :])
                 for name in self.links
             },
-            **({} if isinstance(self.solver, Solver) else {"joints": joints}),
             "points": {letter: _listed(self.point(letter), positions) for letter in self.points},
             "slides": {
                 name: _listed(self.slide(name), (*positions, "coriolis")) for name in self.slides
             },
         }
+
+
+class MotionInSpace(Motion[Any, Any, Any], Generic[Real, Truth]):
+    """A mechanism in space in motion: its points are vectors x, y, z, and it has joints."""
+
+    @property
+    def assembled(self) -> Truth:
+        """Whether it closes: a bool, or an array of them; a dead centre counts as closed."""
+        closed: Truth = super().assembled
+        return closed
+
+    def slide(self, name: str) -> Slider[Real]:
+        """Return the motion of a slide."""
+        return super().slide(name)
+
+    def point(self, letter: str) -> Point[NDArray[np.float64]]:
+        """Return the motion of a point, in arrays whose last axis is x, y, z."""
+        return super().point(letter)
+
+    def link(self, name: str) -> Link[Any]:
+        """Return the motion of a link; the rates of one about no fixed line are x, y, z."""
+        return super().link(name)
+
+    def joint(self, letter: str) -> Joint[Real]:
+        """Return the motion of a joint."""
+        if not isinstance(letter, str) or letter not in self.solver.joints:
+            raise unknown("joint", letter, self.joints)
+        return Joint(self, letter)
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """The letters of the joints that have an angle of their own."""
+        return tuple(self.mechanism.joints)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the results as the JSON object of ``vad solve --json``, with its joints."""
+        found = super().to_dict()
+        turning = ("angle", "omega", "alpha")
+        joints = {letter: _listed(self.joint(letter), turning) for letter in self.joints}
+        points, slides = found.pop("points"), found.pop("slides")
+        return found | {"joints": joints, "points": points, "slides": slides}
 
 
 def _listed(
@@ -172,3 +206,4 @@ def _listed(
 
 #: Many poses at once, for annotations.
 Motions = Motion[NDArray[np.float64], NDArray[np.complex128], NDArray[np.bool_]]
+MotionsInSpace = MotionInSpace[NDArray[np.float64], NDArray[np.bool_]]

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from vad.kinematics.linkage import Bar, Slide, Step, length_of
-from vad.strokes.chains import Part
+from vad.strokes.chains import StepVector
 from vad.strokes.figures import Figure, Unit
 from vad.strokes.scene import Scene, image_letter, point_of
+from vad.strokes.vector_equations import Part
 
 
 class Captions:
@@ -37,11 +38,11 @@ class Captions:
         """Say that nothing moves."""
         return self._say("still")
 
-    def known(self, label: str, part: Part) -> str:
+    def known(self, label: str, part: Part[StepVector]) -> str:
         """Work out a component that is known before the crossing."""
-        if isinstance(part.step, Slide):
-            return self._known_slide(label, part, part.step)
-        scene, bar = self._scene, part.step
+        if isinstance(part.of.step, Slide):
+            return self._known_slide(label, part, part.of.step)
+        scene, bar = self._scene, part.of.step
         normal = part.name == "normal"
         rate = scene.spin(bar.link, 1 if normal else self._order, power=2 if normal else 1)
         size, value = scene.length(bar, self._unit), self._size(part)
@@ -63,7 +64,7 @@ class Captions:
             whose=self._whose(bar),
         )
 
-    def _known_slide(self, label: str, part: Part, slide: Slide) -> str:
+    def _known_slide(self, label: str, part: Part[StepVector], slide: Slide) -> str:
         scene, value = self._scene, self._size(part)
         common = {"label": label, "unit": Unit(self._unit)}
         if part.name != "coriolis":
@@ -78,9 +79,9 @@ class Captions:
         omega = scene.symbol("ω", link)
         return self._say("coriolis", omega=omega, rate=rate, speed=speed, value=value, **common)
 
-    def line(self, part: Part, point: str, meeting: str) -> str:
+    def line(self, part: Part[StepVector], point: str, meeting: str) -> str:
         """Say why the next vertex must lie on a construction line."""
-        scene, step = self._scene, part.step
+        scene, step = self._scene, part.of.step
         fixed = {image_letter(letter, self._order) for letter in scene.motion.frame.fixed}
         place = self._say("the pole") if point in fixed else point
         if isinstance(step, Slide):
@@ -120,19 +121,19 @@ class Captions:
         value, whose = Figure(size, self._unit), self._say(f"{self._panel} of", head=point)
         return self._say("whole", label=label, value=value, unit=Unit(self._unit), whose=whose)
 
-    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part, str]]) -> str:
+    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[StepVector], str]]) -> str:
         """Say what lies where the two lines cross, and which results are zero there."""
         if pole:
             return self._say("pole crossing", letter=letter, point=point_of(letter))
         found = "; ".join(
-            self._say("zero", point=vertex, symbol=self._rate_symbol(part.step))
+            self._say("zero", point=vertex, symbol=self._rate_symbol(part.of.step))
             for part, vertex in zeros
         )
         return self._say("crossing zero" if found else "crossing", letter=letter, found=found)
 
-    def measured(self, label: str, part: Part) -> str:
+    def measured(self, label: str, part: Part[StepVector]) -> str:
         """Measure a result off the polygon."""
-        scene, step, value = self._scene, part.step, self._size(part)
+        scene, step, value = self._scene, part.of.step, self._size(part)
         common = {"label": label, "value": value, "unit": Unit(self._unit)}
         if isinstance(step, Slide):
             return self._say(
@@ -163,14 +164,14 @@ class Captions:
             **common,
         )
 
-    def whole(self, label: str, vector: complex, bar: Bar) -> str:
+    def whole(self, label: str, size: float, vector: StepVector) -> str:
         """Measure a whole vector beside its parts."""
         return self._say(
             "whole",
             label=label,
-            value=Figure(abs(vector), self._unit),
+            value=Figure(size, self._unit),
             unit=Unit(self._unit),
-            whose=self._whose(bar),
+            whose=self._whose(vector.step),
         )
 
     def image(self, bar: Bar, base: Bar, label: str, sizes: tuple[float, float, float]) -> str:
@@ -214,10 +215,10 @@ class Captions:
             return "va"[self._order - 1]
         return self._scene.symbol("ωα"[self._order - 1], step.link)
 
-    def _size(self, part: Part) -> Figure:
+    def _size(self, part: Part[StepVector]) -> Figure:
         return Figure(abs(part.vector), self._unit)
 
-    def _whose(self, bar: Bar) -> str:
+    def _whose(self, bar: Step) -> str:
         """Say whose velocity or acceleration the whole vector of a bar is."""
         fixed = bar.tail in self._scene.motion.frame.fixed
         phrase = f"{self._panel} of" + ("" if fixed else " relative")

@@ -1,78 +1,122 @@
-"""The vectors of one polygon, chain by chain, in the order in which they are laid tip to tail."""
+"""The loop equations of a linkage as vector equations: each step with its components."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import cast
 
-from vad.kinematics.linkage import Bar, Scalar, Slide, Step, scalar_of
-from vad.strokes.scene import Scene
+from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, scalar_of
+from vad.strokes.scene import Scene, image_letter
 from vad.strokes.sheet import Component
+from vad.strokes.vector_equations import Chain, Part, Vector, VectorEquation
 
-#: Vectors shorter than this share of the longest one of a panel are zero.
-NOTHING = 1e-12
+SUBSCRIPT_N = "ₙ"
 
 
-@dataclass(frozen=True, slots=True)
-class Part:
-    """One component of one step: ``vector`` runs with the step, in the user's units.
-
-    ``unknown`` marks the one whose length the crossing has to find.
-    """
+@dataclass(frozen=True, eq=False, kw_only=True)
+class StepVector(Vector):
+    """The vector of a step of the linkage."""
 
     step: Step
-    name: Component
-    vector: complex
-    direction: complex
-    unknown: bool
-
-    @property
-    def stroke_name(self) -> str:
-        """What the stroke that draws it is called: ``AB.normal``."""
-        return f"{self.step.ends}.{self.name}"
-
-    @property
-    def reverse(self) -> bool:
-        """Whether its chain runs through it from head to tail."""
-        return self.step.reverse
 
 
-class Chain:
-    """One side of a loop equation of a given order."""
-
-    def __init__(
-        self, scene: Scene, steps: tuple[Step, ...], unknowns: tuple[Scalar, ...], order: int
-    ) -> None:
-        self.steps = steps
-        self.start, self.end = steps[0].start, steps[-1].end
-        parts = [part for step in steps for part in _parts(scene, step, unknowns, order)]
-        self.known = _coriolis_last([part for part in parts if not part.unknown])
-        self.unknown = next((part for part in parts if part.unknown), None)
-        self.longest = max((abs(part.vector) for part in parts), default=0.0)
-
-    def wholly_known(self, step: Step) -> bool:
-        """Tell whether every component of a step is known beforehand."""
-        return self.unknown is None or self.unknown.step is not step
+def equation_of(
+    scene: Scene, loop: Loop, unknowns: tuple[Scalar, ...], order: int
+) -> VectorEquation[StepVector]:
+    """Return a loop's equation of an order."""
+    first, second = (chain_of(scene, steps, unknowns, order) for steps in (loop.first, loop.second))
+    return VectorEquation(first, second, loop.first[-1].end)
 
 
-def _parts(scene: Scene, step: Step, unknowns: tuple[Scalar, ...], order: int) -> Iterator[Part]:
-    pose = scene.motion.pose
-    for component in scene.motion.frame.components(step, pose, scene.orders(order)):
+def chain_of(
+    scene: Scene, steps: tuple[Step, ...], unknowns: tuple[Scalar, ...], order: int
+) -> Chain[StepVector]:
+    """Return one side of a loop equation."""
+    vectors = tuple(_vector(scene, step, order) for step in steps)
+    parts = [part for vector in vectors for part in _parts(scene, vector, unknowns, order)]
+    start, end = (image_letter(each, order) for each in (steps[0].start, steps[-1].end))
+    return Chain(start, end, vectors, tuple(_coriolis_last(parts)))
+
+
+def owner(step: Step) -> str:
+    """Return the row of the results table whose ink a step takes."""
+    return scalar_of(step).name
+
+
+def _vector(scene: Scene, step: Step, order: int) -> StepVector:
+    tail, head = (image_letter(each, order) for each in (step.tail, step.head))
+    measured = order > 1 and isinstance(step, Bar) and not _is_driving_strut(scene, step)
+    still = step.tail in scene.motion.frame.fixed
+    whole: Component | None = ("absolute" if still else "relative") if measured else None
+    return StepVector(
+        step.ends,
+        tail,
+        head,
+        owner(step),
+        step.reverse,
+        arrives=not _on_link(step),
+        lettered=step.head in scene.motion.points,
+        whole=whole,
+        step=step,
+    )
+
+
+def _parts(
+    scene: Scene, vector: StepVector, unknowns: tuple[Scalar, ...], order: int
+) -> list[Part[StepVector]]:
+    """Return the components of a step."""
+    step, motion = vector.step, scene.motion
+    found = scalar_of(step) in unknowns
+    square_to = scene.letters(step) if isinstance(step, Bar) else None
+    along = "" if square_to else scene.say("parallel", line=scene.line(cast(Slide, step)))
+    parts = []
+    for component in motion.frame.components(step, motion.pose, scene.orders(order)):
         direction = scene.heading(component.direction)
-        amount = float(cast(float, component.amount)) * scene.motion.frame.scale
-        found = component.name in ("tangential", "sliding") and scalar_of(step) in unknowns
-        yield Part(step, component.name, amount * direction, direction, found)
+        amount = float(cast(float, component.amount)) * motion.frame.scale
+        coriolis = component.name == "coriolis"
+        part = Part(
+            vector,
+            component.name,
+            amount * direction,
+            direction,
+            unknown=found and component.name in ("tangential", "sliding"),
+            component="absolute" if scene.is_guide(step) else component.name,
+            stage="z" if coriolis else _stage(scene, vector, found, order),
+            dictated=scene.drives(step) and not coriolis,  # Coriolis needs a link that is found
+            label=f"⟂ {square_to}" if square_to else along,
+            square_to=square_to,
+        )
+        parts.append(part)
+    return parts
 
 
-def _coriolis_last(parts: list[Part]) -> list[Part]:
+def _stage(scene: Scene, vector: StepVector, found: bool, order: int) -> str:
+    """Name the vertex between the components of a step: b′ₙ, cₙ; a slide has but its head."""
+    step = vector.step
+    if isinstance(step, Slide):
+        return vector.head
+    if not found:
+        return vector.head + SUBSCRIPT_N
+    # That of a strut stands where its part is before it turns.
+    point = step.tail if _is_driving_strut(scene, step) else step.head
+    return point.lower() + SUBSCRIPT_N
+
+
+def _on_link(step: Step) -> bool:
+    """Tell whether a step slides on a turning link: its end is a stage, no point of the link."""
+    return isinstance(step, Slide) and isinstance(step.along, str)
+
+
+def _is_driving_strut(scene: Scene, step: Bar) -> bool:
+    """Tell whether a bar is a strut that the driver makes longer."""
+    return step.length == scene.driver.name
+
+
+def _coriolis_last(parts: list[Part[StepVector]]) -> list[Part[StepVector]]:
     """Put the Coriolis part of a strut behind the normal part of the bar that has its length."""
-    struts = {
-        part.step.name
-        for part in parts
-        if part.name == "coriolis" and isinstance(part.step, Slide) and not part.reverse
-    }
     late = [part for part in parts if part.name == "coriolis" and not part.reverse]
-    if not any(isinstance(part.step, Bar) and part.step.length in struts for part in parts):
+    struts = {part.of.owner for part in late}
+    bars = (part.of.step for part in parts if isinstance(part.of.step, Bar))
+    if not any(bar.length in struts for bar in bars):
         return parts
     return [part for part in parts if part not in late] + late

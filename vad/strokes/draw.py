@@ -9,12 +9,12 @@ from vad.errors import InputError, UsageError, one_of, shown
 from vad.kinematics.linkage import points_of
 from vad.kinematics.motion import Motion
 from vad.strokes.canonical import canonical
-from vad.strokes.chains import NOTHING
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.language import Language
 from vad.strokes.notation import Notation, in_metres
 from vad.strokes.scenes import AnyScene, scene_of
 from vad.strokes.sheet import Arrow, Cell, Equation, Panel, Row, Sheet, Stroke, Term
+from vad.strokes.vector_equations import NOTHING
 
 #: So many parameters a title has at most.
 MOST = 8
@@ -132,12 +132,9 @@ def _in_words(panel: Panel, scene: AnyScene, notation: Notation) -> Panel:
         return tuple(replace(term, label=text(term.label)) for term in raw)
 
     equations = tuple(Equation(terms(each.left), terms(each.right)) for each in panel.equations)
-    return replace(
-        panel,
-        strokes=tuple(map(stroke, panel.strokes)),
-        equations=equations,
-        below=panel.below and _in_words(panel.below, scene, notation),
-    )
+    below = panel.below and _in_words(panel.below, scene, notation)
+    strokes = tuple(map(stroke, panel.strokes))
+    return replace(panel, strokes=strokes, equations=equations, below=below)
 
 
 def _largest(rows: list[Row], panels: tuple[Panel, ...]) -> dict[str, float]:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from vad.kinematics.linkage import Bar, Loop, Slide, Step, scalar_of
 from vad.strokes.scene import Scene
 from vad.strokes.sheet import Equation, Plate, Stroke, Term
+from vad.strokes.vector_equations import Vector
 
 
 @dataclass
@@ -18,13 +19,13 @@ class Side:
     """
 
     start: Term | None = None
-    entries: list[tuple[Step, Term]] = field(default_factory=list)
+    entries: list[tuple[Step | Vector, Term]] = field(default_factory=list)
 
-    def add(self, step: Step, term: Term) -> None:
+    def add(self, step: Step | Vector, term: Term) -> None:
         """Append one vector of a step."""
         self.entries.append((step, term))
 
-    def has(self, step: Step) -> bool:
+    def has(self, step: Step | Vector) -> bool:
         """Tell whether a vector of ``step`` has been drawn."""
         return any(other is step for other, _ in self.entries)
 

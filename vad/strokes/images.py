@@ -12,7 +12,7 @@ import math
 
 from vad.kinematics.linkage import Bar
 from vad.strokes.figures import Figure, Unit
-from vad.strokes.pencil import Pencil
+from vad.strokes.plane_pencil import PlanePencil
 from vad.strokes.scene import Scene, image_letter
 from vad.strokes.sheet import Dot, ImageTriangle, Line, Stroke
 
@@ -20,7 +20,7 @@ from vad.strokes.sheet import Dot, ImageTriangle, Line, Stroke
 class Images:
     """The images that are drawn in one polygon of an order."""
 
-    def __init__(self, scene: Scene, order: int, pencil: Pencil) -> None:
+    def __init__(self, scene: Scene, order: int, pencil: PlanePencil) -> None:
         self._scene = scene
         self._order = order
         self._pencil = pencil
@@ -42,11 +42,11 @@ class Images:
     def _divide(self, bar: Bar, base: Bar) -> None:
         """Find a point in line by proportion."""
         pencil = self._pencil
-        at = pencil.place(bar.head)
+        at = pencil.image(bar.head)
         caption = ""
         if pencil.shows(at):
-            known, own = (abs(pencil.place(b.head) - pencil.place(b.tail)) for b in (base, bar))
-            label = pencil.from_pole(bar.head, bar.link)
+            known, own = (abs(pencil.image(b.head) - pencil.image(b.tail)) for b in (base, bar))
+            label = pencil.label_from_pole(bar.head, bar.link)
             caption = pencil.say.image(bar, base, label, (known, own, abs(at)))
         pencil.vertices[pencil.letter(bar.head)] = at
         pencil.absolute(bar.head, bar.link, image=True, caption=caption)
@@ -58,7 +58,7 @@ class Images:
         pencil = self._pencil
         corners = base.tail, base.head, bar.head
         letters = [pencil.letter(corner) for corner in corners]
-        places = [pencil.place(corner) for corner in corners]
+        places = [pencil.image(corner) for corner in corners]
         turns = pencil.shows(places[1] - places[0])
         for near, far in ((0, 1), (1, 0)):
             self._line(corners[near], corners[far], bar, turns)
@@ -72,7 +72,7 @@ class Images:
     def _line(self, near: str, far: str, bar: Bar, turns: bool) -> None:
         """Draw the line from the image of a corner on which the point lies."""
         scene, pencil = self._scene, self._pencil
-        through, until = pencil.place(near), pencil.place(bar.head)
+        through, until = pencil.image(near), pencil.image(bar.head)
         side, corner = near + bar.head, far + near + bar.head
         if self._order == 1:
             label, square, caption = f"⟂ {side}", side, pencil.say.across(near, bar.head)
@@ -107,8 +107,8 @@ class Images:
         spans = [abs(scene.at(head) - scene.at(base.tail)) for head in (bar.head, base.head)]
         size = scene.measured(spans[0], unit)
         length = scene.measured(spans[1], unit, power=-1)
-        tail = pencil.place(base.tail)
-        own, known = (Figure(abs(pencil.place(p) - tail), unit) for p in (bar.head, base.head))
+        tail = pencil.image(base.tail)
+        own, known = (Figure(abs(pencil.image(p) - tail), unit) for p in (bar.head, base.head))
         scene.figures.product(own, known, size, length)
 
         def image(*points: str) -> str:

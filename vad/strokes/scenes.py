@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.space.universal_solver import UniversalSolver
 from vad.strokes.language import Language
@@ -22,4 +22,6 @@ IN_SPACE: Mapping[type, type[SceneInSpace]] = {UniversalSolver: HookeScene}
 
 def scene_of(motion: Motion, language: Language) -> AnyScene:
     """Return the scene of a motion, whose solver tells the plane from space."""
-    return IN_SPACE.get(type(motion.solver), Scene)(motion, language)
+    kind: Any = IN_SPACE.get(type(motion.solver), Scene)
+    scene: AnyScene = kind(motion, language)
+    return scene

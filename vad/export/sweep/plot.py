@@ -23,6 +23,7 @@ from vad.export.sweep.ends import Ending, name_ends
 from vad.export.sweep.ranges import largest, limits, unwrapped
 from vad.export.sweep.results import Column, Curves, Results
 from vad.kinematics.motion import Motions, solve
+from vad.kinematics.solver import Solver
 from vad.strokes.language import Language
 from vad.strokes.scene import Scene
 from vad.style import Style, load_style
@@ -55,11 +56,17 @@ def plot(motion: Motions, results: Results, file: IO[bytes]) -> None:
         mpl.rcParams.update(_settings(style))
         figure = Figure((_SIZE[0] / _DPI, _SIZE[1] / _DPI), dpi=_DPI, facecolor=style.background)
         _head(figure, motion, style)
-        scene = Scene(solve(motion.mechanism), _ENGLISH)  # any pose tells what slides where
-        symbols = {row.name: scene.slide_symbol(row.name) for row in results.slides}
-        _curves(figure, results, symbols, style)
+        _curves(figure, results, _symbols(motion, results), style)
         title = f"{motion.mechanism.title}: a sweep of its {results.place.quantity}"
         figure.savefig(file, format="png", metadata={"Title": title})
+
+
+def _symbols(motion: Motions, results: Results) -> dict[str, str]:
+    """Return the symbols of the slides' positions."""
+    if not isinstance(motion.solver, Solver):
+        return {row.name: "s" for row in results.slides}
+    scene = Scene(solve(motion.mechanism), _ENGLISH)  # any pose tells what slides where
+    return {row.name: scene.slide_symbol(row.name) for row in results.slides}
 
 
 def _settings(style: Style) -> dict[Any, Any]:
@@ -106,13 +113,15 @@ def _curves(figure: Figure, results: Results, symbols: Mapping[str, str], style:
 
     ``symbols`` are those of the slides' positions.
     """
-    rows = (*results.links, *results.slides)
+    rows = (*results.turning, *results.slides)
     inks = {id(row): style.colour("row", place) for place, row in enumerate(rows)}
-    groups = [[row for row in group if not row.driven] for group in (results.links, results.slides)]
+    groups = [
+        [row for row in group if not row.driven] for group in (results.turning, results.slides)
+    ]
     drawn = [group for group in groups if group]
     plots = figure.subplots(_ORDERS, len(drawn), sharex=True, squeeze=False)
     figure.subplots_adjust(0.09, 0.085, 0.885, 0.775, wspace=0.60, hspace=0.40)
-    spin = largest([row.columns[1] for row in results.links])
+    spin = largest([row.columns[1] for row in results.turning])
     for group, column in zip(drawn, plots.T, strict=True):
         size = largest([row.columns[0] for row in group])
         for order, plot in enumerate(column):
@@ -179,7 +188,8 @@ def _points(share: float) -> float:
 
 def _name(row: Curves) -> str:
     """Return a row's name with its letters in italics: rod BC, slider B."""
-    name = _ENGLISH.name(row.name).removesuffix(" " + row.letters.lower())
+    name, letters = _ENGLISH.name(row.name), f" {row.letters}"
+    name = name.removesuffix(letters).removesuffix(letters.lower())
     return f"{name} $\\mathit{{{row.letters}}}$"
 
 

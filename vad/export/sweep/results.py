@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.kinematics.motion import Motions
+from vad.kinematics.motion import MotionInSpace, Motions
+from vad.kinematics.results.views import Joint
 from vad.units import scene_unit
 
 _LINK = ("angle", "omega", "alpha")
@@ -25,7 +28,7 @@ class Column:
 
 @dataclass(frozen=True, slots=True)
 class Curves:
-    """One link, slide or point: its position, velocity and acceleration, of a point by x and y.
+    """One link, joint, slide or point: its position, velocity and acceleration, vectors by axes.
 
     ``driven`` says whether it is the input.
     """
@@ -38,12 +41,28 @@ class Curves:
 
 @dataclass(frozen=True, slots=True)
 class Results:
-    """A motion over the places of its driver; ``points`` are those marked on its links."""
+    """A motion over the places of its driver.
+
+    ``points`` are those marked on its links, ``bodies`` links in space that turn about no fixed
+    line.
+    """
 
     place: Column
     links: tuple[Curves, ...]
     slides: tuple[Curves, ...]
     points: tuple[Curves, ...] = ()
+    joints: tuple[Curves, ...] = ()
+    bodies: tuple[Curves, ...] = ()
+
+    @property
+    def turning(self) -> tuple[Curves, ...]:
+        """All that has an angle: links, and joints in space."""
+        return (*self.links, *self.joints)
+
+    @property
+    def rows(self) -> tuple[Curves, ...]:
+        """All of them."""
+        return (*self.turning, *self.bodies, *self.slides, *self.points)
 
     @property
     def driver(self) -> Curves:
@@ -52,7 +71,7 @@ class Results:
 
 
 def results_of(motion: Motions) -> Results:
-    """Return what is written of a motion: its input, links, slides and marked points."""
+    """Return what is written of a motion: its input, links, joints, slides and marked points."""
     unit, driver = motion.mechanism.length_unit, motion.solver.driver
     links = motion.mechanism.links
     slides = motion.mechanism.slides | links  # a link that grows slides between its own ends
@@ -66,17 +85,36 @@ def results_of(motion: Motions) -> Results:
         driven = driver.name == owner and name == quantities[0]
         return Curves(owner, letters, driven, columns)
 
-    def point(name: str) -> Curves:
-        columns = []
-        for quantity in _POINT:
-            vectors, of = getattr(motion.point(name), quantity), scene_unit(quantity, unit)
-            for axis, values in (("x", vectors.real), ("y", vectors.imag)):
-                columns.append(Column(f"{quantity} {axis}", of, values))
-        return Curves(name, name, False, tuple(columns))
+    def vectors(name: str, letters: str, moving: object, quantities: tuple[str, ...]) -> Curves:
+        columns = [
+            Column(f"{quantity} {axis}", scene_unit(quantity, unit), values)
+            for quantity in quantities
+            for axis, values in _by_axis(getattr(moving, quantity))
+        ]
+        return Curves(name, letters, False, tuple(columns))
+
+    bodies = [each for each in motion.links if each in motion.solver.bodies]
+    lines = [each for each in motion.links if each not in bodies]
 
     return Results(
         Column(name, scene_unit(name, unit), places),
-        tuple(row(each, links[each], motion.link(each), _LINK) for each in motion.links),
+        tuple(row(each, links[each], motion.link(each), _LINK) for each in lines),
         tuple(row(each, slides[each], motion.slide(each), _SLIDE) for each in motion.slides),
-        tuple(map(point, motion.mechanism.points)),
+        tuple(vectors(p, p, motion.point(p), _POINT) for p in motion.mechanism.points),
+        tuple(row(f"joint {letter}", letter, joint, _LINK) for letter, joint in _joints(motion)),
+        tuple(vectors(each, links[each], motion.link(each), _LINK[1:]) for each in bodies),
     )
+
+
+def _joints(motion: Motions) -> Iterator[tuple[str, Joint[NDArray[np.float64]]]]:
+    if isinstance(motion, MotionInSpace):
+        for letter in motion.joints:
+            yield letter, motion.joint(letter)
+
+
+def _by_axis(values: NDArray[Any]) -> Iterator[tuple[str, NDArray[np.float64]]]:
+    """Yield the parts of plane vectors, which are complex, or of vectors in space."""
+    if np.iscomplexobj(values):
+        yield from zip("xy", (values.real, values.imag), strict=True)
+    else:
+        yield from zip("xyz", np.moveaxis(values, -1, 0), strict=True)

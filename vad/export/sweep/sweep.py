@@ -53,7 +53,7 @@ def lines(results: Results) -> Iterator[str]:
     """Yield the lines of a table with every digit, and empty cells for what is not there."""
     heads = [f"{results.place.quantity} [{results.place.unit}]"]
     columns = [results.place.values]
-    for row in (*results.links, *results.slides, *results.points):
+    for row in results.rows:
         heads += [f"{row.name} {column.quantity} [{column.unit}]" for column in row.columns]
         columns += [column.values for column in row.columns]
     yield ",".join(heads) + "\n"

@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from vad.strokes.chains import NOTHING
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure, Unit
 from vad.strokes.pencil import POLE
 from vad.strokes.sheet import Arrow, Component, Dot, Equation, Kind, Line, Stroke, Term
+from vad.strokes.vector_equations import NOTHING
 
 if TYPE_CHECKING:
     from vad.strokes.space.scene_in_space import SceneInSpace

@@ -1,0 +1,173 @@
+"""Vector equations, which a polygon draws: two chains of vectors that end at one vertex.
+
+In the plane they are the loops of a linkage, in space those of bodies that turn.  Whoever draws
+them needs to know neither: every vector and every part of it bears its own letters.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Generic, TypeVar
+
+from vad.strokes.sheet import Component
+
+#: Vectors shorter than this share of the longest one of a panel are zero.
+NOTHING = 1e-12
+
+
+@dataclass(frozen=True, eq=False)
+class Vector:
+    """One vector, from the vertex ``tail`` to the vertex ``head``.
+
+    Attributes
+    ----------
+    name
+        What its strokes are called by: ``BC``.
+    owner
+        The row of the results table whose ink it takes.
+    reverse
+        Whether its chain runs through it from head to tail.
+    arrives
+        Whether its head is a vertex with a place of its own, if all its parts are known.
+    lettered
+        Whether its head bears a letter at the pole, if it could move but stands still.
+    whole
+        What its sum is, where that is measured beside its parts.
+    measured
+        Whether what is found of it stands in the table.
+    """
+
+    name: str
+    tail: str
+    head: str
+    owner: str
+    reverse: bool = False
+    arrives: bool = True
+    lettered: bool = True
+    whole: Component | None = None
+    measured: bool = True
+
+    @property
+    def reveals(self) -> tuple[str, ...]:
+        """The rows of the results that it measures."""
+        return (self.owner,) if self.measured else ()
+
+    @property
+    def end(self) -> str:
+        """The vertex at which its chain leaves it."""
+        return self.tail if self.reverse else self.head
+
+
+V = TypeVar("V", bound=Vector)
+
+
+@dataclass(frozen=True)
+class Part(Generic[V]):
+    """One component of a vector.
+
+    Attributes
+    ----------
+    of
+        The vector.
+    name
+        Which component it is, as its stroke is called.
+    vector
+        Its value, which runs with the vector, in the polygon's unit.
+    direction
+        A unit vector along it.
+    unknown
+        Whether the crossing has to find its length.
+    component
+        What its stroke says that it is.
+    stage
+        The vertex at which it ends, where that is not the vector's own head: cₙ.
+    dictated
+        Whether the driver alone gives it.
+    label, square_to
+        What is written beside its construction line, and what that is perpendicular to.
+    symbol
+        What is written beside its vector; nothing for the letters of its ends.
+    """
+
+    of: V
+    name: Component
+    vector: complex
+    direction: complex
+    unknown: bool
+    component: Component
+    stage: str
+    dictated: bool = False
+    label: str = ""
+    square_to: str | None = None
+    symbol: str = ""
+
+    @property
+    def stroke_name(self) -> str:
+        """What the stroke that draws it is called: ``AB.normal``."""
+        return f"{self.of.name}.{self.name}"
+
+    @property
+    def reverse(self) -> bool:
+        """Whether its chain runs through it from head to tail."""
+        return self.of.reverse
+
+
+@dataclass(frozen=True)
+class Chain(Generic[V]):
+    """One side of an equation, from the vertex ``start`` to the vertex ``end``.
+
+    ``parts`` are those of its vectors in the order in which they are laid tip to tail.
+    """
+
+    start: str
+    end: str
+    vectors: tuple[V, ...]
+    parts: tuple[Part[V], ...]
+
+    @property
+    def known(self) -> list[Part[V]]:
+        """The parts that are laid before the crossing."""
+        return [part for part in self.parts if not part.unknown]
+
+    @cached_property
+    def unknown(self) -> Part[V] | None:
+        """The part that the crossing finds, if any."""
+        return next((part for part in self.parts if part.unknown), None)
+
+    @property
+    def longest(self) -> float:
+        """The length of its longest part."""
+        return max((abs(part.vector) for part in self.parts), default=0.0)
+
+    def wholly_known(self, vector: V) -> bool:
+        """Tell whether every component of a vector is known beforehand."""
+        return self.unknown is None or self.unknown.of is not vector
+
+
+@dataclass(frozen=True)
+class VectorEquation(Generic[V]):
+    """Two chains that end at the same vertex, the image of ``point``.
+
+    ``folded`` tells that it holds in another plane, which is laid over into the paper.
+    """
+
+    first: Chain[V]
+    second: Chain[V]
+    point: str
+    folded: bool = False
+
+    @property
+    def chains(self) -> tuple[Chain[V], Chain[V]]:
+        """Both chains, in the order in which they are drawn."""
+        return self.first, self.second
+
+    @property
+    def end(self) -> str:
+        """The vertex at which both end."""
+        return self.first.end
+
+    @property
+    def longest(self) -> float:
+        """The length of the longest part."""
+        return max(chain.longest for chain in self.chains)
