@@ -195,7 +195,10 @@ def test_boxes_take_units_and_sliders_move_them(window: Page):
     until(window, lambda: "−12.566" in cell(window, 0, 1))
     slider = window.locator("#parameters .row input[type=range]").nth(1)
     slider.focus()
-    slider.press("ArrowRight")
+    still(window)
+    with window.expect_request("**/api/pose") as asked:
+        slider.press("ArrowRight")
+    assert asked.value.post_data_json["stands"]["rod"] == 140
     until(window, lambda: "rod\u00a0141" in window.locator("header p").inner_text())
     still(window)
     assert value(window, "rod") == 141

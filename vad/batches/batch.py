@@ -35,7 +35,7 @@ def batch(
     folder
         Where the files go; it is made if its parent is there.
     jobs
-        How many processes work; more than one need the extra ``batch``.
+        How many processes work, this one among them; more than one need the extra ``batch``.
     cluster
         The address of the scheduler of a Dask cluster, which works instead; it needs the extra
         ``cluster``.

@@ -6,8 +6,11 @@ In come jobs, out come products in the order in which they are done.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from contextlib import ExitStack
+from functools import partial
 from importlib import import_module
+from itertools import islice
 from typing import Any
 
 from vad.batches.job import Job, Product
@@ -16,6 +19,8 @@ from vad.errors import ExportError, InputError, shown
 
 #: Seconds in which a cluster must answer.
 _PATIENCE = 10
+#: Sheets that are with a worker at a time: the one that it makes, and one to go on with.
+_AHEAD = 2
 
 
 def products(jobs: Sequence[Job], workers: int, cluster: str | None) -> Iterator[Product]:
@@ -26,7 +31,7 @@ def products(jobs: Sequence[Job], workers: int, cluster: str | None) -> Iterator
     jobs
         The sheets to be made.
     workers
-        How many processes make them; 1 is this one alone.
+        How many processes make them: this one, and the others beside it.
     cluster
         The address of the scheduler of a Dask cluster, which makes them instead.
 
@@ -37,26 +42,45 @@ def products(jobs: Sequence[Job], workers: int, cluster: str | None) -> Iterator
     vad.errors.ExportError
         If a worker dies.
     """
-    if cluster is None and workers == 1:
+    beside = min(workers, len(jobs)) - 1
+    if cluster is None and beside < 1:
         yield from map(make, jobs)
         return
-    joblib = needed("joblib", "batch")
     try:
         with ExitStack() as stack:
-            if cluster is not None:
-                stack.enter_context(_client(cluster))
-                stack.enter_context(joblib.parallel_config(backend="dask"))
-            parallel = joblib.Parallel(
-                n_jobs=workers if cluster is None else -1,
-                return_as="generator_unordered",
-                batch_size=1,
-            )
-            yield from parallel(joblib.delayed(_elsewhere)(job) for job in jobs)
+            if cluster is None:
+                pool = needed("joblib.externals.loky", "batch").ProcessPoolExecutor(beside)
+                stack.callback(partial(pool.shutdown, kill_workers=True))
+                yield from _shared(jobs, pool, beside, helping=True)
+            else:
+                client = stack.enter_context(_client(cluster))
+                others = max(1, sum(client.nthreads().values()))
+                yield from _shared(jobs, client.get_executor(), others, helping=False)
     except Exception as error:
         if not _is_death(error):
             raise
         hint = "start it again: what is done stays"
         raise ExportError("a worker died, perhaps for want of memory", hint) from error
+
+
+def _shared(
+    jobs: Sequence[Job], pool: Executor, others: int, *, helping: bool
+) -> Iterator[Product]:
+    """Yield what the workers of a pool make, and this process where it is ``helping``.
+
+    It helps because starting a worker and its first sheet cost as much as several sheets.
+    """
+    left = iter(jobs)
+    away: set[Future[Product]] = set()
+    while True:
+        here = list(islice(left, 1)) if helping else []
+        more = islice(left, _AHEAD * others - len(away))
+        away |= {pool.submit(_elsewhere, job) for job in more}
+        if not (here or away):
+            return
+        yield from map(make, here)
+        done, away = wait(away, timeout=0 if here else None, return_when=FIRST_COMPLETED)
+        yield from (each.result() for each in done)
 
 
 def _elsewhere(job: Job) -> Product:
@@ -94,4 +118,4 @@ def _client(address: str) -> Any:
 
 
 def _is_death(error: Exception) -> bool:
-    return type(error).__name__ in ("TerminatedWorkerError", "BrokenProcessPool", "KilledWorker")
+    return isinstance(error, BrokenExecutor) or type(error).__name__ == "KilledWorker"

@@ -24,8 +24,12 @@ _REFERENCE = "50 digits"
 _DIGITS = 8  # of every result
 _NONE = "–"  # where a method has no answer
 # What a scalar's two derivatives are called: for the table, for JSON, and as a quantity.
-_SIGNS = {"angle": ("ω", "α"), "length": ("v", "a")}
-_NAMES = {"angle": ("omega", "alpha"), "length": ("velocity", "acceleration")}
+_SIGNS = {"angle": ("ω", "α"), "joint": ("ω", "α"), "length": ("v", "a")}
+_NAMES = {
+    "angle": ("omega", "alpha"),
+    "joint": ("omega", "alpha"),
+    "length": ("velocity", "acceleration"),
+}
 
 
 def compare(mechanism: Mechanism, inputs: dict[str, Any], as_json: bool = False) -> None:
@@ -123,15 +127,17 @@ def _row(row: Answer) -> dict[str, Any]:
 
 def _results(found: Any) -> dict[str, Any]:
     """Return the results in the form of ``vad solve --json``."""
-    links, slides = {}, {}
+    turning: dict[str, dict[str, Any]] = {"angle": {}, "joint": {}}
+    slides = {}
     for scalar, jet in found.items():
         value, rate, second = map(float, jet)
-        if scalar.kind == "angle":
-            angle = math.degrees(value) % 360.0 % 360.0
-            links[scalar.name] = {"angle": angle, "omega": rate, "alpha": second}
-        else:
+        if scalar.kind == "length":
             slides[scalar.name] = {"position": value, "velocity": rate, "acceleration": second}
-    return {"links": links, "slides": slides}
+        else:
+            angle = math.degrees(value) % 360.0 % 360.0
+            turning[scalar.kind][scalar.name] = {"angle": angle, "omega": rate, "alpha": second}
+    joints = {"joints": turning["joint"]} if turning["joint"] else {}
+    return {"links": turning["angle"], **joints, "slides": slides}
 
 
 #: The command.

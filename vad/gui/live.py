@@ -76,8 +76,11 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
             raise
         sheet = vad.draw(motion, POSITION, question.language)
         trouble = {"error": problem(error, question.fields)}
-    board = board_of(mechanism, panels, question.language)
     scales = {name: scale_of(values) for name, values in question.scales.items()}
+    rested = question.rested()
+    board = board_of(rested, panels, question.language)
+    if rested != mechanism:
+        board = board.resized(sheet, scales)
     shown = board.pose(sheet, scales, question.ways)
     style, faces = load_style(question.style), Faces()
     inker, words = Inker(FORM, themed(style), faces), Words(faces)
@@ -115,7 +118,7 @@ def board_of(mechanism: Mechanism, panels: tuple[str, ...], language: str) -> Li
     """
     motions = list(_over(mechanism))
     poses = [vad.draw(motion, POSITION).panels[0] for motion in motions]
-    return LiveBoard(_first(motions, panels, language), FORM, LINES, poses)
+    return LiveBoard.over(_first(motions, panels, language), FORM, LINES, poses)
 
 
 def _over(mechanism: Mechanism) -> Iterable[Motion]:

@@ -103,6 +103,12 @@ class Question:
         vad.errors.VadError
             For a value that cannot be; the message begins with its name.
         """
+        mechanism = self.with_dimensions(self.parameters)
+        driven = {name: name for name in mechanism.inputs}
+        return mechanism, _numbers("input", self.inputs, driven, mechanism.length_unit)
+
+    def with_dimensions(self, parameters: Mapping[str, Value]) -> Mechanism:
+        """Return the mechanism with these parameters; errors are those of `build`."""
         kind = self.kinds[one_of("mechanism", self.mechanism, self.kinds)]
         known = {each.name: each for each in dataclasses.fields(kind)}
         unit = str(known["length_unit"].default)
@@ -110,11 +116,10 @@ class Question:
             unit = units.check_length_unit(self.length_unit)
         quantities = {name: each.metadata["quantity"] for name, each in known.items()}
         numbers = {name: each for name, each in quantities.items() if each in NUMBERS}
-        given: dict[str, Any] = _numbers("parameter", self.parameters, numbers, unit)
+        given: dict[str, Any] = _numbers("parameter", parameters, numbers, unit)
         if self.assembly is not None:
             given["assembly"] = self.assembly
-        mechanism = kind(**given, points=self.points, length_unit=unit)
-        return mechanism, _numbers("input", self.inputs, {name: name for name in kind.inputs}, unit)
+        return kind(**given, points=self.points, length_unit=unit)
 
 
 @dataclass(frozen=True)
@@ -127,10 +132,18 @@ class PoseQuestion(Question):
         Those of the pose before.
     ways
         Where each label of each panel stood from its dot in the pose before: degrees.
+    stands
+        The parameters of the fair copy before, of which supports and the like are kept; None
+        for those that are asked for.
     """
 
     scales: Scales = field(default_factory=dict)
     ways: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    stands: Mapping[str, Value] | None = None
+
+    def rested(self) -> Mechanism:
+        """Return the mechanism of the fair copy before."""
+        return self.with_dimensions(self.parameters if self.stands is None else self.stands)
 
 
 @dataclass(frozen=True)
@@ -267,6 +280,7 @@ _CHECKS = {
     "language": _text,
     "scales": _scales,
     "ways": _ways,
+    "stands": _values,
     "style": _text,
     "size": _size,
     "fps": _fps,

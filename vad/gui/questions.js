@@ -5,7 +5,7 @@ function question(kind) {
   const asked = { mechanism: set.mechanism, parameters: present(set.parameters), inputs: present(set.inputs),
     assembly: "" in set.places ? set.places[""] : set.places, points: set.mechanism === start.mechanism ? start.points : {},
     length_unit: set.length_unit, panels: start.panels, language: start.language, style: start.style };
-  if (kind === "pose") return { ...asked, scales, ways };
+  if (kind === "pose") return { ...asked, scales, ways, ...(stands && { stands }) };
   if (kind === "lesson") return { ...asked, scales: find("#lock").checked ? scales : {} };
   const style = root.dataset.theme, speed = +find(".speed").value;
   return { ...asked, style: start.style === "print" ? "print" : style, size: start.size, fps: start.fps, speed };
@@ -44,6 +44,7 @@ function take(kind, asked, answer) {
   complain(answer.error);
   if (kind === "lesson") {
     root.classList.remove("moving");
+    stands = answer.error ? stands : asked.parameters;
     if (!answer.error) remember();
     else if (answer.error.kind === "dead-centre") want("pose"); // the position is there
   }

@@ -7,7 +7,7 @@ const root = document.querySelector(".vad"), find = (selector) => root.querySele
 const { start, catalogue, words } = JSON.parse(document.getElementById("data").textContent);
 const handle = find(".handle"), message = find(".message"), mend = find(".message button");
 const fields = new Map();
-let set = {}, player = null, shown = null, names = [], scales = {}, ways = {}, grip = null, ranges = [], broken = false;
+let set = {}, player = null, shown = null, names = [], scales = {}, ways = {}, stands = null, grip = null, ranges = [], broken = false;
 let wanted = null, asking = false, timer = 0, step = null, retry = null;
 
 const entry = () => catalogue[set.mechanism];

@@ -1,12 +1,14 @@
 """Six ways to solve a mechanism, for comparison: the three of the textbooks and their rivals.
 
 In comes a `Problem`, the loop equations of a mechanism with the motion of its driver; every method
-is a function that returns the positions, rates and second derivatives of what is unknown.  The
+is a function that returns the positions, rates and second derivatives of what is unknown.  Three
+of them know mechanisms in space, too.  The
 methods are independent of the solver and of each other as far as can be, and nothing but
 ``vad compare`` and tests uses them.
 """
 
 from collections.abc import Callable
+from typing import Any
 
 from vad.methods import (
     closed_form,
@@ -14,12 +16,13 @@ from vad.methods import (
     finite_differences,
     loop_closure,
     newton,
+    newton_in_space,
     unit_vectors,
 )
 from vad.methods.loop_equations import problem_of
 from vad.methods.problem import Found, Jet, Problem
 
-Method = Callable[[Problem], Found]
+Method = Callable[[Any], Found]
 
 #: The methods by the name that a table shows.
 METHODS: dict[str, Method] = {
@@ -30,5 +33,11 @@ METHODS: dict[str, Method] = {
     "Newton": newton.solve,
     "finite differences": finite_differences.solve,
 }
+#: Those that know space, too.
+METHODS_IN_SPACE: dict[str, Method] = {
+    "closed form": closed_form.solve,
+    "Newton": newton_in_space.solve,
+    "finite differences": finite_differences.solve,
+}
 
-__all__ = ["METHODS", "Found", "Jet", "Method", "Problem", "problem_of"]
+__all__ = ["METHODS", "METHODS_IN_SPACE", "Found", "Jet", "Method", "Problem", "problem_of"]

@@ -13,10 +13,20 @@ from dataclasses import dataclass
 
 from mpmath import mp  # type: ignore[import-untyped]
 
-from vad.errors import DeadCentreError, VadError
+from vad.errors import DeadCentreError, InputError, VadError
 from vad.kinematics.linkage import Scalar
 from vad.mechanisms import Mechanism
-from vad.methods import METHODS, Found, Method, Problem, high_precision, problem_of
+from vad.methods import (
+    METHODS,
+    METHODS_IN_SPACE,
+    Found,
+    Method,
+    high_precision,
+    newton_in_space,
+    problem_of,
+)
+from vad.methods.loops_in_space import SpaceProblem
+from vad.methods.problem import Driven
 
 
 @dataclass(frozen=True)
@@ -64,8 +74,12 @@ def compare(
     """
     problem = problem_of(mechanism, inputs)
     METHODS["closed form"](problem)  # it says best why a pose cannot be
+    precise: Method = high_precision.solve
+    if isinstance(problem, SpaceProblem):
+        methods = {name: METHODS_IN_SPACE.get(name, _in_the_plane) for name in methods}
+        precise = newton_in_space.precise
     try:
-        truth = high_precision.solve(problem)
+        truth = precise(problem)
     except ArithmeticError as error:
         raise DeadCentreError(f"the loops close, but for rounding: {error}") from None
     return Comparison(
@@ -73,7 +87,11 @@ def compare(
     )
 
 
-def _row(name: str, method: Method, problem: Problem, truth: Found) -> Answer:
+def _in_the_plane(problem: Driven) -> Found:
+    raise InputError("works in the plane alone")
+
+
+def _row(name: str, method: Method, problem: Driven, truth: Found) -> Answer:
     try:
         found = method(problem)
     except (ArithmeticError, ValueError, VadError) as error:  # LinAlgError is a ValueError
@@ -102,7 +120,7 @@ def largest_error(found: Found, truth: Found) -> float:
 def _error(scalar: Scalar, order: int, value: float, truth: Found) -> float:
     with mp.workdps(high_precision.DIGITS):
         miss = abs(value - truth[scalar][order])
-        if order == 0 and scalar.kind == "angle":
+        if order == 0 and scalar.kind != "length":
             return float(abs(miss - 2 * mp.pi * mp.nint(miss / (2 * mp.pi))))
         alike = [abs(jet[order]) for other, jet in truth.items() if other.kind == scalar.kind]
         return float(miss / (abs(truth[scalar][order]) or max(alike) or 1))

@@ -11,13 +11,13 @@ from dataclasses import replace
 
 from vad.kinematics.linkage import Scalar
 from vad.methods import closed_form
-from vad.methods.problem import Found, Jet, Problem
+from vad.methods.problem import Driven, Found, Jet
 
 #: The best step for second differences is about the fourth root of ε.
 STEP = 1e-4
 
 
-def solve(problem: Problem, step: float = STEP) -> Found:
+def solve(problem: Driven, step: float = STEP) -> Found:
     """Solve one pose by central differences in time.
 
     Parameters
@@ -33,11 +33,12 @@ def solve(problem: Problem, step: float = STEP) -> Found:
     for scalar, value in now.items():
         ahead = _change(scalar, value, after[scalar])
         behind = _change(scalar, before[scalar], value)
-        results[scalar] = Jet(value, (ahead + behind) / (2 * time), (ahead - behind) / time**2)
+        rate, second = (ahead + behind) / (2 * time), (ahead - behind) / time**2
+        results[scalar] = Jet(value, problem.sense(scalar) * rate, problem.sense(scalar) * second)
     return results
 
 
-def _at(problem: Problem, time: float) -> Problem:
+def _at(problem: Driven, time: float) -> Driven:
     """Return the problem some time later."""
     value, rate, second = problem.drive
     way = rate * time + second * time**2 / 2
@@ -49,4 +50,4 @@ def _at(problem: Problem, time: float) -> Problem:
 def _change(scalar: Scalar, start: float, end: float) -> float:
     """Return what is between two values; for angles the short way round."""
     change = end - start
-    return math.remainder(change, math.tau) if scalar.kind == "angle" else change
+    return change if scalar.kind == "length" else math.remainder(change, math.tau)

@@ -18,11 +18,13 @@ from vad.kinematics.linkage import (
     angle_of,
     length_of,
 )
+from vad.kinematics.space.space_linkage import BallJointed, FourAxes, SpaceLinkage
 from vad.mechanisms import Mechanism
+from vad.methods.loops_in_space import SpaceProblem
 from vad.methods.problem import Jet, LoopEquation, Problem, Vector
 
 
-def problem_of(mechanism: Mechanism, inputs: Mapping[str, float]) -> Problem:
+def problem_of(mechanism: Mechanism, inputs: Mapping[str, float]) -> Problem | SpaceProblem:
     """Return the equations of a mechanism; inputs that are left out have their defaults.
 
     Raises
@@ -41,18 +43,28 @@ def problem_of(mechanism: Mechanism, inputs: Mapping[str, float]) -> Problem:
     +1 (the length of slider_b) along (90.0)
     """
     linkage = mechanism.marked()
+    drive = Jet(*({**mechanism.inputs, **inputs}[name] for name in mechanism.inputs))
     if not isinstance(linkage, Linkage):
-        raise InputError(f"{mechanism.name}: has no loop equations in the plane")
+        return SpaceProblem(mechanism, linkage.driver, drive, _largest(linkage), linkage)
     crossed = mechanism.assembly == "crossed"
     reader = _Reader(linkage, -1 if crossed else 1)
     equations = tuple(
         reader.equation(loop, unknowns)
         for loop, unknowns in zip(linkage.loops, linkage.unknowns, strict=True)
     )
-    drive = Jet(*({**mechanism.inputs, **inputs}[name] for name in mechanism.inputs))
     lengths = [v.length for equation in equations for v in equation.vectors]
     size = max(abs(length) for length in lengths if isinstance(length, float))
-    return Problem(mechanism, linkage.driver, drive, equations, size, reader.zeros)
+    return Problem(mechanism, linkage.driver, drive, size, equations, reader.zeros)
+
+
+def _largest(linkage: SpaceLinkage) -> float:
+    """Return the largest length of a mechanism in space; 1 on a sphere."""
+    if isinstance(linkage, BallJointed):
+        return max(map(abs, (linkage.ground, linkage.crank, linkage.coupler, linkage.rocker)))
+    if isinstance(linkage, FourAxes):
+        arcs = linkage.ground, linkage.crank, linkage.coupler, linkage.rocker
+        return max(abs(arc.length) for arc in arcs) or 1.0
+    return 1.0
 
 
 class _Place(NamedTuple):

@@ -74,41 +74,38 @@ Unfinished = dict[Scalar, Any]
 
 
 @dataclass(frozen=True)
-class Problem:
-    """The loop equations of a mechanism, and the motion of its driver.
+class Driven:
+    """What is to be found of a mechanism, and the motion of its driver.
 
     Attributes
     ----------
     mechanism
-        Where they come from; only the closed form looks at it.
+        Where it comes from; only the closed form looks at it.
     driver
         The angle or the length that is driven.
     drive
         Its value (an angle in degrees), rate and second derivative.
-    equations
-        One for each loop, in the order in which they can be solved.
     size
         The largest length, for what is small beside it.
-    zeros
-        What is to be taken from an angle (radians) or a length that the equations give: they
-        count from the vector that is found, where the link or slide counts from elsewhere.
     """
 
     mechanism: Mechanism
     driver: Scalar
     drive: Jet
-    equations: tuple[LoopEquation, ...]
     size: float
-    zeros: Mapping[Scalar, float]
 
     @property
     def unknowns(self) -> tuple[Scalar, ...]:
         """All scalars that are to be found."""
-        return tuple(scalar for equation in self.equations for scalar in equation.unknowns)
+        raise NotImplementedError
 
     def unit(self, scalar: Scalar) -> float:
         """Return by what a scalar is measured: 1 rad for an angle, or the largest length."""
-        return 1.0 if scalar.kind == "angle" else self.size
+        return self.size if scalar.kind == "length" else 1.0
+
+    def sense(self, scalar: Scalar) -> int:
+        """Return -1 for a scalar whose rates count against its value, 1 for all others."""
+        return 1
 
     @property
     def pace(self) -> float:
@@ -116,6 +113,28 @@ class Problem:
         unit = self.unit(self.driver)
         rate, second = (abs(float(each)) / unit for each in self.drive[1:])
         return max(rate, math.sqrt(second))
+
+
+@dataclass(frozen=True)
+class Problem(Driven):
+    """The loop equations of a mechanism in the plane, and the motion of its driver.
+
+    Attributes
+    ----------
+    equations
+        One for each loop, in the order in which they can be solved.
+    zeros
+        What is to be taken from an angle (radians) or a length that the equations give: they
+        count from the vector that is found, where the link or slide counts from elsewhere.
+    """
+
+    equations: tuple[LoopEquation, ...]
+    zeros: Mapping[Scalar, float]
+
+    @property
+    def unknowns(self) -> tuple[Scalar, ...]:
+        """All scalars that are to be found."""
+        return tuple(scalar for equation in self.equations for scalar in equation.unknowns)
 
 
 def driven(problem: Problem) -> tuple[Unfinished, Unfinished, Unfinished]:

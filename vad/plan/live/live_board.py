@@ -1,19 +1,21 @@
 """The board that follows the hand: what stands still is chosen once for a mechanism.
 
 In come a mechanism's sheets, out go items as on any board; scales and the sides of labels are
-handed from one pose to the next, so that nothing jumps.
+handed from one pose to the next, so that nothing jumps.  While a dimension changes, what was chosen
+before is kept.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from vad.plan.board import Plan, arrange, regions_of, rows_of
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import Item
 from vad.plan.labels.obstacles import Obstacles
+from vad.plan.layout import Page
 from vad.plan.live.calm_scale import calm_scale
 from vad.plan.live.live_labels import Ways
 from vad.plan.live.live_polygon import live_polygon
@@ -49,29 +51,55 @@ class LivePose:
     ways: Mapping[str, dict[str, float]]
 
 
+@dataclass(frozen=True)
 class LiveBoard:
     """A page for all poses of one mechanism.
 
-    Parameters
+    Attributes
     ----------
-    sheet
-        One of its poses.
-    form
-        The shape of the page.
-    lines
-        How many lines there are for a caption.
-    poses
-        The panels of its mechanism over all that the driver reaches.
+    form, page
+        The shape of the page, and where its parts are.
+    pictures
+        The mechanism, by the name of its panel.
     """
 
-    def __init__(self, sheet: Sheet, form: Format, lines: int, poses: Sequence[Panel]) -> None:
-        self._form = form
-        self.page, _ = arrange(sheet, form, lines)
-        self.pictures: dict[str, LiveSkeleton | LiveViews] = {}
-        for panel in sheet.panels:
-            live = LIVE.get(panel.picture)
-            if live:
-                self.pictures[panel.name] = live(self._setting(sheet, panel), poses)
+    form: Format
+    page: Page
+    pictures: Mapping[str, LiveSkeleton | LiveViews]
+
+    @classmethod
+    def over(cls, sheet: Sheet, form: Format, lines: int, poses: Sequence[Panel]) -> LiveBoard:
+        """Return the board of a mechanism.
+
+        Parameters
+        ----------
+        sheet
+            One of its poses.
+        form
+            The shape of the page.
+        lines
+            How many lines there are for a caption.
+        poses
+            The panels of its mechanism over all that the driver reaches.
+        """
+        board = cls(form, arrange(sheet, form, lines)[0], {})
+        pictures = {
+            panel.name: LIVE[panel.picture].over(board._setting(sheet, panel), poses)
+            for panel in sheet.panels
+            if panel.picture in LIVE
+        }
+        return replace(board, pictures=pictures)
+
+    def resized(self, sheet: Sheet, scales: Mapping[str, Scale]) -> LiveBoard:
+        """Return it for a pose with other dimensions, in which all stands where it stood."""
+        pictures = {
+            panel.name: self.pictures[panel.name].resized(
+                self._setting(sheet, panel), scales.get(panel.name)
+            )
+            for panel in sheet.panels
+            if panel.name in self.pictures
+        }
+        return replace(self, pictures=pictures)
 
     def pose(self, sheet: Sheet, scales: Mapping[str, Scale], ways: Mapping[str, Ways]) -> LivePose:
         """Return a pose; ``scales`` and ``ways`` are those of the pose before, if there was one."""
@@ -87,14 +115,14 @@ class LiveBoard:
             if picture:
                 kept[name] = picture.scale
                 sketch, turned[name] = picture.pose(setting, before)
-                items += lasting(picture.still)
+                items += lasting(picture.moving.still)
             else:
                 kept[name] = calm_scale(half, setting.room, scales.get(name))
                 sketch, turned[name] = live_polygon(setting, kept[name], before)
             items += lasting(sketch)
             sketches[name] = sketch
         items.sort(key=lambda item: item.level)
-        plan = Plan(sheet, self._form, self.page, regions_of(self.page), tuple(items), sketches)
+        plan = Plan(sheet, self.form, self.page, regions_of(self.page), tuple(items), sketches)
         return LivePose(plan, kept, turned)
 
     def room(self, panel: Panel, sheet: Sheet) -> Rect:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -17,6 +18,7 @@ from vad.plan.labels.placing import Wish
 from vad.plan.labels.vertices import find_vertices
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import roman
+from vad.plan.live.calm_scale import calm_scale
 from vad.plan.live.live_labels import KeptLabels, Ways
 from vad.plan.marks import Bow, Mark
 from vad.plan.pictures.rotation import (
@@ -30,6 +32,7 @@ from vad.plan.pictures.rotation import (
 )
 from vad.plan.pictures.skeleton import NEAR, driven, given_rate
 from vad.plan.pictures.speed import add_speed
+from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.moving_skeleton import MovingSkeleton
 from vad.plan.turning.turn_scale import mechanism_scale
@@ -42,19 +45,42 @@ GRIP = 0.024  # radius of the handle's ring, in a window of usual size
 _FAR = (*NEAR, 0.050, 0.070, 0.090)
 
 
+@dataclass(frozen=True)
 class LiveSkeleton:
-    """The mechanism of a page that is played with; ``poses`` are panels of its whole reach."""
+    """The mechanism of a page that is played with.
 
-    def __init__(self, setting: Setting, poses: Sequence[Panel]) -> None:
-        self.scale = mechanism_scale(setting, poses)
+    Attributes
+    ----------
+    moving
+        The mechanism in any of its poses.
+    sense
+        Radius, span and middle of the ω arrow; None where no angle is driven.
+    """
+
+    moving: MovingSkeleton
+    sense: tuple[float, float, float] | None
+
+    @classmethod
+    def over(cls, setting: Setting, poses: Sequence[Panel]) -> LiveSkeleton:
+        """Return the mechanism whose ``poses`` are panels of its whole reach."""
+        scale = mechanism_scale(setting, poses)
         centres = {shape.centre for pose in poses for _, shape in _angles(pose)}
-        self._moving = MovingSkeleton(setting, poses, self.scale, angle=len(centres) == 1)
-        self.still = self._moving.still
-        self._sense = self._free_sector(poses) if centres else None
+        moving = MovingSkeleton(setting, poses, scale, angle=len(centres) == 1)
+        return cls(moving, _free_sector(moving, poses) if centres else None)
+
+    @property
+    def scale(self) -> Scale:
+        """The scale of all poses."""
+        return self.moving.scale
+
+    def resized(self, setting: Setting, before: Scale | None) -> LiveSkeleton:
+        """Return it with other dimensions; it keeps the scale of the pose before while it fits."""
+        scale = calm_scale(setting.panel, setting.room, before or self.scale)
+        return replace(self, moving=self.moving.resized(setting, scale))
 
     def pose(self, setting: Setting, ways: Ways) -> tuple[Sketch, dict[str, float]]:
         """Return the mechanism in one pose, and where its labels stand."""
-        sketch = self._moving.pose(setting.panel)
+        sketch = self.moving.pose(setting.panel)
         sketch.setting = setting
         arcs = _angles(setting.panel)
         for _, shape in arcs:
@@ -63,19 +89,19 @@ class LiveSkeleton:
         _clear_grip(sketch)
         vertices = find_vertices(setting.panel, self.scale)
         labels = KeptLabels(sketch, ways)
-        labels.letter(vertices, self._moving.radius, NEAR)
+        labels.letter(vertices, self.moving.radius, NEAR)
         for index, shape in arcs:
             add_angle(sketch, index, angle_arc(sketch, shape), labels)
-        add_speed(sketch, *given_rate(setting.sheet, "v"), self._moving.size)
+        add_speed(sketch, *given_rate(setting.sheet, "v"), self.moving.size)
         return sketch, labels.ways
 
     def _add_sense(self, sketch: Sketch) -> None:
         """Add the ω arrow of the driven link, about its pivot."""
         panel, sense = sketch.setting.panel, given_rate(sketch.setting.sheet, "ω")[1]
         index, arcs = driven(panel), _angles(panel)
-        if index is None or not sense or not arcs or self._sense is None:
+        if index is None or not sense or not arcs or self.sense is None:
             return
-        radius, span, middle = self._sense
+        radius, span, middle = self.sense
         centre = self.scale(arcs[0][1].centre)
         row = sketch.setting.row(panel.strokes[index].link)
         letter, placed = sense_letter(centre, radius, middle, row)
@@ -85,21 +111,22 @@ class LiveSkeleton:
         sketch.obstacles.box(placed.box)
         sketch.obstacles.line(arc_line(centre, radius, middle - span / 2, span), 0.004)
 
-    def _free_sector(self, poses: Sequence[Panel]) -> tuple[float, float, float]:
-        """Return radius, span and middle of the ω arrow that meets the fewest poses."""
-        places = [(*size, float(middle)) for size, middle in product(SENSE_SIZES[::2], _TURNS)]
-        points, ends = [], [0]
-        for radius, span, middle in places:
-            points += arc_line(0j, radius, middle - span / 2, span)
-            points.append(sense_letter(0j, radius, middle, None)[1].centre)
-            ends.append(len(points))
-        met = np.zeros(len(places))
-        for pose in poses:
-            centre = self.scale(_angles(pose)[0][1].centre)
-            spots = [centre + point for point in points]
-            hit = ~self._moving.pose(pose).obstacles.free(spots, 0.0, 0.0, _CLEAR)
-            met += np.add.reduceat(hit, ends[:-1]) > 0
-        return places[int(met.argmin())]
+
+def _free_sector(moving: MovingSkeleton, poses: Sequence[Panel]) -> tuple[float, float, float]:
+    """Return radius, span and middle of the ω arrow that meets the fewest poses."""
+    places = [(*size, float(middle)) for size, middle in product(SENSE_SIZES[::2], _TURNS)]
+    points, ends = [], [0]
+    for radius, span, middle in places:
+        points += arc_line(0j, radius, middle - span / 2, span)
+        points.append(sense_letter(0j, radius, middle, None)[1].centre)
+        ends.append(len(points))
+    met = np.zeros(len(places))
+    for pose in poses:
+        centre = moving.scale(_angles(pose)[0][1].centre)
+        spots = [centre + point for point in points]
+        hit = ~moving.pose(pose).obstacles.free(spots, 0.0, 0.0, _CLEAR)
+        met += np.add.reduceat(hit, ends[:-1]) > 0
+    return places[int(met.argmin())]
 
 
 def held(panel: Panel, driver: str) -> int | None:

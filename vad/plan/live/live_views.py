@@ -8,36 +8,61 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.vertices import find_vertices
+from vad.plan.live.calm_scale import calm_scale
 from vad.plan.live.live_labels import KeptLabels, Ways
 from vad.plan.live.live_skeleton import GRIP, add_angle
 from vad.plan.pictures.rotation import add_sense, block_arc
 from vad.plan.pictures.skeleton import given_rate
 from vad.plan.pictures.views import NEAR, RADIUS, angle_of, driven_angle, views_scale
+from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.moving_views import MovingViews
 from vad.strokes.sheet import Arc, Panel
 
 
+@dataclass(frozen=True)
 class LiveViews:
-    """The views of a page that is played with; ``poses`` are panels of its whole reach."""
+    """The views of a page that is played with.
 
-    def __init__(self, setting: Setting, poses: Sequence[Panel]) -> None:
-        self.scale = views_scale(setting, poses)
-        self._moving = MovingViews(setting, poses, self.scale)
-        self.still = self._moving.still
-        angle = driven_angle(setting.sheet, poses[0])
-        self._angle = poses[0].strokes[angle].shape if angle is not None else None
+    Attributes
+    ----------
+    moving
+        The mechanism in any of its poses.
+    angle
+        The arc of the driven angle; None where it has none.
+    """
+
+    moving: MovingViews
+    angle: Arc | None
+
+    @classmethod
+    def over(cls, setting: Setting, poses: Sequence[Panel]) -> LiveViews:
+        """Return the views of a mechanism whose ``poses`` are panels of its whole reach."""
+        moving = MovingViews(setting, poses, views_scale(setting, poses))
+        index = driven_angle(setting.sheet, poses[0])
+        shape = poses[0].strokes[index].shape if index is not None else None
+        return cls(moving, shape if isinstance(shape, Arc) else None)
+
+    @property
+    def scale(self) -> Scale:
+        """The scale of all poses."""
+        return self.moving.scale
+
+    def resized(self, setting: Setting, before: Scale | None) -> LiveViews:
+        """Return it with other dimensions; it keeps the scale of the pose before while it fits."""
+        scale = calm_scale(setting.panel, setting.room, before or self.scale)
+        return replace(self, moving=self.moving.resized(setting, scale))
 
     def pose(self, setting: Setting, ways: Ways) -> tuple[Sketch, dict[str, float]]:
         """Return the mechanism in one pose, and where its labels stand."""
-        sketch = self._moving.pose(setting.panel)
+        sketch = self.moving.pose(setting.panel)
         sketch.setting = setting
-        still = self.still.setting.panel.strokes
+        still = self.moving.still.setting.panel.strokes
         unmoved = {stroke.name for stroke in still}
         arcs = {
             index: arc
@@ -61,12 +86,12 @@ class LiveViews:
         setting = sketch.setting
         index = driven_angle(setting.sheet, setting.panel)
         rate = given_rate(setting.sheet, "ω")[1]
-        if index is None or not isinstance(self._angle, Arc):
+        if index is None or self.angle is None:
             return
-        crowd = self._moving.crowd
+        crowd = self.moving.crowd
         free = Obstacles(crowd.edge, list(crowd.lines), list(crowd.boxes))
         arrow = Sketch(setting, self.scale, free)
-        add_sense(arrow, index, self._angle, rate)
+        add_sense(arrow, index, self.angle, rate)
         for item in arrow.items:
             sketch.items.append(replace(item, level=Level.LABEL, since=0))
         for tag in arrow.tags:

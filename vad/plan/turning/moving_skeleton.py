@@ -5,8 +5,8 @@ In come the poses of a turn, out go a sketch of what stands still, and the sketc
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 from vad.plan.carriers import is_yoke
 from vad.plan.items import Level
@@ -25,13 +25,47 @@ from vad.strokes.sheet import Arrow, Block, Guide, Panel, Plate, Stroke
 PAST = 0.014  # by which guides are longer than their block's way
 
 
+@dataclass(frozen=True, slots=True)
+class Stands:
+    """What is chosen once for all poses, by the names of the strokes.
+
+    Attributes
+    ----------
+    feet
+        Where each fixed pivot points.
+    rails
+        The side of each guide of the frame, as seen along it, and how far its blocks get, in the
+        panel's unit.
+    """
+
+    feet: Mapping[str, complex] = field(default_factory=dict)
+    rails: Mapping[str, tuple[complex, float, float]] = field(default_factory=dict)
+
+
 class MovingSkeleton:
-    """The mechanism of a turn; ``angle`` says whether the axis of its angle is drawn."""
+    """The mechanism of a turn.
+
+    ``angle`` says whether the axis of its angle is drawn, ``stands`` what is chosen already.
+
+    Attributes
+    ----------
+    still
+        What stands still.
+    stands
+        What is chosen.
+    size, radius
+        That of all parts, and of its joints.
+    """
 
     def __init__(
-        self, setting: Setting, poses: Sequence[Panel], scale: Scale, angle: bool = False
+        self,
+        setting: Setting,
+        poses: Sequence[Panel],
+        scale: Scale,
+        angle: bool = False,
+        stands: Stands = Stands(),
     ) -> None:
-        self._setting = setting
+        self._setting, self._angle = setting, angle
         self.scale = scale
         self.size = part_size(setting.panel, scale)
         self.radius = machine.JOINT_REACH * self.size
@@ -40,10 +74,20 @@ class MovingSkeleton:
         self.still = Sketch(first, scale, Obstacles(setting.room))
         add_axes(self.still, [])
         guides = [s for s in frame if isinstance(s.shape, Guide) and s.shape.side is not None]
-        self._ways = [self._guide(poses, stroke) for stroke in guides]
-        strokes = [self.pose(pose).obstacles for pose in poses]
-        for _, point in fixed_points(poses[0]):
-            self._pivot(scale(point), strokes)
+        rails = {each.name: self._travel(poses, each.name, stands.rails) for each in guides}
+        self._ways = [self._guide(stroke, *rails[stroke.name]) for stroke in guides]
+        points = {frame[index].name: scale(point) for index, point in fixed_points(first.panel)}
+        new = [name for name in points if name not in stands.feet]
+        strokes = [self.pose(pose).obstacles for pose in poses] if new else []
+        feet = {**stands.feet, **{name: self._foot(points[name], strokes) for name in new}}
+        for name, at in points.items():
+            self.still.add(None, Level.GROUND, 0, machine.pivot(at, feet[name], self.size, 1.0))
+            block_pivot(self.still.obstacles, at, feet[name], self.size)
+        self.stands = Stands(feet, rails)
+
+    def resized(self, setting: Setting, scale: Scale) -> MovingSkeleton:
+        """Return the same mechanism with other dimensions, which stands as it stood."""
+        return MovingSkeleton(setting, [setting.panel], scale, self._angle, self.stands)
 
     def add_dimensions(self, poses: Sequence[Panel]) -> None:
         """Write along each guide of the frame how far its block gets."""
@@ -67,8 +111,8 @@ class MovingSkeleton:
             obstacles.disc(vertex.at, self.radius)
         return sketch
 
-    def _pivot(self, at: complex, poses: Sequence[Obstacles]) -> None:
-        """Add a fixed pivot that points where it meets the fewest strokes."""
+    def _foot(self, at: complex, poses: Sequence[Obstacles]) -> complex:
+        """Return where a fixed pivot meets the fewest strokes."""
         deep, half = machine.PIVOT_HEIGHT * self.size, machine.PIVOT_GROUND * self.size
 
         def met(way: complex) -> int:
@@ -76,30 +120,45 @@ class MovingSkeleton:
             spot = at + way * 0.7 * deep
             return sum(not pose.free([spot], *size, 0.0)[0] for pose in poses)
 
-        way = min(WAYS, key=met)
-        self.still.add(None, Level.GROUND, 0, machine.pivot(at, way, self.size, 1.0))
-        block_pivot(self.still.obstacles, at, way, self.size)
+        return min(WAYS, key=met)
 
     def _along(self, pose: Panel, name: str) -> list[float]:
-        """Return how far along a guide its blocks stand in a pose."""
+        """Return how far along a guide its blocks stand in a pose, in the panel's unit."""
         guide = pose.strokes[pose.number(name)].shape
         assert isinstance(guide, Guide)
         through, way = self.scale(guide.through), guide.direction
         sketch = Sketch(replace(self._setting, panel=pose), self.scale, self.still.obstacles)
         return [
-            ((spot - through) * way.conjugate()).real for spot in blocks_on(sketch, through, way)
+            ((spot - through) * way.conjugate()).real / self.scale.factor
+            for spot in blocks_on(sketch, through, way)
         ]
 
-    def _guide(self, poses: Sequence[Panel], stroke: Stroke) -> tuple[complex, complex, complex]:
+    def _travel(
+        self,
+        poses: Sequence[Panel],
+        name: str,
+        before: Mapping[str, tuple[complex, float, float]],
+    ) -> tuple[complex, float, float]:
+        """Return the side of a guide, and how far along it its blocks get, at least as before."""
+        travel = [along for pose in poses for along in self._along(pose, name)]
+        if name in before:
+            across, *ends = before[name]
+            return across, min(travel + ends), max(travel + ends)
+        guides = [pose.strokes[pose.number(name)].shape for pose in poses]
+        sides = [guide.side for guide in guides if isinstance(guide, Guide)]
+        shape = guides[0]
+        assert isinstance(shape, Guide)
+        side = max(sides, key=sides.count) or 0j
+        return side / shape.direction, min(travel), max(travel)
+
+    def _guide(
+        self, stroke: Stroke, across: complex, low: float, high: float
+    ) -> tuple[complex, complex, complex]:
         """Add a guide of the frame; return both ends of its block's way, and its side."""
         shape = stroke.shape
         assert isinstance(shape, Guide)
         through, way = self.scale(shape.through), shape.direction
-        guides = [pose.strokes[pose.number(stroke.name)].shape for pose in poses]
-        sides = [guide.side for guide in guides if isinstance(guide, Guide)]
-        side = max(sides, key=sides.count) or 0j
-        travel = [along for pose in poses for along in self._along(pose, stroke.name)]
-        first, last = min(travel), max(travel)
+        side, first, last = across * way, low * self.scale.factor, high * self.scale.factor
         panel = self.still.setting.panel
         if is_yoke(panel, stroke.link):
             add_guide(self.still, panel.number(stroke.name), shape)

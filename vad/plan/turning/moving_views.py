@@ -35,10 +35,16 @@ class MovingViews:
 
     radius = RADIUS
 
-    def __init__(self, setting: Setting, poses: Sequence[Panel], scale: Scale) -> None:
+    def __init__(
+        self,
+        setting: Setting,
+        poses: Sequence[Panel],
+        scale: Scale,
+        unmoved: set[str] | None = None,
+    ) -> None:
         self._setting = setting
         self.scale = scale
-        self._unmoved = _unmoved(poses)
+        self._unmoved = _unmoved(poses) if unmoved is None else unmoved
         frame = tuple(s for s in poses[0].strokes if s.name in self._unmoved)
         first = replace(setting, panel=replace(poses[0], strokes=frame))
         self.still = Sketch(first, scale, Obstacles(setting.room))
@@ -47,6 +53,10 @@ class MovingViews:
         moved = [line for pose in poses for line in self.pose(pose).obstacles.lines]
         self.crowd = Obstacles(setting.room, list(dict.fromkeys(moved)))
         self._write()
+
+    def resized(self, setting: Setting, scale: Scale) -> MovingViews:
+        """Return them with other dimensions, in which the same strokes move."""
+        return MovingViews(setting, [setting.panel], scale, self._unmoved)
 
     def pose(self, panel: Panel) -> Sketch:
         """Return what moves, in one pose; its obstacles hold what stands still, too."""
