@@ -11,12 +11,16 @@ import vad
 from vad.kinematics.motion import Motion
 from vad.plan.format import Format
 from vad.plan.live.live_skeleton import held
+from vad.plan.live.live_views import held_arc, tip_of
 from vad.plan.scale import Scale
 from vad.strokes.sheet import Arrow, Block, Panel
 
 
 def grip(motion: Motion, panel: Panel, scale: Scale, form: Format) -> dict[str, Any] | None:
     """Return the handle on the pin, strut or block that is driven; None where none is drawn.
+
+    In views it is at the end of the driven angle's arc, where that is seen in true size from the
+    right on.
 
     Returns
     -------
@@ -29,11 +33,15 @@ def grip(motion: Motion, panel: Panel, scale: Scale, form: Format) -> dict[str, 
     def place(z: complex) -> list[float]:
         return [round(z.real * form.unit, 2), round((form.height - z.imag) * form.unit, 2)]
 
+    name, factor = next(iter(motion.mechanism.inputs)), scale.factor * form.unit
+    arc = held_arc(panel, motion.solver.driver.name)
+    if arc:
+        spots = {"at": place(scale(tip_of(arc))), "about": place(scale(arc.centre))}
+        return {"kind": "angle", "name": name, **spots, "factor": factor}
     index = held(panel, motion.solver.driver.name)
     if index is None:
         return None
-    shape, name = panel.strokes[index].shape, next(iter(motion.mechanism.inputs))
-    factor = scale.factor * form.unit
+    shape = panel.strokes[index].shape
     if isinstance(shape, Arrow):
         kind = "angle" if motion.solver.driver.kind == "angle" else "length"
         about, at = scale(shape.start), scale(shape.end)

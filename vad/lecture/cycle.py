@@ -110,7 +110,7 @@ def _scene(mechanism: Mechanism, course: Course, phases: Reals, language: str) -
 
 
 def _tracks(scene: AnyScene, panels: Sequence[str]) -> dict[str, dict[str, Complexes]]:
-    shape = scene.motion.assembled.shape  # type: ignore[attr-defined]
+    shape = np.shape(scene.motion.assembled)
     found: dict[str, dict[str, Complexes]] = {}
     for name in panels:
         found[name] = {}
@@ -126,7 +126,7 @@ def _curve(scene: AnyScene, panel: str, name: str) -> Curve | None:
     cells, motion = scene.cells(DIAGRAMS[panel], name), scene.motion
     if not cells:
         return None
-    shape = motion.assembled.shape  # type: ignore[attr-defined]
+    shape = np.shape(motion.assembled)
     values = np.broadcast_to(np.asarray(cells[0].value, dtype=np.float64), shape)
     if cells[0].unit == "°":
         values = _unwrapped(values)

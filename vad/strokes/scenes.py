@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from vad.kinematics.space.ball_solver import BallSolver
 from vad.kinematics.space.universal_solver import UniversalSolver
 from vad.strokes.language import Language
 from vad.strokes.scene import Scene
+from vad.strokes.space.balls import BallScene
 from vad.strokes.space.hooke import HookeScene
 from vad.strokes.space.scene_in_space import SceneInSpace
 
@@ -17,9 +19,14 @@ if TYPE_CHECKING:
 AnyScene = Scene | SceneInSpace
 
 #: The scene of each solver in space.
-IN_SPACE: Mapping[type, type[SceneInSpace]] = {UniversalSolver: HookeScene}
+IN_SPACE: Mapping[type, type[SceneInSpace]] = {
+    UniversalSolver: HookeScene,
+    BallSolver: BallScene,
+}
 
 
 def scene_of(motion: Motion, language: Language) -> AnyScene:
     """Return the scene of a motion, whose solver tells the plane from space."""
-    return IN_SPACE.get(type(motion.solver), Scene)(motion, language)
+    kind: Any = IN_SPACE.get(type(motion.solver), Scene)
+    scene: AnyScene = kind(motion, language)
+    return scene

@@ -5,6 +5,8 @@ In come poses over all that the driver reaches, out goes the sketch of any of th
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -13,7 +15,7 @@ from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.vertices import find_vertices
 from vad.plan.live.calm_scale import calm_scale
 from vad.plan.live.live_labels import KeptLabels, Ways
-from vad.plan.live.live_skeleton import add_angle
+from vad.plan.live.live_skeleton import GRIP, add_angle
 from vad.plan.pictures.rotation import add_sense, block_arc
 from vad.plan.pictures.skeleton import given_rate
 from vad.plan.pictures.views import NEAR, RADIUS, angle_of, driven_angle, views_scale
@@ -70,6 +72,9 @@ class LiveViews:
         for arc in arcs.values():
             block_arc(sketch.obstacles, arc)
         self._add_turning(sketch)
+        held = held_arc(setting.panel, given_rate(setting.sheet, "ω")[0])
+        if held:
+            sketch.obstacles.disc(self.scale(tip_of(held)), GRIP)
         labels = KeptLabels(sketch, ways)
         labels.letter(find_vertices(setting.panel, self.scale), RADIUS, NEAR)
         for index, arc in arcs.items():
@@ -91,3 +96,17 @@ class LiveViews:
             sketch.items.append(replace(item, level=Level.LABEL, since=0))
         for tag in arrow.tags:
             sketch.obstacles.box(tag.box)
+
+
+def held_arc(panel: Panel, driver: str) -> Arc | None:
+    """Return the arc of the driven angle, if the hand can hold it: it begins on the right."""
+    for stroke in panel.strokes:
+        shape = stroke.shape
+        if stroke.kind == "angle" and stroke.link == driver and isinstance(shape, Arc):
+            return shape if panel.picture == "views" and shape.start == 0.0 else None
+    return None
+
+
+def tip_of(arc: Arc) -> complex:
+    """Return where an arc ends."""
+    return arc.centre + cmath.rect(arc.radius, math.radians(arc.start + arc.sweep))

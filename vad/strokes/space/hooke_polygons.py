@@ -9,6 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,6 +17,8 @@ import numpy as np
 from vad.kinematics.space.universal_solver import UniversalSolver
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure
+from vad.strokes.notation import Notation
+from vad.strokes.sheet import PolarInset
 from vad.strokes.space.hand import Hand, Spot
 from vad.strokes.space.hooke_views import pierced, pins, plan
 from vad.written import PRIME, subscript
@@ -29,6 +32,8 @@ def turning(letter: str, bodies: int) -> str:
     return letter + subscript(bodies)
 
 
+#: Points of the curve of speeds.
+SPEEDS = 72
 #: What ω₄₂ changes by as it turns with OT, and by what it grows along it.
 TURNED, GROWN = turning("ω", 42) + "τ̇", turning("α", 42) + "ₜ"
 
@@ -149,7 +154,8 @@ def velocity(scene: SceneInSpace) -> Drawing:
     hand.cross("3.crossing", three, {"cross": rates.omega32})
     hand.measure("ω32", turning("ω", 32), (two, three), "cross", rates.omega32, reveals=("cross",))
     hand.measure("ω34", turning("ω", 34), (four, three), "cross", rates.omega34)
-    return hand.drawing((("ω2", "ω42"), ("ω4",)), (("ω42", "ω34"), ("ω32",)))
+    drawing = hand.drawing((("ω2", "ω42"), ("ω4",)), (("ω42", "ω34"), ("ω32",)))
+    return drawing if hand.resting else replace(drawing, inset=_speeds(scene))
 
 
 def acceleration(scene: SceneInSpace) -> Drawing:
@@ -177,6 +183,35 @@ def acceleration(scene: SceneInSpace) -> Drawing:
     hand.measure("α42.whole", symbol, (two, four), "cross", size, "relative", several=several)
     hand.measure("α4", turning("α", 4), (one, four), "driven", rates.alpha4, reveals=("driven",))
     return hand.drawing((("α2", "ω42τ", "α42"), ("α4",)))
+
+
+def _speeds(scene: SceneInSpace) -> PolarInset:
+    """Return the speeds over a turn: ω₄ = ω₂ cos β / (1 - sin²β cos²θ) about a circle of ω₂."""
+    motion = scene.motion
+    shafts = math.radians(motion.mechanism.parameters()["shaft_angle"])
+    cosine, omega = math.cos(shafts), abs(motion.link("driving").omega)
+
+    def speed(theta: float) -> complex:
+        ratio = cosine / (1.0 - (math.sin(shafts) * math.cos(theta)) ** 2)
+        return cmath.rect(omega * ratio, theta)
+
+    alike = math.atan(math.sqrt(cosine))
+    alike_at = [alike, math.pi - alike, math.pi + alike, -alike] if shafts else []
+    low, high = (
+        Notation(scene.language.point).number(float(f"{ratio:.4g}"), given=True)
+        for ratio in (cosine, 1.0 / cosine)
+    )
+    return PolarInset(
+        "driving",
+        "driven",
+        omega,
+        tuple(speed(math.tau * number / SPEEDS) for number in range(SPEEDS + 1)),
+        speed(math.radians(motion.link("driving").angle)),
+        tuple(cmath.rect(omega, theta) for theta in alike_at),
+        scene.say("hooke speeds"),
+        f"{turning('ω', 4)}/{turning('ω', 2)} = {low} … {high}",
+        "ω4",
+    )
 
 
 def _spots(tracks: Mapping[str, Any]) -> tuple[Spot, ...]:

@@ -30,7 +30,7 @@ from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.written import PRIME, subscript, with_unit
 
 if TYPE_CHECKING:
-    from vad.kinematics.motion import Motion
+    from vad.kinematics.motion import MotionInSpace
 
 PLAN = -2.6j
 #: From O: the back of a yoke, the middle of its bearing, the end of its shaft, that of its axis.
@@ -53,7 +53,7 @@ def plan(vector: Any) -> Any:
     return -vector[..., 1] - 1j * vector[..., 2]
 
 
-def pins(motion: Motion[Any, Any, Any]) -> list[Any]:
+def pins(motion: MotionInSpace[Any, Any]) -> list[Any]:
     """Return where P and Q are."""
     return [motion.point(letter).position for letter in "PQ"]
 

@@ -14,7 +14,7 @@ from vad.strokes.said import filled
 from vad.strokes.sheet import Cell, Row
 
 if TYPE_CHECKING:
-    from vad.kinematics.motion import Motion
+    from vad.kinematics.motion import MotionInSpace
     from vad.strokes.diagram import Diagram, Drawing
 
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 class SceneInSpace(ABC):
     """A motion in space, the language of its captions, and what its mechanism draws of it."""
 
-    motion: Motion
+    motion: MotionInSpace[Any, Any]
     language: Language
     figures: Figures = field(default_factory=Figures)
 

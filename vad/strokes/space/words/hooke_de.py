@@ -41,6 +41,7 @@ PHRASES = {
     "hooke T plan": "T im Grundriss: senkrecht darunter.",
     "hooke OT": "In OT schneidet die Ebene des Kreuzes die der Wellen.",
     # Geschwindigkeitsplan
+    "hooke speeds": "Drehzahlen über einen Umlauf",
     "hooke pole velocity": "Der Pol: das Gestell, 1, dreht sich nicht.",
     "hooke given velocity": "12 = {symbol} = {value} rad/s, längs Welle 2.",
     "hooke along OT": (

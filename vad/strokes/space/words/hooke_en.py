@@ -37,6 +37,7 @@ PHRASES = {
     "hooke T plan": "T in the plan: straight below.",
     "hooke OT": "OT is where the plane of the cross cuts that of the shafts.",
     # velocity
+    "hooke speeds": "speeds over a turn",
     "hooke pole velocity": "The pole: the frame, 1, does not turn.",
     "hooke given velocity": "12 = {symbol} = {value} rad/s, along shaft 2.",
     "hooke along OT": (

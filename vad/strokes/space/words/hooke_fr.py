@@ -43,6 +43,7 @@ PHRASES = {
     "hooke T plan": "T dans le plan : à l’aplomb.",
     "hooke OT": "OT est l’intersection du plan du croisillon et de celui des arbres.",
     # vitesse
+    "hooke speeds": "vitesses sur un tour",
     "hooke pole velocity": "Le pôle : le bâti, 1, ne tourne pas.",
     "hooke given velocity": "12 = {symbol} = {value} rad/s, suivant l’arbre 2.",
     "hooke along OT": (
