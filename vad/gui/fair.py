@@ -43,7 +43,7 @@ def lesson(question: LessonQuestion) -> dict[str, Any]:
             room = board.page.panels[panel.name].drawing
             scales[panel.name] = calm_scale(panel, room, scale_of(question.scales[panel.name]))
     key = load_style(question.style).key
-    copy = plan(sheet, FORM, key, lesson=True, lines=LINES, scales=scales)
+    copy = plan(sheet, FORM, key, lesson=True, lines=LINES, scales=scales, words=False)
     made = parts(vad.animate(sheet, style=question.style), copy)
     shown = {name: sketch.scale for name, sketch in copy.sketches.items()}
     return {

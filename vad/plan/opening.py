@@ -79,7 +79,7 @@ def reach(items: Iterable[Item]) -> Rect:
     points = [
         point
         for item in items
-        for share in (SHARES if item.grows else SHARES[-1:])
+        for share in (SHARES if item.wanders else SHARES[-1:])
         for mark in item.at(share)
         for point in _outermost(mark.shape)
     ]

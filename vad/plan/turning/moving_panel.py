@@ -62,7 +62,7 @@ class MovingPanel:
         if is_skeleton:
             scale = mechanism_scale(setting, poses)
             skeleton = MovingSkeleton(setting, poses, scale)
-            skeleton.add_dimensions(poses)
+            skeleton.add_dimensions()
             self.picture: MovingSkeleton | MovingVectors = skeleton
         else:
             scale = polygon_scale(setting, poses)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from functools import cache
 from importlib import import_module
 from typing import Any
 
@@ -17,6 +18,13 @@ _GENERIC = {"link": "link", "slide": "slider"}
 def languages() -> tuple[str, ...]:
     """Return the codes of the languages that there are."""
     return names_in("strokes", "language")
+
+
+@cache
+def _upright(code: str) -> str:
+    """Return the pattern of the words of a language that are also names of points or vectors."""
+    table = import_module(f"{__name__}.{code}")
+    return "|".join(filter(None, (table.UPRIGHT, _short(table.PHRASES.values()))))
 
 
 def _short(phrases: Iterable[str]) -> str:
@@ -70,7 +78,7 @@ class Language:
         self._genders: dict[str, str] = table.GENDERS
         self._articles: dict[str, dict[str, str]] = table.ARTICLES
         self.point: str = table.POINT
-        self.upright: str = "|".join(filter(None, (table.UPRIGHT, _short(table.PHRASES.values()))))
+        self.upright: str = _upright(code)
 
     def say(self, phrase: str, **parts: Any) -> str:
         """Fill in one phrase; the names of links and slides are translated."""
