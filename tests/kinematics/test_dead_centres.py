@@ -120,6 +120,24 @@ def test_one_pose_answers_what_is_known_at_a_dead_centre() -> None:
         motion.to_dict()
 
 
+@pytest.mark.parametrize(
+    ("mechanism", "place"),
+    [
+        (vad.DoubleSlider(1000), {"position": 1000}),
+        (vad.DoubleSlider(1000), {"position": -1000}),
+        (vad.FourBar(8, 3, 4, 3), {"angle": 60}),
+        (vad.CrankSlottedLever(crank=120), {"angle": 270}),
+    ],
+)
+def test_a_dead_centre_names_a_pose_near_by_that_has_rates(mechanism: Any, place: Any) -> None:
+    with pytest.raises(vad.DeadCentreError) as raised:
+        vad.solve(mechanism, **place).to_dict()
+    name, text = str(raised.value.hint).removeprefix("try ").split()
+    assert set(place) == {name}
+    assert 0 < abs(float(text) - place[name]) < 0.03 * 1000
+    assert vad.solve(mechanism, **{name: float(text)}).to_dict()
+
+
 def test_a_driven_slide_moves_as_it_is_pushed() -> None:
     motion = vad.solve(vad.DoubleSlider(1), position=1, velocity=3.0, acceleration=4.0)
     slide = motion.slide("slider_a")

@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
 # Where in them stands whether the links close: after the first input.
 _CLOSES = 1
+# So far from a dead centre a place is looked for that has rates: degrees, or of a typical length.
+_ASIDE = {"angle": 2.0, "length": 0.02}
 
 
 class Solution(Generic[Truth]):
@@ -104,7 +106,24 @@ class Solution(Generic[Truth]):
 
     def dead_centre(self) -> DeadCentreError:
         """Return the error of a single pose in which what was asked for is undetermined."""
-        return DeadCentreError(self.solver.why_dead(self.pose))
+        return DeadCentreError(self.solver.why_dead(self.pose), hint=self._beside())
+
+    def _beside(self) -> str | None:
+        """Name a place of the driver near by at which everything has rates, if there is one."""
+        (name, value), *_ = self._inputs.items()
+        step = _ASIDE[self.linkage.driver.kind]
+        step *= self.frame.scale if self.linkage.driver.kind == "length" else 1.0
+        for place in (value + step, value - step):
+            works = _shortest(self.solver, place)
+            if works and self._lively(float(works)):
+                return f"try {name} {works}"
+        return None
+
+    def _lively(self, place: float) -> bool:
+        """Tell whether everything has rates at a place of the driver."""
+        sines = self.solver.positions(place).sine
+        loops = zip(self.solver.loops, sines, strict=True)
+        return all(sine != 0.0 or loop.loop.parallel for loop, sine in loops)
 
     @property
     def assembled(self) -> Truth:
