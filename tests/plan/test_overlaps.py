@@ -79,6 +79,23 @@ def test_a_point_never_stands_in_two_labels():
         assert len(set(letters)) == len(letters)
 
 
+@pytest.mark.parametrize(
+    ("name", "place"),
+    [
+        ("landing-gear", 378),  # the given velocity beside B
+        ("pin-on-rocker", 245.85),  # v beside ω in the inset
+        ("shaper", 180),  # names of lines where letters come later
+        ("shaper", 350.85),
+    ],
+)
+def test_narrow_places_of_the_examples(name: str, place: float):
+    mechanism = vad.load(example_path(name))()
+    driven = next(iter(mechanism.inputs))
+    sheet = vad.draw(vad.solve(mechanism, **{driven: place}))
+    assert overlaps(sheet) == []
+    assert overlaps(sheet, lesson=True) == []
+
+
 def test_many_letters_of_one_point_stand_in_lines():
     mechanism = vad.load(example_path("watt-2"))()
     sheet = vad.draw(vad.solve(mechanism, angle=245.85))
