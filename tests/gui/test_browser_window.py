@@ -93,7 +93,7 @@ def about(centre: tuple[float, float], degrees: float, radius: float) -> tuple[f
     return centre[0] + radius * math.cos(turn), centre[1] - radius * math.sin(turn)
 
 
-@pytest.mark.parametrize("moves", [1, 60])
+@pytest.mark.parametrize("moves", [1, 20])
 def test_the_crank_follows_the_hand(window: Page, moves):
     load(window, "slider-crank")
     centre = pivot(window, "slider-crank")
@@ -344,7 +344,7 @@ def test_every_mechanism_in_every_language(window: Page, address: str, code):
     assert window.evaluate("document.documentElement.lang") == code
     names = window.locator("#mechanism option").evaluate_all("all => all.map(e => e.value)")
     assert names == list(MECHANISMS)
-    for name in names if code == "de" else names[:1]:
+    for name in names[::3] if code == "de" else names[:1]:
         title = window.locator(f"#mechanism option[value={name}]").inner_text()
         window.select_option("#mechanism", name)
         until(window, lambda title=title: window.locator("header h1").inner_text() == title)

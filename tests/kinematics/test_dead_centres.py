@@ -91,7 +91,7 @@ def dead_rams(ground_angle: int, sign: int) -> Iterator[tuple[tuple[int, ...], f
 def test_whole_dead_centres_of_a_ram_are_found(kind: Any, sign: int, ground_angle: int) -> None:
     rams = list(dead_rams(ground_angle, sign))
     assert len(rams) > 100
-    for (*lengths, rod), height, angle in rams[::3]:  # of every eight, each comes first in turn
+    for (*lengths, rod), height, angle in rams[::7]:  # of every eight, each comes first in turn
         lever = kind(*lengths, rod=rod, ram_height=height, ground_angle=ground_angle)
         motion = vad.solve(lever, angle=angle, omega=1.0)
         assert motion.assembled
