@@ -25,7 +25,7 @@ from vad.plan.format import screen
 from vad.plan.lettering.runs import roman
 from vad.plan.lettering.wrapping import tied
 from vad.plan.page.captioning import setter
-from vad.plan.page.title import parameters
+from vad.strokes.words import parameters
 from vad.style import load_style
 
 

@@ -168,7 +168,7 @@ def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[
     feet = {
         panel.name: compose(panel, first.panels[panel.name].drawing.width) for panel in sheet.panels
     }
-    lines = {name: len(foot.lines) for name, foot in feet.items()}
+    lines = {name: foot.count for name, foot in feet.items()}
     if form.centimetre:
         for panel in sheet.panels:
             room = first.panels[panel.name].drawing.width

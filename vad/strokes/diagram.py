@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 class Drawing:
     """What is drawn of one pose: see `Panel`, which adds what its diagram says of itself.
 
-    ``picture`` is None where it is that of the diagram; ``unit`` is that of a polygon ``below``.
+    ``picture`` and ``unit`` are those of its diagram where they are not given.
     """
 
     strokes: tuple[Stroke, ...]
@@ -40,10 +40,10 @@ class Drawing:
     triangles: tuple[ImageTriangle, ...] = ()
     loops: tuple[int, ...] = ()
     notes: tuple[Note, ...] = ()
-    picture: Picture | None = None
     remark: str = ""
     unit: str = ""
     below: Drawing | None = None
+    picture: Picture | None = None
 
 
 def no_cells(scene: Scene, name: str) -> tuple[Cell, ...]:

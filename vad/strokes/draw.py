@@ -132,12 +132,9 @@ def _in_words(panel: Panel, scene: AnyScene, notation: Notation) -> Panel:
         return tuple(replace(term, label=text(term.label)) for term in raw)
 
     equations = tuple(Equation(terms(each.left), terms(each.right)) for each in panel.equations)
-    return replace(
-        panel,
-        strokes=tuple(map(stroke, panel.strokes)),
-        equations=equations,
-        below=panel.below and _in_words(panel.below, scene, notation),
-    )
+    below = panel.below and _in_words(panel.below, scene, notation)
+    strokes = tuple(map(stroke, panel.strokes))
+    return replace(panel, strokes=strokes, equations=equations, below=below)
 
 
 def _largest(rows: list[Row], panels: tuple[Panel, ...]) -> dict[str, float]:

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any
 
+from vad.kinematics.space.ball_solver import BallSolver
 from vad.kinematics.space.sphere_solver import SphereSolver
 from vad.kinematics.space.universal_solver import UniversalSolver
 from vad.strokes.language import Language
 from vad.strokes.scene import Scene
+from vad.strokes.space.balls import BallScene
 from vad.strokes.space.hooke import HookeScene
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.strokes.space.spherical import SphericalScene
 
 if TYPE_CHECKING:
-    from vad.kinematics.motion import Motion, MotionInSpace
+    from vad.kinematics.motion import Motion
 
 AnyScene = Scene | SceneInSpace
 
@@ -22,12 +24,12 @@ AnyScene = Scene | SceneInSpace
 IN_SPACE: Mapping[type, type[SceneInSpace]] = {
     UniversalSolver: HookeScene,
     SphereSolver: SphericalScene,
+    BallSolver: BallScene,
 }
 
 
 def scene_of(motion: Motion, language: Language) -> AnyScene:
     """Return the scene of a motion, whose solver tells the plane from space."""
-    in_space = IN_SPACE.get(type(motion.solver))
-    return (
-        in_space(cast("MotionInSpace", motion), language) if in_space else Scene(motion, language)
-    )
+    kind: Any = IN_SPACE.get(type(motion.solver), Scene)
+    scene: AnyScene = kind(motion, language)
+    return scene
