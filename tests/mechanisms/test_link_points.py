@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 
 import vad
+from tests.kinds import PLANE, SPACE
 from vad.cli.run import run
 from vad.kinematics.linkage import points_of
 from vad.strokes.sheet import Arrow, Dot
@@ -26,7 +27,7 @@ RAMS = {
 
 def on_every_link() -> Iterator[tuple[str, str, float, float]]:
     """Yield every link of every mechanism, with a place in line and one beside it."""
-    for name, kind in vad.MECHANISMS.items():
+    for name, kind in PLANE.items():
         for link in kind.links:
             yield name, link, 30.0, 0.0
             yield name, link, 45.0, -70.0
@@ -52,13 +53,19 @@ def test_it_moves_as_a_point_of_a_rigid_body(name: str, link: str, distance: flo
         assert abs(found - start - more) <= 1e-12 * (size + abs(more) + abs(start))
 
 
-@pytest.mark.parametrize("name", list(vad.MECHANISMS))
+@pytest.mark.parametrize("name", PLANE)
 def test_all_else_stays_as_it_was(name: str):
     link = next(iter(vad.MECHANISMS[name].links))
     marked, plain = with_point(name, T=(link, 1e3, 20.0)).to_dict(), with_point(name).to_dict()
     assert list(marked["points"]) == [*plain["points"], "T"]
     del marked["points"]["T"]
     assert marked == plain
+
+
+@pytest.mark.parametrize("name", SPACE)
+def test_space_has_none(name: str):
+    with pytest.raises(vad.InputError, match="point T: points are marked on links in the plane"):
+        with_point(name, T=(next(iter(SPACE[name].links)), 30.0))
 
 
 def test_a_letter_that_is_not_reported_makes_way():

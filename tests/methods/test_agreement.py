@@ -9,6 +9,7 @@ import pytest
 from mpmath import mp
 
 import vad
+from tests.kinds import PLANE
 from tests.kinematics.hand_built import BUILT, HandBuilt
 from tests.oracle import reference
 from vad.kinematics.linkage import Bar, angle_of
@@ -28,7 +29,7 @@ POSES = {
 }
 CASES = [
     (name, assembly, *pose)
-    for name in vad.MECHANISMS
+    for name in PLANE
     for assembly in ("open", "crossed")
     for pose in (({}, {}), POSES.get(name, ({}, {})))
 ]
@@ -129,7 +130,7 @@ def test_finite_differences_gain_until_rounding_takes_over():
 
 
 def test_a_driver_at_rest_moves_nothing():
-    for name, kind in vad.MECHANISMS.items():
+    for name, kind in PLANE.items():
         place, rate, second = kind.inputs
         problem = problem_of(kind(), {place: kind.inputs[place], rate: 0.0, second: 0.0})
         for solve in METHODS.values():

@@ -7,9 +7,9 @@ import re
 
 import pytest
 
+from tests.kinds import PLANE, SPACE
 from vad.cli.run import run
-from vad.mechanisms import MECHANISMS
-from vad.methods import METHODS
+from vad.methods import METHODS, METHODS_IN_SPACE
 
 PAPER = ("double-slider", "--length-unit", "m", "--link", "1", "--position", "0.5")
 PAPER += ("--velocity", "2 m/s", "--acceleration", "1")
@@ -39,7 +39,7 @@ def test_decimal_points_stand_in_one_column(capsys, name):
         assert len({cell.rindex(".") for cell in column if "." in cell}) == 1
 
 
-@pytest.mark.parametrize("name", MECHANISMS)
+@pytest.mark.parametrize("name", PLANE)
 def test_json_for_every_mechanism(capsys, name):
     assert run(["compare", name, "--json"]) == 0
     data = json.loads(capsys.readouterr().out)
@@ -48,6 +48,23 @@ def test_json_for_every_mechanism(capsys, name):
         assert row["links"].keys() == data["reference"]["links"].keys()
         assert row["slides"].keys() == data["reference"]["slides"].keys()
         assert row["error"] < 1e-5
+
+
+@pytest.mark.parametrize("assembly", ["open", "crossed"])
+@pytest.mark.parametrize("name", SPACE)
+def test_space_has_four_methods_and_names_those_of_the_plane(capsys, name, assembly):
+    """Newton's walk along the axes shares nothing with the closed form but where it begins."""
+    given = ("--assembly", assembly, "--angle", "217", "--alpha", "-3")
+    assert run(["compare", name, *given, "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    rows = {row["method"]: row for row in data["methods"]}
+    assert list(rows) == list(METHODS)
+    for method, row in rows.items():
+        if method in METHODS_IN_SPACE:
+            assert row.keys() >= data["reference"].keys() - {"method"}
+            assert row["error"] < (1e-5 if method == "finite differences" else 1e-12), method
+        else:
+            assert row["problem"] == "works in the plane alone"
 
 
 def test_a_method_without_an_answer_is_explained_below(capsys):

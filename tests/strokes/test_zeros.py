@@ -6,8 +6,8 @@ import pytest
 
 import vad
 from tests.strokes.poses import MECHANISMS, sheets
-from vad.strokes.chains import NOTHING
 from vad.strokes.sheet import Arrow, Panel, Sheet, Stroke
+from vad.strokes.vector_equations import NOTHING
 
 
 def names(sheet: Sheet) -> list[frozenset[str]]:

@@ -22,7 +22,7 @@ from vad.methods import (
     Found,
     Method,
     high_precision,
-    newton_in_space,
+    high_precision_in_space,
     problem_of,
 )
 from vad.methods.loops_in_space import SpaceProblem
@@ -77,7 +77,7 @@ def compare(
     precise: Method = high_precision.solve
     if isinstance(problem, SpaceProblem):
         methods = {name: METHODS_IN_SPACE.get(name, _in_the_plane) for name in methods}
-        precise = newton_in_space.precise
+        precise = high_precision_in_space.solve
     try:
         truth = precise(problem)
     except ArithmeticError as error:

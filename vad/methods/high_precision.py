@@ -17,7 +17,7 @@ from vad.methods.problem import Found, Jet, LoopEquation, Problem, Values, Vecto
 
 DIGITS = 50
 # Next to a dead centre half the digits are lost, and half of those left again.
-_GUARD = 70
+GUARD = 70
 
 
 def solve(problem: Problem) -> Found:
@@ -28,7 +28,7 @@ def solve(problem: Problem) -> Found:
     ArithmeticError
         If the equations have no real root, or its rates do not exist.
     """
-    with mp.workdps(DIGITS + _GUARD):
+    with mp.workdps(DIGITS + GUARD):
         value, rate, second = (mpf(number) for number in problem.drive)
         if problem.driver.kind == "angle":
             value = mp.pi * mp.fmod(value, 360) / 180

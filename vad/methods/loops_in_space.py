@@ -14,7 +14,7 @@ from typing import Any
 from vad.kinematics.linkage import Scalar, angle_of, length_of
 from vad.kinematics.space.space_linkage import BallJointed, CrossedShafts, FourAxes, SpaceLinkage
 from vad.methods.problem import Driven, Found, Jet
-from vad.methods.walk import Walk, between, dot
+from vad.methods.walk import Arithmetic, Walk, between, dot
 
 _MOST_STEPS = 60
 _FOUR = (angle_of("rocker"), Scalar("joint", "B"), Scalar("joint", "C"))
@@ -51,15 +51,17 @@ class SpaceProblem(Driven):
         return -1 if scalar == _HOOKE[2] else 1
 
 
-def solve(problem: SpaceProblem, context: Any, start: Mapping[Scalar, Any], least: Any) -> Found:
+def solve(
+    problem: SpaceProblem, arithmetic: Arithmetic, start: Mapping[Scalar, Any], least: Any
+) -> Found:
     """Solve one pose.
 
     Parameters
     ----------
     problem
         The problem.
-    context
-        What calculates: mpmath's ``mp``, or its ``fp`` for floats.
+    arithmetic
+        What calculates.
     start
         A pose that is near, with angles in radians.
     least
@@ -71,9 +73,9 @@ def solve(problem: SpaceProblem, context: Any, start: Mapping[Scalar, Any], leas
         If the iteration does not converge, or the rates do not exist.
     """
     degrees, rate, second = problem.drive
-    angle = context.pi * context.mpf(degrees % 360) / 180
-    loop = _Loop(problem, context, (angle, context.mpf(rate), context.mpf(second)))
-    place = {scalar: context.mpf(start[scalar]) for scalar in problem.unknowns}
+    angle = arithmetic.pi * arithmetic.number(degrees % 360) / 180
+    loop = _Loop(problem, arithmetic, (angle, arithmetic.number(rate), arithmetic.number(second)))
+    place = {scalar: arithmetic.number(start[scalar]) for scalar in problem.unknowns}
     for _ in range(_MOST_STEPS):
         steps = loop.solved(place, loop.gap(place)[0])
         place = {scalar: place[scalar] + steps[scalar] for scalar in place}
@@ -94,16 +96,18 @@ def solve(problem: SpaceProblem, context: Any, start: Mapping[Scalar, Any], leas
 class _Loop:
     """The equations of a problem for one place of its driver."""
 
-    def __init__(self, problem: SpaceProblem, context: Any, driver: tuple[Any, Any, Any]) -> None:
+    def __init__(
+        self, problem: SpaceProblem, arithmetic: Arithmetic, driver: tuple[Any, Any, Any]
+    ) -> None:
         self._unknowns = problem.unknowns
-        self._context = context
+        self._arithmetic = arithmetic
         self._driver = driver
         linkage = problem.linkage
         self._equations: Callable[[Jets, tuple[Any, Any, Any]], Gap]
         if isinstance(linkage, BallJointed):
-            self._equations = lambda jets, crank: _balls(context, linkage, jets, crank)
+            self._equations = lambda jets, crank: _balls(arithmetic, linkage, jets, crank)
         else:
-            self._equations = lambda jets, crank: _axes(context, linkage, jets, crank)
+            self._equations = lambda jets, crank: _axes(arithmetic, linkage, jets, crank)
 
     def gap(self, place: Mapping[Scalar, Any], rates: Mapping[Scalar, Any] | None = None) -> Gap:
         """Return what does not close, with rates of the unknowns, or with none."""
@@ -118,16 +122,15 @@ class _Loop:
         for one in self._unknowns:
             jets = {scalar: (place[scalar], int(scalar == one), 0) for scalar in place}
             columns.append(self._equations(jets, still)[1])
-        matrix = self._context.matrix(columns).T
-        try:
-            found = self._context.lu_solve(matrix, self._context.matrix([-x for x in gap]))
-        except ZeroDivisionError:
-            raise ArithmeticError("dead centre") from None
+        found = self._arithmetic.solve(columns, [-x for x in gap])
         return dict(zip(self._unknowns, found, strict=True))
 
 
 def _axes(
-    context: Any, linkage: FourAxes | CrossedShafts, jets: Jets, crank: tuple[Any, Any, Any]
+    arithmetic: Arithmetic,
+    linkage: FourAxes | CrossedShafts,
+    jets: Jets,
+    crank: tuple[Any, Any, Any],
 ) -> Gap:
     """Walk over crank and coupler, and over frame and rocker, to the coupler's foot at C."""
     if isinstance(linkage, FourAxes):
@@ -136,13 +139,13 @@ def _axes(
         names, lead, slides = _FOUR, 0, linkage.slides
     else:
         ground, (first, coupler, last) = (linkage.shaft_angle, 0), ((90, 0),) * 3
-        names, lead, slides = _HOOKE, -context.pi / 2, False
+        names, lead, slides = _HOOKE, -arithmetic.pi / 2, False
     turns = [(lead + jets[name][0], *jets[name][1:]) for name in names]
     at_d, at_b, at_c = (
         (turn, jets[slide] if slides else (0, 0, 0))
         for turn, slide in zip(turns, _SLIDES, strict=True)
     )
-    frame = Walk(context)
+    frame = Walk(arithmetic)
     over_crank = frame.joint(crank).link(*first).joint(*at_b).link(*coupler)
     over_frame = frame.link(*ground).joint(*at_d).link(*last).joint(*at_c)
     gap = between(over_crank, over_frame)
@@ -150,14 +153,16 @@ def _axes(
     return one, two, three
 
 
-def _balls(context: Any, linkage: BallJointed, jets: Jets, crank: tuple[Any, Any, Any]) -> Gap:
+def _balls(
+    arithmetic: Arithmetic, linkage: BallJointed, jets: Jets, crank: tuple[Any, Any, Any]
+) -> Gap:
     """Walk to B and to C: half the square of BC does not change."""
-    frame = Walk(context)
+    frame = Walk(arithmetic)
     b = frame.joint(crank).link(0, linkage.crank)
     foot = frame.joint((0, 0, 0), (-linkage.crank_offset, 0, 0))
     d = foot.link(linkage.ground_twist, linkage.ground)
     c = d.joint(jets[_FOUR[0]], (linkage.rocker_offset, 0, 0)).link(0, linkage.rocker)
     (_, way), (_, velocity), (_, acceleration) = between(c, b)
-    coupler = context.mpf(linkage.coupler)
+    coupler = arithmetic.number(linkage.coupler)
     place = (dot(way, way) - coupler * coupler) / 2
     return [place], [dot(way, velocity)], [dot(way, acceleration) + dot(velocity, velocity)]

@@ -6,13 +6,35 @@ a link leads along x and twists about it.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 Vector3 = tuple[Any, Any, Any]
+Matrix = list[list[Any]]
 #: A value with its two derivatives.
 Jets = tuple[Any, Any, Any]
 _NOTHING: Vector3 = (0, 0, 0)
+
+
+class Arithmetic(NamedTuple):
+    """How numbers of some precision are made and used.
+
+    Attributes
+    ----------
+    number
+        Makes one of a float.
+    cos, sin, pi
+        Of angles in radians.
+    solve
+        Returns x of a system of linear equations: its columns, and what they are to add up to.
+    """
+
+    number: Callable[[Any], Any]
+    cos: Callable[[Any], Any]
+    sin: Callable[[Any], Any]
+    pi: Any
+    solve: Callable[[Matrix, list[Any]], list[Any]]
 
 
 @dataclass(frozen=True)
@@ -21,15 +43,15 @@ class Walk:
 
     Attributes
     ----------
-    context
-        What calculates: mpmath's ``mp``, or its ``fp`` for floats.
+    arithmetic
+        What calculates.
     x, z, origin
         The frame.
     spin, speed
         ω and α of the body; velocity and acceleration of the origin.
     """
 
-    context: Any
+    arithmetic: Arithmetic
     x: Vector3 = (1, 0, 0)
     z: Vector3 = (0, 0, 1)
     origin: Vector3 = _NOTHING
@@ -56,14 +78,14 @@ class Walk:
             added(omega, turning),
             added(alpha, scaled(angle[2], self.z), cross(omega, turning)),
         )
-        cosine, sine = self.context.cos(angle[0]), self.context.sin(angle[0])
+        cosine, sine = self.arithmetic.cos(angle[0]), self.arithmetic.sin(angle[0])
         x = added(scaled(cosine, self.x), scaled(sine, self.y))
         return replace(moved, x=x, spin=spin, speed=(velocity, acceleration))
 
     def link(self, twist: Any, length: Any = 0) -> Walk:
         """Go along x and twist about it, by degrees."""
-        turn = self.context.pi * twist / 180
-        cosine, sine = self.context.cos(turn), self.context.sin(turn)
+        turn = self.arithmetic.pi * twist / 180
+        cosine, sine = self.arithmetic.cos(turn), self.arithmetic.sin(turn)
         z = added(scaled(cosine, self.z), scaled(-sine, self.y))
         return replace(self._along(scaled(length, self.x)), z=z)
 
@@ -87,7 +109,7 @@ def between(one: Walk, other: Walk) -> tuple[tuple[Vector3, Vector3], ...]:
     The first is right to the first order, and zero where the ends agree.
     """
     turned = added(cross(other.x, one.x), cross(other.y, one.y), cross(other.z, one.z))
-    place = scaled(one.context.mpf(0.5), turned), _less(one.origin, other.origin)
+    place = scaled(one.arithmetic.number(0.5), turned), _less(one.origin, other.origin)
     rates = (
         (_less(one.spin[order], other.spin[order]), _less(one.speed[order], other.speed[order]))
         for order in range(2)

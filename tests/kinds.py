@@ -1,0 +1,9 @@
+"""The program's mechanisms by name: those of the plane, and those in space."""
+
+from __future__ import annotations
+
+import vad
+from vad.mechanisms.mechanism_in_space import MechanismInSpace
+
+SPACE = {k: kind for k, kind in vad.MECHANISMS.items() if issubclass(kind, MechanismInSpace)}
+PLANE = {name: kind for name, kind in vad.MECHANISMS.items() if name not in SPACE}
