@@ -11,10 +11,12 @@ import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import date, time
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 from vad.errors import InputError, shown, unknown
+from vad.files.examples import EXTENSION, example_names
 
 #: What may stand in a file: single words, and tables.
 WORDS = ("title", "unit", "about", "source")
@@ -121,14 +123,21 @@ def text_of(path: str | Path, longest: int = LONGEST) -> str:
     except UnicodeDecodeError:
         raise InputError(f"{path.name}: is no text in UTF-8") from None
     except OSError as error:
-        longer = Path(f"{path}.toml")
-        hint = f"{longer.name} is a file" if longer.is_file() else None
-        raise InputError(f"'{path}': {error.strerror or error}", hint) from None
+        raise InputError(f"'{path}': {error.strerror or error}", _nearly(path)) from None
     except ValueError:
         raise InputError(f"{shown(str(path))}: is no name of a file") from None
     if len(data) > longest:
         raise InputError(f"{path.name}: is longer than {longest} bytes")
     return text
+
+
+def _nearly(path: Path) -> str | None:
+    """Return the hint for a file that is not there: one of that name, or an example's."""
+    longer = Path(f"{path}{EXTENSION}")
+    if longer.is_file():
+        return f"{longer.name} is a file"
+    near = get_close_matches(path.stem, example_names(), n=1, cutoff=0.7)
+    return f"vad example {near[0]} > {near[0]}{EXTENSION}" if near else None
 
 
 def read_text(text: str, name: str) -> Source:
