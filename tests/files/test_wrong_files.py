@@ -126,6 +126,8 @@ def test_the_lesson_itself_is_right():
         (ROCKER, f"{ROCKER}\narm = {{ PE = 40 }}", 9, "3·4 − 2·5 = 2", "arm: is held at one"),
         (ROCKER, f"{ROCKER}\n[guides]\nE = {{ y = 3 }}", 10, "E: slides, but no link has", None),
         (ROCKER, f"{ROCKER}\narm = {{ DP = 40 }}", 5, "3·4 − 2·6 = 0", "can be left out"),
+        (ROCKER, f"{ROCKER}\narm = {{ DC = 70 }}", 9, "= 0 degrees", "both have D and C"),
+        (ROCKER, "rear rocker = { DC = 80 }", 8, "expected '='", "as in rear_rocker"),
         (ROCKER, f"{ROCKER}\narm = {{ EF = 40 }}", 9, "arm: shares no point with the rest", None),
     ],
 )  # fmt: skip
@@ -148,7 +150,8 @@ def test_the_other_place_of_an_earlier_dyad_may_help():
     press = BY_NAME["toggle-press"]["toml"].replace('B = "right"', 'B = "left"')
     with pytest.raises(InputError, match=r"line 22: .* D cannot be reached .* misses by") as caught:
         written(press.replace("BD = 540", "BD = 200"))
-    assert caught.value.hint == "with B at its other place it would close"
+    way = "B = 'right' under [assembly]"
+    assert caught.value.hint == f"with B at its other place it would close: {way}"
 
 
 def test_a_triad_is_refused_with_the_drivers_that_would_do():

@@ -6,6 +6,7 @@ that joins k bodies counts as k - 1 joints.
 
 from __future__ import annotations
 
+from itertools import combinations
 from typing import NamedTuple
 
 from vad.files.description import Description, FrameLine, LinkLine
@@ -61,6 +62,11 @@ def check_mobility(source: Source, description: Description) -> Mobility:
                 break
     else:
         hint = "a link that only repeats a parallelogram can be left out"
+        for one, other in combinations(description.links.values(), 2):
+            both = [point for point in one.points if point in other.points]
+            if len(both) > 1:
+                key = other.name
+                hint = f"{one.name} and {other.name} both have {' and '.join(both)}: one link"
     raise source.error("links", key, f"Grübler: {found}, not 1", hint)
 
 

@@ -28,6 +28,8 @@ _HEADER = re.compile(r"\s*\[\s*([\w-]+)\s*\]")
 _KEY = re.compile(r"""\s*(["']?)([\w-]+)\1\s*=""")
 #: A quantity with its unit, or a word, without the quotes that it needs.
 _BARE = re.compile(r"=\s*([-+]?[\d.]+ *(?:[^\W\d_]|°)[^\s,}]*|[A-Za-z][\w/*]*)\s*(?:[,}#]|$)")
+#: A name of several words, which would need quotes.
+_WORDS_AS_KEY = re.compile(r"\s*([A-Za-z]\w*(?:[ \t]+\w+)+)\s*=")
 _PLACE = re.compile(r"(.*) \(at line (\d+), column \d+\)", re.DOTALL)
 _QUOTED = re.compile(r"""(["']).*?\1""")
 
@@ -162,8 +164,12 @@ def parsed(text: str, name: str) -> Source:
         if place is None:
             raise InputError(f"{name}: {message[:1].lower()}{message[1:]}") from None
         said = place[1][:1].lower() + place[1][1:]
-        bare = _BARE.search(_QUOTED.sub("", text.split("\n")[int(place[2]) - 1]))
+        line = text.split("\n")[int(place[2]) - 1]
+        bare = _BARE.search(_QUOTED.sub("", line))
         hint = f'text stands in quotes: "{bare[1]}"' if bare else None
+        words = _WORDS_AS_KEY.match(line)
+        if words:
+            hint = f"a name is one word, as in {'_'.join(words[1].split())}"
         raise InputError(f"{name}, line {place[2]}: {said}", hint) from None
     return Source(name, {"": tables}, lines)
 
