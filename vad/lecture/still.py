@@ -66,7 +66,7 @@ def part(sheet: Sheet, strokes: Mapping[str, tuple[Stroke, ...]]) -> Sheet:
         cells = {
             panel.name: tuple(
                 cell
-                for half, measured in panel.measures(row)
+                for half, measured in sheet.panel(panel.name).measures(row)
                 for cell in measured
                 if cell.given or (half.name, row.key) in known
             )

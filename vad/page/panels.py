@@ -17,7 +17,7 @@ from vad.plan.items import FOREVER
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import bold, roman
 from vad.plan.opening import reach
-from vad.plan.page.foot import Piece, compose
+from vad.plan.page.foot import REMARK_SIZE, Piece, compose
 from vad.plan.page.heads import APART, TITLE
 from vad.plan.stated_scale import bar
 from vad.strokes.sheet import Panel
@@ -66,7 +66,10 @@ def _foot(board: Plan, panel: Panel, inker: Inker, words: Words) -> str:
     foot = compose(panel, board.page.panels[panel.name].drawing.width)
     lines = ("".join(_piece(board, piece, inker, words) for piece in line) for line in foot.lines)
     size = number(foot.size * board.form.unit)
-    return "".join(f'<p style="--n:{size}">{line}</p>' for line in lines)
+    remark = " ".join(words.of(runs) for runs in foot.remark)
+    small = number(REMARK_SIZE * board.form.unit)
+    said = f'<p class="remark" style="--n:{small}">{remark}</p>' if remark else ""
+    return said + "".join(f'<p style="--n:{size}">{line}</p>' for line in lines)
 
 
 def _piece(board: Plan, piece: Piece, inker: Inker, words: Words) -> str:

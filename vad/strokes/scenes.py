@@ -6,12 +6,14 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.space.ball_solver import BallSolver
+from vad.kinematics.space.sphere_solver import SphereSolver
 from vad.kinematics.space.universal_solver import UniversalSolver
 from vad.strokes.language import Language
 from vad.strokes.scene import Scene
 from vad.strokes.space.balls import BallScene
 from vad.strokes.space.hooke import HookeScene
 from vad.strokes.space.scene_in_space import SceneInSpace
+from vad.strokes.space.spherical import SphericalScene
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
@@ -21,6 +23,7 @@ AnyScene = Scene | SceneInSpace
 #: The scene of each solver in space.
 IN_SPACE: Mapping[type, type[SceneInSpace]] = {
     UniversalSolver: HookeScene,
+    SphereSolver: SphericalScene,
     BallSolver: BallScene,
 }
 

@@ -25,6 +25,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from vad.displayed import Displayed
+from vad.strokes.insets import CoriolisInset, Inset, PolarInset
 from vad.strokes.notation import Notation
 from vad.strokes.shapes import (
     Arc,
@@ -52,6 +53,7 @@ __all__ = [
     "Equation",
     "Guide",
     "ImageTriangle",
+    "Inset",
     "Kind",
     "Line",
     "Note",
@@ -77,6 +79,8 @@ Kind = Literal[
     "result",
 ]
 Component = Literal["normal", "tangential", "coriolis", "sliding", "relative", "absolute", "link"]
+#: Names the angle in the title that goes with the length before it.
+TWIST = "∠"
 #: Ends the name of a polygon that stands below another.
 BELOW = ".below"
 #: A mechanism in the plane, vectors from a pole, or a mechanism in space as it is seen.
@@ -138,47 +142,6 @@ class Equation:
 
     left: tuple[Term, ...]
     right: tuple[Term, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class CoriolisInset:
-    """The rule of the Coriolis component in true directions (unit vectors).
-
-    ``slot`` is the direction of the turning link, ``sliding`` that of the block relative to
-    it, ``coriolis`` the result; ``sense`` is +1 for a counter-clockwise ω.  It is shown from
-    the stroke called ``stroke`` on.
-    """
-
-    link: str
-    slide: str
-    slot: complex
-    sliding: complex
-    coriolis: complex
-    sense: int
-    stroke: str
-
-
-@dataclass(frozen=True, slots=True)
-class PolarInset:
-    """Speeds over a turn of the driver, each laid off along the driver's direction.
-
-    ``circle`` is the radius on which ``driver`` runs, ``curve`` that of ``driven``, which begins
-    with the driver at 0°; ``ray`` is the present one.  Both agree at the ``dots``.  ``title`` and
-    ``range`` are said above and below, and it is shown from the stroke called ``stroke`` on.
-    """
-
-    driver: str
-    driven: str
-    circle: float
-    curve: tuple[complex, ...]
-    ray: complex
-    dots: tuple[complex, ...]
-    title: str
-    range: str
-    stroke: str
-
-
-Inset = CoriolisInset | PolarInset
 
 
 @dataclass(frozen=True, slots=True)
@@ -291,8 +254,9 @@ class Row:
 class Sheet(Displayed):
     """Everything that is drawn for one pose of one mechanism: pure data, in drawing order.
 
-    ``parameters`` are (name, value, unit) in the title; ``rows`` are the links, then the slides:
-    their order gives inks.  ``notation`` says how numbers are written that are not so already.
+    ``parameters`` are (name, value, unit) in the title, where a `TWIST` joins the length before it;
+    ``rows`` are the links, then the slides: their order gives inks.  ``notation`` says how numbers
+    are written that are not so already.
     """
 
     mechanism: str

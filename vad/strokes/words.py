@@ -6,17 +6,26 @@ In comes a sheet, out goes plain text for PNG metadata and for ``<title>`` and `
 from __future__ import annotations
 
 from vad.strokes.language import Language
-from vad.strokes.sheet import Row, Sheet
+from vad.strokes.sheet import TWIST, Row, Sheet
 
 
 def title(sheet: Sheet) -> str:
     """Return the sheet's title with its parameters."""
-    parameters = ", ".join(
-        f"{name} {sheet.notation.quantity(value, unit, given=True)}"
-        for name, value, unit in sheet.parameters
-    )
+    listed = ", ".join(parameters(sheet))
     colon = Language(sheet.language).say("colon")
-    return f"{sheet.title}{colon}{parameters}" if parameters else sheet.title
+    return f"{sheet.title}{colon}{listed}" if listed else sheet.title
+
+
+def parameters(sheet: Sheet) -> list[str]:
+    """Return the parameters as the title has them: "crank 60 mm"; a twist with its length."""
+    found: list[str] = []
+    for name, value, unit in sheet.parameters:
+        item = f"{name} {sheet.notation.quantity(value, unit if value else '', given=True)}"
+        if name == TWIST and found:
+            found[-1] += f" {item}"
+        else:
+            found.append(item)
+    return found
 
 
 def describe(sheet: Sheet) -> str:

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.plan.lettering.runs import Face, Runs
+from vad.plan.lettering.runs import DOTS, Face, Runs
 from vad.written import THIN_SPACE
 
 Points = NDArray[np.float64]
@@ -32,6 +32,7 @@ SCRIPT_SIZE = 0.7
 SUBSCRIPT_DROP = -0.16
 SUPERSCRIPT_RISE = 0.38
 PRIME_GAP = 0.03  # an italic letter leans into the prime that follows it
+SLANT, DOT_GAP = 0.05, 0.06  # of dots above a letter
 THIN = 0.15  # what parts thousands; the fonts have no such letter
 _EM = 100.0
 
@@ -120,11 +121,13 @@ def typeset(runs: Runs) -> Typeset:
             if letter in "′″" and slanted:
                 pen += PRIME_GAP
             face, shape, kind, advance = _glyph(run.face, letter)
+            at = complex(pen, rise)
+            if letter in DOTS:
+                at += _above(shape, kind, letters[-1] if letters else None, size)
             if run.shown:
-                at = complex(pen, rise)
                 letters.append(Letter(face, letter, shape, kind, advance, at, size))
             if len(shape) and run.shown:
-                vertices.append(shape * size + (pen, rise))
+                vertices.append(shape * size + (at.real, at.imag))
                 codes.append(kind)
             pen += advance * size
             slanted = run.face in ("italic", "bolditalic")
@@ -135,6 +138,16 @@ def typeset(runs: Runs) -> Typeset:
     ink = whole[kinds != 79]  # a closing point carries no position
     (left, bottom), (right, top) = ink.min(axis=0), ink.max(axis=0)
     return Typeset(whole, kinds, pen, left, bottom, right, top, tuple(letters))
+
+
+def _above(dots: Points, codes: Codes, letter: Letter | None, size: float) -> complex:
+    """Return how far dots move that stand above a letter: aside if it slants, and clear of it."""
+    if letter is None or not len(letter.vertices):
+        return 0j
+    low = dots[codes != CLOSE][:, 1].min() * size
+    top = letter.vertices[letter.codes != CLOSE][:, 1].max() * letter.size
+    aside = SLANT * size if letter.face in ("italic", "bolditalic") else 0.0
+    return complex(aside, max(0.0, top + DOT_GAP * size - low))
 
 
 def width(runs: Runs, size: float) -> float:

@@ -9,7 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from functools import lru_cache
+from string import ascii_uppercase
 from typing import Literal
+from unicodedata import normalize
 
 Face = Literal["roman", "italic", "bold", "bolditalic"]
 
@@ -19,7 +22,11 @@ _SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−", stri
 _LOW, _HIGH = (
     {sign: each for each, sign in signs.items()} for signs in (_SUBSCRIPTS, _SUPERSCRIPTS)
 )
-_TOKEN = re.compile(r"[A-Za-zÀ-ÖØ-öø-ÿ]+|.", re.DOTALL)
+_TOKEN = re.compile(r"_[A-Z]|[A-Za-zÀ-ÖØ-öø-ÿ]+|.", re.DOTALL)
+#: Letters with a dot above or below, which fonts do not have: ṡ.
+_DOTTED = re.compile(r"[Ḁ-ỿ]")
+#: One and two dots above what stands before them.
+DOTS = "\N{COMBINING DOT ABOVE}\N{COMBINING DIAERESIS}"
 _GREEK = re.compile(r"[α-ωΑ-Ω]")
 
 
@@ -40,10 +47,18 @@ Runs = tuple[Run, ...]
 
 
 def roman(text: str, italic: Callable[[str], bool] = lambda _: False) -> Runs:
-    """Return ``text`` upright, but for Greek letters and what ``italic`` picks out."""
+    """Return ``text`` upright, but for Greek letters and what ``italic`` picks out.
+
+    A capital stands low behind ``_``, which there is no sign for: s_D.
+    """
     runs: list[Run] = []
-    for token in _TOKEN.findall(text):
-        if token in _SUBSCRIPTS:
+    apart = _DOTTED.sub(lambda found: normalize("NFD", found.group()), text)
+    for token in _TOKEN.findall(apart):
+        if token in DOTS and runs:
+            runs.append(Run(token, "roman", runs[-1].script))
+        elif token[0] == "_" and len(token) == 2:
+            runs.append(Run(token[1], "italic", -1))
+        elif token in _SUBSCRIPTS:
             letter = _SUBSCRIPTS[token]
             runs.append(Run(letter, "italic" if letter.isalpha() else "roman", -1))
         elif token in _SUPERSCRIPTS:
@@ -57,6 +72,7 @@ def roman(text: str, italic: Callable[[str], bool] = lambda _: False) -> Runs:
     return tuple(runs)
 
 
+@lru_cache(maxsize=1024)
 def symbols(text: str) -> Runs:
     """Return a label: points and quantities italic, words upright.
 
@@ -95,10 +111,11 @@ def plain(runs: Runs) -> str:
     >>> plain(roman("3005 mm/s²"))
     '3005 mm/s²'
     """
-    signs = {-1: _LOW, 0: {}, 1: _HIGH}
-    return "".join(
+    signs = {-1: _LOW | {letter: f"_{letter}" for letter in ascii_uppercase}, 0: {}, 1: _HIGH}
+    text = "".join(
         signs[run.script].get(letter, letter) for run in runs if run.shown for letter in run.text
     )
+    return normalize("NFC", text)
 
 
 def bold(runs: Runs) -> Runs:

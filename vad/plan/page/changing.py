@@ -10,10 +10,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from vad.lecture.moment import drawing
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.layout import Page
-from vad.plan.marks import Mark
+from vad.plan.marks import Lettering, Mark
 from vad.plan.page.captioning import caption_marks, setter
 from vad.plan.page.entries import Entry
-from vad.plan.page.foot import Foot, placed
+from vad.plan.page.foot import REMARK_SIZE, Foot, placed
 from vad.plan.page.heads import head, pale
 from vad.plan.page.measured import lines_of, measured
 from vad.plan.page.table import table
@@ -37,8 +37,12 @@ def equations(
     """Yield the equations, in which a term is pale until its stroke is inked."""
     for panel in sheet.panels:
         place, region = page.panels[panel.name], f"{panel.name} foot"
-        middle = place.drawing.centre.real
-        for text, piece in placed(feet[panel.name], place.equations, middle):
+        left, middle = place.drawing.left, place.drawing.centre.real
+        foot, begun = feet[panel.name], drawing(sketches[panel.name].setting.first)
+        for runs, baseline in zip(foot.remark, place.equations, strict=False):
+            said = Mark(Lettering(runs, complex(left, baseline), REMARK_SIZE), "notes")
+            yield Item("", region, Level.LABEL, (said,), begun)
+        for text, piece in placed(foot, place.equations, middle):
             setting, term = sketches[piece.half].setting, piece.term
             begun = drawing(setting.first)
             row = setting.row(term.link) if term else None
@@ -56,7 +60,7 @@ def readings(
     page: Page, feet: Mapping[str, Foot], sketches: Mapping[str, Sketch]
 ) -> Iterator[Item]:
     """Yield what a ruler finds on paper, below the equations."""
-    first: dict[str, int] = {name: len(foot.lines) for name, foot in feet.items()}
+    first: dict[str, int] = {name: foot.count for name, foot in feet.items()}
     for sketch in sketches.values():
         panel = sketch.setting.panel
         place = page.panels[panel.column]

@@ -17,6 +17,7 @@ VALUES = 0.2986  # from the margin to the symbols of the first column
 EQUALS = 0.0400
 NUMBERS = 0.0705
 WRITTEN = 0.20  # width of a number that is written by hand
+SIGN_GAP = 0.008  # from a long symbol to its equals sign
 CLEAR = 0.02  # after a name, and between cells
 
 
@@ -28,13 +29,32 @@ class Columns:
         drawings = {name: place.drawing for name, place in page.panels.items()}
         self._spans = [(drawing.left, drawing.right) for drawing in drawings.values()]
         if len({round(drawing.width, 9) for drawing in drawings.values()}) == 1:
-            lefts = [self._spans[0][0] + VALUES, *(left for left, _ in self._spans[1:])]
             # A long number reaches into the gutter before it shrinks.
             rights = [*(right + CLEAR for _, right in self._spans[:-1]), self._spans[-1][1]]
+            first = self._first_left(next(iter(drawings)), rights[0])
+            lefts = [first, *(left for left, _ in self._spans[1:])]
             self._places = dict(zip(drawings, zip(lefts, rights, strict=True), strict=True))
+            self._usual = dict(zip(drawings, (right for _, right in self._spans), strict=True))
         else:
             self._spans = [(page.left, page.right)]
             self._places = self._packed()
+            self._usual = {name: right for name, (_, right) in self._places.items()}
+
+    def _first_left(self, panel: str, right: float) -> float:
+        """Return where the cells beside the names begin: as far to the left as they need."""
+        usual, names = self._page.left + VALUES, self._names()
+        least = self._page.left + self._entries.key + NAME_GAP + names + CLEAR
+        return min(usual, max(least, right - self._widest(panel)))
+
+    def _names(self) -> float:
+        """Return the width of the longest name."""
+        rows = self._entries.sheet.rows
+        return max((width(self._entries.heading(row), SIZE) for row in rows), default=0.0)
+
+    def _widest(self, panel: str) -> float:
+        """Return the width that the cells of a panel need at most."""
+        rows = self._entries.sheet.rows
+        return max((self._need(row.cells.get(panel, ())) for row in rows), default=0.0)
 
     def frame(self) -> list[Mark]:
         """Return rules, keys and names, and what grey means."""
@@ -61,32 +81,52 @@ class Columns:
         values = [dressed(cell, new, self._reading(cell)) for cell in cells]
         signs = [dressed(cell, new, _sign(cell)) for cell in cells]
         shrink = min(1.0, (right - left) / self._need(cells, new))
-        size = SIZE * shrink
+        size, symbol = SIZE * shrink, self._symbol(panel) * shrink
+        last = min(right, max(self._usual[panel], left + self._need(cells, new)))
+        ends = self._ends(values, signs, left + symbol + (NUMBERS - EQUALS) * shrink, last, size)
         found: list[Entry] = []
         for count, (cell, value, sign) in enumerate(zip(cells, values, signs, strict=True)):
             name, equals = dressed(cell, new, symbols(cell.symbol)), dressed(cell, new, roman("="))
-            places = [(name, left), (equals, left + EQUALS * shrink)]
-            start, end = left + NUMBERS * shrink, min(left + (NUMBERS + WRITTEN) * shrink, right)
+            places = [(name, left), (equals, left + symbol)]
+            start = left + symbol + (NUMBERS - EQUALS) * shrink
+            end = min(start + WRITTEN * shrink, right)
             if count:
-                start, end = right - width(value, size), right
+                end = ends[count]
+                start = end - width(value, size)
                 places = [(sign, start - width(sign, size))]
             role = self._entries.role(cell)
-            *symbol, number = (
+            *before, number = (
                 Mark(Lettering(runs, complex(x, baseline), size), role)
                 for runs, x in [*places, (value, start)]
             )
-            found.append(Entry(tuple(symbol), number, start, end))
+            found.append(Entry(tuple(before), number, start, end))
         return found
+
+    def _symbol(self, panel: str) -> float:
+        """Return how far behind the symbols of a column its equals signs stand."""
+        firsts = [row.cells[panel][0] for row in self._entries.sheet.rows if row.cells.get(panel)]
+        widest = max((width(symbols(cell.symbol), SIZE) for cell in firsts), default=0.0)
+        return EQUALS if widest <= EQUALS else widest + SIGN_GAP
+
+    @staticmethod
+    def _ends(
+        values: Sequence[Runs], signs: Sequence[Runs], start: float, right: float, size: float
+    ) -> list[float]:
+        """Return where the cells of a row end: the first at its own length, the last at ``right``.
+
+        What lies between them stands at equal distances.
+        """
+        wide = [width(value, size) for value in values[:1]]
+        pairs = zip(values[1:], signs[1:], strict=True)
+        wide += [width(value, size) + width(sign, size) for value, sign in pairs]
+        spare = (right - start - sum(wide)) / max(1, len(wide) - 1)
+        return [*(start + sum(wide[: i + 1]) + i * spare for i in range(len(wide) - 1)), right]
 
     def _packed(self) -> dict[str, tuple[float, float]]:
         """Return where the cells of each panel stand that has no room beneath: side by side."""
         rows, page = self._entries.sheet.rows, self._page
-        names = max((width(self._entries.heading(row), SIZE) for row in rows), default=0.0)
-        left = page.left + self._entries.key + NAME_GAP + min(names + CLEAR, VALUES)
-        wide = {
-            name: max((self._need(row.cells.get(name, ())) for row in rows), default=0.0) + CLEAR
-            for name in page.panels
-        }
+        left = page.left + self._entries.key + NAME_GAP + min(self._names() + CLEAR, VALUES)
+        wide = {name: self._widest(name) + CLEAR for name in page.panels}
         # What grey means stands at the end of the first line.
         legend = [m.shape for m in self._entries.legend(0j) if isinstance(m.shape, Lettering)]
         last, first = next(reversed(wide)), rows[0].cells if rows else {}
@@ -104,7 +144,9 @@ class Columns:
         signs = [self._entries.dressed(cell, new, _sign(cell)) for cell in cells[1:]]
         values = [self._entries.dressed(cell, new, self._reading(cell)) for cell in cells]
         runs = sum(width(runs, SIZE) for runs in (*values, *signs))
-        return NUMBERS + runs + CLEAR * len(signs)
+        symbol = width(symbols(cells[0].symbol), SIZE) if cells else 0.0
+        more = symbol + SIGN_GAP - EQUALS if symbol > EQUALS else 0.0
+        return NUMBERS + more + runs + CLEAR * len(signs)
 
     def _reading(self, cell: Cell) -> Runs:
         return self._entries.figures(cell) + roman(with_unit("", self._entries.unit(cell)))

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, roman, symbols
+from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Lettering
 from vad.strokes.sheet import Equation, Panel, Term
 from vad.written import MINUS
@@ -18,6 +19,7 @@ SIZE = 0.036
 LEAST = 0.034  # below this a loop takes two lines
 SPACE = 0.24  # about a sign, in type sizes
 LOOP_SPACE = 1.3
+REMARK_SIZE = 0.030
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,10 +34,16 @@ class Piece:
 
 @dataclass(frozen=True, slots=True)
 class Foot:
-    """The equation lines of one panel and their type size."""
+    """What stands under one panel: its remark in lines, then its equations and their type size."""
 
     lines: tuple[tuple[Piece, ...], ...]
     size: float
+    remark: tuple[Runs, ...] = ()
+
+    @property
+    def count(self) -> int:
+        """The number of all lines."""
+        return len(self.remark) + len(self.lines)
 
 
 def _sum(terms: Sequence[Term], half: str, sign: str = "") -> list[Piece]:
@@ -64,16 +72,17 @@ def compose(panel: Panel, room: float) -> Foot:
 
     A loop that is too long for one line goes on with its equals sign on the next.
     """
+    remark = tuple(wrap(panel.remark, roman, REMARK_SIZE, room)) if panel.remark else ()
     equations = [(each, half.name) for half in panel.halves for each in half.equations]
     loops = [_pieces(*each) for each in equations]
     if not loops:
-        return Foot((), SIZE)
+        return Foot((), SIZE, remark)
     together: list[Piece] = []
     for loop in loops:
         first = replace(loop[0], space=LOOP_SPACE if together else 0.0)
         together += [first, *loop[1:]]
     if _width(together) * SIZE <= room:
-        return Foot((tuple(together),), SIZE)
+        return Foot((tuple(together),), SIZE, remark)
     lines: list[tuple[Piece, ...]] = []
     for (equation, half), loop in zip(equations, loops, strict=True):
         if _width(loop) * LEAST <= room:
@@ -82,13 +91,13 @@ def compose(panel: Panel, room: float) -> Foot:
             left = _sum(equation.left, half)
             lines += [tuple(left), tuple(loop[len(left) :])]
     widest = max(_width(line) for line in lines)
-    return Foot(tuple(lines), min(SIZE, room / widest))
+    return Foot(tuple(lines), min(SIZE, room / widest), remark)
 
 
 def placed(foot: Foot, baselines: Sequence[float], middle: float) -> list[tuple[Lettering, Piece]]:
     """Return the terms and signs of the equation, centred, each with its piece."""
     found: list[tuple[Lettering, Piece]] = []
-    for pieces, baseline in zip(foot.lines, baselines, strict=False):
+    for pieces, baseline in zip(foot.lines, baselines[len(foot.remark) :], strict=False):
         x = middle - _width(pieces) * foot.size / 2
         for piece in pieces:
             x += piece.space * foot.size

@@ -7,6 +7,7 @@ from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, bold, roman
 from vad.plan.marks import Lettering, Mark
 from vad.strokes.sheet import Sheet
+from vad.strokes.words import parameters
 
 TITLE = 0.050
 LEAST_TITLE = 0.036
@@ -34,14 +35,6 @@ def title_marks(sheet: Sheet, page: Page) -> list[Mark]:
         at = complex(page.right - width(runs, size), page.title + depth * 1.25 * size)
         marks.append(Mark(Lettering(runs, at, size), "notes"))
     return marks
-
-
-def parameters(sheet: Sheet) -> list[str]:
-    """Return the parameters as the title line has them: "crank 60 mm"."""
-    return [
-        f"{name} {sheet.notation.quantity(value, unit if value else '', given=True)}"
-        for name, value, unit in sheet.parameters
-    ]
 
 
 def _listed(items: list[str]) -> Runs:

@@ -1,7 +1,7 @@
-"""The Coriolis inset: v turned 90° with ω, in true directions.
+"""The inset of a polygon: the Coriolis rule, v turned 90° with ω, or the speeds over a turn.
 
-In come the directions and the strokes already placed, out go the inset's marks in the emptiest
-corner of the acceleration panel.
+In come the inset and the strokes already placed, out go its marks in the emptiest corner of the
+panel.
 """
 
 from __future__ import annotations
@@ -19,10 +19,13 @@ from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Mark, area, disc, line
+from vad.plan.pictures import polar
 from vad.plan.pictures.rotation import sense_arrow
 from vad.plan.pictures.straight import vector
 from vad.plan.sketch import Setting, Sketch, Tag
-from vad.strokes.sheet import CoriolisInset
+from vad.strokes.language import Language
+from vad.strokes.sheet import CoriolisInset, PolarInset
+from vad.strokes.sheet import Inset as Drawn
 
 NAME_SIZE = 0.030
 CAPTION_SIZE = 0.028
@@ -56,17 +59,20 @@ class Corner:
     caption: complex
 
 
-def draw_inset(
-    inset: CoriolisInset, caption: str, setting: Setting, size: float, room: float
-) -> Inset:
+def draw_inset(inset: Drawn, setting: Setting, size: float, room: float) -> Inset:
     """Return the inset, not yet in its place.
 
     ``size`` is 1, or less where space is short; its caption breaks where it is wider than ``room``.
     """
-    marks, names, reach = _picture(inset, setting, size)
+    if isinstance(inset, PolarInset):
+        marks, names, reach = polar.picture(inset, setting, size)
+        lines = polar.caption(inset)
+    else:
+        marks, names, reach = _picture(inset, setting, size)
+        rule = Language(setting.sheet.language).say("coriolis rule")
+        lines = wrap(rule, _set, CAPTION_SIZE, room)
     xs, ys = [point.real for point in reach], [point.imag for point in reach]
     box = Rect(min(xs) - PAD, min(ys) - PAD, max(xs) + PAD, max(ys) + PAD)
-    lines = wrap(caption, _set, CAPTION_SIZE, room)
     sizes = [ink_size(runs, CAPTION_SIZE) for runs in lines]
     deep = sizes[-1][1] + (len(lines) - 1) * CAPTION_PITCH
     return Inset(marks, names, box, lines, (max(wide for wide, _ in sizes), deep))
@@ -124,7 +130,7 @@ def add_inset(sketch: Sketch, inset: Inset, spot: Corner) -> None:
     caption = Placed(spot.caption, *inset.caption_box).box
     picture = inset.box.moved(spot.origin)
     sketch.tags += [Tag(name.text, name.box.moved(spot.origin)) for name in inset.names]
-    sketch.tags.append(Tag("Coriolis", caption))
+    sketch.tags.append(Tag("inset", caption))
     sketch.obstacles.box(picture)
     sketch.obstacles.box(caption)
 
@@ -159,7 +165,7 @@ def _picture(
     tags: list[Tag] = []
     for text, at, way, row in (
         ("2ωv", tip - 0.016 * size * turned, -sliding, block),
-        ("v", foot + 0.034 * size * sliding, -turned, block),
+        ("v", foot + 0.050 * size * sliding, -turned, block),
         ("ω", radius * out, out, lever),
     ):
         runs = symbols(text)

@@ -22,8 +22,7 @@ from vad.plan.roles import DOT_RIM
 from vad.plan.scale import fill
 from vad.plan.sharing import add_lower_bar
 from vad.plan.sketch import Setting, Sketch
-from vad.strokes.language import Language
-from vad.strokes.sheet import Arrow, CoriolisInset, Dot, Line, Stroke
+from vad.strokes.sheet import Arrow, Dot, Line, Stroke
 
 CORIOLIS = "2ωv"
 DOT = 0.0068
@@ -37,10 +36,9 @@ def draw(setting: Setting) -> Sketch:
     """Return the sketch of a panel of vectors."""
     sketch = _sketch(setting, setting.room)
     inset = setting.panel.inset
-    if isinstance(inset, CoriolisInset):
-        rule = Language(setting.sheet.language).say("coriolis rule")
+    if inset:
         sizes = product(INSET_SIZES, CAPTION_ROOMS)
-        insets = [draw_inset(inset, rule, setting, size, room) for size, room in sizes]
+        insets = [draw_inset(inset, setting, size, room) for size, room in sizes]
         sketch = _with_inset(setting, insets, sketch)
     points = [vertex.at for vertex in find_vertices(setting.panel, sketch.scale)]
     placed = place_vectors(sketch)

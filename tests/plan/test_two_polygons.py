@@ -1,0 +1,232 @@
+"""Two polygons in one column, the polar inset, the remark, and symbols with dots."""
+
+from __future__ import annotations
+
+import cmath
+import itertools
+import math
+
+import pytest
+
+import vad
+from tests.plan.two_polygons import A4, FOUR, LOWER, UPPER, sheet
+from vad.errors import InputError, UsageError
+from vad.export.data.sheet_json import to_dict, to_text
+from vad.page.document import document
+from vad.plan.board import plan
+from vad.plan.format import screen
+from vad.plan.items import FOREVER
+from vad.plan.lettering.glyphs import CLOSE, typeset
+from vad.plan.lettering.runs import plain, roman, symbols
+from vad.plan.marks import Disc, Lettering, Polyline
+from vad.plan.multiples_board import MultiplesBoard
+from vad.strokes.multiples import Multiples
+from vad.strokes.sheet import PolarInset
+from vad.strokes.words import describe, title
+
+FORM = screen((1280, 720))
+NAMES = [f"velocity:{s.name}" for s in UPPER] + [f"velocity.below:{s.name}" for s in LOWER]
+
+
+def polar(stroke: str = "4") -> PolarInset:
+    """Return the speeds of a Hooke's joint under 30°, by the formula of its velocity ratio."""
+    beta, turn = math.radians(30.0), [math.tau * number / 72 for number in range(72)]
+    curve = [math.cos(beta) / (1.0 - (math.sin(beta) * math.cos(t)) ** 2) for t in turn]
+    ray = cmath.rect(math.cos(beta) / (1.0 - (math.sin(beta) / 2.0) ** 2), math.radians(60.0))
+    return PolarInset(
+        "crank",
+        "rocker",
+        1.0,
+        tuple(map(cmath.rect, curve, turn)),
+        ray,
+        (cmath.rect(1.0, math.atan(math.sqrt(math.cos(beta)))),),
+        "speeds over a turn",
+        "ω₄/ω₂ = 0.866 … 1.155",
+        stroke,
+    )
+
+
+@pytest.fixture(scope="module")
+def board():
+    return plan(sheet(), FORM, 0.058, lesson=True)
+
+
+def test_each_half_has_a_scale_and_its_own_room(board):
+    upper, lower = board.sketches["velocity"], board.sketches["velocity.below"]
+    one = upper.scale(FOUR).imag
+    assert min(one, upper.scale(UPPER[1].shape.end).imag) > lower.scale(A4).imag
+    assert upper.scale.factor != lower.scale.factor
+    drawing = board.page.panels["velocity"].drawing
+    for sketch, strokes in ((upper, UPPER), (lower, LOWER)):
+        for stroke in strokes:
+            at = getattr(stroke.shape, "at", None) or getattr(stroke.shape, "end", 0j)
+            assert drawing.holds(sketch.scale(at)), stroke.name
+
+
+def test_each_half_states_its_scale(board):
+    bars = {}
+    for item in board.shown(board.finished):
+        bars |= {(item.region, i): m.shape for i, m in enumerate(item.marks)}
+    texts = {m.shape for i in board.items for m in i.marks if isinstance(m.shape, Lettering)}
+    said = {plain(text.runs) for text in texts}
+    assert {"2 rad/s", "5 rad/s"} & said and {"100 mm/s", "200 mm/s"} & said
+
+
+def test_strokes_of_the_lower_polygon_follow_those_of_the_upper():
+    lesson = vad.animate(sheet())
+    steps = [step.panel.full(step.stroke.name) for step in lesson.steps]
+    assert steps[: len(NAMES)] == NAMES
+    assert [lesson.place(step) for step in lesson.steps[: len(NAMES)]] == [*range(1, 16)]
+    still = vad.still(lesson, "velocity:8")
+    assert still.lesson.steps[still.step - 1].stroke.name == "pole"
+    with pytest.raises(UsageError, match="the velocity panel has 15"):
+        vad.still(lesson, "velocity:16")
+    with pytest.raises(UsageError, match="unknown panel"):
+        vad.still(lesson, "velocity.below:1")
+
+
+def test_a_cell_waits_for_the_half_that_measures_it():
+    lesson = vad.animate(sheet())
+    measured = vad.still(lesson, "velocity:7").drawn
+    cells = {row.key: [c.symbol for c in row.cells["velocity"]] for row in measured.rows}
+    assert cells == {"crank": ["ω₂"], "axis": ["ω₄₂"], "rocker": ["ω₄"]}
+    assert measured.panels[0].below is None
+    whole = vad.still(lesson, "velocity:15").drawn
+    cells = {row.key: [c.symbol for c in row.cells["velocity"]] for row in whole.rows}
+    assert cells == {"crank": ["ω₂"], "axis": ["ω₄₂", "v₄₂"], "rocker": ["ω₄", "ṡ"]}
+
+
+def test_labels_of_both_polygons_keep_apart(board):
+    tags = [
+        tag
+        for name in ("velocity", "velocity.below")
+        for tag in board.sketches[name].tags
+        if tag.span[1] == FOREVER
+    ]
+    boxes = [(tag.text, tag.box) for tag in tags]
+    for number, (text, box) in enumerate(boxes):
+        for other, rival in boxes[:number]:
+            aside = box.left >= rival.right or box.right <= rival.left
+            assert aside or box.bottom >= rival.top or box.top <= rival.bottom, (text, other)
+
+
+def test_equations_of_both_stand_under_the_column(board):
+    foot = [item for item in board.items if item.region == "velocity foot"]
+    strokes = [plain(m.shape.runs) for item in foot for m in item.marks]
+    assert [text for text in strokes if text not in "+="] == [
+        "ω₂",
+        "ω₄₂",
+        "ω₄",
+        "ay",
+        "ya₄",
+        "dz",
+        "za₄",
+    ]
+
+
+def test_json_holds_the_lower_polygon_inside_the_panel():
+    drawn = sheet(polar(), "laid over")
+    data = to_dict(drawn)
+    below = data["panels"]["velocity"]["below"]
+    assert below["unit"] == "mm/s" and len(below["strokes"]) == len(LOWER)
+    assert data["panels"]["acceleration"]["inset"]["inset"] == "polar"
+    assert data["panels"]["acceleration"]["remark"] == "laid over"
+    assert vad.sheet_from_json(to_text(drawn)) == drawn
+    below["name"] = "velocity.above"
+    with pytest.raises(
+        InputError, match=r"panels\.velocity\.below\.name: must be 'velocity\.below'"
+    ):
+        vad.sheet_from_json(data)
+    below["name"] = "velocity.below"
+    below["strokes"][1]["name"] = "pole"
+    with pytest.raises(InputError, match=r"panels\.velocity\.below: two strokes are called 'pole'"):
+        vad.sheet_from_json(data)
+
+
+def test_the_page_counts_the_lower_strokes_in_their_chapter():
+    page = document(vad.animate(sheet(polar(), "laid over")))
+    assert 'data-x="0" style="flex-grow:15"' in page
+    assert 'href="#step=velocity:15"' in page and "below:" not in page
+    assert page.count('<section class="panel"') == 2
+    assert 'class="remark"' in page and "laid over" in page
+
+
+def test_words_tell_of_both_and_join_a_twist_to_its_length():
+    said = describe(sheet())
+    assert "A and D of the frame stand still." in said.splitlines()[0]
+    assert title(sheet()) == "Spatial four-bar: ground 100 mm ∠ 60°, crank 40 mm ∠ 30°"
+
+
+def test_small_multiples_have_both_in_every_cell():
+    several = MultiplesBoard(
+        Multiples((sheet(), sheet()), sheet().rows[0].cells["velocity"] * 2), FORM
+    )
+    for found in several.sketches:
+        assert found["velocity"].scale.factor != found["velocity.below"].scale.factor
+        low = found["velocity"].setting.room
+        assert low.bottom >= found["velocity.below"].setting.room.top - 1e-9
+
+
+def test_the_polar_inset_is_true_to_scale():
+    drawn = plan(sheet(polar()), FORM, 0.058)
+    sketch = drawn.sketches["acceleration"]
+    item = next(i for i in sketch.items if any(m.role == "path" for m in i.marks))
+    assert item.since == sketch.setting.after(6)
+    circle, curve = (
+        m.shape.pieces[0] for m in item.marks if m.role == "path" and isinstance(m.shape, Polyline)
+    )
+    centre = sum(circle[:-1]) / (len(circle) - 1)
+    radius = abs(circle[0] - centre)
+    reached = [abs(point - centre) / radius for point in curve]
+    assert min(reached) == pytest.approx(math.cos(math.radians(30.0)))
+    assert max(reached) == pytest.approx(1.0 / math.cos(math.radians(30.0)))
+    dots = [m.shape for m in item.marks if isinstance(m.shape, Disc) and m.row is None]
+    assert [abs(dot.centre - centre) / radius for dot in dots] == [pytest.approx(1.0)]
+    room = sketch.setting.room
+    assert all(room.holds(point) for point in (*circle, *curve))
+
+
+def test_the_remark_stands_between_polygon_and_equation():
+    board = plan(sheet(remark="2 3 4 laid over"), FORM, 0.058)
+    texts = {
+        plain(m.shape.runs): m.shape.at.imag
+        for item in board.items
+        if item.region == "acceleration foot"
+        for m in item.marks
+    }
+    assert texts["2 3 4 laid over"] > texts["α₄"]
+    assert board.page.panels["acceleration"].drawing.bottom > texts["2 3 4 laid over"]
+
+
+@pytest.mark.parametrize("text", ["τ̇", "ṡ_D", "s̈", "ω₄₂ḣ", "α₄₂ₜ"])
+def test_dots_stand_above_their_letter(text):
+    runs = symbols(text)
+    assert plain(runs) == text
+    letters = typeset(runs).letters
+    for letter, dots in itertools.pairwise(letters):
+        if dots.text not in "̇̈":
+            continue
+        ink, mark = (each.vertices[each.codes != CLOSE] for each in (letter, dots))
+        high = ink[:, 1].max() * letter.size + letter.at.imag
+        assert mark[:, 1].min() * dots.size + dots.at.imag > high
+        middle = dots.at.real + dots.size * (mark[:, 0].min() + mark[:, 0].max()) / 2
+        left, right = letter.at.real, letter.at.real + letter.size * letter.advance
+        assert left < middle < right
+
+
+def test_cells_of_a_row_do_not_touch():
+    board = plan(sheet(), FORM, 0.058)
+    rows: dict[float, list[tuple[float, float]]] = {}
+    for item in board.items:
+        for mark in item.marks if item.region == "results" else ():
+            if isinstance(mark.shape, Lettering):
+                text = mark.shape
+                ends = text.at.real, text.at.real + typeset(text.runs).advance * text.size
+                rows.setdefault(round(text.at.imag, 6), []).append(ends)
+    for spans in rows.values():
+        spans.sort()
+        assert all(one[1] <= two[0] + 1e-9 for one, two in itertools.pairwise(spans))
+
+
+def test_a_capital_stands_low_behind_a_stroke():
+    assert [(run.text, run.script) for run in roman("s_D")] == [("s", 0), ("D", -1)]
