@@ -46,7 +46,7 @@ class Bodies:
     rows: Mapping[str, str]
     measured: Collection[str]
     twice: bool
-    remark: str
+    remark: str = ""
 
 
 def polygon_of_bodies(bodies: Bodies) -> Drawing:

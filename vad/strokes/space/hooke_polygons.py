@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 #: Points of the curve of speeds.
 SPEEDS = 72
-#: By the bodies that turn against each other: in which row; and, by order, which stand in the table.
+#: By the bodies that turn against each other, in which row; by order, which stand in the table.
 _ROWS = {"12": "driving", "24": "cross", "14": "driven", "23": "cross", "43": "cross"}
 _MEASURED = {1: {"12", "14", "23"}, 2: {"12", "14", "24"}}
 
@@ -56,8 +56,8 @@ def polygon(scene: SceneInSpace, order: int) -> Drawing:
     rates, say = joint_rates(scene.motion), scene.say
     shafts = {f"1{shaft}": say("hooke shaft", shaft=shaft) for shaft in (2, 4)}
     axes = {**shafts, "24": "OT", "23": "OP", "43": "OQ"}
-    words, remark = JointWords(scene, order, rates), say("hooke remark")
-    drawing = polygon_of_bodies(Bodies(rates, words, axes, _ROWS, _MEASURED[order], False, remark))
+    words = JointWords(scene, order, rates)
+    drawing = polygon_of_bodies(Bodies(rates, words, axes, _ROWS, _MEASURED[order], twice=False))
     moves = len(drawing.strokes) > 1
     return replace(drawing, inset=speeds(scene)) if order == 1 and moves else drawing
 

@@ -44,7 +44,6 @@ PHRASES = {
     # Polygone
     "hooke speeds": "Drehzahlen über einen Umlauf",
     "hooke shaft": "Welle {shaft}",
-    "hooke remark": "1 2 4 in der Ebene der Wellen, 2 3 4 in der des Kreuzes, umgeklappt",
     "hooke line 24 velocity": (
         "Durch {point} parallel zu OT: gegenüber Gabel 2 kann sich Gabel 4 nur um Geraden in der "
         "Ebene des Kreuzes drehen; in der Ebene der Wellen ist nur OT eine, also liegt {meeting} "

@@ -40,7 +40,6 @@ PHRASES = {
     # the polygons
     "hooke speeds": "speeds over a turn",
     "hooke shaft": "shaft {shaft}",
-    "hooke remark": "1 2 4 in the plane of the shafts, 2 3 4 in that of the cross, laid over",
     "hooke line 24 velocity": (
         "Through {point}, parallel to OT: against yoke 2, yoke 4 can turn only about lines in the "
         "plane of the cross; in the plane of the shafts only OT is one, so {meeting} lies on this "

@@ -46,7 +46,6 @@ PHRASES = {
     # polygones
     "hooke speeds": "vitesses sur un tour",
     "hooke shaft": "l’arbre {shaft}",
-    "hooke remark": "1 2 4 dans le plan des arbres, 2 3 4 dans celui du croisillon, rabattu",
     "hooke line 24 velocity": (
         "Par {point}, parallèlement à OT : par rapport à la fourche 2, la fourche 4 ne peut "
         "tourner qu’autour de droites du plan du croisillon ; dans le plan des arbres, OT est la "
