@@ -119,8 +119,10 @@ def test_ot_is_in_the_plane_of_the_cross_and_in_that_of_the_shafts(angle: float,
 def test_the_triangles_of_omega(angle: float, shafts: float):
     here, velocity = motion(angle, shafts), sheet(angle, shafts).panel("velocity")
     position = sheet(angle, shafts).panel("position")
-    two, four, three = (vector(velocity, name) for name in ("ω2", "ω4", "ω32"))
-    relative, at_q = vector(velocity, "ω42"), vector(velocity, "ω34")
+    two, four, three = (
+        vector(velocity, name) for name in ("12.absolute", "14.absolute", "23.relative")
+    )
+    relative, at_q = vector(velocity, "24.relative"), vector(velocity, "43.relative")
     largest = max(abs(two), abs(four))
     near = {"abs": 1e-9 * largest}
     assert two == pytest.approx(-10j)
@@ -146,8 +148,8 @@ def test_the_triangles_of_omega(angle: float, shafts: float):
 @shaft_angles
 def test_the_quadrilateral_of_alpha(angle: float, shafts: float):
     here, panel = motion(angle, shafts), sheet(angle, shafts).panel("acceleration")
-    turned, grown = vector(panel, "ω42τ"), vector(panel, "α42")
-    two, four = vector(panel, "α2"), vector(panel, "α4")
+    turned, grown = vector(panel, "24.normal"), vector(panel, "24.tangential")
+    two, four = vector(panel, "12.absolute"), vector(panel, "14.absolute")
     largest = max(map(abs, (turned, grown, two, four)))
     near = {"abs": 1e-9 * largest}
     assert two == pytest.approx(-40j)
@@ -175,7 +177,7 @@ def test_printed_factors_give_the_printed_product():
         panel = sheet(angle).panel("acceleration")
         for each in panel.strokes:
             found = re.search(r"τ̇ = ([\d.]+) × ([\d.]+) = ([\d.]+)", each.caption)
-            assert bool(found) == (each.name == "ω42τ")
+            assert bool(found) == (each.name == "24.normal")
             if found:
                 omega, tau, value = found.groups()
                 digits = len(value.partition(".")[2])

@@ -28,7 +28,7 @@ from vad.strokes.sheet import (
     Stroke,
     Term,
 )
-from vad.strokes.space.body_rates import BodyRates
+from vad.strokes.space.body_rates import rates_on_sphere
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.written import subscript, with_unit
 
@@ -45,7 +45,7 @@ STEP = 5.0
 
 def tracks(scene: SceneInSpace) -> Mapping[str, Any]:
     """Return where the lettered points are."""
-    rates = BodyRates(scene.motion)
+    rates = rates_on_sphere(scene.motion)
     return {letter: rates.seen(getattr(rates, letter.lower())) for letter in "ABCDI"}
 
 
@@ -57,7 +57,7 @@ def views(scene: SceneInSpace) -> Drawing:
 class _Views:
     def __init__(self, scene: SceneInSpace) -> None:
         self.scene = scene
-        self.rates = BodyRates(scene.motion)
+        self.rates = rates_on_sphere(scene.motion)
         self.at = {letter: complex(z) for letter, z in tracks(scene).items()}
         self.arcs = scene.motion.mechanism.parameters()
         self.theta2, self.theta4 = (
