@@ -111,7 +111,8 @@ class Fading:
         return self
 
 
-Growth = Trimming | Sliding | Turning | Scaling | Fading
+Wandering = Sliding | Turning | Scaling
+Growth = Trimming | Fading | Wandering
 
 
 def between(knots: Sequence[tuple[float, complex]], share: float) -> complex:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
+from vad.errors import InputError
 from vad.kinematics.closing.closures import GroundedCrank, crossing
 from vad.kinematics.closing.equal_links import EqualLinks
 from vad.kinematics.frame import ReferenceFrame
@@ -96,6 +97,11 @@ class LoopSolver:
         if crank is None or crank.c.imag != 0.0 or guided:
             return False
         return abs(crank.c) < abs(crank.t)
+
+    def check_ends(self) -> None:
+        """Raise an `InputError` where an end of the loop is not an unknown bar."""
+        if (self.way, self.other_way) != (-1, 1):
+            raise InputError("each of a loop's two chains must end with one unknown bar")
 
     def prepare(self) -> None:
         """Form what does not depend on the pose."""

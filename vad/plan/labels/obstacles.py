@@ -120,7 +120,8 @@ class Obstacles:
         starts, ends = np.array(lines, dtype=np.complex128).T
         halves = np.full(len(lines), half_width)
         meets = _meets(at, (wide[:, None], high[:, None]), starts, ends, halves)
-        return np.array([not each.any() for each in meets.T])
+        free: Bools = ~np.logical_or.reduce(meets)
+        return free
 
 
 def _near(

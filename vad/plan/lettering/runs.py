@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from string import ascii_uppercase
 from typing import Literal
 from unicodedata import normalize
@@ -71,6 +72,7 @@ def roman(text: str, italic: Callable[[str], bool] = lambda _: False) -> Runs:
     return tuple(runs)
 
 
+@lru_cache(maxsize=1024)
 def symbols(text: str) -> Runs:
     """Return a label: points and quantities italic, words upright.
 

@@ -174,7 +174,7 @@ def _picture(
     match setting.panel.picture:
         case "skeleton":
             skeleton = MovingSkeleton(setting, poses, mechanism_scale(setting, poses))
-            skeleton.add_dimensions(poses)
+            skeleton.add_dimensions()
             return skeleton
         case "views":
             return MovingViews(setting, poses, views_scale(setting, poses))
