@@ -32,11 +32,13 @@ class Hand:
         1 for velocities, 2 for accelerations.
     longest
         The length of the longest vector; nothing turns where it is 0.
+    unit
+        That of its vectors where they are not turnings.
     """
 
-    def __init__(self, scene: SceneInSpace, order: int, longest: float) -> None:
+    def __init__(self, scene: SceneInSpace, order: int, longest: float, unit: str = "") -> None:
         self.scene = scene
-        self._unit = ("rad/s", "rad/s²")[order - 1]
+        self._unit = unit or ("rad/s", "rad/s²")[order - 1]
         self._nothing = NOTHING * longest
         self.resting = longest == 0.0
         self.strokes: list[Stroke] = []
