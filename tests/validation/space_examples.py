@@ -122,7 +122,11 @@ def placed(given: dict[str, Any]) -> tuple[dict[str, Any], list[float], Any]:
     columns = np.array([x, a if parallel else -a, d]).T
     ground, from_a, from_d = np.linalg.lstsq(columns, way, rcond=None)[0]
     sizes = {name: given[name] for name in ("crank", "coupler", "rocker")}
-    sizes |= {"ground": float(ground), "crank_offset": float(from_a), "rocker_offset": float(from_d)}
+    sizes |= {
+        "ground": float(ground),
+        "crank_offset": float(from_a),
+        "rocker_offset": float(from_d),
+    }
     sizes["ground_twist"] = math.degrees(math.atan2(np.cross(a, d) @ x, a @ d))
     leads = []
     for axis, zero in ((a, given["crank_zero"]), (d, given["rocker_zero"])):

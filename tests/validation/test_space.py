@@ -33,7 +33,11 @@ def test_exact_answers(case: dict[str, Any]) -> None:
     largest = max(case["inputs"].get(name, 0.0) for name in ("ground", "crank", "omega"))
     for name, wanted in case["exact"].items():
         if name == "points":
-            pairs = [(each, found[name][letter]) for letter, each in wanted.items() if letter in found[name]]
+            pairs = [
+                (each, found[name][letter])
+                for letter, each in wanted.items()
+                if letter in found[name]
+            ]
         elif name in found:
             # A cross's arm that swings the other way has the same size.
             sizes = case["mechanism"] == "hooke-joint" and name in ("omega32", "omega34")
