@@ -9,13 +9,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from vad.kinematics.numbers import fold
 from vad.kinematics.space.sphere_solver import SphereSolver
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure, Unit
 from vad.strokes.pencil import Pencil
 from vad.strokes.player import Player
-from vad.strokes.sheet import Component, Equation, Term
+from vad.strokes.sheet import Component, Equation, Fold, Stroke, Term
 from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.vector_equations import Chain, Part, Vector, VectorEquation
 from vad.written import PRIME, subscript
@@ -60,6 +62,8 @@ class _Bodies:
         )
         player = Player(pencil)
         for equation in equations:
+            if equation.folded:
+                pencil.add(self._fold())
             player.play(equation)
         sums = () if pencil.resting else self._sums(pencil)
         remark = self.scene.say("bodies remark")
@@ -68,7 +72,7 @@ class _Bodies:
             tuple(pencil.zeros),
             sums,
             loops=tuple(player.begins),
-            remark="" if pencil.resting else remark,
+            remark="" if pencil.resting or self.order > 1 else remark,
         )
 
     def _place(self, vertex: str) -> complex:
@@ -163,6 +167,17 @@ class _Bodies:
         last = self._part(at_c, "relative", c, values["C"], True)
         second = Chain(self._body(4), end, (at_c,), (last,))
         return VectorEquation(first, second, "3", folded=True)
+
+    def _fold(self) -> Stroke:
+        """Return how the plane of the coupler is laid over, in the view of the sphere."""
+        rates = self.rates
+        axis, turn = complex(rates.seen(rates.i)), float(rates.fold(self.side))
+        arms = tuple(complex(rates.laid(arm, self.side)) for arm in (rates.b, rates.c))
+        angles = np.radians(np.linspace(0.0, 360.0, 73))[:, None]
+        rim = rates.seen(np.cos(angles) * rates.i + np.sin(angles) * rates.j)
+        shape = Fold(0j, axis, turn, arms, tuple(rim.tolist()))
+        caption = self.scene.say("bodies fold")
+        return Stroke("construction", "", shape, caption, "B", name="fold")
 
     def _sums(self, pencil: Pencil[BodyVector]) -> tuple[Equation, ...]:
         """Return both equations, of the vectors that are drawn."""
