@@ -10,10 +10,12 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from vad.strokes.diagram import Drawing
 from vad.strokes.pencil import Pencil
 from vad.strokes.player import Player
-from vad.strokes.sheet import Component, Equation, Term
+from vad.strokes.sheet import Component, Equation, Fold, Stroke, Term
 from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.space.body_words import TURNED, BodyVector, BodyWords
 from vad.strokes.vector_equations import Chain, Part, VectorEquation
@@ -36,6 +38,8 @@ class Bodies:
         The vectors that stand in the table.
     twice
         Whether accelerations have a triangle in the plane of the coupler, too.
+    centre
+        Where O is in the view of the frame's plane.
     remark
         What stands under a polygon with two triangles.
     """
@@ -46,6 +50,7 @@ class Bodies:
     rows: Mapping[str, str]
     measured: Collection[str]
     twice: bool
+    centre: complex = 0j
     remark: str = ""
 
 
@@ -74,6 +79,8 @@ class _Polygon:
         )
         player = Player(pencil)
         for equation in equations:
+            if equation.folded:
+                pencil.add(self._fold())
             player.play(equation)
         sums = () if pencil.resting else self._sums(pencil)
         return Drawing(
@@ -81,7 +88,7 @@ class _Polygon:
             tuple(pencil.zeros),
             sums,
             loops=tuple(player.begins),
-            remark="" if pencil.resting or not both else self.bodies.remark,
+            remark="" if pencil.resting or self.order > 1 else self.bodies.remark,
         )
 
     def _place(self, vertex: str) -> complex:
@@ -183,6 +190,17 @@ class _Polygon:
         last = self._part(at_c, "relative", c, values["C"], True)
         second = Chain(self._body(4), end, (at_c,), (last,))
         return VectorEquation(first, second, "3", folded=True)
+
+    def _fold(self) -> Stroke:
+        """Return how the plane of the coupler is laid over, in the view of the frame's plane."""
+        rates, centre = self.rates, self.bodies.centre
+        axis, turn = complex(rates.seen(rates.i)), float(rates.fold(self.side))
+        arms = tuple(centre + complex(rates.laid(arm, self.side)) for arm in (rates.b, rates.c))
+        angles = np.radians(np.linspace(0.0, 360.0, 73))[:, None]
+        rim = centre + rates.seen(np.cos(angles) * rates.i + np.sin(angles) * rates.j)
+        shape = Fold(centre, axis, turn, arms, tuple(rim.tolist()))
+        caption = self.scene.say(f"{self.bodies.words.topic} fold")
+        return Stroke("construction", "", shape, caption, self.bodies.rows["23"], name="fold")
 
     def _sums(self, pencil: Pencil[BodyVector]) -> tuple[Equation, ...]:
         """Return both equations, of the vectors that are drawn."""
