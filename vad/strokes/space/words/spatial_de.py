@@ -82,4 +82,4 @@ PHRASES = {
 
 NAMES = {"Spatial four-bar": "Räumliches Viergelenk", "axis": "Achse"}
 
-GENDERS: dict[str, str] = {"axis": "die"}
+GENDERS = {"axis": "f"}

@@ -86,4 +86,4 @@ PHRASES = {
 
 NAMES = {"Spatial four-bar": "Quadrilatère spatial", "axis": "axe"}
 
-GENDERS: dict[str, str] = {"axis": "l’"}
+GENDERS = {"axis": "m"}
