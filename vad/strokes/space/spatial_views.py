@@ -39,7 +39,7 @@ from vad.written import with_unit
 #: Lengths as shares of the mechanism's reach: axes beyond their points, shafts beyond sleeves.
 AXIS, SHAFT, BEARING = 0.13, 0.06, 0.10
 #: The star's rays, the radius of the rose, and the space above the mechanism.
-RAY, ROSE, ABOVE, NOTE = 0.16, 0.09, 0.02, 0.26
+RAY, ROSE, ABOVE, NOTE = 0.16, 0.09, 0.02, 0.24
 
 
 def tracks(scene: SceneInSpace) -> Mapping[str, Any]:
@@ -77,7 +77,7 @@ class _Views:
         self._screw()
         say = self.scene.say
         notes = (
-            Note(self.star + (NOTE - 0.5j * RAY) * self.reach, say("spatial star")),
+            Note(self.star + (NOTE - 0.8j * RAY) * self.reach, say("spatial star")),
             Note(self.rose - NOTE * self.reach, say("spatial rose")),
         )
         equation = self._equation()

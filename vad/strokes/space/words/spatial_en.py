@@ -2,8 +2,8 @@
 
 PHRASES = {
     # position
-    "spatial star": "seen along DA",
-    "spatial rose": "seen along a",
+    "spatial star": "along DA",
+    "spatial rose": "along a",
     "spatial a": "The axis a of the crank is fixed.",
     "spatial d": "So is the axis d of the rocker.",
     "spatial AD": "AD = {size} {unit} is their common normal; d is twisted against a by {twist}°.",

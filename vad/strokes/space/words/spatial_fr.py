@@ -2,8 +2,8 @@
 
 PHRASES = {
     # position
-    "spatial star": "vu suivant DA",
-    "spatial rose": "vu suivant a",
+    "spatial star": "suivant DA",
+    "spatial rose": "suivant a",
     "spatial a": "L’axe a de la manivelle est fixe.",
     "spatial d": "De même l’axe d du balancier.",
     "spatial AD": (
