@@ -15,7 +15,7 @@ from vad.strokes.sheet import Panel
 LOWER = 0.5
 BAR_OFF = 0.012  # the lower edge
 #: The labels below the upper polygon and above the lower one share so much of the height.
-OVERLAP = 0.055
+OVERLAP = 0.045
 WIDEST_BAR = 0.45  # of the room's width, with its value
 
 

@@ -13,9 +13,11 @@ from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.language import Language
 from vad.strokes.notation import Notation, in_metres
 from vad.strokes.scenes import AnyScene, scene_of
-from vad.strokes.sheet import Arrow, Cell, Equation, Panel, Row, Sheet, Stroke, Term
+from vad.strokes.sheet import TWIST, Arrow, Cell, Equation, Panel, Row, Sheet, Stroke, Term
 from vad.strokes.vector_equations import NOTHING
 
+#: Ends the name of the angle between two axes, whose distance bears the name before it.
+_TWIST = "_twist"
 #: So many parameters a title has at most.
 MOST = 8
 
@@ -101,12 +103,16 @@ def _parameters(scene: AnyScene) -> tuple[tuple[str, float, str], ...]:
     """
     mechanism = scene.motion.mechanism
     plain = type(mechanism)
-    shown = []
-    for name, value in mechanism.parameters().items():
+    shown, values = [], mechanism.parameters()
+    for name, value in values.items():
         metadata = plain.__dataclass_fields__[name].metadata
+        if name.endswith(_TWIST):
+            continue  # behind its length
         if metadata["quantity"] != "angle":
             unit = scene.unit if metadata["quantity"] == "length" else ""
             shown.append((scene.language.name(name), value, unit))
+            if name + _TWIST in values:
+                shown.append((TWIST, values[name + _TWIST], "°"))
             continue
         usual = value == plain.__dataclass_fields__[name].default and not value % 90.0
         if "between" in metadata or (value and not usual):

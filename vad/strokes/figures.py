@@ -8,8 +8,10 @@ printed results, the same ones wherever it stands.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from decimal import Context, Decimal
+from functools import reduce
 
 from vad.strokes.notation import Notation, key
 from vad.written import GIVEN, MEASURED, squared
@@ -20,6 +22,8 @@ MORE = 2
 _ALL = 15
 _PLACE = re.compile("\x02(\\d+)\x03")
 _EXACT = Context(prec=50)
+#: Multiplication or addition.
+Operation = Callable[[Decimal, Decimal], Decimal]
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +74,7 @@ class Figures:
 
     def __init__(self) -> None:
         self._placed: list[Figure | Unit] = []
-        self._products: list[tuple[Figure, tuple[Figure, ...]]] = []
+        self._calculated: list[tuple[Figure, tuple[Figure, ...], Operation]] = []
 
     def place(self, entry: Figure | Unit) -> str:
         """Return what keeps the place of a number or unit in a caption."""
@@ -79,14 +83,18 @@ class Figures:
 
     def product(self, result: Figure, *factors: Figure) -> None:
         """Note down that a result is the product of factors."""
-        self._products.append((result, factors))
+        self._calculated.append((result, factors, _EXACT.multiply))
+
+    def sum(self, result: Figure, *addends: Figure) -> None:
+        """Note down that a result is the sum of addends."""
+        self._calculated.append((result, addends, _EXACT.add))
 
     def fill(self, caption: str, notation: Notation) -> str:
         """Return a caption with its numbers and units."""
         return _PLACE.sub(lambda found: self._placed[int(found[1])].written(notation), caption)
 
     def settled(self, notation: Notation) -> Notation:
-        """Return the notation in which every product holds as it is printed.
+        """Return the notation in which every product and sum holds as it is printed.
 
         What is measured last is settled first: its factors are the results of what came before.
         """
@@ -94,8 +102,8 @@ class Figures:
         before = None
         while before != calculator.digits:
             before = dict(calculator.digits)
-            for result, factors in reversed(self._products):
-                while not calculator.agrees(result, factors):
+            for result, factors, operation in reversed(self._calculated):
+                while not calculator.agrees(result, factors, operation):
                     finer = calculator.to_refine(result, factors)
                     if finer is None:
                         break
@@ -111,15 +119,12 @@ class _Calculator:
         self.notation = replace(notation, digits=self.digits)
         self._printed: dict[Figure, Decimal] = {}
 
-    def agrees(self, result: Figure, factors: tuple[Figure, ...]) -> bool:
+    def agrees(self, result: Figure, factors: tuple[Figure, ...], operation: Operation) -> bool:
         """Tell whether the printed factors give the printed result, and that clearly: no tie."""
         printed = self._read(result)
-        product = Decimal(1)
-        for factor in factors:
-            power = Decimal(factor.power)
-            product = _EXACT.multiply(product, _EXACT.power(self._read(factor), power))
+        powers = [_EXACT.power(self._read(each), Decimal(each.power)) for each in factors]
         last = Decimal(1).scaleb(int(printed.as_tuple().exponent))
-        return 2 * abs(_EXACT.subtract(product, printed)) < last
+        return 2 * abs(_EXACT.subtract(reduce(operation, powers), printed)) < last
 
     def to_refine(self, result: Figure, factors: tuple[Figure, ...]) -> Figure | None:
         """Return the number that is to have a further digit; None where no digits are left."""

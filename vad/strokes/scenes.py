@@ -13,6 +13,7 @@ from vad.strokes.scene import Scene
 from vad.strokes.space.balls import BallScene
 from vad.strokes.space.hooke import HookeScene
 from vad.strokes.space.scene_in_space import SceneInSpace
+from vad.strokes.space.spatial import SpatialScene
 from vad.strokes.space.spherical import SphericalScene
 
 if TYPE_CHECKING:
@@ -20,16 +21,18 @@ if TYPE_CHECKING:
 
 AnyScene = Scene | SceneInSpace
 
-#: The scene of each solver in space.
-IN_SPACE: Mapping[type, type[SceneInSpace]] = {
-    UniversalSolver: HookeScene,
-    SphereSolver: SphericalScene,
-    BallSolver: BallScene,
+#: The scene of each solver in space, by whether anything slides.
+IN_SPACE: Mapping[tuple[type, bool], type[SceneInSpace]] = {
+    (UniversalSolver, False): HookeScene,
+    (SphereSolver, False): SphericalScene,
+    (SphereSolver, True): SpatialScene,
+    (BallSolver, False): BallScene,
 }
 
 
 def scene_of(motion: Motion, language: Language) -> AnyScene:
     """Return the scene of a motion, whose solver tells the plane from space."""
-    kind: Any = IN_SPACE.get(type(motion.solver), Scene)
+    solver = motion.solver
+    kind: Any = IN_SPACE.get((type(solver), bool(solver.slides)), Scene)
     scene: AnyScene = kind(motion, language)
     return scene

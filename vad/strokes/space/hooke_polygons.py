@@ -21,7 +21,7 @@ from vad.strokes.space.body_polygon import Bodies, polygon_of_bodies
 from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.space.body_words import BodyWords
 from vad.strokes.space.hooke_views import pierced, pins, shafts_of
-from vad.written import subscript
+from vad.written import PRIME, subscript
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import MotionInSpace
@@ -46,9 +46,10 @@ def joint_rates(motion: MotionInSpace[Any, Any]) -> BodyRates:
 
 
 def tracks(scene: SceneInSpace, order: int) -> Mapping[str, Any]:
-    """Return where the vertices of a polygon are."""
+    """Return where the vertices of a polygon are: of accelerations, those of its whole vectors."""
     found = joint_rates(scene.motion).vertices(order)
-    return {letter: at for letter, at in found.items() if order == 1 or letter[0] != "3"}
+    whole = ("1", "2", "3", "4") if order == 1 else ("1" + PRIME, "2" + PRIME, "4" + PRIME)
+    return {letter: found[letter] for letter in whole}
 
 
 def polygon(scene: SceneInSpace, order: int) -> Drawing:

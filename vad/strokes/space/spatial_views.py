@@ -1,0 +1,353 @@
+"""The spatial four-bar in a pictorial view, with the star of its directions and the crank's rose.
+
+In comes the scene of a pose, out goes the construction.  The view is fixed; star and rose stand
+above all that the mechanism reaches in a turn.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vad.kinematics.motion import solve
+from vad.kinematics.space.dual import real
+from vad.kinematics.space.sphere_solver import SphereSolver
+from vad.strokes.diagram import Drawing
+from vad.strokes.figures import Figure, Unit
+from vad.strokes.sheet import (
+    Arc,
+    Arrow,
+    Bearing,
+    Block,
+    Curve,
+    Dot,
+    Equation,
+    Note,
+    Shape,
+    Stroke,
+    Term,
+)
+from vad.strokes.space.scene_in_space import SceneInSpace
+from vad.strokes.space.screw_rates import ScrewRates
+from vad.strokes.vector_equations import NOTHING
+from vad.written import with_unit
+
+if TYPE_CHECKING:
+    from vad.kinematics.motion import MotionInSpace
+    from vad.mechanisms.mechanism import Mechanism
+
+#: From where it is seen: degrees about a, and above the plane square to it.
+AZIMUTH, ELEVATION = -62.0, 38.0
+#: Lengths as shares of the mechanism's reach: axes beyond their points, shafts beyond sleeves.
+AXIS, SHAFT, BEARING = 0.13, 0.06, 0.10
+#: The star's rays, the radius of the rose, and the space above the mechanism.
+RAY, ROSE, ABOVE, NOTE = 0.16, 0.09, 0.02, 0.26
+POSES = 48
+
+
+def seen(vector: Any) -> Any:
+    """Return a vector as it is seen in the pictorial view."""
+    east, up = math.radians(AZIMUTH), math.radians(ELEVATION)
+    right = -math.sin(east), math.cos(east), 0.0
+    onward = -math.sin(up) * math.cos(east), -math.sin(up) * math.sin(east), math.cos(up)
+    return np.asarray(vector) @ np.array(right) + 1j * (np.asarray(vector) @ np.array(onward))
+
+
+class Places:
+    """Where axes and points of one pose are in space, as arrays of x, y, z."""
+
+    def __init__(self, motion: MotionInSpace[Any, Any]) -> None:
+        assert isinstance(motion.solver, SphereSolver)
+        axes, slide = motion.solver.on_sphere(motion.pose), motion.slide
+        self.a, self.d = np.array([0.0, 0.0, 1.0]), _array(motion.solver.sphere.d)
+        self.b, self.c = _array(axes.b), _array(axes.c)
+        self.at = points(motion)
+        self.i = _array(motion.solver.axis(motion.pose).i)
+        self.coupler_b = self.at["B"] + slide("slide_b").position * self.b
+        self.rocker_c = self.at["C"] - slide("slide_c").position * self.c
+        self.rocker_d = self.at["D"] + slide("slide_d").position * self.d
+
+
+def points(motion: MotionInSpace[Any, Any]) -> Mapping[str, Any]:
+    """Return where the lettered points are, of one pose or of many."""
+    height = np.asarray(ScrewRates(motion).height)
+    found = {letter: motion.point(letter).position for letter in "ABCD"}
+    return {**found, "H": height[..., None] * np.array([1.0, 0.0, 0.0])}
+
+
+def tracks(scene: SceneInSpace) -> Mapping[str, Any]:
+    """Return where the lettered points are in the view."""
+    return {letter: seen(at) for letter, at in points(scene.motion).items()}
+
+
+def views(scene: SceneInSpace) -> Drawing:
+    """Return the construction of a pose."""
+    return _Views(scene).drawing()
+
+
+class _Views:
+    def __init__(self, scene: SceneInSpace) -> None:
+        self.scene, self.places = scene, Places(scene.motion)
+        self.rates = ScrewRates(scene.motion)
+        self.sizes = scene.motion.mechanism.parameters()
+        self.at = {letter: complex(seen(at)) for letter, at in self.places.at.items()}
+        low, high = _reach(scene.motion.mechanism)
+        self.reach = max((high - low).real, (high - low).imag)
+        top = high.imag + (ABOVE + RAY) * self.reach
+        self.star = complex(low.real + RAY * self.reach, top)
+        self.rose = complex(high.real - RAY * self.reach, top - ROSE * self.reach)
+        self.theta2 = float(scene.motion.link("crank").angle)
+        self.strokes: list[Stroke] = []
+        self.zeros: list[Stroke] = []
+
+    def drawing(self) -> Drawing:
+        """Draw step after step."""
+        self._frame()
+        self._crank()
+        self._directions()
+        self._slides()
+        self._bodies()
+        self._screw()
+        say = self.scene.say
+        notes = (
+            Note(self.star + (NOTE - 0.5j * RAY) * self.reach, say("spatial star")),
+            Note(self.rose - NOTE * self.reach, say("spatial rose")),
+        )
+        equation = self._equation()
+        return Drawing(
+            tuple(self.strokes),
+            tuple(self.zeros),
+            equations=(equation,),
+            picture="views",
+            notes=notes,
+            unit=self.scene.unit,
+        )
+
+    def _draw(
+        self,
+        name: str,
+        kind: str,
+        label: str,
+        shape: Shape,
+        phrase: str,
+        link: str | None = None,
+        body: bool = False,
+        reveals: tuple[str, ...] = (),
+        **parts: object,
+    ) -> None:
+        caption = self.scene.say(f"spatial {phrase}", unit=Unit(self.scene.unit), **parts)
+        component = "link" if body else None
+        stroke = Stroke(
+            kind,  # type: ignore[arg-type]
+            label,
+            shape,
+            caption,
+            link,
+            component,
+            reveals=reveals,
+            name=name,
+        )
+        self.strokes.append(stroke)
+
+    def _line(self, at: Any, way: Any, *ends: float) -> Curve:
+        """Return a straight line in space by shares of the reach along it."""
+        return Curve(tuple(complex(seen(at + end * self.reach * way)) for end in ends))
+
+    def _way(self, way: Any) -> complex:
+        vector = complex(seen(way))
+        return vector / abs(vector) if abs(vector) > NOTHING else 1j
+
+    def _frame(self) -> None:
+        """Draw the fixed axes with their common normal, the joint at A and the sleeve at D."""
+        places, at = self.places, self.at
+        size, twist = self._size("ground"), self._angle("ground_twist")
+        self._draw("a.axis", "guide", "", self._line(places.at["A"], places.a, -AXIS, AXIS), "a")
+        self._draw("d.axis", "guide", "", self._line(places.at["D"], places.d, -AXIS, AXIS), "d")
+        ground = Curve((at["A"], at["D"]))
+        self._draw("AD.ground", "guide", "", ground, "AD", size=size, twist=twist)
+        middle = complex(seen(places.at["A"] - BEARING * self.reach * places.a))
+        shaft = self._line(places.at["A"], places.a, -BEARING - SHAFT, 0.0)
+        self._draw("A.shaft", "known", "", shaft, "shaft", link="crank", body=True)
+        self._draw("A.bearing", "fixed", "", Bearing(middle, self._way(places.a)), "bearing")
+        self._draw("A.fixed", "fixed", "A", Dot(at["A"]), "A")
+        sleeve = Block(at["D"], self._way(places.d))
+        self._draw("D.sleeve", "fixed", "", sleeve, "D sleeve")
+        self._draw("D.fixed", "fixed", "D", Dot(at["D"]), "D")
+
+    def _crank(self) -> None:
+        """Draw the crank, its axis b with the sleeve, and its angle in a rose."""
+        places, at = self.places, self.at
+        angle = Figure(self.theta2, "°", given=True)
+        crank = Arrow(at["A"], at["B"], "A", "B")
+        self._draw(
+            "AB.crank",
+            "known",
+            "",
+            crank,
+            "crank",
+            link="crank",
+            body=True,
+            size=self._size("crank"),
+            angle=angle,
+        )
+        radius = ROSE * self.reach
+        pin = self.rose + radius * cmath.exp(1j * math.radians(self.theta2))
+        circle = Curve(tuple(self.rose + radius * each for each in _CIRCLE))
+        self._draw("rose.circle", "known", "", circle, "circle", link="crank")
+        reference = Curve((self.rose, self.rose + 1.4 * radius))
+        self._draw("rose.reference", "guide", "", reference, "reference")
+        arm = Arrow(self.rose, pin, "", "")
+        self._draw("rose.crank", "known", "", arm, "true", link="crank", body=True)
+        arc = Arc(self.rose, 0.55 * radius, 0.0, self.theta2)
+        label = with_unit(self.scene.figures.place(angle), "°")
+        self._draw("rose.angle", "angle", label, arc, "angle", link="crank", angle=angle)
+        axis = self._line(places.at["B"], places.b, -AXIS, AXIS)
+        twist = self._angle("crank_twist")
+        self._draw("b.axis", "guide", "", axis, "b", twist=twist)
+        sleeve = Block(at["B"], self._way(places.b))
+        self._draw("B.sleeve", "known", "", sleeve, "B sleeve", link="crank")
+
+    def _directions(self) -> None:
+        """Draw the directions of a, d and I in a star, and what has been found by them."""
+        twists = {
+            name: self._angle(f"{name}_twist") for name in ("ground", "crank", "coupler", "rocker")
+        }
+        ray = RAY * self.reach
+        ways = (("A", self.rates.a, "crank"), ("D", self.rates.d, "rocker"))
+        for letter, way, key in ways:
+            shape = Curve((self.star, self.star + ray * complex(way)))
+            self._draw(f"star.{letter}", "known", letter, shape, "directions", link=key, **twists)
+        tau = Figure(self.rates.axis.tau, "°")
+        shape = Curve((self.star, self.star + ray * complex(self.rates.i)))
+        self._draw("star.I", "construction", "I", shape, "I", link="axis", tau=tau)
+
+    def _slides(self) -> None:
+        """Draw what the directions tell: axis c and the lengths that close the loop."""
+        places = self.places
+        self._draw("c.axis", "guide", "", self._line(places.at["C"], places.c, -AXIS, AXIS), "c")
+        values = {
+            letter: Figure(
+                float(self.scene.motion.slide(f"slide_{letter}").position), self.scene.unit
+            )
+            for letter in "bcd"
+        }
+        for letter, start, end, key in (
+            ("B", places.at["B"], places.coupler_b, "axis"),
+            ("C", places.rocker_c, places.at["C"], "rocker"),
+            ("D", places.at["D"], places.rocker_d, "rocker"),
+        ):
+            ends = complex(seen(start)), complex(seen(end))
+            self._draw(
+                f"{letter}.slide", "result", f"s_{letter}", Curve(ends), "slides", key, **values
+            )
+            if abs(values[letter.lower()].value) <= NOTHING * self.reach:
+                self.zeros.append(_bare(self.strokes.pop()))
+
+    def _bodies(self) -> None:
+        """Ink coupler and rocker, each with the shafts on which it slides."""
+        places, reach = self.places, self.reach
+        begin = _beyond(places.coupler_b, places.at["B"], places.b, SHAFT * reach)
+        coupler = [begin, places.coupler_b, places.at["C"]]
+        shape = Curve(tuple(complex(seen(at)) for at in coupler))
+        size = self._size("coupler")
+        self._draw("BC.coupler", "result", "", shape, "coupler", "axis", body=True, size=size)
+        sleeve = Block(self.at["C"], self._way(places.c))
+        self._draw("C.sleeve", "result", "", sleeve, "C sleeve", "axis")
+        ends = (
+            _beyond(places.rocker_c, places.at["C"], places.c, SHAFT * reach),
+            _beyond(places.rocker_d, places.at["D"], places.d, SHAFT * reach),
+        )
+        rocker = [ends[0], places.rocker_c, places.rocker_d, ends[1]]
+        theta = Figure(float(self.scene.motion.link("rocker").angle), "°")
+        shape = Curve(tuple(complex(seen(at)) for at in rocker))
+        self._draw(
+            "DC.rocker",
+            "result",
+            "",
+            shape,
+            "rocker",
+            "rocker",
+            body=True,
+            reveals=("rocker",),
+            size=self._size("rocker"),
+            theta=theta,
+        )
+        self._draw("C.found", "intersection", "C", Dot(self.at["C"]), "C", "axis")
+
+    def _screw(self) -> None:
+        """Draw the axis I through H."""
+        places = self.places
+        height = Figure(float(self.rates.height), self.scene.unit)
+        axis = self._line(places.at["H"], places.i, -AXIS, AXIS)
+        self._draw("I.axis", "construction", "I", axis, "screw", "axis")
+        self._draw(
+            "H.found", "intersection", "H", Dot(self.at["H"]), "H", reveals=("axis",), height=height
+        )
+
+    def _equation(self) -> Equation:
+        """Return AB + s_B + BC = AD + s_D + DC + s_C."""
+        drawn = {stroke.name for stroke in self.strokes}
+
+        def terms(*labels: tuple[str, str | None, str]) -> tuple[Term, ...]:
+            return tuple(Term(label, link, name) for label, link, name in labels if name in drawn)
+
+        return Equation(
+            terms(
+                ("AB", "crank", "AB.crank"),
+                ("s_B", "axis", "B.slide"),
+                ("BC", "axis", "BC.coupler"),
+            ),
+            terms(
+                ("AD", None, "AD.ground"),
+                ("s_D", "rocker", "D.slide"),
+                ("DC", "rocker", "DC.rocker"),
+                ("s_C", "rocker", "C.slide"),
+            ),
+        )
+
+    def _size(self, name: str) -> Figure:
+        return Figure(self.sizes[name], self.scene.unit, given=True)
+
+    def _angle(self, name: str) -> Figure:
+        return Figure(self.sizes[name], "°", given=True)
+
+
+_CIRCLE = tuple(cmath.exp(1j * math.tau * k / 72) for k in range(73))
+
+
+def _array(vector: Any) -> Any:
+    """Return a vector without its dual part as an array of x, y, z."""
+    return np.array([float(real(part)) for part in vector])
+
+
+def _beyond(foot: Any, sleeve: Any, way: Any, by: float) -> Any:
+    """Return where a shaft ends that goes from a foot through its sleeve."""
+    slid = float(np.dot(sleeve - foot, way))
+    return sleeve + math.copysign(by, slid) * way
+
+
+def _bare(stroke: Stroke) -> Stroke:
+    return Stroke(
+        stroke.kind, stroke.label, stroke.shape, "", stroke.link, stroke.component, name=stroke.name
+    )
+
+
+@lru_cache(maxsize=32)
+def _reach(mechanism: Mechanism) -> tuple[complex, complex]:
+    """Return the corners of what the mechanism reaches in a turn, as it is seen."""
+    angles = np.linspace(0.0, 360.0, POSES, endpoint=False)
+    many: Any = solve(mechanism, angle=angles)
+    spots = []
+    for angle in angles[many.assembled].tolist():
+        motion: Any = solve(mechanism, angle=angle)
+        places = Places(motion)
+        ends = [places.at[letter] for letter in "ABCD"]
+        spots += [*ends, places.coupler_b, places.rocker_c, places.rocker_d]
+    view = seen(np.array(spots))
+    x, y = view.real, view.imag
+    return complex(x.min(), y.min()), complex(x.max(), y.max())
