@@ -2,8 +2,8 @@
 
 PHRASES = {
     # Lage
-    "spatial star": "gesehen längs DA",
-    "spatial rose": "gesehen längs a",
+    "spatial star": "längs DA",
+    "spatial rose": "längs a",
     "spatial a": "Die Achse a der Kurbel liegt fest.",
     "spatial d": "Ebenso die Achse d der Schwinge.",
     "spatial AD": (
@@ -82,4 +82,4 @@ PHRASES = {
 
 NAMES = {"Spatial four-bar": "Räumliches Viergelenk", "axis": "Achse"}
 
-GENDERS: dict[str, str] = {"axis": "die"}
+GENDERS = {"axis": "f"}

@@ -2,8 +2,8 @@
 
 PHRASES = {
     # position
-    "spatial star": "seen along DA",
-    "spatial rose": "seen along a",
+    "spatial star": "along DA",
+    "spatial rose": "along a",
     "spatial a": "The axis a of the crank is fixed.",
     "spatial d": "So is the axis d of the rocker.",
     "spatial AD": "AD = {size} {unit} is their common normal; d is twisted against a by {twist}°.",
@@ -29,7 +29,9 @@ PHRASES = {
     ),
     "spatial c": "From there the axis c has its direction.",
     "spatial slides": ("Three lengths close the loop: s_B = {b}, s_C = {c}, s_D = {d} {unit}."),
-    "spatial coupler": "The coupler: from its shaft in B along the common normal BC = {size} {unit}.",
+    "spatial coupler": (
+        "The coupler: from its shaft in B along the common normal BC = {size} {unit}."
+    ),
     "spatial C sleeve": "At C it holds the rocker in a sleeve.",
     "spatial rocker": "The rocker DC = {size} {unit} with its shafts in C and D: θ₄ = {theta}°.",
     "spatial C": "C is where the normal BC meets c.",

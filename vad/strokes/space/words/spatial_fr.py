@@ -2,8 +2,8 @@
 
 PHRASES = {
     # position
-    "spatial star": "vu suivant DA",
-    "spatial rose": "vu suivant a",
+    "spatial star": "suivant DA",
+    "spatial rose": "suivant a",
     "spatial a": "L’axe a de la manivelle est fixe.",
     "spatial d": "De même l’axe d du balancier.",
     "spatial AD": (
@@ -86,4 +86,4 @@ PHRASES = {
 
 NAMES = {"Spatial four-bar": "Quadrilatère spatial", "axis": "axe"}
 
-GENDERS: dict[str, str] = {"axis": "l’"}
+GENDERS = {"axis": "m"}
