@@ -26,8 +26,9 @@ _FENCE = re.compile(
 _PICTURE = re.compile(
     r"!\[[^]]*\]\((?P<path>[^)]+)\)|<(?:video|source)[^>]* src=\"(?P<film>[^\"]+)\""
 )
-#: Makes a film in a moment instead of seconds.
+#: Makes a film in a moment instead of seconds; a turn takes most of its time for its panels.
 _BRIEFLY = ("--fps", "5", "--size", "320x240", "--speed", "10")
+_ONE_PANEL = ("--panels", "velocity")
 
 
 @dataclass(frozen=True)
@@ -98,7 +99,7 @@ def draw_pictures(page: Path) -> None:
 
 
 def run_examples(text: str, folder: Path) -> None:
-    """Run all examples of a page in ``folder``, films briefly.
+    """Run all examples of a page in ``folder``, films briefly, turns in one panel.
 
     Raises
     ------
@@ -112,7 +113,9 @@ def run_examples(text: str, folder: Path) -> None:
         elif block.language == "sh":
             for words in commands(block):
                 film = "animate" in words and "--still" not in words
-                _succeed([*words, *_BRIEFLY] if film else words, folder)
+                turn = "--turn" in words and "--panels" not in words
+                brief = (*(_BRIEFLY if film else ()), *(_ONE_PANEL if turn else ()))
+                _succeed([*words, *brief], folder)
         elif block.language == "console":
             _compare(block, folder)
         elif block.language == "python":

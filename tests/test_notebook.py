@@ -160,7 +160,7 @@ def test_show_in_a_notebook_displays(monkeypatch):
     assert set(SHEET._repr_mimebundle_()) == {"text/plain", "image/png", "image/svg+xml"}
 
 
-@pytest.mark.parametrize("name", ["sheet", "still", "multiples"])
+@pytest.mark.parametrize("name", ["still", "multiples"])
 def test_show_elsewhere_opens_a_file_in_the_browser(monkeypatch, tmp_path, page, name):
     opened: list[str] = []
     monkeypatch.setattr(webbrowser, "open", lambda uri: not opened.append(uri))

@@ -62,6 +62,7 @@ def test_it_sweeps_and_compares(vad, press, tmp_path):
         (["solve", "press"], 2, "unknown mechanism 'press'", "press.toml is a file"),
         (["solve", "watt-1"], 2, "unknown mechanism 'watt-1'", "vad example watt-1 > watt-1.toml"),
         (["solve", "press.toml", "--crnk", "3"], 2, "unknown option '--crnk'", "'--crank'"),
+        (["draw", "press.toml", "--loop", "2"], 2, "option '--loop'", "an option of vad animate"),
         (["solve", "press.toml", "--crank", "3kg"], 2, "--crank: 'kg' is not a unit", None),
         (["solve", "press.toml", "--crank", "-3"], 1, "crank: must be positive", None),
         (["solve", "press.toml", "--assembly", "B"], 2, "--assembly: 'B' is no place", "B=left"),
@@ -69,6 +70,13 @@ def test_it_sweeps_and_compares(vad, press, tmp_path):
         (["solve", "press.toml", "--assembly", "X=left"], 2, "with two places 'X'", "B, D"),
         (["solve", "press.toml", "--crank", "900"], 1, "angle 45°: the links miss by", "angle"),
         (["check", "pres.toml"], 1, "'pres.toml': No such file or directory", None),
+        (["check", "hooken.toml"], 1, "No such file", "vad example hoeken > hoeken.toml"),
+        (
+            ["batch", "press.toml", "-o", "out"],
+            1,
+            "is a mechanism, and no",
+            'mechanism = "press.toml"',
+        ),
         (["check", "press"], 1, "'press': No such file or directory", "press.toml is a file"),
         (
             ["check", "watt-1"],

@@ -211,7 +211,7 @@ def peak(steps):
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
 sys.modules["vad.painting.filming"] = synthetic.as_filming_module()
-once, tenfold = peak(20), peak(200)
+once, tenfold = peak(10), peak(100)
 assert tenfold < 1.1 * once, (once, tenfold)
 """
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}

@@ -33,6 +33,28 @@ def pose(text: str, point: str = "C") -> complex:
     return vad.solve(written(text)()).point(point).position
 
 
+def test_the_point_under_a_block_has_the_name_that_is_given():
+    lever = """\
+[fixed]
+A = [0, 0]
+D = [0, -100]
+[links]
+crank = { AB = 40 }
+lever = { DC = 200 }
+[guides]
+B = { along = "DC" }
+[driver]
+crank = { angle = 60, omega = 10 }
+"""
+    named = written(lever.replace('"DC" }', '"DC", under = "B4" }'))
+    (own,), (given,) = written(lever)().linkage().loops, named().linkage().loops
+    assert "DQ" in str(own)
+    assert "DB4" in str(given)
+    for wrong in ("C", "", "B4C"):
+        with pytest.raises(vad.VadError, match="line 8: B: under: "):
+            written(lever.replace('"DC" }', f'"DC", under = "{wrong}" }}'))
+
+
 def test_a_file_s_four_bar_is_the_built_in_one():
     """And to the bit: both are one linkage."""
     mine, own = vad.solve(written(four_bar())()), vad.solve(vad.FourBar())

@@ -97,6 +97,8 @@ def test_the_lesson_itself_is_right():
         ("BC = 120,", 'BC = "variable",', 7, "a cylinder has two points", None),
         # guides
         (ROCKER, GUIDE + "{ y = 0, z = 3 }", 9, "C: unknown word 'z'", "known: y, x"),
+        (ROCKER, GUIDE + '{ y = 0, under = "Q" }', 9, "C: under: only a link has a point", None),
+        (ROCKER, GUIDE + '{ along = "BP", under = 4 }', 9, "C is a point of coupler itself", None),
         (ROCKER, GUIDE + "{ angle = 3 }", 9, "C: is no line", "{ y = 20 }"),
         (ROCKER, GUIDE + '{ along = "XY" }', 9, "along: no link has both X and Y", None),
         (ROCKER, GUIDE + '{ along = "BP" }', 9, "C is a point of coupler itself", None),
@@ -122,8 +124,10 @@ def test_the_lesson_itself_is_right():
         # mobility
         (DC, "DC = 80, DA = 100", 8, "pinned to the frame at D and A, so it cannot move", None),
         (ROCKER, f"{ROCKER}\narm = {{ PE = 40 }}", 9, "3·4 − 2·5 = 2", "arm: is held at one"),
-        (ROCKER, f"{ROCKER}\n[guides]\nE = {{ y = 3 }}", 10, "= 2 degrees", "E: no link has"),
+        (ROCKER, f"{ROCKER}\n[guides]\nE = {{ y = 3 }}", 10, "E: slides, but no link has", None),
         (ROCKER, f"{ROCKER}\narm = {{ DP = 40 }}", 5, "3·4 − 2·6 = 0", "can be left out"),
+        (ROCKER, f"{ROCKER}\narm = {{ DC = 70 }}", 9, "= 0 degrees", "both have D and C"),
+        (ROCKER, "rear rocker = { DC = 80 }", 8, "expected '='", "as in rear_rocker"),
         (ROCKER, f"{ROCKER}\narm = {{ EF = 40 }}", 9, "arm: shares no point with the rest", None),
     ],
 )  # fmt: skip
@@ -146,7 +150,8 @@ def test_the_other_place_of_an_earlier_dyad_may_help():
     press = BY_NAME["toggle-press"]["toml"].replace('B = "right"', 'B = "left"')
     with pytest.raises(InputError, match=r"line 22: .* D cannot be reached .* misses by") as caught:
         written(press.replace("BD = 540", "BD = 200"))
-    assert caught.value.hint == "with B at its other place it would close"
+    way = "B = 'right' under [assembly]"
+    assert caught.value.hint == f"with B at its other place it would close: {way}"
 
 
 def test_a_triad_is_refused_with_the_drivers_that_would_do():

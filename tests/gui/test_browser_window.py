@@ -93,7 +93,7 @@ def about(centre: tuple[float, float], degrees: float, radius: float) -> tuple[f
     return centre[0] + radius * math.cos(turn), centre[1] - radius * math.sin(turn)
 
 
-@pytest.mark.parametrize("moves", [1, 60])
+@pytest.mark.parametrize("moves", [1, 20])
 def test_the_crank_follows_the_hand(window: Page, moves):
     load(window, "slider-crank")
     centre = pivot(window, "slider-crank")
@@ -251,11 +251,33 @@ def test_a_dead_centre_says_what_has_no_rates(window: Page):
     assert window.locator(".stale").count() == 0
 
 
-def test_what_cannot_be_shown_leaves_nothing_of_another_mechanism(window: Page):
+def test_a_window_opened_at_a_dead_centre_shows_the_position_alone(window: Page):
     load(window, "gate-actuator", position=4.5)
     assert window.locator("#field-ground").input_value() == "0.6864197"
     window.evaluate("location.hash = 'm=double-slider&position=1000'")
+    until(window, lambda: window.locator(".panel.stale").count() == 2)
     until(window, lambda: "dead centre" in window.locator(".message").inner_text())
+    assert window.locator("header h1").inner_text() == "Double slider"
+    drawings = window.locator(".panel .drawing")
+    assert [each.is_visible() for each in drawings.all()] == [True, False, False]
+    assert cell(window, 0, 0) == "θ3= 180.0°"
+    assert not window.locator(".results td").nth(3).is_visible()
+    assert middle(window)[0] > pivot(window, "double-slider")[0] + 100
+    assert value(window, "position") == 1000
+    assert violations(window) == []
+    window.get_by_role("button", name="try position 979.5").click()
+    until(window, lambda: not window.locator(".message.wrong").count())
+    still(window)
+    assert value(window, "position") == 979.5
+    assert window.locator(".stale, .bare").count() == 0
+    assert window.locator(".control").is_visible()
+    assert all(each.is_visible() for each in drawings.all())
+
+
+def test_what_cannot_be_shown_leaves_nothing_of_another_mechanism(window: Page):
+    load(window, "gate-actuator")
+    window.evaluate("location.hash = 'm=double-slider&position=2000'")
+    until(window, lambda: "links miss" in window.locator(".message").inner_text())
     assert window.locator("header h1").inner_text() == "Double slider"
     assert window.locator(".panel, .results table").count() == 0
     load(window, "double-slider")
@@ -322,7 +344,7 @@ def test_every_mechanism_in_every_language(window: Page, address: str, code):
     assert window.evaluate("document.documentElement.lang") == code
     names = window.locator("#mechanism option").evaluate_all("all => all.map(e => e.value)")
     assert names == list(MECHANISMS)
-    for name in names if code == "de" else names[:1]:
+    for name in names[::3] if code == "de" else names[:1]:
         title = window.locator(f"#mechanism option[value={name}]").inner_text()
         window.select_option("#mechanism", name)
         until(window, lambda title=title: window.locator("header h1").inner_text() == title)

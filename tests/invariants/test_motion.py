@@ -21,7 +21,7 @@ COINCIDENT = "Q"
 
 everything = pytest.mark.parametrize("name", list(vad.MECHANISMS))
 drawn = settings(
-    max_examples=15,
+    max_examples=8,
     deadline=None,
     suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow],
 )

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from mpmath import mp, mpf
@@ -157,18 +157,7 @@ class Chain(Parts):
         bar, find = self._bar(link, tail, head, at)
         side = along(at - self._at[tail], turn(self.numbers[f"{name}_guide"]))
         self._chains((*self._paths[tail], bar), (slide,), side)
-        corner = self._corner(link, tail)
-
-        def equations(world: World, unknowns: list[Any]) -> list[Series]:
-            gap = point(world, unknowns[0]) - world.points[tail]
-            return [square(gap) - world[f"{link}_length"] * world[f"{link}_length"]]
-
-        def learn(world: World, unknowns: list[Any]) -> None:
-            world.slides[name] = unknowns[0]
-            find(world, point(world, unknowns[0]))
-            corner(world)
-
-        self.dyads.append(Dyad([start], equations, learn))
+        self._bar_to_line(tail, link, name, start, point, find)
 
     def _rrp_on_a_link(self, k: int) -> None:
         carrier = self.draw.choice(list(self._bases))
@@ -185,11 +174,24 @@ class Chain(Parts):
         )
         side = along(at - self._at[tail], lean * base)
         self._chains((*self._paths[tail], bar), (*self._paths[foot], *slot), side)
-        corner = self._corner(link, tail)
         self.turning[name] = carrier
 
         def point(world: World, length: Any) -> Any:
             return world.points[foot] + vector(world, length) * world.links[carrier]
+
+        self._bar_to_line(tail, link, name, start, point, find)
+
+    def _bar_to_line(
+        self,
+        tail: str,
+        link: str,
+        name: str,
+        start: float,
+        point: Callable[[World, Any], Any],
+        find: Callable[[World, Any], None],
+    ) -> None:
+        """Write what holds for a bar from ``tail`` to a line, on which it ends at ``point``."""
+        corner = self._corner(link, tail)
 
         def equations(world: World, unknowns: list[Any]) -> list[Series]:
             gap = point(world, unknowns[0]) - world.points[tail]

@@ -215,10 +215,7 @@ def toggle_press() -> Linkage:
     return Linkage(
         angle_of("crank"),
         (
-            Loop(
-                (Bar("OA", "crank", 180), Bar("AB", "link", 360)),
-                (Bar("CB", "rocker", 240),),
-            ),
+            Loop((Bar("OA", "crank", 180), Bar("AB", "link", 360)), (Bar("CB", "rocker", 240),)),
             Loop(
                 (Bar("CB", "rocker", 240), Bar("BD", "rod", 540)),
                 (Slide("CD", "slider", 0.0, origin=-360j),),
@@ -231,6 +228,7 @@ def toggle_press() -> Linkage:
 
 def atkinson() -> Linkage:
     """A coupler point between its ends pushes a piston along x = -60."""
+    ae = corner(170, 60, 130)
     return Linkage(
         angle_of("crank"),
         (
@@ -240,11 +238,7 @@ def atkinson() -> Linkage:
                 side=-1,
             ),
             Loop(
-                (
-                    Bar("OA", "crank", 50),
-                    side("AE", "coupler", corner(170, 60, 130)),
-                    Bar("EP", "rod", 220),
-                ),
+                (Bar("OA", "crank", 50), side("AE", "coupler", ae), Bar("EP", "rod", 220)),
                 (Slide("OP", "piston", 90.0, origin=-60 + 0j),),
             ),
         ),

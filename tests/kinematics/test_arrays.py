@@ -191,7 +191,7 @@ def test_one_pose_an_array_of_one_and_a_long_array_agree_bit_for_bit(
 ) -> None:
     if not exists(variant, family):
         pytest.skip("no such poses")
-    for case, truth in samples(variant, family, 3, seed=7):
+    for case, truth in samples(variant, family, 3, seed=7, conditions=False):
         first = next(iter(vad.MECHANISMS[case.name].inputs))
         place = case.inputs[first]
         many = solve(case, **{first: np.array([0.99 * place, place, 1.01 * place, 30.0, place])})

@@ -26,12 +26,12 @@ OFF = 0.01
 SQUARE, FAINT = 5, 12
 #: All lessons at every stroke take minutes: VAD_FULL=1.
 FULL = bool(os.environ.get("VAD_FULL"))
-SAMPLE = {"crank-slotted-lever": 7, "gate-actuator": 11, "four-bar": 13}
+SAMPLE = {"crank-slotted-lever": 13, "gate-actuator": 17, "four-bar": 19}
 LESSONS = (
     [(name, "paper", 1) for name in vad.MECHANISMS]
     + [("four-bar", "print", 1), ("whitworth", "chalk", 1)]
     if FULL
-    else [(name, "paper", every) for name, every in SAMPLE.items()] + [("whitworth", "print", 17)]
+    else [(name, "paper", every) for name, every in SAMPLE.items()] + [("whitworth", "print", 23)]
 )
 #: Puts the drawings where the painter has them, and all else away; letters are darker on a page.
 BARE = """() => {

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import io
 import os
 import re
 from itertools import pairwise
 
 import pytest
+from PIL import Image
 from playwright.sync_api import Page, expect
 
 from tests.browser import violations
@@ -59,7 +61,7 @@ def test_who_wants_no_motion_sees_strokes_at_once(lesson: Page) -> None:
 
 
 def test_forced_colours_leave_keys_and_drawings(lesson: Page) -> None:
-    """On light ones: on dark ones axe takes colours for those that were forced away."""
+    """On dark ones axe reads a fill that was forced away: there, the pixels are looked at."""
     lesson.emulate_media(forced_colors="active")
     press(lesson, "End")
     key = lesson.locator(".key path").first
@@ -69,4 +71,9 @@ def test_forced_colours_leave_keys_and_drawings(lesson: Page) -> None:
     boxes = [part.bounding_box() for part in parts]
     assert all(a["y"] + a["height"] <= b["y"] + 0.5 for a, b in pairwise(boxes))
     assert violations(lesson) == []
-    lesson.emulate_media(forced_colors="null")
+    lesson.emulate_media(color_scheme="dark")
+    for part in ("h1", "header p", ".panel:first-child .foot p", ".results tbody tr:first-child"):
+        picture = Image.open(io.BytesIO(lesson.locator(part).first.screenshot())).convert("RGB")
+        shown = {colour for _, colour in picture.getcolors(1 << 24)}
+        assert {(0, 0, 0), (255, 255, 255)} <= shown, part
+    lesson.emulate_media(forced_colors="null", color_scheme="null")

@@ -14,9 +14,12 @@ from vad.strokes.sheet import Sheet
 
 PARTS = {"crank-slotted-lever": {"rod": 120, "ram_height": 140}, "whitworth": {"rod": 300}}
 PICTURES = [
-    *((name, "paper", (960, 540)) for name in vad.MECHANISMS),
+    ("double-slider", "paper", (960, 540)),
+    ("gate-actuator", "paper", (960, 540)),
+    ("scotch-yoke", "paper", (960, 540)),
+    ("whitworth", "paper", (960, 540)),
     ("crank-slotted-lever", "print", (960, 540)),
-    ("crank-slotted-lever", "chalk", (960, 540)),
+    ("slider-crank", "chalk", (960, 540)),
     ("four-bar", "print", (640, 480)),
 ]
 

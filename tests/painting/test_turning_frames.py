@@ -20,8 +20,14 @@ from vad.style import load_style
 SIZE = (640, 360)
 
 
-# One of each kind: a lever, guides, bars alone, a strut, and a slot that moves.
-KINDS = ["crank-slotted-lever", "double-slider", "four-bar", "gate-actuator", "scotch-yoke"]
+# One of each kind: a lever, guides, bars alone, a strut, and a slot that moves; vectors are alike.
+KINDS = {
+    "crank-slotted-lever": None,
+    "double-slider": "position",
+    "four-bar": "position",
+    "gate-actuator": "position",
+    "scotch-yoke": "position",
+}
 
 
 PAPER = load_style("paper")
@@ -29,8 +35,8 @@ PAPER = load_style("paper")
 
 @pytest.fixture(scope="module", params=KINDS)
 def board(request) -> TurnBoard:
-    mechanism = vad.MECHANISMS[request.param]()
-    return TurnBoard(vad.turn(mechanism, fps=1, size=SIZE))
+    mechanism, panels = vad.MECHANISMS[request.param](), KINDS[request.param]
+    return TurnBoard(vad.turn(mechanism, fps=1, size=SIZE, panels=panels))
 
 
 def turning(board: TurnBoard) -> Iterator[Frame]:
@@ -54,7 +60,7 @@ def test_every_frame_equals_one_painted_from_nothing(board: TurnBoard):
 
 
 def test_a_board_laid_out_again_finds_the_same_places():
-    turn = vad.turn(vad.ScotchYoke(), fps=1, size=(480, 360), style="chalk")
+    turn = vad.turn(vad.ScotchYoke(), fps=1, size=(480, 360), style="chalk", panels="velocity")
     chalk = load_style("chalk")
     for number, frame in enumerate(filmed(turn)):
         if number == 5:

@@ -13,7 +13,7 @@ from vad.plan.marks import Lettering, Mark, Polyline
 from vad.plan.turning.numbered_turn import NumberedTurn
 
 FRAMES = 240  # of the 8 s that a turn takes
-EVERY = 15
+EVERY = 24
 MOST = 6.0 / 720.0  # on the page, from one frame to the next
 
 #: A lever with its ram shows all that one without it does.

@@ -9,13 +9,15 @@ import pytest
 import vad
 from tests.plan.snapshots import SCENES, lesson
 from tests.plan.test_growth import points
+from vad.files.examples import example_path
 from vad.lecture.moment import Moment, done, drawing
 from vad.painting.posed import board_of
 from vad.plan.board import Plan, seen
 from vad.plan.items import Item
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Lettering, Mark
-from vad.plan.opening import LARGEST, REGION
+from vad.plan.opening import LARGEST, REGION, USUAL
+from vad.plan.opening import reach as reach_of
 
 EVERY = pytest.mark.parametrize("scene", SCENES)
 SHARES = [k / 5 for k in range(6)]
@@ -44,12 +46,23 @@ def test_the_mechanism_stands_large_between_title_and_caption(scene: str, size: 
     area = shown.regions[REGION]
     assert area.top <= shown.regions["title"].bottom + NEAR
     assert area.bottom >= shown.regions["caption"].top - NEAR
-    assert 1.3 < shown.opening.factor <= LARGEST
+    assert shown.opening.factor > 1.3
+    grown = reach_of(shown.opening.large.values())
+    if shown.opening.factor > LARGEST:
+        assert grown.width < USUAL.real + NEAR
+        assert grown.height < USUAL.imag + NEAR
     for item in own(shown):
         for mark in shown.opening.large[item].marks:
             for share in SHARES:
                 grown = mark.at(share)
                 assert grown is None or all(area.holds(z) for z in reach(grown)), item.stroke
+
+
+def test_a_mechanism_in_a_small_panel_grows_to_the_usual_size():
+    mechanism = vad.load(example_path("jansen-leg"))()
+    shot = board_of(vad.animate(vad.draw(vad.solve(mechanism)))).opening
+    assert shot.factor > 1.2 * LARGEST
+    assert reach_of(shot.large.values()).height == pytest.approx(USUAL.imag)
 
 
 def reach(mark: Mark) -> list[complex]:

@@ -12,7 +12,7 @@ from itertools import zip_longest
 
 import pytest
 
-from tests.plan.snapshots import HERE, KINDS, SCENES
+from tests.plan.snapshots import HERE, KINDS, SNAPSHOTS
 
 NUMBER = re.compile(r"(?<![\w.\[])[−-]?\d+(?:\.\d+)?(?![\w.])")
 MOST = 5  # differences that are shown
@@ -32,8 +32,7 @@ def same(line: str | None, kept: str | None) -> bool:
     return all(abs(float(a) - float(b)) <= 1.0 for a, b in pairs)
 
 
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("scene", SCENES)
+@pytest.mark.parametrize(("scene", "kind"), SNAPSHOTS)
 def test_everything_stands_where_it_stood(scene: str, kind: str):
     kept = (HERE / f"{scene}-{kind}.txt").read_text(encoding="utf-8").splitlines()
     item, different = "", []
@@ -57,4 +56,4 @@ def test_a_snapshot_tells_a_thousandth_from_a_difference():
 
 def test_every_snapshot_has_a_scene():
     names = {path.stem for path in HERE.glob("*.txt")}
-    assert names == {f"{scene}-{kind}" for scene in SCENES for kind in KINDS}
+    assert names == {f"{scene}-{kind}" for scene, kind in SNAPSHOTS}

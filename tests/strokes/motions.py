@@ -18,7 +18,7 @@ from vad.kinematics.motion import Motion
 from vad.strokes.language import languages
 from vad.strokes.sheet import Arrow, Panel, Sheet, Stroke
 
-COUNT = 16
+COUNT = 10
 ORDERS = {"position": 0, "velocity": 1, "acceleration": 2}
 
 everything = pytest.mark.parametrize("name", list(vad.MECHANISMS))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 from typing import Any
 
 import vad
@@ -26,8 +27,13 @@ MECHANISMS: dict[str, Any] = {
 RATES = ((1.0, 0.0), (-1.0, 2.5), (0.0, 1.0), (0.0, 0.0))
 
 
-def sheets(mechanism: Any, steps: int = 12, **options: Any) -> Iterator[Sheet]:
-    """Yield the sheets of a turn, or of the whole range of a slide, for all `RATES`."""
+@cache
+def sheets(mechanism: Any, steps: int = 5, **options: Any) -> tuple[Sheet, ...]:
+    """Return the sheets of a turn, or of the whole range of a slide, for all `RATES`."""
+    return tuple(_drawn(mechanism, steps, options))
+
+
+def _drawn(mechanism: Any, steps: int, options: Any) -> Iterator[Sheet]:
     place, *rates = mechanism.inputs
     for low, high in closing_range(mechanism):
         for step in range(steps):

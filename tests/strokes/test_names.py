@@ -18,7 +18,7 @@ FORM = re.compile(
 
 @pytest.mark.parametrize("mechanism", MECHANISMS.values(), ids=list(MECHANISMS))
 def test_names_are_unique_and_name_a_step_or_a_point(mechanism) -> None:
-    for sheet in sheets(mechanism, steps=5):
+    for sheet in sheets(mechanism):
         for panel in sheet.panels:
             names = [stroke.name for stroke in panel.strokes]
             assert len(set(names)) == len(names)
@@ -77,7 +77,7 @@ def test_a_parameter_called_after_a_point_bears_its_letter(code: str) -> None:
 
 @pytest.mark.parametrize("mechanism", MECHANISMS.values(), ids=list(MECHANISMS))
 def test_terms_and_the_inset_name_the_strokes_that_draw_them(mechanism) -> None:
-    for sheet in sheets(mechanism, steps=5):
+    for sheet in sheets(mechanism):
         for panel in sheet.panels:
             strokes = {stroke.name: stroke for stroke in panel.strokes}
             for equation in panel.equations:

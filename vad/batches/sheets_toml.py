@@ -62,11 +62,16 @@ def _checked(source: Source) -> Source:
         For one that sheets do not have.
     """
     tables = source.table("")
+    if "sheet" not in tables and {"fixed", "links"} & tables.keys():
+        hint = f'name it in a file of sheets: [sheet] mechanism = "{source.name}"'
+        raise InputError(f"{source.name}: is a mechanism, and no file of sheets", hint)
     for name, value in tables.items():
         table = isinstance(value, Mapping)
         with written_at(source.place(*((name, "") if table else ("", name)))):
             if name not in _TABLES:
-                raise unknown("table", name, _TABLES)
+                raise unknown(
+                    "table" if table else "word", name, _TABLES if table else ("[sheet]",)
+                )
             if not table:
                 raise InputError(f"{name}: must be a table", f"write [{name}]")
     return Source(source.name, tables, source.lines)

@@ -33,8 +33,24 @@ class HelpfulCommand(click.Command):
             if not name.startswith("--"):
                 # click takes -crank for -c -r …; the word as it was written is more use.
                 name = next((word for word in words if word.startswith(name)), name)
+            name = name.partition("=")[0]
             names = [each for option in self.get_params(ctx) for each in option.opts]
-            raise unknown("option", name.partition("=")[0], names) from None
+            wrong = unknown("option", name, names)
+            verbs = _verbs_with(ctx, name)
+            if verbs:
+                wrong.hint = f"{name} is an option of {' and of '.join(verbs)}"
+            raise wrong from None
+
+
+def _verbs_with(ctx: click.Context, name: str) -> list[str]:
+    """Return the verbs with an option of that name: "vad animate"."""
+    root = ctx.find_root().command
+    verbs = root.commands.values() if isinstance(root, click.Group) else ()
+    return [
+        f"vad {verb.name}"
+        for verb in verbs
+        if isinstance(verb, MechanismGroup) and any(name in each.opts for each in verb.options)
+    ]
 
 
 class MechanismGroup(click.Group):

@@ -165,15 +165,18 @@ class _Assembling:
             raise UnplacedError(dyads[-1].point, str(error), error.hint) from None
 
     def _other_way(self, count: int, sides: Mapping[str, float]) -> str | None:
-        """Say which earlier dyad would have to take its other place."""
-        for dyad in self.dyads[: count - 1]:
+        """Say which earlier dyad would have to take its other place, and how that is written."""
+        for number, dyad in enumerate(self.dyads[: count - 1], start=1):
             if dyad.reversible:
-                solver = self._solver(count, {**sides, dyad.point: -sides[dyad.point]})
+                flipped = {**sides, dyad.point: -sides[dyad.point]}
                 try:
-                    solver.positions(self.value)
+                    self._solver(count, flipped).positions(self.value)
                 except OpenLoopError:
                     continue
-                return f"with {dyad.point} at its other place it would close"
+                here, there = (self._places(number, each, self.value) for each in (sides, flipped))
+                words = words_for(there[dyad.point], here[dyad.point])
+                said = f": {dyad.point} = '{words[0]}' under [assembly]" if words else ""
+                return f"with {dyad.point} at its other place it would close{said}"
         return None
 
 

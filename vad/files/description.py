@@ -169,11 +169,15 @@ class SliderLine:
 
 @dataclass(frozen=True)
 class Guide:
-    """A line to which a point is bound, and the name of the slide along it."""
+    """A line to which a point is bound, and the name of the slide along it.
+
+    ``under`` names the point of a link that lies beneath; where it is empty, it is Q or another.
+    """
 
     point: str
     line: FrameLine | LinkLine | SliderLine
     slide: str
+    under: str = ""
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ In comes ``{ y = 330, name = "ram" }`` or ``{ along = "DC" }``, out goes a `Guid
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from vad.errors import InputError, shown, unknown
@@ -14,7 +14,7 @@ from vad.files.expressions import Expression
 from vad.files.linkwork import letters
 from vad.files.parameters import Numbers
 
-_WORDS = ("y", "x", "through", "angle", "along", "offset", "name")
+_WORDS = ("y", "x", "through", "angle", "along", "offset", "name", "under")
 _KINDS = ({"y"}, {"x"}, {"through", "angle"}, {"along"}, {"along", "offset"})
 _HINT = "a line is { y = 20 }, { x = 0 }, { through = 'O', angle = 30 } or { along = 'DC' }"
 _ZERO = Expression.of("0", [])
@@ -33,6 +33,7 @@ def guides(
     """
     table = numbers.source.table("guides")
     lines, names = {}, {}
+    under: dict[str, str] = {}
     for point, value in table.items():
         reader = _GuideReader(numbers, point, fixed, links, table)
         lines[point] = reader.line(value)
@@ -40,6 +41,8 @@ def guides(
         if name is not None:
             reader.check_name(name)
             names[point] = name
+        if "under" in value:
+            under[point] = reader.under(value["under"], lines[point], under.values())
     usual = {
         point: "slider" if isinstance(line, FrameLine) else "block"
         for point, line in lines.items()
@@ -54,7 +57,10 @@ def guides(
             message = f"{point}: {taken[name]} is called {name} already"
             raise numbers.source.error("guides", point, message, "give it a name")
         taken[name] = "a slide"
-    return {point: Guide(point, line, names[point]) for point, line in lines.items()}
+    return {
+        point: Guide(point, line, names[point], under.get(point, ""))
+        for point, line in lines.items()
+    }
 
 
 class _GuideReader:
@@ -84,6 +90,17 @@ class _GuideReader:
         if not isinstance(name, str) or not (name.isidentifier() and name.isascii()):
             raise self.error(f"name: must be one word, got {shown(name)}", "as in name = 'ram'")
 
+    def under(self, name: object, line: object, others: Iterable[str]) -> str:
+        """Return the name of the point of a link that lies under the block."""
+        if not isinstance(line, LinkLine):
+            raise self.error("under: only a link has a point under the block")
+        if not isinstance(name, str) or letters(name) != (name,):
+            raise self.error(f"under: must be one point, got {shown(name)}", "as in under = 'Q'")
+        linked = (point for link in self.links.values() for point in link.points)
+        if name in {*self.fixed, *self.guided, *linked, *others}:
+            raise self.error(f"under: there is a point {name} already")
+        return name
+
     def line(self, value: Any) -> FrameLine | LinkLine | SliderLine:
         """Return the line that a guide is."""
         if not isinstance(value, Mapping):
@@ -92,7 +109,7 @@ class _GuideReader:
             if word not in _WORDS:
                 wrong = unknown("word", word, _WORDS)
                 raise self.error(str(wrong), wrong.hint)
-        words = set(value) - {"name"}
+        words = set(value) - {"name", "under"}
         if words not in _KINDS:
             raise self.error("is no line" if words else "has no line", _HINT)
         if "y" in value:

@@ -35,14 +35,15 @@ STROKES = "STPRNML"
 
 def names_under(description: Description) -> dict[str, str]:
     """Return the names of the points that lie under blocks on links, by the name of the slide."""
-    names = _free(UNDER, description.points)
+    given = {guide.slide: guide.under for guide in description.guides.values() if guide.under}
+    names = _free(UNDER, (*description.points, *given.values()))
     passive = [
         link.name
         for link in description.links.values()
         if link.cylinder and link.name != description.driver.name
     ]
     slots = [g.slide for g in description.guides.values() if isinstance(g.line, LinkLine)]
-    return {slide: next(names) for slide in (*passive, *slots)}
+    return {slide: given.get(slide) or next(names) for slide in (*passive, *slots)}
 
 
 def _free(letters: str, taken: Sequence[str]) -> Iterator[str]:

@@ -6,6 +6,7 @@ that joins k bodies counts as k - 1 joints.
 
 from __future__ import annotations
 
+from itertools import combinations
 from typing import NamedTuple
 
 from vad.files.description import Description, FrameLine, LinkLine
@@ -45,10 +46,11 @@ def check_mobility(source: Source, description: Description) -> Mobility:
         For any other, with a hint where its cause can be seen.
     """
     _check_connected(source, description)
+    _check_guided(source, description)
     found = mobility(description)
     if found.freedoms == 1:
         return found
-    table, key, hint = "links", "", None
+    key, hint = "", None
     if found.freedoms > 1:
         for link in description.links.values():
             held = [p for p in link.points if _bodies_at(description, p) > 1]
@@ -58,13 +60,14 @@ def check_mobility(source: Source, description: Description) -> Mobility:
             if len(held) + len(lines) < 2:
                 key, hint = link.name, f"{link.name}: is held at {_at(held)} only"
                 break
-        through = [getattr(g.line, "through", "") for g in description.guides.values()]
-        for point in description.guides:
-            if hint is None and point not in through and not description.links_at(point):
-                table, key, hint = "guides", point, f"{point}: no link has this point"
     else:
         hint = "a link that only repeats a parallelogram can be left out"
-    raise source.error(table, key, f"Grübler: {found}, not 1", hint)
+        for one, other in combinations(description.links.values(), 2):
+            both = [point for point in one.points if point in other.points]
+            if len(both) > 1:
+                key = other.name
+                hint = f"{one.name} and {other.name} both have {' and '.join(both)}: one link"
+    raise source.error("links", key, f"Grübler: {found}, not 1", hint)
 
 
 def _check_connected(source: Source, description: Description) -> None:
@@ -86,6 +89,14 @@ def _check_connected(source: Source, description: Description) -> None:
         verb = "shares" if len(loose) == 1 else "share"
         message = f"{', '.join(loose)}: {verb} no point with the rest"
         raise source.error("links", loose[0], message)
+
+
+def _check_guided(source: Source, description: Description) -> None:
+    """Refuse what slides by itself."""
+    through = [getattr(guide.line, "through", "") for guide in description.guides.values()]
+    for point in description.guides:
+        if not (point in through or point in description.fixed or description.links_at(point)):
+            raise source.error("guides", point, f"{point}: slides, but no link has this point")
 
 
 def _at(points: list[str]) -> str:

@@ -11,10 +11,12 @@ import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import date, time
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 from vad.errors import InputError, shown, unknown
+from vad.files.examples import EXTENSION, example_names
 
 #: What may stand in a file: single words, and tables.
 WORDS = ("title", "unit", "about", "source")
@@ -26,6 +28,8 @@ _HEADER = re.compile(r"\s*\[\s*([\w-]+)\s*\]")
 _KEY = re.compile(r"""\s*(["']?)([\w-]+)\1\s*=""")
 #: A quantity with its unit, or a word, without the quotes that it needs.
 _BARE = re.compile(r"=\s*([-+]?[\d.]+ *(?:[^\W\d_]|°)[^\s,}]*|[A-Za-z][\w/*]*)\s*(?:[,}#]|$)")
+#: A name of several words, which would need quotes.
+_WORDS_AS_KEY = re.compile(r"\s*([A-Za-z]\w*(?:[ \t]+\w+)+)\s*=")
 _PLACE = re.compile(r"(.*) \(at line (\d+), column \d+\)", re.DOTALL)
 _QUOTED = re.compile(r"""(["']).*?\1""")
 
@@ -121,14 +125,21 @@ def text_of(path: str | Path, longest: int = LONGEST) -> str:
     except UnicodeDecodeError:
         raise InputError(f"{path.name}: is no text in UTF-8") from None
     except OSError as error:
-        longer = Path(f"{path}.toml")
-        hint = f"{longer.name} is a file" if longer.is_file() else None
-        raise InputError(f"'{path}': {error.strerror or error}", hint) from None
+        raise InputError(f"'{path}': {error.strerror or error}", _nearly(path)) from None
     except ValueError:
         raise InputError(f"{shown(str(path))}: is no name of a file") from None
     if len(data) > longest:
         raise InputError(f"{path.name}: is longer than {longest} bytes")
     return text
+
+
+def _nearly(path: Path) -> str | None:
+    """Return the hint for a file that is not there: one of that name, or an example's."""
+    longer = Path(f"{path}{EXTENSION}")
+    if longer.is_file():
+        return f"{longer.name} is a file"
+    near = get_close_matches(path.stem, example_names(), n=1, cutoff=0.7)
+    return f"vad example {near[0]} > {near[0]}{EXTENSION}" if near else None
 
 
 def read_text(text: str, name: str) -> Source:
@@ -153,8 +164,12 @@ def parsed(text: str, name: str) -> Source:
         if place is None:
             raise InputError(f"{name}: {message[:1].lower()}{message[1:]}") from None
         said = place[1][:1].lower() + place[1][1:]
-        bare = _BARE.search(_QUOTED.sub("", text.split("\n")[int(place[2]) - 1]))
+        line = text.split("\n")[int(place[2]) - 1]
+        bare = _BARE.search(_QUOTED.sub("", line))
         hint = f'text stands in quotes: "{bare[1]}"' if bare else None
+        words = _WORDS_AS_KEY.match(line)
+        if words:
+            hint = f"a name is one word, as in {'_'.join(words[1].split())}"
         raise InputError(f"{name}, line {place[2]}: {said}", hint) from None
     return Source(name, {"": tables}, lines)
 

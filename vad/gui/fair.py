@@ -43,7 +43,7 @@ def lesson(question: LessonQuestion) -> dict[str, Any]:
             before = scale_of(question.scales[panel.name])
             scales[panel.name] = calm_scale(panel, board.room(panel, sheet), before)
     key = load_style(question.style).key
-    copy = plan(sheet, FORM, key, lesson=True, lines=LINES, scales=scales)
+    copy = plan(sheet, FORM, key, lesson=True, lines=LINES, scales=scales, words=False)
     made = parts(vad.animate(sheet, style=question.style), copy)
     shown = {name: sketch.scale for name, sketch in copy.sketches.items()}
     return {

@@ -1,6 +1,7 @@
 // The handle: a pointer or a key becomes an angle, a length or a place along a guide.
 
 const INSIDE = 0.002; // of a range, how far from its end
+const RING = 34; // its width on a page 1280 wide: so far labels keep clear of it
 
 const picture = () => find(".panels").children[names.indexOf("position")]?.querySelector("svg");
 
@@ -9,6 +10,7 @@ function hold() {
   handle.hidden = !grip || !matrix;
   if (handle.hidden) return;
   const at = new DOMPoint(...grip.at).matrixTransform(matrix), stage = find(".stage").getBoundingClientRect();
+  handle.style.setProperty("--ring", `${RING * matrix.a}px`);
   handle.style.left = `${at.x - stage.left}px`;
   handle.style.top = `${at.y - stage.top}px`;
   const [low, high] = [ranges[0]?.[0] ?? 0, ranges[ranges.length - 1]?.[1] ?? 360], now = set.inputs[grip.name];

@@ -31,8 +31,11 @@ from vad.painting.svg.font_subset import Faces
 from vad.plan.format import screen
 from vad.plan.live.live_board import LiveBoard
 from vad.plan.scale import Scale
+from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import chosen
-from vad.strokes.sheet import Sheet
+from vad.strokes.language import Language
+from vad.strokes.scenes import scene_of
+from vad.strokes.sheet import Panel, Sheet
 from vad.style import load_style
 
 FORM = screen(SIZE)
@@ -117,7 +120,7 @@ def board_of(mechanism: Mechanism, panels: tuple[str, ...], language: str) -> Li
         If it closes nowhere.
     """
     motions = list(_over(mechanism))
-    poses = [vad.draw(motion, POSITION).panels[0] for motion in motions]
+    poses = [_pictured(motion) for motion in motions]
     return LiveBoard.over(_first(motions, panels, language), FORM, LINES, poses)
 
 
@@ -131,6 +134,11 @@ def _over(mechanism: Mechanism) -> Iterable[Motion]:
             shares = np.linspace(0.0, 1.0, count, endpoint=False)
         for share in shares:
             yield vad.solve(mechanism, **{driven: low + float(share) * (high - low)})
+
+
+def _pictured(motion: Motion) -> Panel:
+    """Return the mechanism in one pose; the numbers in its captions, which nobody reads, lack."""
+    return DIAGRAMS[POSITION].panel(scene_of(motion, Language("en")))
 
 
 @lru_cache(maxsize=64)

@@ -6,6 +6,7 @@ function question(kind) {
     assembly: "" in set.places ? set.places[""] : set.places, points: set.mechanism === start.mechanism ? start.points : {},
     length_unit: set.length_unit, panels: start.panels, language: start.language, style: start.style };
   if (kind === "pose") return { ...asked, scales, ways, ...(stands && { stands }) };
+  if (kind === "beside") return { ...asked, inputs: { ...asked.inputs, ...aside } };
   if (kind === "lesson") return { ...asked, scales: find("#lock").checked ? scales : {} };
   const style = root.dataset.theme, speed = +find(".speed").value;
   return { ...asked, style: start.style === "print" ? "print" : style, size: start.size, fps: start.fps, speed };
@@ -23,7 +24,7 @@ function send() {
   const kind = wanted, asked = question(kind);
   wanted = null;
   asking = true;
-  return post(kind, asked).then((answer) => answer.json(), () => ({ error: { kind: "stopped", message: words.stopped } }))
+  return post(kind === "beside" ? "lesson" : kind, asked).then((answer) => answer.json(), () => ({ error: { kind: "stopped", message: words.stopped } }))
     .then((answer) => [kind, asked, answer]);
 }
 
@@ -38,6 +39,7 @@ async function pump() {
 }
 
 function take(kind, asked, answer) {
+  if (kind === "beside") return backdrop(answer);
   if (answer.ranges) [ranges, grip] = [answer.ranges, answer.handle];
   if (answer.error && shown !== set.mechanism) clear();
   if (answer.panels) (kind === "pose" ? move : play)(answer);
@@ -46,10 +48,25 @@ function take(kind, asked, answer) {
     root.classList.remove("moving");
     stands = answer.error ? stands : asked.parameters;
     if (!answer.error) remember();
-    else if (answer.error.kind === "dead-centre") want("pose"); // the position is there
+    else if (answer.error.kind === "dead-centre") stay(answer.error);
   }
   if (answer.results) settle(answer.results, { ...asked.parameters, ...asked.inputs });
   hold();
+}
+
+// At a dead centre there is the position; where nothing is shown yet, in the panels of a pose beside it.
+function stay(error) {
+  if (names.length) return want("pose");
+  if (!error.try) return;
+  aside = error.try;
+  want("beside");
+}
+
+function backdrop(answer) {
+  if (!answer.panels) return;
+  play(answer);
+  root.classList.add("bare");
+  want("pose");
 }
 
 // Boxes in which a text with a unit was written show what it came to.

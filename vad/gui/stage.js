@@ -5,6 +5,7 @@ const GLIDE = 150;
 function move({ panels, rows, looks, scales: fresh, ways: sides }) {
   rules(looks);
   const sections = find(".panels").children, lines = find(".results tbody")?.children ?? [];
+  if (panels.length === names.length) root.classList.remove("bare");
   names.forEach((name, i) => sections[i].classList.toggle("stale", !panels.some(([each]) => each === name)));
   for (const [name, scale, drawing] of panels) {
     const section = sections[names.indexOf(name)];
@@ -14,8 +15,9 @@ function move({ panels, rows, looks, scales: fresh, ways: sides }) {
     section.querySelector(".drawing").outerHTML = drawing;
     glide(name, scales[name], fresh[name]);
   }
-  if (panels.length === names.length && lines.length === rows.length)
-    rows.forEach((cells, i) => lines[i].replaceChildren(lines[i].firstElementChild, ...cells.map(cell)));
+  if (lines.length === rows.length)
+    rows.forEach((cells, i) => cells.forEach((html, j) =>
+      lines[i].children[1 + names.indexOf(panels[j][0])]?.replaceWith(cell(html))));
   [scales, ways] = [{ ...scales, ...fresh }, { ...ways, ...sides }];
 }
 
@@ -38,6 +40,7 @@ function clear() {
 function play({ head, panels, table, chapters, steps, data, looks, scales: fresh }) {
   const playing = retry === "play";
   rules(looks);
+  root.classList.remove("bare");
   const before = scales;
   [names, shown] = [data.panels.map(([name]) => name), set.mechanism];
   find("header").innerHTML = head;

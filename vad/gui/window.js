@@ -8,7 +8,7 @@ const { start, catalogue, words } = JSON.parse(document.getElementById("data").t
 const handle = find(".handle"), message = find(".message"), mend = find(".message button");
 const fields = new Map();
 let set = {}, player = null, shown = null, names = [], scales = {}, ways = {}, stands = null, grip = null, ranges = [], broken = false;
-let wanted = null, asking = false, timer = 0, step = null, retry = null;
+let wanted = null, aside = {}, asking = false, timer = 0, step = null, retry = null;
 
 const entry = () => catalogue[set.mechanism];
 const settable = () => [...entry().parameters, ...entry().inputs];

@@ -99,6 +99,10 @@ class AnySolver(ABC):
         """Tell whether a slide is on a link that turns, and so has a Coriolis component."""
         return False
 
+    def is_dead(self, pose: Pose) -> bool:
+        """Tell whether something has no rates in a single pose."""
+        return 0.0 in pose.sine
+
     @abstractmethod
     def why_dead(self, pose: Pose) -> str:
         """Say why a result is undetermined in a single pose."""

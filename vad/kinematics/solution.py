@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 _AXES = 3
 # Where in them stands whether the links close: after the first input.
 _CLOSES = 1
+# So far from a dead centre a place is looked for that has rates: degrees, or of a typical length.
+_ASIDE = {"angle": 2.0, "length": 0.02}
 
 
 class Solution(Generic[Truth]):
@@ -112,7 +114,18 @@ class Solution(Generic[Truth]):
 
     def dead_centre(self) -> DeadCentreError:
         """Return the error of a single pose in which what was asked for is undetermined."""
-        return DeadCentreError(self.solver.why_dead(self.pose))
+        return DeadCentreError(self.solver.why_dead(self.pose), hint=self._beside())
+
+    def _beside(self) -> str | None:
+        """Name a place of the driver near by at which everything has rates, if there is one."""
+        (name, value), *_ = self._inputs.items()
+        kind = self.solver.driver.kind
+        step = _ASIDE[kind] * (self.solver.scale if kind == "length" else 1.0)
+        for place in (value + step, value - step):
+            works = _shortest(self.solver, place)
+            if works and not self.solver.is_dead(self.solver.positions(float(works))):
+                return f"try {name} {works}"
+        return None
 
     @property
     def assembled(self) -> Truth:

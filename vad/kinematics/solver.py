@@ -138,12 +138,19 @@ class Solver(AnySolver):
             loop.move(pose, (*lower, found), sine)
         return found
 
+    def is_dead(self, pose: Pose) -> bool:
+        """Tell whether something has no rates in a single pose."""
+        return self._dead(pose) is not None
+
     def why_dead(self, pose: Pose) -> str:
         """Say why a result is undetermined in a single pose."""
-        for loop, sine in zip(self.loops, pose.sine, strict=True):
-            if sine == 0.0 and not loop.loop.parallel:
-                return loop.why_dead()
-        return "the result is undetermined at this dead centre"
+        dead = self._dead(pose)
+        return dead.why_dead() if dead else "the result is undetermined at this dead centre"
+
+    def _dead(self, pose: Pose) -> LoopSolver | None:
+        """Return the first loop whose lines are parallel."""
+        loops = zip(self.loops, pose.sine, strict=True)
+        return next((one for one, sine in loops if sine == 0.0 and not one.loop.parallel), None)
 
     def miss_in_words(self, miss: float, length_unit: str) -> str:
         """Say by how much the links of a pose miss each other."""

@@ -79,7 +79,8 @@ def solve(
     for _ in range(_MOST_STEPS):
         steps = loop.solved(place, loop.gap(place)[0])
         place = {scalar: place[scalar] + steps[scalar] for scalar in place}
-        if all(abs(step) < least * problem.unit(scalar) for scalar, step in steps.items()):
+        sizes = {scalar: max(problem.unit(scalar), abs(place[scalar])) for scalar in steps}
+        if all(abs(steps[scalar]) < least * size for scalar, size in sizes.items()):
             break
     else:
         raise ArithmeticError("the iteration does not converge")

@@ -62,7 +62,8 @@ class Parts:
 
 def page_plan(lesson: Lesson) -> Plan:
     """Return the board of a lesson as its page shows it, whatever the size of its film."""
-    return plan(lesson.sheet, screen(SIZE), load_style(lesson.style).key, lesson=True)
+    key = load_style(lesson.style).key
+    return plan(lesson.sheet, screen(SIZE), key, lesson=True, words=False)
 
 
 def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
@@ -79,7 +80,8 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
     style, faces = load_style(lesson.style), Faces()
     inker, words = Inker(board.form, themed(style), faces), Words(faces)
     sheet = lesson.sheet
-    said = [_listed(lesson, step, setter(sheet), words) for step in lesson.steps]
+    write = setter(sheet)
+    said = [_listed(lesson, step, write, words) for step in lesson.steps]
     drawn = [panel_section(board, panel, inker, words) for panel in sheet.panels]
     results = table(board, style.key, inker, words)
     title = words.of(roman(sheet.title), light=False, heavy=True)

@@ -25,6 +25,7 @@ from vad.plan.page.foot import Foot, compose
 from vad.plan.page.halves import height_of_halves
 from vad.plan.page.measured import lines_of
 from vad.plan.page.title import title_marks
+from vad.plan.pictures.folds import folds
 from vad.plan.pictures.kinds import sketched
 from vad.plan.scale import Scale, is_tall
 from vad.plan.sharing import OVERLAP, rooms
@@ -105,6 +106,7 @@ def plan(
     lesson: bool = False,
     lines: int | None = None,
     scales: Mapping[str, Scale] = MappingProxyType({}),
+    words: bool = True,
 ) -> Plan:
     """Return the plan of a sheet.
 
@@ -122,6 +124,8 @@ def plan(
         How many lines there are for a caption; as many as the longest takes if None.
     scales
         Of the panels that do not fill their room.
+    words
+        False where all that stands about the pictures is written elsewhere: in a page of HTML.
     """
     if lines is None:
         lines = caption_lines(sheet, form.width - 2 * MARGIN) if lesson else 0
@@ -138,16 +142,18 @@ def plan(
             taken = sketches[half.name].obstacles
             first += len(half.strokes)
     regions = regions_of(page)
-    items = [
-        Item("", "title", Level.GROUND, tuple(title_marks(sheet, page))),
-        *heads(sheet, page, sketches),
-        *equations(sheet, page, feet, sketches),
-        *(readings(page, feet, sketches) if form.centimetre else ()),
-        *results(sheet, page, sketches, key, lesson),
-        *(captions(sheet, page, sketches) if lesson else ()),
-        *(item for sketch in sketches.values() for item in sketch.items),
-        *lights(sketches),
-    ]
+    items = [item for sketch in sketches.values() for item in sketch.items]
+    items += lights(sketches)
+    items += folds(sketches)
+    if words:
+        items += [
+            Item("", "title", Level.GROUND, tuple(title_marks(sheet, page))),
+            *heads(sheet, page, sketches),
+            *equations(sheet, page, feet, sketches),
+            *(readings(page, feet, sketches) if form.centimetre else ()),
+            *results(sheet, page, sketches, key, lesson),
+            *(captions(sheet, page, sketches) if lesson else ()),
+        ]
     order = {name: number for number, name in enumerate(regions)}
     items.sort(key=lambda item: (order[item.region], item.level))
     return Plan(sheet, form, page, regions, tuple(items), sketches)

@@ -17,7 +17,9 @@ from vad.plan.marks import Bow, Disc, Lettering, Outline, Polygon, Polyline
 REGION = "opening"
 #: What stays in its place meanwhile.
 STAYING = ("title", "caption")
+#: A panel grows by so much at most; one that is smaller than usual further, to the usual size.
 LARGEST = 1.7
+USUAL = 0.87 + 0.62j
 MARGIN = 0.02
 #: How far strokes are drawn where their reach is measured.
 SHARES = [part / 8 for part in range(9)]
@@ -59,7 +61,8 @@ def opening(items: Sequence[Item], panel: str, area: Rect) -> Opening:
     """
     own, room = [item for item in items if item.region == panel], area.inside(MARGIN)
     whole, staying = reach(own), reach(item for item in own if item.until == FOREVER)
-    factor = min(LARGEST, room.width / whole.width, room.height / whole.height)
+    usual = min(USUAL.real / whole.width, USUAL.imag / whole.height)
+    factor = min(max(LARGEST, usual), room.width / whole.width, room.height / whole.height)
     low = complex(room.left, room.bottom) - factor * complex(whole.left, whole.bottom)
     high = complex(room.right, room.top) - factor * complex(whole.right, whole.top)
     ideal = room.centre - factor * staying.centre
@@ -79,7 +82,7 @@ def reach(items: Iterable[Item]) -> Rect:
     points = [
         point
         for item in items
-        for share in (SHARES if item.grows else SHARES[-1:])
+        for share in (SHARES if item.wanders else SHARES[-1:])
         for mark in item.at(share)
         for point in _outermost(mark.shape)
     ]

@@ -97,7 +97,7 @@ def chosen(panels: Sequence[str] | str | None) -> tuple[str, ...]:
 
 
 def _parameters(scene: AnyScene) -> tuple[tuple[str, float, str], ...]:
-    """Return all lengths, and the angles but for 0 and a mechanism's own along the axes.
+    """Return all lengths and arcs, and other angles but for 0 and a mechanism's own along axes.
 
     Where they are too many for a line, coordinates are left out first, and then the last.
     """
@@ -113,7 +113,9 @@ def _parameters(scene: AnyScene) -> tuple[tuple[str, float, str], ...]:
             shown.append((scene.language.name(name), value, unit))
             if name + _TWIST in values:
                 shown.append((TWIST, values[name + _TWIST], "°"))
-        elif value and (value != plain.__dataclass_fields__[name].default or value % 90.0):
+            continue
+        usual = value == plain.__dataclass_fields__[name].default and not value % 90.0
+        if "between" in metadata or (value and not usual):
             shown.append((scene.language.name(name), value, "°"))
     for name, (link, distance, *angle) in mechanism.points.items():
         tail, head = points_of(mechanism.links[link])

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from vad.kinematics.space.ball_solver import BallSolver
 from vad.kinematics.space.sphere_solver import SphereSolver
 from vad.kinematics.space.universal_solver import UniversalSolver
 from vad.strokes.language import Language
 from vad.strokes.scene import Scene
+from vad.strokes.space.balls import BallScene
 from vad.strokes.space.hooke import HookeScene
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.strokes.space.spatial import SpatialScene
@@ -24,6 +26,7 @@ IN_SPACE: Mapping[tuple[type, bool], type[SceneInSpace]] = {
     (UniversalSolver, False): HookeScene,
     (SphereSolver, False): SphericalScene,
     (SphereSolver, True): SpatialScene,
+    (BallSolver, False): BallScene,
 }
 
 

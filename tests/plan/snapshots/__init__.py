@@ -64,12 +64,20 @@ def _turn(scene: str) -> Iterable[str]:
         yield from written(board.shown(frame))
 
 
+#: Their turns show nothing that those of others do not.
+STANDING = {"crank-slotted-lever", "whitworth", "four-bar-crossed", "slider-crank-offset"}
 #: The kinds of picture; a lesson is at 16:9, a still at 4:3.
 KINDS: dict[str, Callable[[str], Iterable[str]]] = {
     "lesson": _lesson,
     "still": _still,
     "turn": _turn,
 }
+SNAPSHOTS = [
+    (scene, kind)
+    for scene in SCENES
+    for kind in KINDS
+    if not (kind == "turn" and scene in STANDING)
+]
 
 
 def written(items: Iterable[Item]) -> Iterator[str]:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import sys
 
-from tests.plan.snapshots import HERE, KINDS, SCENES
+from tests.plan.snapshots import HERE, KINDS, SNAPSHOTS
 
-for scene in sys.argv[1:] or SCENES:
-    for kind, shown in KINDS.items():
-        text = "\n".join(shown(scene)) + "\n"
+for scene, kind in SNAPSHOTS:
+    if scene in (sys.argv[1:] or [scene]):
+        text = "\n".join(KINDS[kind](scene)) + "\n"
         (HERE / f"{scene}-{kind}.txt").write_text(text, encoding="utf-8")

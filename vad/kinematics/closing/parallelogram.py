@@ -25,8 +25,7 @@ class ParallelLoop(LoopSolver):
 
     def prepare(self) -> None:
         """Find what each bar copies: a link, and how the bar lies in that link's axes."""
-        if (self.way, self.other_way) != (-1, 1):
-            raise InputError("each of a loop's two chains must end with one unknown bar")
+        self.check_ends()
         if len(self.known) != (1 if self.offset else 2):
             raise InputError("parallel: a parallelogram has two known sides and two unknown ones")
         opposite = {self.step: (self.loop.second, 1.0), self.other: (self.loop.first, -1.0)}

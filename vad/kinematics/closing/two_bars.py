@@ -23,8 +23,7 @@ class TwoAnglesLoop(LoopSolver):
 
     def prepare(self) -> None:
         """Form the triangle's constants."""
-        if (self.way, self.other_way) != (-1, 1):
-            raise InputError("each of a loop's two chains must end with one unknown bar")
+        self.check_ends()
         bars = self.step, self.other
         if not all(isinstance(bar.length, float) for bar in bars):
             self.crank = None

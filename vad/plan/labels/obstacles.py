@@ -51,6 +51,12 @@ class Obstacles:
         """Add a box."""
         self.boxes.append((box, span))
 
+    def block(self, box: Rect) -> None:
+        """Add a box as strokes that fill it, for what knows strokes alone."""
+        across = min(box.width, box.height)
+        way = complex(box.width - across, box.height - across) / 2
+        self.line([box.centre - way, box.centre + way], across / 2)
+
     def during(self, span: Span) -> Obstacles:
         """Return only what shows at some time in ``span``."""
         return Obstacles(
@@ -114,7 +120,8 @@ class Obstacles:
         starts, ends = np.array(lines, dtype=np.complex128).T
         halves = np.full(len(lines), half_width)
         meets = _meets(at, (wide[:, None], high[:, None]), starts, ends, halves)
-        return np.array([not each.any() for each in meets.T])
+        free: Bools = ~np.logical_or.reduce(meets)
+        return free
 
 
 def _near(

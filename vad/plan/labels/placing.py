@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.plan.geometry import Rect
+from vad.plan.items import ALWAYS, Span
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 
 GAP = 0.014
@@ -63,6 +64,8 @@ class Wish:
         The distances at which it needs no leader.
     rivals
         Other dots, which it must not seem to name.
+    span
+        The beats in which it shows.
     """
 
     at: complex
@@ -72,6 +75,7 @@ class Wish:
     radius: float = 0.0
     near: Sequence[float] = (GAP, 0.020)
     rivals: Sequence[complex] = ()
+    span: Span = ALWAYS
 
     def around(self, gap: float, count: int) -> list[complex]:
         """Return the centres of ``count`` boxes about the dot, ``gap`` away, the best first."""
@@ -126,7 +130,8 @@ def place_all(obstacles: Obstacles, wishes: Sequence[Wish]) -> Iterator[tuple[in
     while near:
         number = min(near, key=lambda each: len(near[each]) or math.inf)
         spots = near.pop(number)
-        placed = _settle(obstacles, spots[0]) if spots else _far_off(obstacles, wishes[number])
+        placed = spots[0] if spots else _far_off(obstacles, wishes[number])
+        _settle(obstacles, placed, wishes[number].span)
         near = {each: [s for s in spots if _apart(s, placed)] for each, spots in near.items()}
         yield number, placed
 
@@ -178,16 +183,16 @@ def _far_off(obstacles: Obstacles, wish: Wish) -> Placed:
         for index in np.flatnonzero(free)[:MOST_LEADERS]:
             spot = _led(wish, centres[int(index)])
             if not spot.leader:
-                return _settle(obstacles, spot)
+                return spot
             covered = obstacles.covered(*spot.leader)
             if not covered:
-                return _settle(obstacles, spot)
+                return spot
             start, end = spot.leader
             if covered + LENGTH_COUNTS * abs(end - start) < least:
                 least, best = covered + LENGTH_COUNTS * abs(end - start), spot
             bare = bare or Placed(spot.centre, wish.wide, wish.high)
     last = Placed(wish.around(GAP, 1)[0], wish.wide, wish.high)
-    return _settle(obstacles, best or bare or last)
+    return best or bare or last
 
 
 def _far(edge: Rect, wish: Wish) -> Iterator[tuple[bool, list[complex]]]:
@@ -235,8 +240,7 @@ def _led(wish: Wish, centre: complex) -> Placed:
     return Placed(centre, wish.wide, wish.high, (start, nearest - way * 0.005))
 
 
-def _settle(obstacles: Obstacles, placed: Placed) -> Placed:
-    obstacles.box(placed.box)
+def _settle(obstacles: Obstacles, placed: Placed, span: Span) -> None:
+    obstacles.box(placed.box, span)
     if placed.leader:
-        obstacles.line(placed.leader, PIXEL)
-    return placed
+        obstacles.line(placed.leader, PIXEL, span)

@@ -7,12 +7,12 @@ once they are placed, the items of their labels.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 
 from vad.plan.carriers import reached
 from vad.plan.geometry import direction_of
-from vad.plan.items import FOREVER, Level
+from vad.plan.items import FOREVER, Level, Span
 from vad.plan.labels.placing import Placed, Wish, outward, place_all
 from vad.plan.lettering.glyphs import ink_size, typeset
 from vad.plan.lettering.runs import Runs, symbols
@@ -137,7 +137,10 @@ def label_vertices(
     sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
 ) -> None:
     """Place the labels of all vertices, each once for all strokes."""
-    wishes = [wish(vertex, vertices, radius, near) for vertex in vertices]
+    wishes = [
+        replace(wish(vertex, vertices, radius, near), span=_span(sketch, vertex))
+        for vertex in vertices
+    ]
     for index, placed in place_all(sketch.obstacles, wishes):
         _letter(sketch, vertices[index], placed)
 
@@ -150,6 +153,11 @@ def wish(vertex: Vertex, all_: Sequence[Vertex], radius: float, near: Sequence[f
     return Wish(vertex.at, outward(vertex.ways), *size, radius, near, rivals)
 
 
+def _span(sketch: Sketch, vertex: Vertex) -> Span:
+    """Return the beats in which the label of a vertex shows."""
+    return sketch.setting.after(vertex.since), FOREVER
+
+
 def _set(letters: Sequence[str]) -> Runs:
     return symbols(", ".join(letters))
 
@@ -158,7 +166,7 @@ def _letter(sketch: Sketch, vertex: Vertex, placed: Placed) -> None:
     """Add the label of a vertex, which grows by a letter with the stroke that brings it."""
     setting, rows = sketch.setting, vertex.rows
     strokes = setting.panel.strokes
-    sketch.tags.append(Tag(vertex.label, placed.box))
+    sketch.tags.append(Tag(vertex.label, placed.box, _span(sketch, vertex)))
     if placed.leader:
         leader = line(placed.leader, "leader")
         sketch.add(strokes[vertex.since], Level.LABEL, setting.after(vertex.since), [leader])

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from string import ascii_uppercase
 from typing import Literal
 from unicodedata import normalize
@@ -64,13 +65,15 @@ def roman(text: str, italic: Callable[[str], bool] = lambda _: False) -> Runs:
             runs.append(Run(_SUPERSCRIPTS[token], "roman", 1))
         elif _GREEK.match(token) or (token[0].isalpha() and italic(token)):
             runs.append(Run(token, "italic"))
-        elif token.isdecimal() and runs and runs[-1].face == "italic":  # of a point: O2
+        elif token.isdecimal() and runs and (runs[-1].face, runs[-1].script) == ("italic", 0):
+            # of a point: O2
             runs.append(Run(token, "roman", -1))
         else:
             runs.append(Run(token))
     return tuple(runs)
 
 
+@lru_cache(maxsize=1024)
 def symbols(text: str) -> Runs:
     """Return a label: points and quantities italic, words upright.
 

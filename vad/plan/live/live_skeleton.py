@@ -121,10 +121,9 @@ def _free_sector(moving: MovingSkeleton, poses: Sequence[Panel]) -> tuple[float,
         points.append(sense_letter(0j, radius, middle, None)[1].centre)
         ends.append(len(points))
     met = np.zeros(len(places))
-    for pose in poses:
+    for pose, obstacles in zip(poses, moving.obstacles, strict=True):
         centre = moving.scale(_angles(pose)[0][1].centre)
-        spots = [centre + point for point in points]
-        hit = ~moving.pose(pose).obstacles.free(spots, 0.0, 0.0, _CLEAR)
+        hit = ~obstacles.free([centre + point for point in points], 0.0, 0.0, _CLEAR)
         met += np.add.reduceat(hit, ends[:-1]) > 0
     return places[int(met.argmin())]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from functools import cache
 
 from vad.plan.layout import Page
 from vad.plan.lettering.glyphs import typeset, width
@@ -52,7 +53,7 @@ def setter(sheet: Sheet) -> Setter:
     """Return what sets the captions of a sheet in type."""
     names = italic_names(sheet)
     upright = Language(sheet.language).upright
-    return lambda text: sentence(text, names, upright)
+    return cache(lambda text: sentence(text, names, upright))
 
 
 def caption_lines(sheet: Sheet, room: float) -> int:

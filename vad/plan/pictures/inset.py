@@ -165,7 +165,7 @@ def _picture(
     tags: list[Tag] = []
     for text, at, way, row in (
         ("2ωv", tip - 0.016 * size * turned, -sliding, block),
-        ("v", foot + 0.034 * size * sliding, -turned, block),
+        ("v", foot + 0.050 * size * sliding, -turned, block),
         ("ω", radius * out, out, lever),
     ):
         runs = symbols(text)

@@ -58,6 +58,8 @@ def add_speed(sketch: Sketch, key: str, speed: float, size: float) -> None:
         spot = beside(at, side, CLEAR + CLEARANCE, wide, high)
         if not obstacles.free(line, 0.0, 0.0, CLEAR).all():
             continue
+        if not obstacles.clear_of_labels([(start, end)], CLEAR).all():
+            continue
         if obstacles.free([spot], wide, high, CLEARANCE, APART)[0]:
             arrow = vector(start, end, row, "speed", whole=True)
             marks = [replace(mark, growth=None) for mark in arrow]

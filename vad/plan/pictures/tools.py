@@ -112,7 +112,8 @@ def place_square(
     It lies within the panel wherever it slides: on the other side, with its right angle behind or
     smaller, if need be; at an edge it waits for the pencil.
     """
-    found: list[tuple[float, SetSquare]] = []
+    best: SetSquare | None = None
+    least = math.inf
     inner, length = obstacles.edge.inside(0.003), ((end - start) * way.conjugate()).real
     for side in sorted((1j * way, -1j * way), key=lambda side: side.imag):
         for size, ahead in product(SIZES, (1, -1)):
@@ -120,14 +121,17 @@ def place_square(
             reach = _sliding(corners, way, inner)
             if reach and _covers(length, size, ahead, reach):
                 square = SetSquare(start, way, side, size, ahead, reach)
+                crowd = sum(_swept(label - start, way, side, size, length) for label in labels)
+                cost = crowd + 4.0 * (1.0 - size) + 0.1 * (ahead < 0)
+                if cost >= least:
+                    continue
                 edges = [
                     edge for ring in square.rings(length) for edge in pairwise([*ring, ring[0]])
                 ]
-                crowd = sum(_swept(label - start, way, side, size, length) for label in labels)
-                crowd += int((~obstacles.clear_of_labels(edges, 0.0)).sum())
-                cost = crowd + 4.0 * (1.0 - size) + 0.1 * (ahead < 0)
-                found.append((cost, square))
-    return min(found, key=lambda each: each[0])[1] if found else None
+                cost += int((~obstacles.clear_of_labels(edges, 0.0)).sum())
+                if cost < least:
+                    least, best = cost, square
+    return best
 
 
 def _swept(point: complex, way: complex, side: complex, size: float, length: float) -> bool:

@@ -24,11 +24,12 @@ from vad.plan.pictures.views import views_scale
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.crowd import Crowd
 from vad.plan.turning.hodographs import Complexes, Hodographs
+from vad.plan.turning.moving_inset import moving_polygon
 from vad.plan.turning.moving_skeleton import MovingSkeleton
 from vad.plan.turning.moving_vectors import MovingVectors
 from vad.plan.turning.moving_views import MovingViews
 from vad.plan.turning.springs import Ballast, Boxes, Spring, find_spring
-from vad.plan.turning.turn_scale import mechanism_scale, polygon_scale
+from vad.plan.turning.turn_scale import mechanism_scale
 from vad.strokes.sheet import Arrow, Block, Dot, Panel
 
 FADING = 0.025  # from the edge on, a label fades; and below that length, that of a vector
@@ -173,12 +174,12 @@ def _picture(
     match setting.panel.picture:
         case "skeleton":
             skeleton = MovingSkeleton(setting, poses, mechanism_scale(setting, poses))
-            skeleton.add_dimensions(poses)
+            skeleton.add_dimensions()
             return skeleton
         case "views":
             return MovingViews(setting, poses, views_scale(setting, poses))
         case "vectors":
-            return MovingVectors(setting, polygon_scale(setting, poses))
+            return moving_polygon(setting, poses)
 
 
 def written(letter: str) -> str:

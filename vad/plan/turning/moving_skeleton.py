@@ -53,6 +53,8 @@ class MovingSkeleton:
         What stands still.
     stands
         What is chosen.
+    obstacles
+        What stands in each of the poses over which it is chosen.
     size, radius
         That of all parts, and of its joints.
     """
@@ -78,22 +80,23 @@ class MovingSkeleton:
         self._ways = [self._guide(stroke, *rails[stroke.name]) for stroke in guides]
         points = {frame[index].name: scale(point) for index, point in fixed_points(first.panel)}
         new = [name for name in points if name not in stands.feet]
-        strokes = [self.pose(pose).obstacles for pose in poses] if new else []
-        feet = {**stands.feet, **{name: self._foot(points[name], strokes) for name in new}}
+        unchosen = new or stands == Stands()
+        self.obstacles = [self.pose(pose).obstacles for pose in poses] if unchosen else []
+        feet = {**stands.feet, **{name: self._foot(points[name]) for name in new}}
         for name, at in points.items():
             self.still.add(None, Level.GROUND, 0, machine.pivot(at, feet[name], self.size, 1.0))
-            block_pivot(self.still.obstacles, at, feet[name], self.size)
+            for each in (self.still.obstacles, *self.obstacles):
+                block_pivot(each, at, feet[name], self.size)
         self.stands = Stands(feet, rails)
 
     def resized(self, setting: Setting, scale: Scale) -> MovingSkeleton:
         """Return the same mechanism with other dimensions, which stands as it stood."""
         return MovingSkeleton(setting, [setting.panel], scale, self._angle, self.stands)
 
-    def add_dimensions(self, poses: Sequence[Panel]) -> None:
+    def add_dimensions(self) -> None:
         """Write along each guide of the frame how far its block gets."""
-        strokes = [self.pose(pose).obstacles for pose in poses]
         for start, end, side in self._ways:
-            add_dimension(self.still, start, end, side, strokes)
+            add_dimension(self.still, start, end, side, self.obstacles)
 
     def pose(self, panel: Panel) -> Sketch:
         """Return what moves, in one pose; its obstacles hold what stands still, too."""
@@ -111,14 +114,14 @@ class MovingSkeleton:
             obstacles.disc(vertex.at, self.radius)
         return sketch
 
-    def _foot(self, at: complex, poses: Sequence[Obstacles]) -> complex:
+    def _foot(self, at: complex) -> complex:
         """Return where a fixed pivot meets the fewest strokes."""
         deep, half = machine.PIVOT_HEIGHT * self.size, machine.PIVOT_GROUND * self.size
 
         def met(way: complex) -> int:
             size = (2 * half, deep) if way.imag else (deep, 2 * half)
             spot = at + way * 0.7 * deep
-            return sum(not pose.free([spot], *size, 0.0)[0] for pose in poses)
+            return sum(not pose.free([spot], *size, 0.0)[0] for pose in self.obstacles)
 
         return min(WAYS, key=met)
 

@@ -5,12 +5,14 @@ In come the poses of a turn, out goes the sketch of any of them.
 
 from __future__ import annotations
 
-from dataclasses import replace
+import math
+from dataclasses import dataclass, replace
 
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.marks import line
 from vad.plan.pictures.arrows import PlacedVector, place_vectors
+from vad.plan.pictures.inset import Corner, add_inset, draw_inset
 from vad.plan.pictures.straight import vector
 from vad.plan.pictures.vectors import DOT, dot
 from vad.plan.roles import DOT_RIM, ROLES
@@ -38,14 +40,23 @@ def principal(panel: Panel) -> Panel:
     return replace(panel, strokes=(*whole, *kept), zeros=())
 
 
+@dataclass(frozen=True, slots=True)
+class InsetPlace:
+    """The size and the corner of the speeds over a turn."""
+
+    size: float
+    corner: Corner
+
+
 class MovingVectors:
     """The vectors of a turn's panel; a large one may leave it for a while."""
 
     radius = DOT + DOT_RIM
 
-    def __init__(self, setting: Setting, scale: Scale) -> None:
+    def __init__(self, setting: Setting, scale: Scale, inset: InsetPlace | None = None) -> None:
         self._setting = setting
         self.scale = scale
+        self._inset = inset
         self.still = Sketch(setting, scale, setting.clear())
         add_lower_bar(self.still)
 
@@ -66,6 +77,12 @@ class MovingVectors:
             if room.holds(spot):
                 sketch.add(None, Level.DOT, 0, [dot(spot)])
                 sketch.obstacles.disc(spot, self.radius)
+        inset = panel.inset
+        if self._inset and inset:
+            drawn = draw_inset(inset, sketch.setting, self._inset.size, math.inf)
+            add_inset(sketch, drawn, self._inset.corner)
+            for box, _ in sketch.obstacles.boxes:
+                sketch.obstacles.block(box)
         return sketch
 
 

@@ -81,9 +81,7 @@ class MovingViews:
         add_names(written)
         add_notes(written)
         for tag in written.tags:
-            middle, box = tag.box.centre, tag.box
-            aside = max(box.width - box.height, 0.0) / 2
-            still.obstacles.line([middle - aside, middle + aside], box.height / 2)
+            still.obstacles.block(tag.box)
 
 
 def lasts(stroke: Stroke) -> bool:

@@ -23,14 +23,22 @@ def languages() -> tuple[str, ...]:
 
 
 @cache
-def _in_space(code: str) -> tuple[Any, ...]:
-    """Return what a language says of mechanisms in space: a table for each."""
+def _tables(code: str) -> tuple[Any, ...]:
+    """Return the words of a language: its own file, and one for each mechanism in space."""
     names = [name for name in names_in(*_SPACE) if name.endswith(f"_{code}")]
-    return tuple(import_module(".".join(("vad", *_SPACE, name))) for name in names)
+    in_space = (".".join(("vad", *_SPACE, name)) for name in names)
+    return tuple(map(import_module, (f"{__name__}.{code}", *in_space)))
 
 
-def _merged(tables: Iterable[Mapping[str, str]]) -> dict[str, str]:
-    return {key: value for table in tables for key, value in table.items()}
+@cache
+def _upright(code: str) -> str:
+    """Return the pattern of the words of a language that are also names of points or vectors."""
+    tables = _tables(code)
+    return "|".join(filter(None, (tables[0].UPRIGHT, _short(_merged("PHRASES", tables).values()))))
+
+
+def _merged(name: str, tables: Iterable[Any]) -> dict[str, str]:
+    return {key: value for table in tables for key, value in getattr(table, name).items()}
 
 
 def _short(phrases: Iterable[str]) -> str:
@@ -77,15 +85,15 @@ class Language:
     """
 
     def __init__(self, code: str) -> None:
-        table = import_module(f"{__name__}.{one_of('language', code, languages())}")
+        tables = _tables(one_of("language", code, languages()))
+        table = tables[0]
         self.code = code
-        tables = table, *_in_space(code)
-        self._phrases: dict[str, str] = _merged(each.PHRASES for each in tables)
-        self._names: dict[str, str] = _merged(each.NAMES for each in tables)
-        self._genders: dict[str, str] = _merged(each.GENDERS for each in tables)
+        self._phrases = _merged("PHRASES", tables)
+        self._names = _merged("NAMES", tables)
+        self._genders = _merged("GENDERS", tables)
         self._articles: dict[str, dict[str, str]] = table.ARTICLES
         self.point: str = table.POINT
-        self.upright: str = "|".join(filter(None, (table.UPRIGHT, _short(self._phrases.values()))))
+        self.upright: str = _upright(code)
 
     def say(self, phrase: str, **parts: Any) -> str:
         """Fill in one phrase; the names of links and slides are translated."""

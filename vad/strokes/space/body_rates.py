@@ -7,7 +7,7 @@ frame, seen with its bisector upright.  The plane of the coupler is laid over in
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,7 +22,16 @@ _K = np.array([1.0, 0.0, 0.0])
 
 
 class BodyRates:
-    """Rates and directions of a motion on the sphere.
+    """Rates and directions of four bodies that turn about axes through O.
+
+    Parameters
+    ----------
+    axes
+        The vectors a, b, c, d and i, of each pose.
+    parts
+        What turns about a to d, in the motion.
+    upright
+        The angle in degrees by which the plane of the frame is turned, as it is seen.
 
     Attributes
     ----------
@@ -32,15 +41,11 @@ class BodyRates:
         Across i in the plane of the frame and in that of the coupler.
     at_b, at_c
         From i to b and to c, in degrees.
-    omega, alpha
-        Of the crank, of the coupler at B and at C, and of the rocker, by their axes.
     """
 
-    def __init__(self, motion: MotionInSpace[Any, Any]) -> None:
-        self._motion = motion
-        self.a, self.b, self.c, self.d, self.i = (
-            motion.point(letter).position for letter in "ABCDI"
-        )
+    def __init__(self, axes: Sequence[Any], parts: Sequence[Any], upright: float) -> None:
+        self._parts = dict(zip("ABCD", parts, strict=True))
+        self.a, self.b, self.c, self.d, self.i = axes
         self.m = np.cross(_K, self.i)
         normal = np.cross(self.b, self.c)
         normal = normal / np.linalg.norm(normal, axis=-1, keepdims=True)
@@ -49,28 +54,25 @@ class BodyRates:
             np.degrees(np.arctan2(dot(axis, self.j), dot(axis, self.i)))
             for axis in (self.b, self.c)
         )
-        self._bisector = -90.0 - motion.mechanism.parameters()["ground"] / 2.0
+        self._turn = np.exp(1j * math.radians(upright))
 
     def seen(self, vector: Any) -> Any:
         """Return a vector as it is seen square to the plane of the frame."""
-        turn = np.exp(1j * math.radians(self._bisector))
-        return turn * (vector[..., 2] - 1j * vector[..., 1])
+        return self._turn * (vector[..., 2] - 1j * vector[..., 1])
 
     def laid(self, vector: Any, side: Any) -> Any:
         """Return a vector of the coupler's plane, laid over about OI to a side of it, ±1."""
         along, across = dot(vector, self.i), side * dot(vector, self.j)
         return along * self.seen(self.i) + across * self.seen(self.m)
 
+    def fold(self, side: Any) -> Any:
+        """Return by how many degrees the coupler's plane swings when it is laid over."""
+        return np.degrees(np.arctan2(self.j[..., 0], side * dot(self.j, self.m)))
+
     def rates(self, order: int) -> Mapping[str, Any]:
         """Return ω (1) or α (2) about each axis."""
-        motion, name = self._motion, ("omega", "alpha")[order - 1]
-        parts = {
-            "A": motion.link("crank"),
-            "B": motion.joint("B"),
-            "C": motion.joint("C"),
-            "D": motion.link("rocker"),
-        }
-        return {letter: getattr(part, name) for letter, part in parts.items()}
+        name = ("omega", "alpha")[order - 1]
+        return {letter: getattr(part, name) for letter, part in self._parts.items()}
 
     def relative(self, order: int) -> tuple[Any, Any]:
         """Return ω₄₂ or α₄₂ in the plane of the frame: along i, and across it."""
@@ -109,6 +111,13 @@ class BodyRates:
             begin = found["3ₙ"] = found["4ₙ"] - self.in_coupler() * side * self.seen(self.m)
         found["3" + PRIME * (order - 1)] = begin + rates["B"] * self.laid(self.b, side)
         return found
+
+
+def rates_on_sphere(motion: MotionInSpace[Any, Any]) -> BodyRates:
+    """Return those of a spherical four-bar, seen with the bisector of its frame upright."""
+    axes = [motion.point(letter).position for letter in "ABCDI"]
+    parts = motion.link("crank"), motion.joint("B"), motion.joint("C"), motion.link("rocker")
+    return BodyRates(axes, parts, -90.0 - motion.mechanism.parameters()["ground"] / 2.0)
 
 
 def dot(one: Any, other: Any) -> Any:

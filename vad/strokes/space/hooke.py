@@ -10,12 +10,14 @@ import numpy as np
 from vad.strokes.diagram import Diagram, Drawing
 from vad.strokes.sheet import Cell
 from vad.strokes.space import hooke_polygons, hooke_views
-from vad.strokes.space.hooke_polygons import GROWN, TURNED, JointAccelerations, turning
+from vad.strokes.space.body_words import TURNED
 from vad.strokes.space.hooke_views import swings
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.written import subscript
 
 _UNITS = {"position": "", "velocity": "rad/s", "acceleration": "rad/s²"}
+#: What α₄₂ grows by along OT.
+GROWN = "α" + subscript(42) + "ₜ"
 
 
 class HookeScene(SceneInSpace):
@@ -26,7 +28,8 @@ class HookeScene(SceneInSpace):
 
     def drawing(self, diagram: Diagram) -> Drawing:
         """Return the views, or a polygon."""
-        return _DRAWINGS[diagram.name](self)
+        order = _ORDERS.get(diagram.name)
+        return hooke_polygons.polygon(self, order) if order else hooke_views.views(self)
 
     def unit_of(self, diagram: Diagram) -> str:
         """Return the unit of a diagram's coordinates: none in the views."""
@@ -34,7 +37,8 @@ class HookeScene(SceneInSpace):
 
     def tracks(self, diagram: Diagram) -> Mapping[str, Any]:
         """Return where the lettered points of a diagram are."""
-        return _TRACKS[diagram.name](self)
+        order = _ORDERS.get(diagram.name)
+        return hooke_polygons.tracks(self, order) if order else hooke_views.tracks(self)
 
     def cells(self, diagram: Diagram, key: str) -> tuple[Cell, ...]:
         """Return what a diagram adds to a row."""
@@ -62,25 +66,15 @@ def _cross_velocity(scene: SceneInSpace) -> tuple[Cell, ...]:
     motion = scene.motion
     size = np.linalg.norm(motion.link("cross").omega, axis=-1)
     values = {32: motion.joint("P").omega, 34: motion.joint("Q").omega, 3: size}
-    return tuple(Cell(turning("ω", bodies), value, "rad/s") for bodies, value in values.items())
+    return tuple(Cell("ω" + subscript(n), value, "rad/s") for n, value in values.items())
 
 
 def _cross_acceleration(scene: SceneInSpace) -> tuple[Cell, ...]:
-    rates = JointAccelerations(scene)
-    turned = Cell(TURNED, rates.turning, "rad/s²")
-    return turned, Cell(GROWN, rates.alpha42, "rad/s²")
+    along, across = hooke_polygons.joint_rates(scene.motion).relative(2)
+    return Cell(GROWN, along, "rad/s²"), Cell(TURNED, across, "rad/s²")
 
 
-_DRAWINGS: Mapping[str, Callable[[SceneInSpace], Drawing]] = {
-    "position": hooke_views.views,
-    "velocity": hooke_polygons.velocity,
-    "acceleration": hooke_polygons.acceleration,
-}
-_TRACKS: Mapping[str, Callable[[SceneInSpace], Mapping[str, Any]]] = {
-    "position": hooke_views.tracks,
-    "velocity": hooke_polygons.velocity_tracks,
-    "acceleration": hooke_polygons.acceleration_tracks,
-}
+_ORDERS = {"velocity": 1, "acceleration": 2}
 _CROSS: Mapping[str, Callable[[SceneInSpace], tuple[Cell, ...]]] = {
     "position": _cross_position,
     "velocity": _cross_velocity,

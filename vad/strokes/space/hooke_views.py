@@ -58,6 +58,11 @@ def pins(motion: MotionInSpace[Any, Any]) -> list[Any]:
     return [motion.point(letter).position for letter in "PQ"]
 
 
+def shafts_of(motion: MotionInSpace[Any, Any]) -> float:
+    """Return the angle between the shafts in radians."""
+    return math.radians(motion.mechanism.parameters()["shaft_angle"])
+
+
 def pierced(p: Any, q: Any) -> Any:
     """Return where the line of an end of P's arm and one of Q's pierces the plane of the shafts.
 
@@ -94,7 +99,7 @@ class _Views:
     def __init__(self, scene: SceneInSpace) -> None:
         self.scene = scene
         motion = scene.motion
-        self.shafts = math.radians(motion.mechanism.parameters()["shaft_angle"])
+        self.shafts = shafts_of(motion)
         self.theta2 = float(motion.link("driving").angle)
         self.theta4 = float(motion.link("driven").angle)
         self.p, self.q = pins(motion)
@@ -254,7 +259,7 @@ class _Views:
         parts = {"one": one, "other": other}
         self._draw("PQ.line", "construction", "", line, "PQ", link="cross", parts=parts)
         self._draw("T.found", "intersection", "T", Dot(at), "T")
-        self._draw("T.projector", "construction", "", Curve((at, below)), "T plan")
+        self._draw("T.projector", "construction", "", Curve((at, below)), "T below")
         self._draw("T.plan", "intersection", "T", Dot(below), "T plan")
         way = (below - PLAN) / abs(below - PLAN)
         shape = Curve((PLAN - AXIS * way, PLAN + AXIS * way))

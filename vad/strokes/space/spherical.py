@@ -9,8 +9,9 @@ from typing import Any
 from vad.strokes.diagram import Diagram, Drawing
 from vad.strokes.sheet import Cell, Row
 from vad.strokes.space import spherical_views
-from vad.strokes.space.body_polygon import polygon_of_bodies
-from vad.strokes.space.body_rates import BodyRates
+from vad.strokes.space.body_polygon import Bodies, polygon_of_bodies
+from vad.strokes.space.body_rates import rates_on_sphere
+from vad.strokes.space.body_words import BodyWords
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.written import subscript
 
@@ -28,6 +29,10 @@ _BODIES = {
     "C": ("coupler", 34),
     "rocker": ("rocker", 4),
 }
+#: By the bodies that turn against each other: about which axis, and in which row.
+_AXES = {"12": "OA", "24": "OI", "14": "OD", "23": "OB", "43": "OC"}
+_ROWS = {"12": "crank", "24": "B", "14": "rocker", "23": "B", "43": "C"}
+_MEASURED = {"12", "14", "23", "43"}
 
 
 class SphericalScene(SceneInSpace):
@@ -39,8 +44,14 @@ class SphericalScene(SceneInSpace):
     def drawing(self, diagram: Diagram) -> Drawing:
         """Return the view of the sphere, or a polygon."""
         if diagram.name in _ORDERS:
-            return polygon_of_bodies(self, _ORDERS[diagram.name])
+            return polygon_of_bodies(self._bodies(_ORDERS[diagram.name]))
         return spherical_views.views(self)
+
+    def _bodies(self, order: int) -> Bodies:
+        rates = rates_on_sphere(self.motion)
+        words = BodyWords(self, order, rates)
+        remark = self.say("bodies remark")
+        return Bodies(rates, words, _AXES, _ROWS, _MEASURED, True, remark, folds=True)
 
     def unit_of(self, diagram: Diagram) -> str:
         """Return the unit of a diagram's coordinates: none on the sphere, whose radius is 1."""
@@ -49,7 +60,7 @@ class SphericalScene(SceneInSpace):
     def tracks(self, diagram: Diagram) -> Mapping[str, Any]:
         """Return where the lettered points of a diagram are."""
         if diagram.name in _ORDERS:
-            return BodyRates(self.motion).vertices(_ORDERS[diagram.name])
+            return rates_on_sphere(self.motion).vertices(_ORDERS[diagram.name])
         return spherical_views.tracks(self)
 
     def cells(self, diagram: Diagram, key: str) -> tuple[Cell, ...]:

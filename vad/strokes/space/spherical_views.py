@@ -28,12 +28,14 @@ from vad.strokes.sheet import (
     Stroke,
     Term,
 )
-from vad.strokes.space.body_rates import BodyRates
+from vad.strokes.space.body_rates import rates_on_sphere
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.written import subscript, with_unit
 
-#: Where the roses are, how large they are, and how far their line of reference goes.
-ROSES = {"A": -0.86 + 1.15j, "D": 0.86 + 1.15j}
+#: Where the roses are and what is said of them, how large they are, and how far their line of
+#: reference goes.
+ROSES = {"A": -0.95 + 1.3j, "D": 0.95 + 1.3j}
+NOTES = {"A": -1.2 + 0.82j, "D": 1.2 + 0.82j}
 ROSE, REFERENCE, ANGLE = 0.22, 0.31, 0.12
 #: From O: the ends of the shafts, and the middle of their bearings.
 END, BEARING = 1.3, 1.16
@@ -45,7 +47,7 @@ STEP = 5.0
 
 def tracks(scene: SceneInSpace) -> Mapping[str, Any]:
     """Return where the lettered points are."""
-    rates = BodyRates(scene.motion)
+    rates = rates_on_sphere(scene.motion)
     return {letter: rates.seen(getattr(rates, letter.lower())) for letter in "ABCDI"}
 
 
@@ -57,7 +59,7 @@ def views(scene: SceneInSpace) -> Drawing:
 class _Views:
     def __init__(self, scene: SceneInSpace) -> None:
         self.scene = scene
-        self.rates = BodyRates(scene.motion)
+        self.rates = rates_on_sphere(scene.motion)
         self.at = {letter: complex(z) for letter, z in tracks(scene).items()}
         self.arcs = scene.motion.mechanism.parameters()
         self.theta2, self.theta4 = (
@@ -73,8 +75,8 @@ class _Views:
         self._links()
         self._axis()
         notes = tuple(
-            Note(at + 1j * (ROSE + 0.16), self.scene.say("spherical along", axis="O" + letter))
-            for letter, at in ROSES.items()
+            Note(at, self.scene.say("spherical along", axis="O" + letter))
+            for letter, at in NOTES.items()
         )
         equation = Equation(
             (Term("AB", "crank", "AB.arc"), Term("BC", "B", "BC.arc")),

@@ -38,42 +38,37 @@ PHRASES = {
     "hooke fork": "Gabel {shaft}, längs Welle 2 gesehen.",
     "hooke PQ": "Die Gerade von {one} nach {other} auf der anderen Seite der Ebene der Wellen.",
     "hooke T": "Sie durchstößt diese Ebene in T.",
-    "hooke T plan": "T im Grundriss: senkrecht darunter.",
+    "hooke T below": "T wird in den Grundriss gelotet.",
+    "hooke T plan": "Senkrecht darunter liegt T im Grundriss.",
     "hooke OT": "In OT schneidet die Ebene des Kreuzes die der Wellen.",
-    # Geschwindigkeitsplan
+    # Polygone
     "hooke speeds": "Drehzahlen über einen Umlauf",
-    "hooke pole velocity": "Der Pol: das Gestell, 1, dreht sich nicht.",
-    "hooke given velocity": "12 = {symbol} = {value} rad/s, längs Welle 2.",
-    "hooke along OT": (
-        "Durch 2 parallel zu OT: gegenüber Gabel 2 kann sich Gabel 4 nur um Geraden in der Ebene "
-        "des Kreuzes drehen; in der Ebene der Wellen ist nur OT eine, also liegt 4 auf dieser "
-        "Geraden."
-    ),
     "hooke shaft": "Welle {shaft}",
-    "hooke along shaft": (
-        "Durch den Pol parallel zu Welle 4: um eine andere Gerade dreht sie sich nicht, also liegt "
+    "hooke line 24 velocity": (
+        "Durch {point} parallel zu OT: gegenüber Gabel 2 kann sich Gabel 4 nur um Geraden in der "
+        "Ebene des Kreuzes drehen; in der Ebene der Wellen ist nur OT eine, also liegt {meeting} "
+        "auf dieser Geraden."
+    ),
+    "hooke line 24 acceleration": (
+        "Durch {point} parallel zu OT: um wie viel die Drehung längs OT wächst, ist noch "
+        "unbekannt, also liegt {meeting} auf dieser Geraden."
+    ),
+    "hooke line 14": (
+        "Durch {point} parallel zu Welle 4: um eine andere Gerade dreht sie sich nicht, also liegt "
         "{meeting} auf dieser Geraden."
     ),
+    "hooke line 23": (
+        "Die Ebene des Kreuzes, um 24 umgeklappt. Durch {point} parallel zu OP: um OP dreht sich "
+        "das Kreuz gegenüber Gabel 2, also liegt {meeting} auf dieser Geraden."
+    ),
+    "hooke line 43": (
+        "Durch {point} parallel zu OQ, senkrecht zur anderen Geraden: {meeting} liegt auf dem "
+        "Thaleskreis über 24."
+    ),
+    "hooke turned frame": (
+        "{label} = {symbol}·τ̇ = {omega} × {tau} = {value} {unit}, ⟂ OT: {symbol} dreht sich mit OT."
+    ),
     "turning measured": "{label} = {symbol} = {value} {unit}.",
-    "hooke laid over": (
-        "Die Ebene des Kreuzes, um 24 umgeklappt. Durch 2 parallel zu {arm}: um {arm} dreht sich "
-        "das Kreuz gegenüber Gabel 2, also liegt 3 auf dieser Geraden."
-    ),
-    "hooke thales": (
-        "Durch 4 parallel zu {arm}, senkrecht zur anderen Geraden: 3 liegt auf dem Thaleskreis "
-        "über 24."
-    ),
-    # Beschleunigungsplan
-    "hooke pole acceleration": "Der Pol: das Gestell, 1′, hat keine Winkelbeschleunigung.",
-    "hooke given acceleration": "1′2′ = {symbol} = {value} rad/s², längs Welle 2.",
-    "hooke turning": (
-        "2′4ₙ = {label} = {omega} × {tau} = {value} rad/s², senkrecht zu OT: {symbol} dreht sich "
-        "mit OT."
-    ),
-    "hooke along OT acceleration": (
-        "Durch 4ₙ parallel zu OT: um wie viel {symbol} längs OT wächst, ist noch unbekannt, also "
-        "liegt 4′ auf dieser Geraden."
-    ),
 }
 
 NAMES = {

@@ -34,39 +34,37 @@ PHRASES = {
     "hooke fork": "Yoke {shaft} as seen along shaft 2.",
     "hooke PQ": "The line from {one} to {other}, on the far side of the plane of the shafts.",
     "hooke T": "It pierces that plane at T.",
-    "hooke T plan": "T in the plan: straight below.",
+    "hooke T below": "T is taken down into the plan.",
+    "hooke T plan": "Straight below, T stands in the plan.",
     "hooke OT": "OT is where the plane of the cross cuts that of the shafts.",
-    # velocity
+    # the polygons
     "hooke speeds": "speeds over a turn",
-    "hooke pole velocity": "The pole: the frame, 1, does not turn.",
-    "hooke given velocity": "12 = {symbol} = {value} rad/s, along shaft 2.",
-    "hooke along OT": (
-        "Through 2, parallel to OT: against yoke 2, yoke 4 can turn only about lines in the plane "
-        "of the cross; in the plane of the shafts only OT is one, so 4 lies on this line."
-    ),
     "hooke shaft": "shaft {shaft}",
-    "hooke along shaft": (
-        "Through the pole, parallel to shaft 4: it turns about no other line, so {meeting} lies "
-        "on this line."
+    "hooke line 24 velocity": (
+        "Through {point}, parallel to OT: against yoke 2, yoke 4 can turn only about lines in the "
+        "plane of the cross; in the plane of the shafts only OT is one, so {meeting} lies on this "
+        "line."
+    ),
+    "hooke line 24 acceleration": (
+        "Through {point}, parallel to OT: by how much the turning grows along OT is not known "
+        "yet, so {meeting} lies on this line."
+    ),
+    "hooke line 14": (
+        "Through {point}, parallel to shaft 4: it turns about no other line, so {meeting} lies on "
+        "this line."
+    ),
+    "hooke line 23": (
+        "The plane of the cross, laid over about 24. Through {point}, parallel to OP: about OP "
+        "the cross turns against yoke 2, so {meeting} lies on this line."
+    ),
+    "hooke line 43": (
+        "Through {point}, parallel to OQ, square to the other line: {meeting} lies on the circle "
+        "over 24."
+    ),
+    "hooke turned frame": (
+        "{label} = {symbol}·τ̇ = {omega} × {tau} = {value} {unit}, ⟂ OT: {symbol} turns with OT."
     ),
     "turning measured": "{label} = {symbol} = {value} {unit}.",
-    "hooke laid over": (
-        "The plane of the cross, laid over about 24. Through 2, parallel to {arm}: about {arm} "
-        "the cross turns against yoke 2, so 3 lies on this line."
-    ),
-    "hooke thales": (
-        "Through 4, parallel to {arm}, square to the other line: 3 lies on the circle over 24."
-    ),
-    # acceleration
-    "hooke pole acceleration": "The pole: the frame, 1′, has no angular acceleration.",
-    "hooke given acceleration": "1′2′ = {symbol} = {value} rad/s², along shaft 2.",
-    "hooke turning": (
-        "2′4ₙ = {label} = {omega} × {tau} = {value} rad/s², square to OT: {symbol} turns with OT."
-    ),
-    "hooke along OT acceleration": (
-        "Through 4ₙ, parallel to OT: by how much {symbol} grows along OT is not known yet, so 4′ "
-        "lies on this line."
-    ),
 }
 
 NAMES = {

@@ -40,42 +40,38 @@ PHRASES = {
     "hooke fork": "La fourche {shaft}, vue suivant l’arbre 2.",
     "hooke PQ": "La droite de {one} à {other}, de l’autre côté du plan des arbres.",
     "hooke T": "Elle perce ce plan en T.",
-    "hooke T plan": "T dans le plan : à l’aplomb.",
+    "hooke T below": "T est reporté dans le plan.",
+    "hooke T plan": "À l’aplomb, T est dans le plan.",
     "hooke OT": "OT est l’intersection du plan du croisillon et de celui des arbres.",
-    # vitesse
+    # polygones
     "hooke speeds": "vitesses sur un tour",
-    "hooke pole velocity": "Le pôle : le bâti, 1, ne tourne pas.",
-    "hooke given velocity": "12 = {symbol} = {value} rad/s, suivant l’arbre 2.",
-    "hooke along OT": (
-        "Par 2, parallèlement à OT : par rapport à la fourche 2, la fourche 4 ne peut tourner "
-        "qu’autour de droites du plan du croisillon ; dans le plan des arbres, OT est la seule, "
-        "donc 4 est sur cette droite."
+    "hooke shaft": "l’arbre {shaft}",
+    "hooke line 24 velocity": (
+        "Par {point}, parallèlement à OT : par rapport à la fourche 2, la fourche 4 ne peut "
+        "tourner qu’autour de droites du plan du croisillon ; dans le plan des arbres, OT est la "
+        "seule, donc {meeting} est sur cette droite."
     ),
-    "hooke shaft": "arbre {shaft}",
-    "hooke along shaft": (
-        "Par le pôle, parallèlement à l’arbre 4 : il ne tourne autour d’aucune autre droite, donc "
+    "hooke line 24 acceleration": (
+        "Par {point}, parallèlement à OT : la croissance de la rotation suivant OT n’est pas "
+        "encore connue, donc {meeting} est sur cette droite."
+    ),
+    "hooke line 14": (
+        "Par {point}, parallèlement à l’arbre 4 : il ne tourne autour d’aucune autre droite, donc "
         "{meeting} est sur cette droite."
     ),
+    "hooke line 23": (
+        "Le plan du croisillon, rabattu autour de 24. Par {point}, parallèlement à OP : autour "
+        "de OP, le croisillon tourne par rapport à la fourche 2, donc {meeting} est sur cette "
+        "droite."
+    ),
+    "hooke line 43": (
+        "Par {point}, parallèlement à OQ, perpendiculairement à l’autre droite : {meeting} est "
+        "sur le cercle de diamètre 24."
+    ),
+    "hooke turned frame": (
+        "{label} = {symbol}·τ̇ = {omega} × {tau} = {value} {unit}, ⟂ OT : {symbol} tourne avec OT."
+    ),
     "turning measured": "{label} = {symbol} = {value} {unit}.",
-    "hooke laid over": (
-        "Le plan du croisillon, rabattu autour de 24. Par 2, parallèlement à {arm} : autour de "
-        "{arm}, le croisillon tourne par rapport à la fourche 2, donc 3 est sur cette droite."
-    ),
-    "hooke thales": (
-        "Par 4, parallèlement à {arm}, perpendiculairement à l’autre droite : 3 est sur le cercle "
-        "de diamètre 24."
-    ),
-    # accélération
-    "hooke pole acceleration": "Le pôle : le bâti, 1′, n’a pas d’accélération angulaire.",
-    "hooke given acceleration": "1′2′ = {symbol} = {value} rad/s², suivant l’arbre 2.",
-    "hooke turning": (
-        "2′4ₙ = {label} = {omega} × {tau} = {value} rad/s², perpendiculaire à OT : {symbol} tourne "
-        "avec OT."
-    ),
-    "hooke along OT acceleration": (
-        "Par 4ₙ, parallèlement à OT : la croissance de {symbol} suivant OT n’est pas encore "
-        "connue, donc 4′ est sur cette droite."
-    ),
 }
 
 NAMES = {

@@ -1,0 +1,68 @@
+"""The ball-jointed four-bar: its rows, its views and its polygons."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from vad.strokes.diagram import Diagram, Drawing
+from vad.strokes.sheet import Cell
+from vad.strokes.space import balls_polygons, balls_views
+from vad.strokes.space.balls_said import BODIES
+from vad.strokes.space.scene_in_space import SceneInSpace
+from vad.written import per_second, subscript
+
+_QUANTITIES = {
+    "position": ("angle", "θ", "°"),
+    "velocity": ("omega", "ω", "rad/s"),
+    "acceleration": ("alpha", "α", "rad/s²"),
+}
+
+
+class BallScene(SceneInSpace):
+    """One pose of the ball-jointed four-bar."""
+
+    output = "rocker"
+    headings: Mapping[str, str] = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
+
+    def drawing(self, diagram: Diagram) -> Drawing:
+        """Return the views, or a polygon."""
+        if diagram.name == "position":
+            return balls_views.views(self)
+        return balls_polygons.polygon(self, _order(diagram))
+
+    def unit_of(self, diagram: Diagram) -> str:
+        """Return the unit of a diagram's coordinates."""
+        order = _order(diagram)
+        return per_second(self.unit, order) if order else self.unit
+
+    def tracks(self, diagram: Diagram) -> Mapping[str, Any]:
+        """Return where the lettered points of a diagram are."""
+        order = _order(diagram)
+        return balls_polygons.tracks(self, order) if order else balls_views.tracks(self)
+
+    def cells(self, diagram: Diagram, key: str) -> tuple[Cell, ...]:
+        """Return what a diagram adds to a row; the coupler has rates without its idle spin."""
+        quantity, letter, unit = _QUANTITIES[diagram.name]
+        if key == "coupler" and quantity == "angle":
+            return ()
+        value = getattr(self.motion.link(key), quantity)
+        if key == "coupler":
+            value = np.linalg.norm(value, axis=-1)
+        cell = Cell(letter + subscript(BODIES[key]), value, unit, key == "crank")
+        if quantity != "omega" or key == "crank":
+            return (cell,)
+        return cell, Cell("v", self._speed(key), per_second(self.unit, 1))
+
+    def _speed(self, key: str) -> Any:
+        """Return the speed of C, relative to B for the coupler."""
+        velocity = self.motion.point("C").velocity
+        if key == "coupler":
+            velocity = velocity - self.motion.point("B").velocity
+        return np.linalg.norm(velocity, axis=-1)
+
+
+def _order(diagram: Diagram) -> int:
+    return tuple(_QUANTITIES).index(diagram.name)

@@ -1,0 +1,188 @@
+"""The ball-jointed four-bar in its views: the circles of both bars, and BC in true length.
+
+In comes the scene of a pose, out goes the construction, which is that of the four-bar in the plane
+of C's circle, over the foot of B.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from vad.kinematics.numbers import fold
+from vad.strokes.diagram import Drawing
+from vad.strokes.figures import Figure, Unit
+from vad.strokes.sheet import (
+    Arc,
+    Arrow,
+    Curve,
+    Dot,
+    Equation,
+    Kind,
+    Note,
+    Shape,
+    Stroke,
+    Term,
+)
+from vad.strokes.space.balls_said import length_of
+from vad.strokes.space.balls_seen import TILT, Seen, layout
+from vad.written import subscript, with_unit
+
+if TYPE_CHECKING:
+    from vad.strokes.space.scene_in_space import SceneInSpace
+
+#: Points of a circle; half of a compass arc, in degrees.
+POINTS, COMPASS = 72, 9.0
+#: Radii of the angles' arcs, of crank and rocker.
+ANGLE, SMALL = 0.45, 0.25
+#: How far the path of C goes on in the third view, and past where it has been, in degrees.
+ONWARD, FARTHER = 0.22, 12.0
+
+
+def tracks(scene: SceneInSpace) -> Mapping[str, Any]:
+    """Return where the lettered points are in all views."""
+    seen, views = Seen(scene.motion), layout(scene.motion.mechanism)
+    points = {letter: seen.at(letter) for letter in "ABCD"}
+    way = views.share * seen.third(points["C"] - points["B"])
+    return {
+        **{letter: seen.front(at) for letter, at in points.items()},
+        **{f"{letter}.top": seen.top(at) - 1j * views.drop for letter, at in points.items()},
+        "B.third": views.place + 0 * way,
+        "C.third": views.place + way,
+    }
+
+
+def views(scene: SceneInSpace) -> Drawing:
+    """Return the construction of a pose."""
+    return _Views(scene).drawing()
+
+
+class _Views:
+    def __init__(self, scene: SceneInSpace) -> None:
+        self.scene = scene
+        self.seen, self.layout = Seen(scene.motion), layout(scene.motion.mechanism)
+        self.sizes = scene.motion.mechanism.parameters()
+        self.at = {name: complex(at) for name, at in tracks(scene).items()}
+        self.strokes: list[Stroke] = []
+
+    def drawing(self) -> Drawing:
+        self._crank()
+        self._rocker()
+        self._coupler()
+        self._below()
+        self._third()
+        return Drawing(
+            tuple(self.strokes), equations=(_EQUATION,), picture="views", notes=self._notes()
+        )
+
+    def _draw(
+        self,
+        name: str,
+        kind: Kind,
+        shape: Shape,
+        phrase: str,
+        label: str = "",
+        parts: Mapping[str, object] = {},  # never changed
+        **more: Any,
+    ) -> None:
+        caption = self.scene.say(f"balls {phrase}", **parts)
+        self.strokes.append(Stroke(kind, label, shape, caption, name=name, **more))
+
+    def _bar(
+        self, name: str, tail: str, head: str, link: str, kind: Kind, phrase: str, **more: Any
+    ) -> None:
+        shape = Arrow(self.at[tail], self.at[head], tail[0], head[0])
+        self._draw(name, kind, shape, phrase, link=link, component="link", **more)
+
+    def _crank(self) -> None:
+        """Draw the crank as it is seen along its axis."""
+        centre, radius = self.at["A.top"], self.sizes["crank"]
+        angle = Figure(float(self.scene.motion.link("crank").angle), "°", given=True)
+        self._draw("A.fixed", "fixed", Dot(centre), "A", "A")
+        self._draw("B.path", "known", _circle(centre, radius), "crank path", link="crank")
+        parts = {"size": self._length("crank"), "angle": angle, "unit": Unit(self.scene.unit)}
+        self._bar("AB.bar", "A.top", "B.top", "crank", "known", "crank", parts=parts)
+        arc = Arc(centre, ANGLE * radius, 0.0, angle.value)
+        label = with_unit(self.scene.figures.place(angle), "°")
+        self._draw("AB.angle", "angle", arc, "crank angle", label, link="crank")
+
+    def _rocker(self) -> None:
+        """Draw what is known as it is seen along D's axis: the circle of C, and B."""
+        self._draw("D.fixed", "fixed", Dot(self.at["D"]), "D", "D")
+        low, high = self.layout.swing
+        arc = [low - FARTHER, min(high + FARTHER, low + 360.0 - FARTHER)]
+        shape = _circle(self.at["D"], self.sizes["rocker"], *arc)
+        self._draw("C.path", "known", shape, "rocker path", link="rocker")
+        self._draw("A.front", "fixed", Dot(self.at["A"]), "A front", "A")
+        shape = Curve((self.at["B.top"], self.at["B"]))
+        self._draw("B.projector", "construction", shape, "B front")
+        self._bar("AB.front", "A", "B", "crank", "known", "AB front")
+
+    def _coupler(self) -> None:
+        """Find C where the circles meet, and draw coupler and rocker."""
+        b, c, unit = self.at["B"], self.at["C"], self.scene.unit
+        height = float((self.seen.at("B") - self.seen.at("D")) @ self.seen.d)
+        parts: dict[str, object] = {
+            "height": Figure(abs(height), unit),
+            "side": self.scene.say("balls ahead" if height > 0.0 else "balls behind"),
+            "size": self._length("coupler"),
+            "reach": Figure(abs(c - b), unit),
+            "unit": Unit(unit),
+        }
+        middle = math.degrees(cmath.phase(c - b))
+        arc = Arc(b, abs(c - b), middle - COMPASS, 2 * COMPASS, c)
+        self._draw("BC.compass", "construction", arc, "compass", link="coupler", parts=parts)
+        self._draw("C.found", "intersection", Dot(c), "C", "C", link="rocker")
+        self._bar("BC.front", "B", "C", "coupler", "result", "BC front")
+        angle, theta = float(self.scene.motion.link("rocker").angle), "θ" + subscript(4)
+        parts = {"theta": theta, "angle": Figure(angle, "°")}
+        self._bar(
+            "DC.front", "D", "C", "rocker", "result", "rocker", parts=parts, reveals=("rocker",)
+        )
+        arc = Arc(self.at["D"], SMALL * self.sizes["rocker"], 0.0, fold(angle))
+        self._draw("DC.angle", "angle", arc, "rocker angle", theta, link="rocker")
+
+    def _below(self) -> None:
+        """Draw coupler and rocker as they are seen along A's axis."""
+        shape = Curve((self.at["C"], self.at["C.top"]))
+        self._draw("C.projector", "construction", shape, "C top")
+        self._draw("D.top", "fixed", Dot(self.at["D.top"]), "D top", "D")
+        self._bar("DC.top", "D.top", "C.top", "rocker", "result", "DC top")
+        self._bar("BC.top", "B.top", "C.top", "coupler", "result", "BC top")
+
+    def _third(self) -> None:
+        """Draw BC and the path of C in the view in which both are in true length."""
+        self._bar("BC.third", "B.third", "C.third", "coupler", "result", "BC third")
+        onward = ONWARD * (self.at["C.third"] - self.at["B.third"])
+        edge = Curve((self.at["B.third"] - 1j * onward, self.at["B.third"] + 1j * onward))
+        self._draw("B.plane", "construction", edge, "plane", link="coupler")
+        way = abs(onward) * complex(self.seen.third(self.seen.path))
+        line = Curve((self.at["C.third"] - way, self.at["C.third"] + way))
+        self._draw("C.line", "construction", line, "line", link="rocker")
+
+    def _notes(self) -> tuple[Note, ...]:
+        """Say from where each view is seen."""
+        say, at, share = self.scene.language.say, self.at, self.layout.share
+        small = "" if share == 1.0 else f" 1 : {1.0 / share:.6g}"
+        right, third = max(at["C"].real, at["B"].real), share * self.sizes["coupler"]
+        return (
+            Note(complex(right, at["A"].imag + self.sizes["crank"]), say("balls front")),
+            Note(0.5 * (at["A.top"] + at["D.top"]), say("balls top")),
+            Note(self.layout.place + (TILT + 0.3) * third, say("balls third") + small),
+        )
+
+    def _length(self, name: str) -> Figure:
+        return length_of(self.scene, name)
+
+
+def _circle(centre: complex, radius: float, low: float = 0.0, high: float = 360.0) -> Curve:
+    turns = (math.radians(low + (high - low) * k / POINTS) for k in range(POINTS + 1))
+    return Curve(tuple(centre + cmath.rect(radius, turn) for turn in turns))
+
+
+_EQUATION = Equation(
+    (Term("AB", "crank", "AB.bar"), Term("BC", "coupler", "BC.front")),
+    (Term("AD", None, None), Term("DC", "rocker", "DC.front")),
+)

@@ -1,0 +1,117 @@
+"""What is said of the polygon of four bodies that turn."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from vad.kinematics.numbers import fold
+from vad.kinematics.space.sphere_solver import SphereSolver
+from vad.kinematics.space.universal_solver import UniversalSolver
+from vad.strokes.figures import Figure, Unit
+from vad.strokes.space.body_rates import BodyRates
+from vad.strokes.vector_equations import Part, Vector
+from vad.written import subscript
+
+if TYPE_CHECKING:
+    from vad.strokes.space.scene_in_space import SceneInSpace
+
+#: What ω₄₂ changes by as it turns with OI.
+TURNED = "ω" + subscript(42) + "τ̇"
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class BodyVector(Vector):
+    """How one body turns against another.
+
+    ``symbol`` is ω₄₂ or α₄₂, ``axis`` the line along which it lies, ``value`` its rate about it.
+    """
+
+    symbol: str
+    axis: str
+    value: float
+
+
+class BodyWords:
+    """What is said of the polygon of bodies.
+
+    ``topic`` begins the phrases of its mechanism; ``sines`` says whether ω₄/ω₂ is read off the
+    sphere.
+    """
+
+    topic = "bodies"
+    sines = True
+
+    def __init__(self, scene: SceneInSpace, order: int, rates: BodyRates) -> None:
+        self.scene, self.order, self.rates = scene, order, rates
+        self.panel = ("velocity", "acceleration")[order - 1]
+        self.unit = ("rad/s", "rad/s²")[order - 1]
+
+    def still(self) -> str:
+        """Say that nothing moves."""
+        return self.scene.say("still")
+
+    def pole(self) -> str:
+        """Say that the frame is at the pole."""
+        return self.scene.say(f"bodies pole {self.panel}")
+
+    def known(self, label: str, part: Part[BodyVector]) -> str:
+        """Work out a known component."""
+        vector, common = part.of, {"label": label, "unit": Unit(self.unit)}
+        if part.name != "normal":
+            value = Figure(vector.value, self.unit, given=True)
+            return self.scene.say(
+                "bodies given", symbol=vector.symbol, axis=vector.axis, value=value, **common
+            )
+        solver, motion = self.scene.motion.solver, self.scene.motion
+        assert isinstance(solver, SphereSolver | UniversalSolver)
+        found = solver.axis_velocity(motion.pose, motion.velocity)
+        speed = found.tau3 if vector.reverse else found.tau
+        value, omega, tau = (
+            Figure(abs(each), unit)
+            for each, unit in ((part.vector, self.unit), (found.omega, "rad/s"), (speed, "rad/s"))
+        )
+        self.scene.figures.product(value, omega, tau)
+        phrase = f"{self.topic} turned {'coupler' if vector.reverse else 'frame'}"
+        symbol = "ω" + subscript(42)
+        return self.scene.say(
+            phrase, symbol=symbol, term=part.symbol, omega=omega, tau=tau, value=value, **common
+        )
+
+    def line(self, part: Part[BodyVector], point: str, meeting: str) -> str:
+        """Say why the next vertex lies on a line."""
+        vector = part.of
+        place = self.scene.say("the pole") if vector.name == "14" else point
+        arcs = {"23": self.rates.at_b, "43": self.rates.at_c}
+        arc = Figure(abs(float(arcs.get(vector.name, 0.0))), "°")
+        panel = f" {self.panel}" if vector.name == "24" else ""
+        parts = {"point": place, "axis": vector.axis, "meeting": meeting, "arc": arc}
+        return self.scene.say(f"{self.topic} line {vector.name}{panel}", **parts)
+
+    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[BodyVector], str]]) -> str:
+        """Say what lies where the lines cross."""
+        found = "; ".join(
+            self.scene.say("zero", point=vertex, symbol=part.symbol) for part, vertex in zeros
+        )
+        return self.scene.say("crossing zero" if found else "crossing", letter=letter, found=found)
+
+    def measured(self, label: str, part: Part[BodyVector]) -> str:
+        """Measure a result."""
+        vector, motion = part.of, self.scene.motion
+        value = Figure(abs(part.vector) if vector.name == "24" else vector.value, self.unit)
+        parts = {"label": label, "symbol": part.symbol, "value": value, "unit": Unit(self.unit)}
+        if vector.name != "14" or self.order > 1 or not self.sines:
+            return self.scene.say("turning measured", **parts)
+        assert isinstance(motion.solver, SphereSolver)
+        from_a = motion.solver.axis(motion.pose).tau
+        from_d = fold(from_a - motion.mechanism.parameters()["ground"])
+        sign = -1.0 if from_a <= 0.0 and from_d <= 0.0 else 1.0
+        arcs = {"ai": Figure(sign * from_a, "°"), "di": Figure(sign * from_d, "°")}
+        return self.scene.say("bodies sines", **parts, **arcs)
+
+    def whole(self, label: str, size: float, vector: BodyVector) -> str:
+        """Measure a whole vector."""
+        value = Figure(size, self.unit)
+        return self.scene.say(
+            "turning measured", label=label, symbol=vector.symbol, value=value, unit=Unit(self.unit)
+        )
