@@ -1,4 +1,4 @@
-"""Examples in space: a case of space.json goes in, a motion of the program and its numbers come out.
+"""Examples in space: a case of space.json goes in, what the program finds comes out.
 
 The cases of the ball-jointed four-bar lie anywhere in space: they are moved into the program's
 frame, which has A at its origin, z along A's axis and x along the common normal.
@@ -130,8 +130,8 @@ def placed(given: dict[str, Any]) -> tuple[dict[str, Any], list[float], Any]:
     sizes["ground_twist"] = math.degrees(math.atan2(np.cross(a, d) @ x, a @ d))
     leads = []
     for axis, zero in ((a, given["crank_zero"]), (d, given["rocker_zero"])):
-        across, zero = np.cross(axis, x), np.array(zero, float)
-        leads.append(math.degrees(math.atan2(zero @ across, zero @ x)))
+        start = np.array(zero, float)
+        leads.append(math.degrees(math.atan2(start @ np.cross(axis, x), start @ x)))
     return sizes, leads, np.array([x, np.cross(a, x), a])
 
 

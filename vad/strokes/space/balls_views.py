@@ -27,7 +27,7 @@ from vad.strokes.sheet import (
     Term,
 )
 from vad.strokes.space.balls_said import length_of
-from vad.strokes.space.balls_seen import Seen, layout
+from vad.strokes.space.balls_seen import TILT, Seen, layout
 from vad.written import subscript, with_unit
 
 if TYPE_CHECKING:
@@ -123,9 +123,10 @@ class _Views:
     def _coupler(self) -> None:
         """Find C where the circles meet, and draw coupler and rocker."""
         b, c, unit = self.at["B"], self.at["C"], self.scene.unit
-        height = abs(float((self.seen.at("B") - self.seen.at("D")) @ self.seen.d))
-        parts = {
-            "height": Figure(height, unit),
+        height = float((self.seen.at("B") - self.seen.at("D")) @ self.seen.d)
+        parts: dict[str, object] = {
+            "height": Figure(abs(height), unit),
+            "side": self.scene.say("balls ahead" if height > 0.0 else "balls behind"),
             "size": self._length("coupler"),
             "reach": Figure(abs(c - b), unit),
             "unit": Unit(unit),
@@ -165,11 +166,11 @@ class _Views:
         """Say from where each view is seen."""
         say, at, share = self.scene.language.say, self.at, self.layout.share
         small = "" if share == 1.0 else f" 1 : {1.0 / share:.6g}"
-        right = max(at["C"].real, at["B"].real)
+        right, third = max(at["C"].real, at["B"].real), share * self.sizes["coupler"]
         return (
             Note(complex(right, at["A"].imag + self.sizes["crank"]), say("balls front")),
-            Note(at["A.top"] - 1.6 * self.sizes["crank"] * 1j, say("balls top")),
-            Note(at["B.third"] - 0.3j * share * self.sizes["coupler"], say("balls third") + small),
+            Note(0.5 * (at["A.top"] + at["D.top"]), say("balls top")),
+            Note(self.layout.place + (TILT + 0.3) * third, say("balls third") + small),
         )
 
     def _length(self, name: str) -> Figure:

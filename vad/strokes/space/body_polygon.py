@@ -38,10 +38,11 @@ class Bodies:
         The vectors that stand in the table.
     twice
         Whether accelerations have a triangle in the plane of the coupler, too.
-    centre
-        Where O is in the view of the frame's plane.
     remark
-        What stands under a polygon with two triangles.
+        What stands under the velocity polygon.
+    centre
+        Where O is, if the mechanism is seen square to the plane of the frame: there the plane of
+        the coupler is laid over for all to see.
     """
 
     rates: BodyRates
@@ -50,8 +51,8 @@ class Bodies:
     rows: Mapping[str, str]
     measured: Collection[str]
     twice: bool
-    centre: complex = 0j
     remark: str = ""
+    centre: complex | None = None
 
 
 def polygon_of_bodies(bodies: Bodies) -> Drawing:
@@ -79,8 +80,8 @@ class _Polygon:
         )
         player = Player(pencil)
         for equation in equations:
-            if equation.folded:
-                pencil.add(self._fold())
+            if equation.folded and self.bodies.centre is not None:
+                pencil.add(self._fold(self.bodies.centre))
             player.play(equation)
         sums = () if pencil.resting else self._sums(pencil)
         return Drawing(
@@ -191,9 +192,9 @@ class _Polygon:
         second = Chain(self._body(4), end, (at_c,), (last,))
         return VectorEquation(first, second, "3", folded=True)
 
-    def _fold(self) -> Stroke:
+    def _fold(self, centre: complex) -> Stroke:
         """Return how the plane of the coupler is laid over, in the view of the frame's plane."""
-        rates, centre = self.rates, self.bodies.centre
+        rates = self.rates
         axis, turn = complex(rates.seen(rates.i)), float(rates.fold(self.side))
         arms = tuple(centre + complex(rates.laid(arm, self.side)) for arm in (rates.b, rates.c))
         angles = np.radians(np.linspace(0.0, 360.0, 73))[:, None]

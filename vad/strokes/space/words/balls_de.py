@@ -12,7 +12,7 @@ PHRASES = {
     "balls B front": "B in dieser Ansicht: senkrecht darüber.",
     "balls AB front": "Die Kurbel in dieser Ansicht.",
     "balls compass": (
-        "B steht {height} {unit} vor oder hinter der Ebene des Kreises von C: von hier gesehen ist "
+        "B steht {height} {unit} {side} der Ebene des Kreises von C: von hier gesehen ist "
         "C um √({size}² − {height}²) = {reach} {unit} von B entfernt."
     ),
     "balls C": "C liegt, wo sich die beiden Kreise schneiden.",
@@ -28,8 +28,10 @@ PHRASES = {
     ),
     "balls plane": "Die Ebene durch B senkrecht zu BC erscheint dort als Gerade.",
     "balls line": "Die Bahn von C: ihre Richtung hat die Geschwindigkeit von C.",
-    "balls front": "längs der Achse von D gesehen",
-    "balls top": "längs der Achse von A gesehen",
+    "balls ahead": "vor",
+    "balls behind": "hinter",
+    "balls front": "längs D gesehen",
+    "balls top": "längs A gesehen",
     "balls third": "BC und Bahn von C in wahrer Länge",
     # Pläne
     "balls path": "Bahn von C",

@@ -12,7 +12,7 @@ PHRASES = {
     "balls B front": "B in this view: straight above.",
     "balls AB front": "The crank in this view.",
     "balls compass": (
-        "B stands {height} {unit} over or under the plane of the circle of C: seen from here, C is "
+        "B stands {height} {unit} {side} the plane of the circle of C: seen from here, C is "
         "√({size}² − {height}²) = {reach} {unit} from B."
     ),
     "balls C": "C is where both circles meet.",
@@ -28,9 +28,11 @@ PHRASES = {
     ),
     "balls plane": "The plane through B square to BC is there seen as a line.",
     "balls line": "The path of C: its velocity lies along this line.",
-    "balls front": "seen along the axis of D",
-    "balls top": "seen along the axis of A",
-    "balls third": "BC and the path of C in true length",
+    "balls ahead": "in front of",
+    "balls behind": "behind",
+    "balls front": "seen along D",
+    "balls top": "seen along A",
+    "balls third": "BC and path of C in true length",
     # polygons
     "balls path": "path of C",
     "balls remark": "seen as BC to the right of the views; the coupler does not spin about BC",

@@ -12,7 +12,7 @@ PHRASES = {
     "balls B front": "B dans cette vue : juste au-dessus.",
     "balls AB front": "La manivelle dans cette vue.",
     "balls compass": (
-        "B est à {height} {unit} devant ou derrière le plan du cercle de C : vu d’ici, C est à "
+        "B est à {height} {unit} {side} le plan du cercle de C : vu d’ici, C est à "
         "√({size}² − {height}²) = {reach} {unit} de B."
     ),
     "balls C": "C est à l’intersection des deux cercles.",
@@ -29,8 +29,10 @@ PHRASES = {
     ),
     "balls plane": "Le plan passant par B et perpendiculaire à BC y est vu comme une droite.",
     "balls line": "La trajectoire de C : sa vitesse est suivant cette droite.",
-    "balls front": "vu suivant l’axe de D",
-    "balls top": "vu suivant l’axe de A",
+    "balls ahead": "devant",
+    "balls behind": "derrière",
+    "balls front": "vu suivant D",
+    "balls top": "vu suivant A",
     "balls third": "BC et trajectoire de C en vraie grandeur",
     # polygones
     "balls path": "trajectoire de C",
