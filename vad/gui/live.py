@@ -34,7 +34,7 @@ from vad.plan.scale import Scale
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import chosen
 from vad.strokes.language import Language
-from vad.strokes.scene import Scene
+from vad.strokes.scenes import scene_of
 from vad.strokes.sheet import Panel, Sheet
 from vad.style import load_style
 
@@ -138,7 +138,7 @@ def _over(mechanism: Mechanism) -> Iterable[Motion]:
 
 def _pictured(motion: Motion) -> Panel:
     """Return the mechanism in one pose; the numbers in its captions, which nobody reads, lack."""
-    return DIAGRAMS[POSITION].panel(Scene(motion, Language("en")))
+    return DIAGRAMS[POSITION].panel(scene_of(motion, Language("en")))
 
 
 @lru_cache(maxsize=64)

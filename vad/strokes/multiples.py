@@ -91,11 +91,10 @@ def _checked(at: Sequence[float]) -> list[float]:
 
 def _place(motion: Motion) -> Cell:
     """Return the place of the driver with its symbol, as it was given."""
-    from vad.strokes.diagrams.position import link, slide
+    from vad.strokes.diagrams import DIAGRAMS
     from vad.strokes.language import Language
-    from vad.strokes.scene import Scene
+    from vad.strokes.scenes import scene_of
 
-    scene = Scene(motion, Language("en"))
-    named = link if scene.driver.kind == "angle" else slide
-    (cell,) = named(scene, scene.driver.name)
+    scene = scene_of(motion, Language("en"))
+    cell, *_ = scene.cells(DIAGRAMS["position"], scene.driver.name)
     return replace(cell, value=float(next(iter(motion.inputs.values()))))

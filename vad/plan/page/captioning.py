@@ -12,7 +12,7 @@ from vad.plan.lettering.runs import Runs, roman, sentence
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Lettering, Mark
 from vad.strokes.language import Language
-from vad.strokes.sheet import Sheet
+from vad.strokes.sheet import Arrow, Sheet
 
 CAPTION = 0.040
 LEAST_CAPTION = 26.0 / 720.0
@@ -29,6 +29,8 @@ def italic_names(sheet: Sheet) -> frozenset[str]:
     for panel in sheet.halves:
         words = ("angle", "construction")  # whose labels have words in them
         strings = [stroke.label for stroke in panel.strokes if stroke.kind not in words]
+        arrows = [s.shape for s in panel.strokes if isinstance(s.shape, Arrow)]
+        strings += [arrow.tail + arrow.head for arrow in arrows]
         # An image is found by the ratio of two vectors, of which one is not drawn.
         ratios = (re.search(r"([a-z]{2}) = ", s.caption) for s in panel.strokes if s.image)
         strings += [ratio.group(1) for ratio in ratios if ratio]

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure, Unit
-from vad.strokes.sheet import Kind
+from vad.strokes.sheet import Component, Kind
 from vad.strokes.space.hand import Hand, Spot
 from vad.strokes.space.screw_rates import ScrewRates
 from vad.written import MINUS, PRIME, per_second, subscript
@@ -107,7 +107,7 @@ class _Turning(_Half):
         self.lines(begin, one, four, (f"bodies line 24 {self.panel}", "bodies line 14"))
         found = {"axis": along, "rocker": float(self.rates.of_rocker(order))}
         hand.cross("4.crossing", four, found)
-        component = "relative" if order == 1 else "tangential"
+        component: Component = "relative" if order == 1 else "tangential"
         hand.measure("24", RELATIVE[order], (begin, four), "axis", along, component, ("axis",))
         hand.measure(
             "14", letter + subscript(4), (one, four), "rocker", found["rocker"], reveals=("rocker",)

@@ -9,14 +9,10 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping
-from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from vad.kinematics.motion import solve
-from vad.kinematics.space.dual import real
-from vad.kinematics.space.sphere_solver import SphereSolver
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure, Unit
 from vad.strokes.sheet import (
@@ -24,9 +20,11 @@ from vad.strokes.sheet import (
     Arrow,
     Bearing,
     Block,
+    Component,
     Curve,
     Dot,
     Equation,
+    Kind,
     Note,
     Shape,
     Stroke,
@@ -34,50 +32,14 @@ from vad.strokes.sheet import (
 )
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.strokes.space.screw_rates import ScrewRates
+from vad.strokes.space.spatial_places import Places, points, reach_of, seen
 from vad.strokes.vector_equations import NOTHING
 from vad.written import with_unit
 
-if TYPE_CHECKING:
-    from vad.kinematics.motion import MotionInSpace
-    from vad.mechanisms.mechanism import Mechanism
-
-#: From where it is seen: degrees about a, and above the plane square to it.
-AZIMUTH, ELEVATION = -62.0, 38.0
 #: Lengths as shares of the mechanism's reach: axes beyond their points, shafts beyond sleeves.
 AXIS, SHAFT, BEARING = 0.13, 0.06, 0.10
 #: The star's rays, the radius of the rose, and the space above the mechanism.
-RAY, ROSE, ABOVE, NOTE = 0.16, 0.09, 0.02, 0.26
-POSES = 48
-
-
-def seen(vector: Any) -> Any:
-    """Return a vector as it is seen in the pictorial view."""
-    east, up = math.radians(AZIMUTH), math.radians(ELEVATION)
-    right = -math.sin(east), math.cos(east), 0.0
-    onward = -math.sin(up) * math.cos(east), -math.sin(up) * math.sin(east), math.cos(up)
-    return np.asarray(vector) @ np.array(right) + 1j * (np.asarray(vector) @ np.array(onward))
-
-
-class Places:
-    """Where axes and points of one pose are in space, as arrays of x, y, z."""
-
-    def __init__(self, motion: MotionInSpace[Any, Any]) -> None:
-        assert isinstance(motion.solver, SphereSolver)
-        axes, slide = motion.solver.on_sphere(motion.pose), motion.slide
-        self.a, self.d = np.array([0.0, 0.0, 1.0]), _array(motion.solver.sphere.d)
-        self.b, self.c = _array(axes.b), _array(axes.c)
-        self.at = points(motion)
-        self.i = _array(motion.solver.axis(motion.pose).i)
-        self.coupler_b = self.at["B"] + slide("slide_b").position * self.b
-        self.rocker_c = self.at["C"] - slide("slide_c").position * self.c
-        self.rocker_d = self.at["D"] + slide("slide_d").position * self.d
-
-
-def points(motion: MotionInSpace[Any, Any]) -> Mapping[str, Any]:
-    """Return where the lettered points are, of one pose or of many."""
-    height = np.asarray(ScrewRates(motion).height)
-    found = {letter: motion.point(letter).position for letter in "ABCD"}
-    return {**found, "H": height[..., None] * np.array([1.0, 0.0, 0.0])}
+RAY, ROSE, ABOVE, NOTE = 0.16, 0.09, 0.02, 0.24
 
 
 def tracks(scene: SceneInSpace) -> Mapping[str, Any]:
@@ -96,7 +58,7 @@ class _Views:
         self.rates = ScrewRates(scene.motion)
         self.sizes = scene.motion.mechanism.parameters()
         self.at = {letter: complex(seen(at)) for letter, at in self.places.at.items()}
-        low, high = _reach(scene.motion.mechanism)
+        low, high = reach_of(scene.motion.mechanism)
         self.reach = max((high - low).real, (high - low).imag)
         top = high.imag + (ABOVE + RAY) * self.reach
         self.star = complex(low.real + RAY * self.reach, top)
@@ -115,7 +77,7 @@ class _Views:
         self._screw()
         say = self.scene.say
         notes = (
-            Note(self.star + (NOTE - 0.5j * RAY) * self.reach, say("spatial star")),
+            Note(self.star + (NOTE - 0.8j * RAY) * self.reach, say("spatial star")),
             Note(self.rose - NOTE * self.reach, say("spatial rose")),
         )
         equation = self._equation()
@@ -131,19 +93,19 @@ class _Views:
     def _draw(
         self,
         name: str,
-        kind: str,
+        kind: Kind,
         label: str,
         shape: Shape,
         phrase: str,
         link: str | None = None,
         body: bool = False,
         reveals: tuple[str, ...] = (),
-        **parts: object,
+        **parts: Any,
     ) -> None:
         caption = self.scene.say(f"spatial {phrase}", unit=Unit(self.scene.unit), **parts)
-        component = "link" if body else None
+        component: Component | None = "link" if body else None
         stroke = Stroke(
-            kind,  # type: ignore[arg-type]
+            kind,
             label,
             shape,
             caption,
@@ -214,37 +176,36 @@ class _Views:
 
     def _directions(self) -> None:
         """Draw the directions of a, d and I in a star, and what has been found by them."""
-        twists = {
+        twists: dict[str, Any] = {
             name: self._angle(f"{name}_twist") for name in ("ground", "crank", "coupler", "rocker")
         }
         ray = RAY * self.reach
-        ways = (("A", self.rates.a, "crank"), ("D", self.rates.d, "rocker"))
-        for letter, way, key in ways:
+        for letter, way, key, phrase in (
+            ("A", self.rates.a, "crank", "directions"),
+            ("D", self.rates.d, "rocker", "true directions"),
+        ):
             shape = Curve((self.star, self.star + ray * complex(way)))
-            self._draw(f"star.{letter}", "known", letter, shape, "directions", link=key, **twists)
+            self._draw(f"star.{letter}", "known", "O" + letter, shape, phrase, link=key, **twists)
         tau = Figure(self.rates.axis.tau, "°")
         shape = Curve((self.star, self.star + ray * complex(self.rates.i)))
-        self._draw("star.I", "construction", "I", shape, "I", link="axis", tau=tau)
+        self._draw("star.I", "construction", "OI", shape, "I", link="axis", tau=tau)
 
     def _slides(self) -> None:
         """Draw what the directions tell: axis c and the lengths that close the loop."""
         places = self.places
         self._draw("c.axis", "guide", "", self._line(places.at["C"], places.c, -AXIS, AXIS), "c")
-        values = {
-            letter: Figure(
-                float(self.scene.motion.slide(f"slide_{letter}").position), self.scene.unit
-            )
-            for letter in "bcd"
+        slide, unit = self.scene.motion.slide, self.scene.unit
+        values: dict[str, Any] = {
+            letter: Figure(float(slide(f"slide_{letter}").position), unit) for letter in "bcd"
         }
         for letter, start, end, key in (
             ("B", places.at["B"], places.coupler_b, "axis"),
             ("C", places.rocker_c, places.at["C"], "rocker"),
             ("D", places.at["D"], places.rocker_d, "rocker"),
         ):
-            ends = complex(seen(start)), complex(seen(end))
-            self._draw(
-                f"{letter}.slide", "result", f"s_{letter}", Curve(ends), "slides", key, **values
-            )
+            shape = Curve((complex(seen(start)), complex(seen(end))))
+            name, label = f"{letter}.slide", f"s_{letter}"
+            self._draw(name, "result", label, shape, f"slides {letter}", key, **values)
             if abs(values[letter.lower()].value) <= NOTHING * self.reach:
                 self.zeros.append(_bare(self.strokes.pop()))
 
@@ -320,11 +281,6 @@ class _Views:
 _CIRCLE = tuple(cmath.exp(1j * math.tau * k / 72) for k in range(73))
 
 
-def _array(vector: Any) -> Any:
-    """Return a vector without its dual part as an array of x, y, z."""
-    return np.array([float(real(part)) for part in vector])
-
-
 def _beyond(foot: Any, sleeve: Any, way: Any, by: float) -> Any:
     """Return where a shaft ends that goes from a foot through its sleeve."""
     slid = float(np.dot(sleeve - foot, way))
@@ -335,19 +291,3 @@ def _bare(stroke: Stroke) -> Stroke:
     return Stroke(
         stroke.kind, stroke.label, stroke.shape, "", stroke.link, stroke.component, name=stroke.name
     )
-
-
-@lru_cache(maxsize=32)
-def _reach(mechanism: Mechanism) -> tuple[complex, complex]:
-    """Return the corners of what the mechanism reaches in a turn, as it is seen."""
-    angles = np.linspace(0.0, 360.0, POSES, endpoint=False)
-    many: Any = solve(mechanism, angle=angles)
-    spots = []
-    for angle in angles[many.assembled].tolist():
-        motion: Any = solve(mechanism, angle=angle)
-        places = Places(motion)
-        ends = [places.at[letter] for letter in "ABCD"]
-        spots += [*ends, places.coupler_b, places.rocker_c, places.rocker_d]
-    view = seen(np.array(spots))
-    x, y = view.real, view.imag
-    return complex(x.min(), y.min()), complex(x.max(), y.max())
