@@ -18,6 +18,7 @@ CAPTION = 0.040
 LEAST_CAPTION = 26.0 / 720.0
 COUNT = 0.032
 COUNT_ROOM = 0.095
+COUNT_GAP = 0.022
 
 #: Turns a sentence into runs.
 Setter = Callable[[str], Runs]
@@ -30,7 +31,7 @@ def italic_names(sheet: Sheet) -> frozenset[str]:
         words = ("angle", "construction")  # whose labels have words in them
         strings = [stroke.label for stroke in panel.strokes if stroke.kind not in words]
         # An image is found by the ratio of two vectors, of which one is not drawn.
-        ratios = (re.search(r"([a-z]{2}) = ", s.caption) for s in panel.strokes if s.image)
+        ratios = (re.search(r"([a-z]{2}) = [a-z]{2}·[A-Z]", s.caption) for s in panel.strokes)
         strings += [ratio.group(1) for ratio in ratios if ratio]
         found |= {name for s in panel.strokes for name in re.findall(r"\b[A-Z]{2,3}\b", s.label)}
         for triangle in panel.triangles:
@@ -57,13 +58,22 @@ def setter(sheet: Sheet) -> Setter:
 def caption_lines(sheet: Sheet, room: float) -> int:
     """Return how many lines the sheet's longest caption takes."""
     write = setter(sheet)
-    captions = {stroke.caption for panel in sheet.panels for stroke in panel.strokes}
-    return max((len(_set(caption, write, room)[0]) for caption in captions), default=1)
+    lines = (
+        len(_set(stroke.caption, write, room - _count_room(panel))[0])
+        for panel in sheet.panels
+        for stroke in panel.strokes
+    )
+    return max(lines, default=1)
+
+
+def _count_room(panel: Panel) -> float:
+    """Return the width that the number of any stroke takes, with a gap."""
+    most = len(panel.strokes)
+    return max(COUNT_ROOM, width(roman(f"{most} / {most}"), COUNT) + COUNT_GAP)
 
 
 def _set(text: str, write: Setter, room: float) -> tuple[list[Runs], float]:
     """Return a caption in lines, and its size: one line if it can be, two if need be."""
-    room -= COUNT_ROOM
     advance = typeset(write(text)).advance
     size = min(CAPTION, room / max(advance, 1e-9))
     size = CAPTION if size < LEAST_CAPTION else size
@@ -76,7 +86,7 @@ def _set(text: str, write: Setter, room: float) -> tuple[list[Runs], float]:
 
 def caption_marks(panel: Panel, index: int, write: Setter, page: Page) -> list[Mark]:
     """Return the caption of a stroke and, level with its first line, its number in the panel."""
-    room = page.right - page.left
+    room = page.right - page.left - _count_room(panel)
     lines, size = _set(panel.strokes[index].caption, write, room)
     marks = [
         Mark(Lettering(runs, complex(page.left, baseline), size), "words")
