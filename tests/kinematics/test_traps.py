@@ -292,7 +292,9 @@ def test_awkward_inputs_give_numbers_or_nan(name: str, side: str) -> None:
             found = getattr(motion, kind)(item)
             for value in (found.position, found.velocity, found.acceleration):
                 assert not np.isinf(value).any()
-                assert value.shape == (given.shape if name in PLANE else (*given.shape, 3))
+                assert value.shape == (
+                    given.shape if name in PLANE or kind == "slide" else (*given.shape, 3)
+                )
 
 
 @pytest.mark.parametrize("angle", [1e17, 1e300, -1e17, 5e-324])
