@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 
 import vad
 from tests.invariants.test_motion import defaults, factors, optional
+from tests.kinds import PLANE
 from vad.kinematics import any_solver, program
 from vad.kinematics.blocks import Blocks
 from vad.kinematics.compiled import Compiled
@@ -25,7 +26,7 @@ from vad.kinematics.recording import Tape
 from vad.kinematics.results.formulas import Result, evaluate, guide_of
 from vad.kinematics.solver import Solver, solver_of
 
-NAMES = list(vad.MECHANISMS)
+NAMES = list(PLANE)  # those in space are played in tests/space
 numba = pytest.mark.skipif(
     importlib.util.find_spec("numba") is None, reason="numba, the extra 'fast', is not installed"
 )
