@@ -24,7 +24,10 @@ WANTED = rocker(GOOD).angle.tolist()
 
 
 def values(motion: vad.Motion, names: dict[str, Any]) -> dict[tuple[str, str, str], Any]:
-    """Return everything that a motion has, for the items listed in a to_dict()."""
+    """Return everything that a motion has, for the items listed in a to_dict().
+
+    Of vectors in space it is each component.
+    """
     found = {}
     for kind, attributes in (
         ("link", ("angle", "omega", "alpha")),
@@ -33,9 +36,13 @@ def values(motion: vad.Motion, names: dict[str, Any]) -> dict[tuple[str, str, st
         ("slide", ("position", "velocity", "acceleration", "coriolis")),
     ):
         for name, item in names.get(kind + "s", {}).items():
-            for attribute in attributes:
-                if attribute in item:
-                    found[kind, name, attribute] = getattr(getattr(motion, kind)(name), attribute)
+            for attribute in (each for each in attributes if each in item):
+                value = getattr(getattr(motion, kind)(name), attribute)
+                if np.size(item[attribute]) == 3:
+                    parts = zip("xyz", np.moveaxis(value, -1, 0), strict=True)
+                    found |= {(kind, name, f"{attribute} {axis}"): part for axis, part in parts}
+                else:
+                    found[kind, name, attribute] = value
     return found
 
 
