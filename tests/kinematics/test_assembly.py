@@ -5,10 +5,9 @@ from __future__ import annotations
 import pytest
 
 import vad
-from tests.kinds import SPACE
 
 TWO = {"four-bar", "slider-crank", "double-slider", "gate-actuator"}
-TWO |= SPACE.keys() - {"hooke-joint"}
+TWO |= {"spherical-four-bar", "spatial-four-bar", "rssr"}
 
 
 @pytest.mark.parametrize("name", list(vad.MECHANISMS))
