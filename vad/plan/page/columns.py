@@ -56,6 +56,11 @@ class Columns:
         rows = self._entries.sheet.rows
         return max((self._need(row.cells.get(panel, ())) for row in rows), default=0.0)
 
+    @property
+    def values(self) -> float:
+        """How far behind the margin the cells of the first panel begin."""
+        return min(left for left, _ in self._places.values()) - self._page.left
+
     def frame(self) -> list[Mark]:
         """Return rules, keys and names, and what grey means."""
         y, page = self._page.hairline, self._page
@@ -90,6 +95,9 @@ class Columns:
             places = [(name, left), (equals, left + symbol)]
             start = left + symbol + (NUMBERS - EQUALS) * shrink
             end = min(start + WRITTEN * shrink, right)
+            if len(cells) > 1:  # up to the symbol behind it
+                ahead = width(values[1], size) + width(signs[1], size) + CLEAR * shrink
+                end = min(end, ends[1] - ahead)
             if count:
                 end = ends[count]
                 start = end - width(value, size)
