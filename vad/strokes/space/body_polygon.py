@@ -40,8 +40,8 @@ class Bodies:
         Whether accelerations have a triangle in the plane of the coupler, too.
     remark
         What stands under the velocity polygon.
-    folds
-        Whether the mechanism is seen square to the plane of the frame, about O: there the plane of
+    centre
+        Where O is, if the mechanism is seen square to the plane of the frame: there the plane of
         the coupler is laid over for all to see.
     """
 
@@ -52,7 +52,7 @@ class Bodies:
     measured: Collection[str]
     twice: bool
     remark: str = ""
-    folds: bool = False
+    centre: complex | None = None
 
 
 def polygon_of_bodies(bodies: Bodies) -> Drawing:
@@ -80,8 +80,8 @@ class _Polygon:
         )
         player = Player(pencil)
         for equation in equations:
-            if equation.folded and self.bodies.folds:
-                pencil.add(self._fold())
+            if equation.folded and self.bodies.centre is not None:
+                pencil.add(self._fold(self.bodies.centre))
             player.play(equation)
         sums = () if pencil.resting else self._sums(pencil)
         return Drawing(
@@ -192,15 +192,15 @@ class _Polygon:
         second = Chain(self._body(4), end, (at_c,), (last,))
         return VectorEquation(first, second, "3", folded=True)
 
-    def _fold(self) -> Stroke:
-        """Return how the plane of the coupler is laid over, in the view of the sphere."""
+    def _fold(self, centre: complex) -> Stroke:
+        """Return how the plane of the coupler is laid over, in the view of the frame's plane."""
         rates = self.rates
         axis, turn = complex(rates.seen(rates.i)), float(rates.fold(self.side))
-        arms = tuple(complex(rates.laid(arm, self.side)) for arm in (rates.b, rates.c))
+        arms = tuple(centre + complex(rates.laid(arm, self.side)) for arm in (rates.b, rates.c))
         angles = np.radians(np.linspace(0.0, 360.0, 73))[:, None]
-        rim = rates.seen(np.cos(angles) * rates.i + np.sin(angles) * rates.j)
-        shape = Fold(0j, axis, turn, arms, tuple(rim.tolist()))
-        caption = self.scene.say("bodies fold")
+        rim = centre + rates.seen(np.cos(angles) * rates.i + np.sin(angles) * rates.j)
+        shape = Fold(centre, axis, turn, arms, tuple(rim.tolist()))
+        caption = self.scene.say(f"{self.bodies.words.topic} fold")
         return Stroke("construction", "", shape, caption, self.bodies.rows["23"], name="fold")
 
     def _sums(self, pencil: Pencil[BodyVector]) -> tuple[Equation, ...]:

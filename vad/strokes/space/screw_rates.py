@@ -17,7 +17,7 @@ import numpy as np
 from vad.kinematics.space.dual import dual, real
 from vad.kinematics.space.instant_axis import InstantAxis
 from vad.kinematics.space.sphere_solver import SphereSolver
-from vad.kinematics.space.vectors import Vector3
+from vad.kinematics.space.vector3 import Vector3
 from vad.strokes.sheet import BELOW
 from vad.written import PRIME
 

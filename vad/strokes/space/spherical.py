@@ -51,7 +51,7 @@ class SphericalScene(SceneInSpace):
         rates = rates_on_sphere(self.motion)
         words = BodyWords(self, order, rates)
         remark = self.say("bodies remark")
-        return Bodies(rates, words, _AXES, _ROWS, _MEASURED, True, remark, folds=True)
+        return Bodies(rates, words, _AXES, _ROWS, _MEASURED, True, remark, centre=0j)
 
     def unit_of(self, diagram: Diagram) -> str:
         """Return the unit of a diagram's coordinates: none on the sphere, whose radius is 1."""
