@@ -1,4 +1,4 @@
-"""What is true of every sheet: polygons close, crossings lie on their lines, images are similar."""
+"""What is true of every sheet in the plane: polygons close, lines cross, images are similar."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 
 import vad
-from tests.invariants.test_motion import drawn, everything, motions
+from tests.invariants.test_motion import drawn, in_the_plane, motions
 from vad.errors import DeadCentreError
 from vad.kinematics.linkage import Bar, Slide
 from vad.strokes.sheet import Arrow, Dot, Line, Panel, Sheet, Stroke
@@ -181,7 +181,7 @@ CHECKS = [
 ]
 
 
-@everything
+@in_the_plane
 def test_polygons_are_as_they_should(name: str) -> None:
     """A sheet is drawn once, and asked everything."""
 

@@ -15,6 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import vad
+from tests.kinds import PLANE
 from tests.kinematics.families import (
     FAMILIES,
     LENGTHLESS,
@@ -147,6 +148,6 @@ def test_angles_come_out_below_a_full_turn(angle: float) -> None:
 
 def test_lengthless_numbers_are_named() -> None:
     """The scaling test leaves alone what has no length in it: no field may be missed."""
-    for cls in vad.MECHANISMS.values():
+    for cls in PLANE.values():
         angles = {f.name for f in dataclasses.fields(cls) if f.metadata["quantity"] == "angle"}
         assert angles <= LENGTHLESS

@@ -23,17 +23,25 @@ WANTED = rocker(GOOD).angle.tolist()
 
 
 def values(motion: vad.Motion, names: dict[str, Any]) -> dict[tuple[str, str, str], Any]:
-    """Return everything that a motion has, for the items listed in a to_dict()."""
+    """Return everything that a motion has, for the items listed in a to_dict().
+
+    Of vectors in space it is each component.
+    """
     found = {}
     for kind, attributes in (
         ("link", ("angle", "omega", "alpha")),
+        ("joint", ("angle", "omega", "alpha")),
         ("point", ("position", "velocity", "acceleration")),
         ("slide", ("position", "velocity", "acceleration", "coriolis")),
     ):
-        for name, item in names[kind + "s"].items():
-            for attribute in attributes:
-                if attribute in item:
-                    found[kind, name, attribute] = getattr(getattr(motion, kind)(name), attribute)
+        for name, item in names.get(kind + "s", {}).items():
+            for attribute in (each for each in attributes if each in item):
+                value = getattr(getattr(motion, kind)(name), attribute)
+                if np.size(item[attribute]) == 3:
+                    parts = zip("xyz", np.moveaxis(value, -1, 0), strict=True)
+                    found |= {(kind, name, f"{attribute} {axis}"): part for axis, part in parts}
+                else:
+                    found[kind, name, attribute] = value
     return found
 
 
@@ -88,8 +96,8 @@ def test_integer_rates() -> None:
 def test_few_or_none(name: str, shape: tuple[int, ...]) -> None:
     motion = vad.solve(vad.MECHANISMS[name](), **driven(name, np.ones(shape)))
     assert motion.assembled.shape == shape
-    for value in values(motion, vad.solve(vad.MECHANISMS[name]()).to_dict()).values():
-        assert np.shape(value) == shape
+    for key, value in values(motion, vad.solve(vad.MECHANISMS[name]()).to_dict()).items():
+        assert np.shape(value) == shape, key
 
 
 def test_an_array_without_dimensions_is_one_pose() -> None:
@@ -128,6 +136,9 @@ def test_one_angle_and_many_rates() -> None:
     found = rocker(20.0, omega=np.array([1.0, 2.0, 4.0]))
     assert found.omega.shape == (3,)
     assert (found.omega == found.omega[0] * np.array([1, 2, 4])).all()
+    motion = vad.solve(vad.FourBar(), angle=20.0, omega=np.array([1.0, 2.0]))
+    assert motion.link("crank").angle.tolist() == [20.0, 20.0]
+    assert motion.point("B").position.shape == (2,)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -137,7 +148,7 @@ def test_broadcasting_reaches_every_result(name: str) -> None:
     inputs |= {second: np.array([1.0, 2.0, 3.0]), third: 1.0}
     motion = vad.solve(vad.MECHANISMS[name](), **inputs)
     for key, value in values(motion, vad.solve(vad.MECHANISMS[name]()).to_dict()).items():
-        assert np.broadcast_shapes(np.shape(value), (4, 3)) == (4, 3), key
+        assert np.shape(value) == (4, 3), key
 
 
 # --- what is bad among the good ---------------------------------------------------------------
@@ -152,9 +163,10 @@ def test_bad_poses_spoil_no_good_ones(name: str, bad: float) -> None:
     motion = vad.solve(cls(), **driven(name, spread))
     assert motion.assembled.tolist() == [True, False, True, True]
     for key, value in values(motion, listed).items():
-        whole = np.broadcast_to(value, spread.shape)
-        expected = np.broadcast_to(good[key], (3,))
-        assert np.array_equal(np.delete(whole, 1), expected, equal_nan=True), key
+        axes = np.shape(value)[1:]
+        whole = np.broadcast_to(value, (*spread.shape, *axes))
+        expected = np.broadcast_to(good[key], (3, *axes))
+        assert np.array_equal(np.delete(whole, 1, axis=0), expected, equal_nan=True), key
         assert not np.isinf(whole).any()
 
 

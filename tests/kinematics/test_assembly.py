@@ -7,6 +7,7 @@ import pytest
 import vad
 
 TWO = {"four-bar", "slider-crank", "double-slider", "gate-actuator"}
+TWO |= {"spherical-four-bar", "spatial-four-bar", "rssr"}
 
 
 @pytest.mark.parametrize("name", list(vad.MECHANISMS))

@@ -41,6 +41,21 @@ def test_each_kind_of_dyad_by_itself(kind: str) -> None:
         assert not {key: size for key, size in found.items() if not size <= BOUNDS[key[2]]}
 
 
+class Wide(Draw):
+    """Lengths over four decades."""
+
+    def length(self, decades: float = 4.0) -> float:
+        return super().length(decades)
+
+
+def test_a_bar_that_goes_round_with_the_slot_in_which_it_ends() -> None:
+    """Its pivot is close to that of the slotted link, so that nearly all of its motion cancels."""
+    kind = "RRP on a link"
+    for seed in range(15):
+        found = dict(errors(Chain(Wide(f"crank {kind} {seed}"), "crank", [kind])))
+        assert not {key: size for key, size in found.items() if not size <= BOUNDS[key[2]]}
+
+
 @pytest.mark.parametrize("name", list(BUILT))
 def test_many_poses_have_the_bits_of_one(name: str) -> None:
     mechanism = HandBuilt(BUILT[name]())

@@ -10,6 +10,7 @@ import pytest
 from mpmath import mp
 
 import vad
+from tests.kinds import PLANE, SPACE
 from tests.kinematics.test_traps import crank
 from vad.kinematics.reach import closing_range, travels
 
@@ -25,18 +26,30 @@ def test_what_leaves_the_range_is_nan_in_arrays_and_an_error_for_one_pose() -> N
         crank(yoke, 60.0, 1e60).slide("yoke").acceleration  # noqa: B018
 
 
-@pytest.mark.parametrize("name", list(vad.MECHANISMS))
+@pytest.mark.parametrize("name", PLANE)
 def test_one_pose_gives_plain_numbers(name: str) -> None:
     cls = vad.MECHANISMS[name]
     inputs = {key: np.float64(value) for key, value in cls.inputs.items()}
     motion = vad.solve(cls(), **inputs)
-    for part in (*map(motion.link, motion.links), *map(motion.slide, motion.slides)):
+    turning = [name for name in motion.links if name not in motion.solver.bodies]
+    for part in (*map(motion.link, turning), *map(motion.slide, motion.slides)):
         names = ("angle", "omega", "alpha", "position", "velocity", "acceleration", "coriolis")
         found = {getattr(part, attribute, None) for attribute in names} - {None}
         assert {type(value) for value in found} == {float}
     for point in map(motion.point, motion.points):
         for value in (point.position, point.velocity, point.acceleration):
-            assert type(value) is complex
+            assert type(value) is complex if name in PLANE else value.shape == (3,)
+
+
+@pytest.mark.parametrize("name", SPACE)
+def test_one_pose_in_space_gives_plain_numbers_and_vectors(name: str) -> None:
+    cls = SPACE[name]
+    motion: Any = vad.solve(cls(), **{k: np.float64(value) for k, value in cls.inputs.items()})
+    for part in (*map(motion.joint, motion.joints), motion.link(motion.solver.driver.name)):
+        assert {type(value) for value in (part.angle, part.omega, part.alpha)} == {float}
+    for point in map(motion.point, motion.points):
+        for value in (point.position, point.velocity, point.acceleration):
+            assert (value.dtype, value.shape) == (np.float64, (3,))
 
 
 # --- where they close -------------------------------------------------------------------------

@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 
 import vad
 from tests.invariants.test_motion import defaults, factors, optional
+from tests.kinds import PLANE
 from vad.kinematics import any_solver, program
 from vad.kinematics.blocks import Blocks
 from vad.kinematics.compiled import Compiled
@@ -25,7 +26,6 @@ from vad.kinematics.recording import Tape
 from vad.kinematics.results.formulas import Result, evaluate, guide_of
 from vad.kinematics.solver import Solver, solver_of
 
-NAMES = list(vad.MECHANISMS)
 numba = pytest.mark.skipif(
     importlib.util.find_spec("numba") is None, reason="numba, the extra 'fast', is not installed"
 )
@@ -58,7 +58,7 @@ def bits(value: Any) -> bytes:
 @st.composite
 def mechanisms(draw: Any, name: str) -> tuple[Any, dict[str, Any]]:
     """Draw a mechanism and a few poses, most of which close."""
-    cls = vad.MECHANISMS[name]
+    cls = PLANE[name]
     numbers = {**defaults(cls), **(optional(cls) if draw(st.booleans()) else {})}
     parameters = {key: value * draw(factors) for key, value in numbers.items()}
     mechanism = cls(**parameters, assembly=draw(st.sampled_from(["open", "crossed"])))
@@ -87,7 +87,7 @@ def poses(inputs: dict[str, Any]) -> Iterator[tuple[float, ...]]:
     return ((float(value), rate, second_rate) for value in place)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLANE)
 @settings(max_examples=4, deadline=None, suppress_health_check=list(HealthCheck))
 @given(data=st.data())
 def test_all_ways_give_the_same_bits(name: str, data: Any) -> None:

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import vad
+from tests.kinematics.test_arrays import values
 
 SIDES = ("open", "crossed")
 
@@ -283,15 +284,9 @@ def test_awkward_inputs_give_numbers_or_nan(name: str, side: str) -> None:
     assert motion.assembled.shape == given.shape
     assert not motion.assembled[~np.isfinite(given)].any()
     single = vad.solve(cls(assembly=side)).to_dict()
-    for link in single["links"]:
-        for value in (motion.link(link).angle, motion.link(link).omega, motion.link(link).alpha):
-            assert not np.isinf(value).any()
-    for kind, names in (("point", single["points"]), ("slide", single["slides"])):
-        for item in names:
-            found = getattr(motion, kind)(item)
-            for value in (found.position, found.velocity, found.acceleration):
-                assert not np.isinf(value).any()
-                assert value.shape == given.shape
+    for (kind, _, _), value in values(motion, single).items():
+        assert not np.isinf(value).any()
+        assert kind == "link" or value.shape == given.shape
 
 
 @pytest.mark.parametrize("angle", [1e17, 1e300, -1e17, 5e-324])

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import vad
+from vad.files.examples import example_path
 from vad.painting.outlines import outline
+from vad.plan.format import screen
+from vad.plan.layout import lay_out
 from vad.plan.lettering.glyphs import fitted, typeset, width
 from vad.plan.lettering.runs import Run, roman, sentence, symbols
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Lettering
+from vad.plan.page.captioning import caption_marks, italic_names, setter
 from vad.strokes.language import Language
 from vad.written import THIN_SPACE
 
@@ -34,6 +39,7 @@ def test_a_caption_tells_the_point_a_from_the_article_and_seconds_from_the_point
     words = Language("en").upright
     assert italics(sentence("a line through a, perpendicular to AB", names, words)) == "a AB"
     assert italics(sentence("a fixed point, so a and d lie here", names, words)) == "a d"
+    assert italics(sentence("a fixed point, so d and a lie here", names, words)) == "d a"
     assert italics(sentence("a fixed point, so a lies here", names, words)) == "a"
     assert italics(sentence("ab = 600 mm/s along s", names)) == "ab s"
     assert italics(sentence("Durch a parallel", names)) == "a"
@@ -46,6 +52,17 @@ def test_short_words_are_no_names_but_where_one_stands_for_a_vector():
     assert italics(sentence("bm = 2.1 m/s, 3 m from m", names, words)) == "bm m"
     names, words = {"a", "m", "am", "im"}, Language("de").upright
     assert italics(sentence("im Sinn von a, also im = am·2", names, words)) == "a im am"
+
+
+def test_a_caption_keeps_off_its_number_and_names_every_vector_of_an_image():
+    sheet = vad.draw(vad.solve(vad.load(example_path("leg-from-coordinates"))()))
+    assert {"fh", "fg", "ce"} <= italic_names(sheet)
+    page, write = lay_out(screen((1280, 720)), {"acceleration": 1}, 3, 2), setter(sheet)
+    panel = sheet.panels[2]
+    for index, stroke in enumerate(panel.strokes, start=1):
+        marks = caption_marks(stroke.caption, index, len(panel.strokes), write, page)
+        first, *_, number = (mark.shape for mark in marks)
+        assert first.at.real + width(first.runs, first.size) < number.at.real - 0.015
 
 
 def test_a_vector_in_an_equation_is_no_french_word():

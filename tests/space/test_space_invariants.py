@@ -223,3 +223,10 @@ def test_rates_are_derivatives(mechanism: vad.Mechanism) -> None:
         ends = [each.link(name).omega for each in (before, after)]
         found = now.link(name).alpha
         assert (ends[1] - ends[0]) / (2 * step) == pytest.approx(found, rel=1e-6, abs=1e-6)
+    for letter in now.joints:
+        (first, second), found = (each.joint(letter) for each in (before, after)), now.joint(letter)
+        sign = -1 if letter == "Q" else 1  # there ψ grows as the cross turns backward
+        turned = math.radians(second.angle - first.angle) / (2 * step)
+        assert turned == pytest.approx(sign * found.omega, rel=1e-6, abs=1e-6)
+        grown = (second.omega - first.omega) / (2 * step)
+        assert grown == pytest.approx(found.alpha, rel=1e-6, abs=1e-6)

@@ -1,4 +1,4 @@
-"""Poses of every mechanism: with its defaults, then drawn at random, always the same ones."""
+"""Poses of every mechanism in the plane: its defaults, then at random, always the same ones."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ import pytest
 
 import vad
 from tests.invariants.test_motion import defaults, optional, well_away_from_a_dead_centre
+from tests.kinds import PLANE
 from vad.kinematics.linkage import Slide
 from vad.kinematics.motion import Motion
 from vad.strokes.language import languages
@@ -21,14 +22,14 @@ from vad.strokes.sheet import Arrow, Panel, Sheet, Stroke
 COUNT = 10
 ORDERS = {"position": 0, "velocity": 1, "acceleration": 2}
 
-everything = pytest.mark.parametrize("name", list(vad.MECHANISMS))
+everything = pytest.mark.parametrize("name", PLANE)
 in_every_language = pytest.mark.parametrize("code", languages())
 
 
 @cache
 def poses(name: str) -> tuple[Motion, ...]:
     """Return motions of a mechanism: any quadrant, both senses, both assemblies, all parts."""
-    kind = vad.MECHANISMS[name]
+    kind = PLANE[name]
     chance = random.Random(name)
     found = [vad.solve(kind())]
     while len(found) < COUNT:

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from vad.errors import InputError, shown, unknown
 from vad.kinematics.numbers import Real, Truth, Vector
 from vad.kinematics.results.inputs import ManyPoses, OnePose, checked
+from vad.kinematics.results.readings import Joint, Link, Point, Slider
 from vad.kinematics.results.report import plain, table, units
-from vad.kinematics.results.views import Joint, Link, Point, Slider
 from vad.kinematics.solution import Solution
 from vad.kinematics.solver import Solver, solver_of
 

@@ -31,6 +31,7 @@ def _select(condition: Any, rare: Any, usual: Any, out: Any) -> None:
 
 
 def _fold(degrees: Any, out: Any) -> None:
+    degrees = np.asarray(degrees)  # of rates alone there may be many
     # Beyond 1e15, 360·k is no longer exact; fmod is, and 720 keeps which of ±180 is meant.
     if not (degrees.min() >= -1e15 and degrees.max() <= 1e15):
         degrees = np.where(np.abs(degrees) > 1e15, np.fmod(degrees, 720.0), degrees)

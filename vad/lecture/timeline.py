@@ -12,7 +12,7 @@ from numbers import Real
 from vad.errors import UsageError, one_of, shown
 from vad.found import names_in
 from vad.lecture.lesson import Lesson, Step
-from vad.strokes.sheet import Arrow, Panel, Sheet, Stroke
+from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke
 
 #: Seconds that a stroke grows; of a vector, if it is the panel's longest.
 GROWTH = {
@@ -25,6 +25,7 @@ GROWTH = {
     "intersection": 0.3,
     "result": 1.2,
 }
+FOLD = 1.0  # a plane that is laid over
 SHORT = 0.75  # of the time, for a vector of no length
 WORDS_PER_SECOND = 5.0
 BREATH = 0.3  # after a caption has been read
@@ -118,7 +119,7 @@ def opens(sheet: Sheet, panel: Panel) -> bool:
 
 def growth(stroke: Stroke, longest: float) -> float:
     """Return how many seconds a stroke takes to draw; the ``longest`` vector takes most."""
-    seconds = GROWTH[stroke.kind]
+    seconds = FOLD if isinstance(stroke.shape, Fold) else GROWTH[stroke.kind]
     if not isinstance(stroke.shape, Arrow) or not longest:
         return seconds
     return seconds * (SHORT + (1.0 - SHORT) * _length(stroke) / longest)

@@ -7,11 +7,14 @@ Each is a list of its kind, its knots (a share, then numbers) and what else it n
     ["slide", knots]                                how far it is from its place, right and down
     ["turn", knots, x, y]                           degrees clockwise to its place, about a point
     ["scale", knots, x, y]                          its factor, about a point
+    ["swing", knots, x, y, degrees]                 the same, across an axis through it alone
     ["fade", knots]                                 its alpha
 """
 
 from __future__ import annotations
 
+import cmath
+import math
 from typing import Any
 
 from vad.painting.svg.grid import Grid
@@ -34,8 +37,11 @@ def grown(mark: Mark, grid: Grid) -> list[Any]:
             return ["slide", [[_short(s), round(z.real, 1), round(-z.imag, 1)] for s, z in ways]]
         case Turning(centre, knots):
             return ["turn", _knots((s, -degrees) for s, degrees in knots), *_at(centre, grid)]
-        case Scaling(centre, knots):
-            return ["scale", _knots(knots), *_at(centre, grid)]
+        case Scaling(centre, knots, axis):
+            if axis is None:
+                return ["scale", _knots(knots), *_at(centre, grid)]
+            degrees = -math.degrees(cmath.phase(axis))  # clockwise
+            return ["swing", _knots(knots), *_at(centre, grid), round(degrees, 2)]
         case Fading(knots):
             return ["fade", _knots(knots)]
         case None:

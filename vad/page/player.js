@@ -32,6 +32,20 @@ function trimmed(data, part) {
   return drawn;
 }
 
+// Lines "Mx yldx dy…", a factor as wide across an axis through a point.
+function squeezed(data, factor, x, y, degrees) {
+  const cos = Math.cos(degrees * Math.PI / 180), sin = Math.sin(degrees * Math.PI / 180);
+  const place = (right, down) => {
+    const more = (factor - 1) * (down * cos - right * sin);
+    return [right - more * sin, down + more * cos];
+  };
+  return data.split("M").slice(1).map((piece) => {
+    const n = piece.match(/-?(\d+\.?\d*|\.\d+)/g).map(Number), first = place(n[0] - x, n[1] - y);
+    const ways = n.map((_, i) => i > 1 && i % 2 ? place(n[i - 1], n[i]).join(" ") : "").join(" ");
+    return `M${first[0] + x} ${first[1] + y}l${ways}`;
+  }).join("");
+}
+
 function arc(part, x, y, radius, start, sweep) {
   const at = (degrees) => {
     const angle = degrees * Math.PI / 180;
@@ -52,6 +66,7 @@ function growing(mark, [kind, knots, x, y, ...bow]) {
     slide: ([right, down]) => mark.setAttribute("transform", `translate(${right} ${down})`),
     turn: ([degrees]) => mark.setAttribute("transform", `rotate(${degrees} ${x} ${y})`),
     scale: ([factor]) => elements.forEach((each, i) => each.setAttribute("r", factor * radii[i])),
+    swing: ([factor]) => draw((whole) => squeezed(whole, factor, x, y, ...bow)),
     // A halo repeats its text with <use>, and stays.
     fade: ([alpha]) => elements.at(-1).setAttribute(mark.querySelector("text") ? "fill-opacity" : "opacity", alpha),
   };

@@ -25,6 +25,7 @@ from vad.plan.page.foot import Foot, compose
 from vad.plan.page.halves import height_of_halves
 from vad.plan.page.measured import lines_of
 from vad.plan.page.title import title_marks
+from vad.plan.pictures.folds import folds
 from vad.plan.pictures.kinds import sketched
 from vad.plan.scale import Scale, is_tall
 from vad.plan.sharing import OVERLAP, rooms
@@ -143,6 +144,7 @@ def plan(
     regions = regions_of(page)
     items = [item for sketch in sketches.values() for item in sketch.items]
     items += lights(sketches)
+    items += folds(sketches)
     if words:
         items += [
             Item("", "title", Level.GROUND, tuple(title_marks(sheet, page))),

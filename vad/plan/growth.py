@@ -81,19 +81,27 @@ class Turning:
 
 @dataclass(frozen=True, slots=True)
 class Scaling:
-    """A mark swells about ``centre``: knots are (share, factor)."""
+    """A mark swells about ``centre``: knots are (share, factor).
+
+    Lines may swell across an ``axis`` alone, a unit vector: so a plane is seen that swings about it
+    into the paper.
+    """
 
     centre: complex
     knots: tuple[tuple[float, float], ...]
+    axis: complex | None = None
 
-    def of(self, shape: Shape, share: float) -> Grown:
+    def of(self, shape: Any, share: float) -> Grown:
         """Return the shape at its size."""
         factor = between(self.knots, share).real
+        if self.axis is not None:
+            return shape.squeezed(self.centre, self.axis, factor), 1.0
         return shape.mapped(factor, self.centre * (1.0 - factor)), 1.0
 
     def mapped(self, turn: complex, shift: complex) -> Scaling:
         """Return how the shape's image swells; see `Shape.mapped`."""
-        return Scaling(turn * self.centre + shift, self.knots)
+        axis = self.axis and self.axis * turn / abs(turn)
+        return Scaling(turn * self.centre + shift, self.knots, axis)
 
 
 @dataclass(frozen=True, slots=True)

@@ -26,6 +26,15 @@ class Polyline:
         """Return the shape with every point z at ``turn * z + shift``."""
         return Polyline(tuple(tuple(turn * z + shift for z in piece) for piece in self.pieces))
 
+    def squeezed(self, centre: complex, axis: complex, factor: float) -> Polyline:
+        """Return the lines a ``factor`` as wide across an axis through ``centre``."""
+
+        def place(z: complex) -> complex:
+            way = (z - centre) * axis.conjugate()
+            return centre + axis * complex(way.real, factor * way.imag)
+
+        return Polyline(tuple(tuple(map(place, piece)) for piece in self.pieces))
+
     def trimmed(self, share: float) -> Polyline:
         """Return the first ``share`` of the length, piece after piece."""
         left = share * sum(abs(b - a) for piece in self.pieces for a, b in pairwise(piece))

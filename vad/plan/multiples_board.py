@@ -124,7 +124,9 @@ class MultiplesBoard:
         pairs = list(zip(points, rooms, strict=True))
         found = [fill(each, room, is_position, self.form.centimetre) for each, room in pairs]
         least = min((scale.factor for scale in found if not scale.bare), default=None)
-        return [fill(each, room, is_position, factor=least) for each, room in pairs]
+        scales = [fill(each, room, is_position, factor=least) for each, room in pairs]
+        bare = panels[0].picture == "views"  # which state no scale
+        return [replace(scale, bare=scale.bare or bare) for scale in scales]
 
     def _titles(self) -> Iterator[Mark]:
         """Yield the title of the page, and over each column the place of its driver."""

@@ -95,7 +95,6 @@ def _place(motion: Motion) -> Cell:
     from vad.strokes.language import Language
     from vad.strokes.scenes import scene_of
 
-    position = DIAGRAMS["position"]
-    rows = scene_of(motion, Language("en")).rows([position])
-    (cell,) = (cell for row in rows for cell in row.cells[position.name] if cell.given)
+    scene = scene_of(motion, Language("en"))
+    cell, *_ = scene.cells(DIAGRAMS["position"], scene.driver.name)
     return replace(cell, value=float(next(iter(motion.inputs.values()))))

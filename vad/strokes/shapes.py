@@ -117,4 +117,20 @@ class Bearing:
     direction: complex
 
 
-Shape = Dot | Arrow | Line | Arc | Guide | Block | Plate | Curve | Bearing
+@dataclass(frozen=True, slots=True)
+class Fold:
+    """A plane in space that is laid over into the paper, in the view of the mechanism.
+
+    It swings by ``turn`` degrees about the line through ``centre`` along the unit vector ``axis``;
+    then its points ``arms`` lie in the paper, where they are stated.  ``rim`` shows the plane
+    before.
+    """
+
+    centre: complex
+    axis: complex
+    turn: float
+    arms: tuple[complex, ...]
+    rim: tuple[complex, ...]
+
+
+Shape = Dot | Arrow | Line | Arc | Guide | Block | Plate | Curve | Bearing | Fold

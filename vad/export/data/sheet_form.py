@@ -41,6 +41,7 @@ from vad.strokes.sheet import (
     Curve,
     Dot,
     Equation,
+    Fold,
     Guide,
     ImageTriangle,
     Kind,
@@ -91,6 +92,7 @@ SHAPE = variants(
         far=optional(many(row(INDEX, INDEX)), ()),
         breaks=optional(many(INDEX), ()),
     ),
+    fold=record(Fold, centre=POINT, axis=WAY, turn=NUMBER, arms=many(POINT), rim=many(POINT)),
     bearing=record(Bearing, at=POINT, direction=WAY),
 )
 STROKE = record(

@@ -55,6 +55,8 @@ class LoopSolver:
             turn = bar.turn * self.axis.conjugate()
             self.crank = GroundedCrank(self.offset, way * frame.size(bar), turn)
         self.inverted = self._longer_crank()
+        #: The link from which rates are seen; None where that is the ground.
+        self.viewpoint = frame.linkage.driver.name if self.inverted else None
         ground = self.offset.real * frame.scale
         self.ground = (1, Bar("".join(starts), GROUND, ground, turn=self.axis))
         known = [self.ground] if self.inverted else self.known
@@ -163,8 +165,8 @@ class LoopSolver:
 
     def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
         """Find the two unknown rates of the highest order and write them into ``rates[-1]``."""
-        driver = self.frame.linkage.driver.name
-        seen = tuple(rate.seen_from(driver) for rate in rates) if self.inverted else rates
+        link = self.viewpoint
+        seen = tuple(rate.seen_from(link) for rate in rates) if link else rates
         total = self.motion(self.moving[len(seen) - 1], pose, seen)
         p = self.way * self.frame.unknown_direction(self.step, pose)
         q = -self.other_way * self.frame.unknown_direction(self.other, pose)
@@ -172,9 +174,7 @@ class LoopSolver:
         for step, rate in zip((self.step, self.other), crossing(-total, p, q, sine), strict=True):
             if isinstance(step, Bar):
                 turning = rate / nonzero(self.radius(step, pose))
-                found.turning[step.link] = (
-                    turning + found.turning[driver] if self.inverted else turning
-                )
+                found.turning[step.link] = turning + found.turning[link] if link else turning
             else:
                 found.sliding[step.name] = rate
 

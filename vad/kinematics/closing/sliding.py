@@ -39,6 +39,7 @@ class AngleAndLengthLoop(LoopSolver):
         self._moving = isinstance(self.other.along, str)
         if self._moving:
             self.crank = None
+            self._see_from_slot()
         crank = self.crank and replace(self.crank, c=way * self.crank.c, t=way * self.crank.t)
         size = frame.size(self.step)
         rounded = any(scalar_of(step) != frame.linkage.driver for _, step in self.known)
@@ -48,6 +49,27 @@ class AngleAndLengthLoop(LoopSolver):
             frame.guides[self.step.link] = fold(float(self.other.along))
         if crank:
             self.equal = equal_rod(crank, self.turns, self.side, self.step, size, self.other.name)
+
+    def _see_from_slot(self) -> None:
+        """See a bar that is longer than its gap from the link with the slot.
+
+        There it hardly turns, and nothing large has to cancel; seen from the ground it goes round
+        nearly as that link does.
+        """
+        bars = [(way, bar) for way, bar in self.known if isinstance(bar, Bar)]
+        rest = [(way, bar) for way, bar in bars if bar.link != self.other.along]
+        if len(bars) < len(self.known) or not all(isinstance(bar.length, float) for _, bar in rest):
+            return
+        ground = abs(self.offset)
+        gap = ground + sum(float(self.frame.size(bar)) for _, bar in rest)
+        if not 0.0 < gap < self.frame.size(self.step):
+            return
+        self.viewpoint = str(self.other.along)
+        if ground:
+            way = self.offset / ground
+            length = ground * self.frame.scale
+            rest.append((1, replace(self.ground[1], length=length, turn=way)))
+        self.moving = rest, [*rest, (self.way, self.step), (self.other_way, self.other)]
 
     def limits(self) -> list[float]:
         """Return where the bar stands across its guide."""

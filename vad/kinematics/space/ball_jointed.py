@@ -12,7 +12,7 @@ from vad.kinematics.closing.closures import TwoAngles
 from vad.kinematics.numbers import Number, direction, fold, nonzero, select, sqrt, vector
 from vad.kinematics.space.dual import numbers_in
 from vad.kinematics.space.space_linkage import BallJointed
-from vad.kinematics.space.vectors import Vector3, added, cross, dot, scaled
+from vad.kinematics.space.vector3 import Vector3, added, cross, dot, scaled
 
 
 class BallPose(NamedTuple):

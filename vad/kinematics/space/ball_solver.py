@@ -10,7 +10,7 @@ from vad.kinematics.numbers import Number, direction
 from vad.kinematics.space.ball_jointed import BallClosure, BallPose
 from vad.kinematics.space.space_linkage import BallJointed
 from vad.kinematics.space.space_solver import SpaceSolver, Z
-from vad.kinematics.space.vectors import Vector3, added, carried, cross, dot, over, scaled
+from vad.kinematics.space.vector3 import Vector3, added, carried, cross, dot, over, scaled
 from vad.kinematics.state import Pose, Rates
 
 _LENGTHS = ("ground", "crank_offset", "rocker_offset", "crank", "coupler", "rocker")

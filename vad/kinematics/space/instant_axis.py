@@ -12,7 +12,7 @@ from typing import NamedTuple
 from vad.kinematics.numbers import Number, degrees_of, fold
 from vad.kinematics.space.dual import dual, nonzero, real, root
 from vad.kinematics.space.sphere import SphereRates
-from vad.kinematics.space.vectors import Vector3, added, carried, cross, dot, over, scaled
+from vad.kinematics.space.vector3 import Vector3, added, carried, cross, dot, over, scaled
 
 #: The normal of the frame's plane, a × d / sin α₁: the common normal from A to D.
 K: Vector3 = (1.0, 0.0, 0.0)

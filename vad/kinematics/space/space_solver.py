@@ -16,7 +16,7 @@ from vad.kinematics.evaluation import Evaluation
 from vad.kinematics.linkage import Scalar
 from vad.kinematics.numbers import Number, degrees_of, fold, positive
 from vad.kinematics.results.formulas import Result, order_of
-from vad.kinematics.space.vectors import Vector3, scaled
+from vad.kinematics.space.vector3 import Vector3, scaled
 from vad.kinematics.state import Pose, Rates
 
 #: The driven axis a.

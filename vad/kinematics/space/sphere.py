@@ -14,7 +14,7 @@ from vad.kinematics.closing.closures import root_of_factors
 from vad.kinematics.numbers import Number, direction, fold, select
 from vad.kinematics.space.dual import Dual, dual, nonzero, numbers_in, real, root
 from vad.kinematics.space.space_linkage import Arc, FourAxes
-from vad.kinematics.space.vectors import Vector3, added, cross, dot, scaled, triple
+from vad.kinematics.space.vector3 import Vector3, added, cross, dot, scaled, triple
 
 
 class SpherePose(NamedTuple):

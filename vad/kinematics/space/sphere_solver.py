@@ -21,7 +21,7 @@ from vad.kinematics.space.instant_axis import (
 from vad.kinematics.space.space_linkage import FourAxes
 from vad.kinematics.space.space_solver import SpaceSolver, Z
 from vad.kinematics.space.sphere import Sphere, SpherePose, SphereRates
-from vad.kinematics.space.vectors import Vector3, added, carried, cross, scaled
+from vad.kinematics.space.vector3 import Vector3, added, carried, cross, scaled
 from vad.kinematics.state import Pose, Rates
 
 _TURNS = ("rocker", "B", "C")

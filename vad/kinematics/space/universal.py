@@ -12,7 +12,7 @@ from typing import NamedTuple
 from vad.kinematics.numbers import Number, direction, fold, sqrt
 from vad.kinematics.space.dual import numbers_in
 from vad.kinematics.space.space_linkage import CrossedShafts
-from vad.kinematics.space.vectors import Vector3
+from vad.kinematics.space.vector3 import Vector3
 
 
 class UniversalPose(NamedTuple):

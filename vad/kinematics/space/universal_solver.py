@@ -17,7 +17,7 @@ from vad.kinematics.space.space_linkage import CrossedShafts
 from vad.kinematics.space.space_solver import SpaceSolver, Z
 from vad.kinematics.space.sphere import SphereRates
 from vad.kinematics.space.universal import Universal, UniversalPose, UniversalRates
-from vad.kinematics.space.vectors import Vector3, added, carried, cross, scaled
+from vad.kinematics.space.vector3 import Vector3, added, carried, cross, scaled
 from vad.kinematics.state import Pose, Rates
 
 _TURNS = ("driven", "P", "Q")

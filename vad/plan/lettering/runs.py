@@ -65,7 +65,8 @@ def roman(text: str, italic: Callable[[str], bool] = lambda _: False) -> Runs:
             runs.append(Run(_SUPERSCRIPTS[token], "roman", 1))
         elif _GREEK.match(token) or (token[0].isalpha() and italic(token)):
             runs.append(Run(token, "italic"))
-        elif token.isdecimal() and runs and runs[-1].face == "italic":  # of a point: O2
+        elif token.isdecimal() and runs and (runs[-1].face, runs[-1].script) == ("italic", 0):
+            # of a point: O2
             runs.append(Run(token, "roman", -1))
         else:
             runs.append(Run(token))

@@ -12,12 +12,13 @@ from vad.plan.lettering.runs import Runs, roman, sentence
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Lettering, Mark
 from vad.strokes.language import Language
-from vad.strokes.sheet import Sheet
+from vad.strokes.sheet import Arrow, Panel, Sheet
 
 CAPTION = 0.040
 LEAST_CAPTION = 26.0 / 720.0
 COUNT = 0.032
 COUNT_ROOM = 0.095
+COUNT_GAP = 0.022
 
 #: Turns a sentence into runs.
 Setter = Callable[[str], Runs]
@@ -29,8 +30,10 @@ def italic_names(sheet: Sheet) -> frozenset[str]:
     for panel in sheet.halves:
         words = ("angle", "construction")  # whose labels have words in them
         strings = [stroke.label for stroke in panel.strokes if stroke.kind not in words]
+        arrows = [s.shape for s in panel.strokes if isinstance(s.shape, Arrow)]
+        strings += [arrow.tail + arrow.head for arrow in arrows]
         # An image is found by the ratio of two vectors, of which one is not drawn.
-        ratios = (re.search(r"([a-z]{2}) = ", s.caption) for s in panel.strokes if s.image)
+        ratios = (re.search(r"([a-z]{2}) = [a-z]{2}·[A-Z]", s.caption) for s in panel.strokes)
         strings += [ratio.group(1) for ratio in ratios if ratio]
         found |= {name for s in panel.strokes for name in re.findall(r"\b[A-Z]{2,3}\b", s.label)}
         for triangle in panel.triangles:
@@ -44,7 +47,9 @@ def italic_names(sheet: Sheet) -> frozenset[str]:
         found |= {token for token in re.findall(r"[A-Za-z]+", row.letters) if len(token) <= 2}
         found |= {cell.symbol for cells in row.cells.values() for cell in cells}
     singles = {letter for name in found for letter in name if letter.isalpha()}
-    return frozenset(found | singles)
+    captions = " ".join(stroke.caption for panel in sheet.halves for stroke in panel.strokes)
+    pairs = {pair for pair in re.findall(r"\b[A-Z]{2}\b", captions) if singles.issuperset(pair)}
+    return frozenset(found | singles | pairs)
 
 
 def setter(sheet: Sheet) -> Setter:
@@ -57,13 +62,27 @@ def setter(sheet: Sheet) -> Setter:
 def caption_lines(sheet: Sheet, room: float) -> int:
     """Return how many lines the sheet's longest caption takes."""
     write = setter(sheet)
-    captions = {stroke.caption for panel in sheet.halves for stroke in panel.strokes}
-    return max((len(_set(caption, write, room)[0]) for caption in captions), default=1)
+    lines = (
+        len(_set(stroke.caption, write, room - _count_room(drawn_in(panel)))[0])
+        for panel in sheet.panels
+        for half in panel.halves
+        for stroke in half.strokes
+    )
+    return max(lines, default=1)
+
+
+def drawn_in(panel: Panel) -> int:
+    """Return how many strokes a panel has, with those below it."""
+    return sum(len(half.strokes) for half in panel.halves)
+
+
+def _count_room(most: int) -> float:
+    """Return the width that the number of any of so many strokes takes, with a gap."""
+    return max(COUNT_ROOM, width(roman(f"{most} / {most}"), COUNT) + COUNT_GAP)
 
 
 def _set(text: str, write: Setter, room: float) -> tuple[list[Runs], float]:
     """Return a caption in lines, and its size: one line if it can be, two if need be."""
-    room -= COUNT_ROOM
     advance = typeset(write(text)).advance
     size = min(CAPTION, room / max(advance, 1e-9))
     size = CAPTION if size < LEAST_CAPTION else size
@@ -74,14 +93,14 @@ def _set(text: str, write: Setter, room: float) -> tuple[list[Runs], float]:
     return lines, size
 
 
-def caption_marks(caption: str, number: str, write: Setter, page: Page) -> list[Mark]:
-    """Return the caption of a stroke and, level with its first line, its number in the panel."""
-    room = page.right - page.left
+def caption_marks(caption: str, number: int, most: int, write: Setter, page: Page) -> list[Mark]:
+    """Return the caption of a stroke and, level with its first line, its number of so many."""
+    room = page.right - page.left - _count_room(most)
     lines, size = _set(caption, write, room)
     marks = [
         Mark(Lettering(runs, complex(page.left, baseline), size), "words")
         for runs, baseline in zip(lines, page.captions, strict=False)
     ]
-    count = roman(number)
+    count = roman(f"{number} / {most}")
     at = complex(page.right - width(count, COUNT), page.captions[0])
     return [*marks, Mark(Lettering(count, at, COUNT), "notes")]

@@ -11,7 +11,7 @@ from vad.lecture.moment import drawing
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.layout import Page
 from vad.plan.marks import Lettering, Mark
-from vad.plan.page.captioning import caption_marks, setter
+from vad.plan.page.captioning import caption_marks, drawn_in, setter
 from vad.plan.page.entries import Entry
 from vad.plan.page.foot import REMARK_SIZE, Foot, placed
 from vad.plan.page.heads import head, pale
@@ -110,13 +110,13 @@ def captions(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterat
     """Yield the captions, each from when its stroke is begun until the next one is."""
     write = setter(sheet)
     for panel in sheet.panels:
-        count = sum(len(half.strokes) for half in panel.halves)
+        most = drawn_in(panel)
         first = sketches[panel.name].setting.first
         for half in panel.halves:
             setting = sketches[half.name].setting
             for index, stroke in enumerate(half.strokes):
-                number = f"{setting.first - first + index + 1} / {count}"
-                marks = caption_marks(stroke.caption, number, write, page)
+                number = setting.first - first + index + 1
+                marks = caption_marks(stroke.caption, number, most, write, page)
                 since, name = setting.during(index), half.full(stroke.name)
                 yield Item(name, "caption", Level.LABEL, tuple(marks), since, setting.over(index))
 

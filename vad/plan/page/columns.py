@@ -63,7 +63,7 @@ class Columns:
             line([complex(left, y), complex(right, y)], "hairline") for left, right in self._spans
         ]
         rows, key = self._entries.sheet.rows, self._entries.key
-        room = VALUES - CLEAR - key
+        room = VALUES - CLEAR - key - NAME_GAP
         size = min(
             (fitted(self._entries.heading(row), SIZE, LEAST, room) for row in rows), default=0.0
         )

@@ -22,6 +22,7 @@ SIZE = 0.030
 PITCH = 0.034
 WIDEST = 0.17
 STEP = 0.006
+_AT_ONCE = 256  # places that are tried: the first is free as a rule
 
 
 def add_notes(sketch: Sketch) -> None:
@@ -65,5 +66,9 @@ def _nearest(obstacles: Obstacles, at: complex, size: tuple[float, float]) -> co
     spots.sort(key=lambda spot: abs(spot - at))
     if not spots:
         return at
-    free = obstacles.free(spots, wide, high, CLEARANCE, APART)
-    return spots[int(free.argmax())]  # the first that is free, or the first
+    for first in range(0, len(spots), _AT_ONCE):
+        some = spots[first : first + _AT_ONCE]
+        free = obstacles.free(some, wide, high, CLEARANCE, APART)
+        if free.any():
+            return some[int(free.argmax())]
+    return spots[0]

@@ -6,7 +6,7 @@ In come all values of a quantity, out goes the type of any of them, always as wi
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from vad.plan.lettering.runs import Run, Runs, roman
 from vad.written import MEASURED, MINUS, THIN_SPACE, WRITTEN_OUT, in_turn, power_of_ten, typeset
@@ -51,8 +51,8 @@ class FixedWidth:
         return blank + roman((MINUS if negative else "") + shown + tail)
 
     def bare(self, value: float) -> Runs:
-        """Return a number as wide as it is."""
-        return tuple(run for run in self.runs(value) if run.shown)
+        """Return a number as wide as it is; at the end of a turn stands 360, not 0."""
+        return tuple(run for run in replace(self, turns=False).runs(value) if run.shown)
 
 
 def fixed_width(unit: str, values: Iterable[float], point: str = ".") -> FixedWidth:

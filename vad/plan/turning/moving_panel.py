@@ -187,6 +187,11 @@ def written(letter: str) -> str:
     return letter.partition(".")[0]
 
 
+def in_first_view(letter: str) -> bool:
+    """Tell whether a track is that of a point where it is first seen."""
+    return written(letter) == letter
+
+
 def lasting(sketch: Sketch) -> list[Item]:
     """Return what stands when all strokes are drawn, as it stays."""
     return [

@@ -19,7 +19,7 @@ from vad.plan.lettering.runs import roman
 from vad.plan.marks import Mark, disc
 from vad.plan.sketch import Sketch
 from vad.plan.turning.hodographs import Hodographs
-from vad.plan.turning.moving_panel import MovingPanel, lasting
+from vad.plan.turning.moving_panel import MovingPanel, in_first_view, lasting
 from vad.plan.turning.turn_board import TurnBoard
 
 POSITIONS = 12
@@ -62,11 +62,16 @@ class NumberedTurn(TurnBoard):
 
 
 def _number(sketch: Sketch, moving: MovingPanel, shares: Sequence[float]) -> None:
-    """Add the positions of all points that move, each with its number where there is room."""
+    """Add the positions of all points that move, each with its number where there is room.
+
+    A point that is seen twice is numbered in its first view.
+    """
     ways, room, obstacles = moving.hodographs, sketch.setting.room, sketch.obstacles
     spots = [
         (letter, number, ways.at(letter, share))
-        for letter in sorted(ways.drawn, key=lambda letter: letter in ways.straight)
+        for letter in sorted(
+            filter(in_first_view, ways.drawn), key=lambda letter: letter in ways.straight
+        )
         for number, share in enumerate(shares, 1)
     ]
     spots = [spot for spot in spots if room.holds(spot[2])]

@@ -200,4 +200,4 @@ ARTICLES: dict[str, dict[str, str]] = {}
 POINT = "."
 
 #: The article that is also the name of a point, which stands in italics.
-UPRIGHT = r"a(?= (?!(?:and|lies)\b)[a-z]{3,})"
+UPRIGHT = r"a(?= (?!(?:and|lies?)\b)[a-z]{3,})"

@@ -10,10 +10,12 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from vad.strokes.diagram import Drawing
 from vad.strokes.pencil import Pencil
 from vad.strokes.player import Player
-from vad.strokes.sheet import Component, Equation, Term
+from vad.strokes.sheet import Component, Equation, Fold, Stroke, Term
 from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.space.body_words import TURNED, BodyVector, BodyWords
 from vad.strokes.vector_equations import Chain, Part, VectorEquation
@@ -37,7 +39,10 @@ class Bodies:
     twice
         Whether accelerations have a triangle in the plane of the coupler, too.
     remark
-        What stands under a polygon with two triangles.
+        What stands under the velocity polygon.
+    centre
+        Where O is, if the mechanism is seen square to the plane of the frame: there the plane of
+        the coupler is laid over for all to see.
     """
 
     rates: BodyRates
@@ -47,6 +52,7 @@ class Bodies:
     measured: Collection[str]
     twice: bool
     remark: str = ""
+    centre: complex | None = None
 
 
 def polygon_of_bodies(bodies: Bodies) -> Drawing:
@@ -74,6 +80,8 @@ class _Polygon:
         )
         player = Player(pencil)
         for equation in equations:
+            if equation.folded and self.bodies.centre is not None:
+                pencil.add(self._fold(self.bodies.centre))
             player.play(equation)
         sums = () if pencil.resting else self._sums(pencil)
         return Drawing(
@@ -81,7 +89,7 @@ class _Polygon:
             tuple(pencil.zeros),
             sums,
             loops=tuple(player.begins),
-            remark="" if pencil.resting or not both else self.bodies.remark,
+            remark="" if pencil.resting or self.order > 1 else self.bodies.remark,
         )
 
     def _place(self, vertex: str) -> complex:
@@ -183,6 +191,17 @@ class _Polygon:
         last = self._part(at_c, "relative", c, values["C"], True)
         second = Chain(self._body(4), end, (at_c,), (last,))
         return VectorEquation(first, second, "3", folded=True)
+
+    def _fold(self, centre: complex) -> Stroke:
+        """Return how the plane of the coupler is laid over, in the view of the frame's plane."""
+        rates = self.rates
+        axis, turn = complex(rates.seen(rates.i)), float(rates.fold(self.side))
+        arms = tuple(centre + complex(rates.laid(arm, self.side)) for arm in (rates.b, rates.c))
+        angles = np.radians(np.linspace(0.0, 360.0, 73))[:, None]
+        rim = centre + rates.seen(np.cos(angles) * rates.i + np.sin(angles) * rates.j)
+        shape = Fold(centre, axis, turn, arms, tuple(rim.tolist()))
+        caption = self.scene.say(f"{self.bodies.words.topic} fold")
+        return Stroke("construction", "", shape, caption, self.bodies.rows["23"], name="fold")
 
     def _sums(self, pencil: Pencil[BodyVector]) -> tuple[Equation, ...]:
         """Return both equations, of the vectors that are drawn."""

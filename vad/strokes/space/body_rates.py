@@ -65,6 +65,10 @@ class BodyRates:
         along, across = dot(vector, self.i), side * dot(vector, self.j)
         return along * self.seen(self.i) + across * self.seen(self.m)
 
+    def fold(self, side: Any) -> Any:
+        """Return by how many degrees the coupler's plane swings when it is laid over."""
+        return np.degrees(np.arctan2(self.j[..., 0], side * dot(self.j, self.m)))
+
     def rates(self, order: int) -> Mapping[str, Any]:
         """Return ω (1) or α (2) about each axis."""
         name = ("omega", "alpha")[order - 1]

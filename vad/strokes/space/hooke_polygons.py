@@ -20,7 +20,7 @@ from vad.strokes.sheet import PolarInset
 from vad.strokes.space.body_polygon import Bodies, polygon_of_bodies
 from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.space.body_words import BodyWords
-from vad.strokes.space.hooke_views import pierced, pins, shafts_of
+from vad.strokes.space.hooke_views import PLAN, pierced, pins, shafts_of
 from vad.written import PRIME, subscript
 
 if TYPE_CHECKING:
@@ -58,7 +58,9 @@ def polygon(scene: SceneInSpace, order: int) -> Drawing:
     shafts = {f"1{shaft}": say("hooke shaft", shaft=shaft) for shaft in (2, 4)}
     axes = {**shafts, "24": "OT", "23": "OP", "43": "OQ"}
     words = JointWords(scene, order, rates)
-    drawing = polygon_of_bodies(Bodies(rates, words, axes, _ROWS, _MEASURED[order], twice=False))
+    drawing = polygon_of_bodies(
+        Bodies(rates, words, axes, _ROWS, _MEASURED[order], twice=False, centre=PLAN)
+    )
     moves = len(drawing.strokes) > 1
     return replace(drawing, inset=speeds(scene)) if order == 1 and moves else drawing
 

@@ -17,7 +17,7 @@ import numpy as np
 from vad.kinematics.space.dual import dual, real
 from vad.kinematics.space.instant_axis import InstantAxis
 from vad.kinematics.space.sphere_solver import SphereSolver
-from vad.kinematics.space.vectors import Vector3
+from vad.kinematics.space.vector3 import Vector3
 from vad.strokes.sheet import BELOW
 from vad.written import PRIME
 
@@ -81,13 +81,13 @@ class ScrewRates:
         """Return ṡ_D or s̈_D."""
         return getattr(self._motion.slide("slide_d"), ("velocity", "acceleration")[order - 1])
 
-    @property
+    @cached_property
     def moving(self) -> tuple[Any, Any, Any, Any]:
         """ω₄₂, v₄₂, and how fast I itself moves: τ̇, ḣ."""
         found = self._solver.axis_velocity(self._motion.pose, self._motion.velocity)
         return real(found.omega), dual(found.omega), real(found.tau), dual(found.tau)
 
-    @property
+    @cached_property
     def grown(self) -> tuple[Any, Any]:
         """α₄₂ₜ and v̇₄₂, which grow along I."""
         found = self._solver.axis_acceleration(self._motion.pose, self._motion.acceleration)

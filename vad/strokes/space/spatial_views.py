@@ -180,13 +180,15 @@ class _Views:
             name: self._angle(f"{name}_twist") for name in ("ground", "crank", "coupler", "rocker")
         }
         ray = RAY * self.reach
-        ways = (("A", self.rates.a, "crank"), ("D", self.rates.d, "rocker"))
-        for letter, way, key in ways:
+        for letter, way, key, phrase in (
+            ("A", self.rates.a, "crank", "directions"),
+            ("D", self.rates.d, "rocker", "true directions"),
+        ):
             shape = Curve((self.star, self.star + ray * complex(way)))
-            self._draw(f"star.{letter}", "known", letter, shape, "directions", link=key, **twists)
+            self._draw(f"star.{letter}", "known", "O" + letter, shape, phrase, link=key, **twists)
         tau = Figure(self.rates.axis.tau, "°")
         shape = Curve((self.star, self.star + ray * complex(self.rates.i)))
-        self._draw("star.I", "construction", "I", shape, "I", link="axis", tau=tau)
+        self._draw("star.I", "construction", "OI", shape, "I", link="axis", tau=tau)
 
     def _slides(self) -> None:
         """Draw what the directions tell: axis c and the lengths that close the loop."""
@@ -203,7 +205,7 @@ class _Views:
         ):
             shape = Curve((complex(seen(start)), complex(seen(end))))
             name, label = f"{letter}.slide", f"s_{letter}"
-            self._draw(name, "result", label, shape, "slides", key, **values)
+            self._draw(name, "result", label, shape, f"slides {letter}", key, **values)
             if abs(values[letter.lower()].value) <= NOTHING * self.reach:
                 self.zeros.append(_bare(self.strokes.pop()))
 

@@ -50,7 +50,8 @@ class SphericalScene(SceneInSpace):
     def _bodies(self, order: int) -> Bodies:
         rates = rates_on_sphere(self.motion)
         words = BodyWords(self, order, rates)
-        return Bodies(rates, words, _AXES, _ROWS, _MEASURED, True, self.say("bodies remark"))
+        remark = self.say("bodies remark")
+        return Bodies(rates, words, _AXES, _ROWS, _MEASURED, True, remark, centre=0j)
 
     def unit_of(self, diagram: Diagram) -> str:
         """Return the unit of a diagram's coordinates: none on the sphere, whose radius is 1."""

@@ -32,8 +32,10 @@ from vad.strokes.space.body_rates import rates_on_sphere
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.written import subscript, with_unit
 
-#: Where the roses are, how large they are, and how far their line of reference goes.
-ROSES = {"A": -0.86 + 1.15j, "D": 0.86 + 1.15j}
+#: Where the roses are and what is said of them, how large they are, and how far their line of
+#: reference goes.
+ROSES = {"A": -0.95 + 1.3j, "D": 0.95 + 1.3j}
+NOTES = {"A": -1.2 + 0.82j, "D": 1.2 + 0.82j}
 ROSE, REFERENCE, ANGLE = 0.22, 0.31, 0.12
 #: From O: the ends of the shafts, and the middle of their bearings.
 END, BEARING = 1.3, 1.16
@@ -73,8 +75,8 @@ class _Views:
         self._links()
         self._axis()
         notes = tuple(
-            Note(at + 1j * (ROSE + 0.16), self.scene.say("spherical along", axis="O" + letter))
-            for letter, at in ROSES.items()
+            Note(at, self.scene.say("spherical along", axis="O" + letter))
+            for letter, at in NOTES.items()
         )
         equation = Equation(
             (Term("AB", "crank", "AB.arc"), Term("BC", "B", "BC.arc")),

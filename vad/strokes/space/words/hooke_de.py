@@ -57,9 +57,10 @@ PHRASES = {
         "Durch {point} parallel zu Welle 4: um eine andere Gerade dreht sie sich nicht, also liegt "
         "{meeting} auf dieser Geraden."
     ),
+    "hooke fold": "Die Ebene des Kreuzes wird um OT in die der Wellen umgeklappt.",
     "hooke line 23": (
-        "Die Ebene des Kreuzes, um 24 umgeklappt. Durch {point} parallel zu OP: um OP dreht sich "
-        "das Kreuz gegenüber Gabel 2, also liegt {meeting} auf dieser Geraden."
+        "Durch {point} parallel zum umgeklappten OP: um OP dreht sich das Kreuz gegenüber Gabel 2, "
+        "also liegt {meeting} auf dieser Geraden."
     ),
     "hooke line 43": (
         "Durch {point} parallel zu OQ, senkrecht zur anderen Geraden: {meeting} liegt auf dem "

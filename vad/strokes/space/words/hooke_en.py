@@ -53,9 +53,10 @@ PHRASES = {
         "Through {point}, parallel to shaft 4: it turns about no other line, so {meeting} lies on "
         "this line."
     ),
+    "hooke fold": "The plane of the cross is laid over into that of the shafts, about OT.",
     "hooke line 23": (
-        "The plane of the cross, laid over about 24. Through {point}, parallel to OP: about OP "
-        "the cross turns against yoke 2, so {meeting} lies on this line."
+        "Through {point}, parallel to OP as laid over: about OP the cross turns against yoke 2, so "
+        "{meeting} lies on this line."
     ),
     "hooke line 43": (
         "Through {point}, parallel to OQ, square to the other line: {meeting} lies on the circle "

@@ -59,10 +59,10 @@ PHRASES = {
         "Par {point}, parallèlement à l’arbre 4 : il ne tourne autour d’aucune autre droite, donc "
         "{meeting} est sur cette droite."
     ),
+    "hooke fold": "Le plan du croisillon est rabattu sur celui des arbres autour de OT.",
     "hooke line 23": (
-        "Le plan du croisillon, rabattu autour de 24. Par {point}, parallèlement à OP : autour "
-        "de OP, le croisillon tourne par rapport à la fourche 2, donc {meeting} est sur cette "
-        "droite."
+        "Par {point}, parallèlement à OP rabattu : autour de OP, le croisillon tourne par rapport "
+        "à la fourche 2, donc {meeting} est sur cette droite."
     ),
     "hooke line 43": (
         "Par {point}, parallèlement à OQ, perpendiculairement à l’autre droite : {meeting} est "

@@ -3,7 +3,7 @@
 PHRASES = {
     # Lage
     "spatial star": "längs DA",
-    "spatial rose": "längs a",
+    "spatial rose": "längs OA",
     "spatial a": "Die Achse a der Kurbel liegt fest.",
     "spatial d": "Ebenso die Achse d der Schwinge.",
     "spatial AD": (
@@ -19,20 +19,21 @@ PHRASES = {
     "spatial reference": "Der Winkel zählt von AD an.",
     "spatial true": "Hier erscheint die Kurbel in wahrer Richtung.",
     "spatial angle": "Ihr Winkel ist {angle}°.",
-    "spatial b": "Ihre Achse b steht senkrecht auf AB und ist gegen a um {twist}° geschränkt.",
+    "spatial b": "Ihre Achse in B steht senkrecht auf AB und ist gegen a um {twist}° geschränkt.",
     "spatial B sleeve": "In ihrer Hülse bei B dreht sich und gleitet die Koppel.",
     "spatial directions": (
         "Die Richtungen sind die des sphärischen Viergelenks mit den Bögen {ground}°, {crank}°, "
         "{coupler}°, {rocker}°: Längen drehen nichts."
     ),
+    "spatial true directions": "Längs DA gesehen liegen OA und OD in der Zeichenebene.",
     "spatial I": (
         "Dort schneiden sich Gestellebene und Koppelebene in OI, τ = {tau}° von OA: um OI dreht "
         "sich die Schwinge gegenüber der Kurbel."
     ),
-    "spatial c": "Von dort hat die Achse c ihre Richtung.",
-    "spatial slides": (
-        "Drei Längen schließen das Polygon: s_B = {b}, s_C = {c}, s_D = {d} {unit}."
-    ),
+    "spatial c": "Von dort hat die Achse in C ihre Richtung.",
+    "spatial slides B": "Drei Längen schließen die Kette: s_B = {b}, s_C = {c}, s_D = {d} {unit}.",
+    "spatial slides C": "s_C = {c} {unit}, von der Schwinge bis zum Fußpunkt von BC.",
+    "spatial slides D": "s_D = {d} {unit}, von D bis zum Fußpunkt der Schwinge.",
     "spatial coupler": (
         "Die Koppel: von ihrer Welle in B längs der gemeinsamen Normalen BC = {size} {unit}."
     ),
@@ -40,7 +41,7 @@ PHRASES = {
     "spatial rocker": (
         "Die Schwinge DC = {size} {unit} mit ihren Wellen in C und D: θ₄ = {theta}°."
     ),
-    "spatial C": "C ist der Fußpunkt der Normalen BC auf c.",
+    "spatial C": "C ist der Fußpunkt von BC auf seiner Achse.",
     "spatial screw": "Um I dreht sich die Schwinge gegenüber der Kurbel, und sie gleitet längs I.",
     "spatial H": "I schneidet AD rechtwinklig in H: AH = {height} {unit}.",
     # die unteren Polygone

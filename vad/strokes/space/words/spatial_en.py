@@ -3,7 +3,7 @@
 PHRASES = {
     # position
     "spatial star": "along DA",
-    "spatial rose": "along a",
+    "spatial rose": "along OA",
     "spatial a": "The axis a of the crank is fixed.",
     "spatial d": "So is the axis d of the rocker.",
     "spatial AD": "AD = {size} {unit} is their common normal; d is twisted against a by {twist}°.",
@@ -17,24 +17,27 @@ PHRASES = {
     "spatial reference": "The angle is measured from AD.",
     "spatial true": "Here the crank is seen in true direction.",
     "spatial angle": "Its angle is {angle}°.",
-    "spatial b": "Its axis b is square to AB, and twisted against a by {twist}°.",
+    "spatial b": "Its axis at B is square to AB, and twisted against a by {twist}°.",
     "spatial B sleeve": "In its sleeve at B the coupler turns and slides.",
     "spatial directions": (
         "The directions are those of the spherical four-bar with arcs {ground}°, {crank}°, "
         "{coupler}°, {rocker}°: lengths turn nothing."
     ),
+    "spatial true directions": "Seen along DA, they lie in the paper: OA and OD are true.",
     "spatial I": (
         "There the planes of frame and coupler meet in OI, τ = {tau}° from OA: about it the rocker "
         "turns against the crank."
     ),
-    "spatial c": "From there the axis c has its direction.",
-    "spatial slides": ("Three lengths close the loop: s_B = {b}, s_C = {c}, s_D = {d} {unit}."),
+    "spatial c": "From there the axis at C has its direction.",
+    "spatial slides B": "Three lengths close the loop: s_B = {b}, s_C = {c}, s_D = {d} {unit}.",
+    "spatial slides C": "s_C = {c} {unit}, from the rocker to the foot of BC.",
+    "spatial slides D": "s_D = {d} {unit}, from D to the foot of the rocker.",
     "spatial coupler": (
         "The coupler: from its shaft in B along the common normal BC = {size} {unit}."
     ),
     "spatial C sleeve": "At C it holds the rocker in a sleeve.",
     "spatial rocker": "The rocker DC = {size} {unit} with its shafts in C and D: θ₄ = {theta}°.",
-    "spatial C": "C is where the normal BC meets c.",
+    "spatial C": "C is the foot of BC on its axis.",
     "spatial screw": "About I the rocker turns against the crank, and it slides along I.",
     "spatial H": "I crosses AD at H, square to it: AH = {height} {unit}.",
     # the lower polygons

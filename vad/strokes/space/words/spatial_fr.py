@@ -3,7 +3,7 @@
 PHRASES = {
     # position
     "spatial star": "suivant DA",
-    "spatial rose": "suivant a",
+    "spatial rose": "suivant OA",
     "spatial a": "L’axe a de la manivelle est fixe.",
     "spatial d": "De même l’axe d du balancier.",
     "spatial AD": (
@@ -21,20 +21,23 @@ PHRASES = {
     "spatial reference": "L’angle se compte à partir de AD.",
     "spatial true": "Ici, la manivelle est vue dans sa vraie direction.",
     "spatial angle": "Son angle est {angle}°.",
-    "spatial b": "Son axe b est perpendiculaire à AB, et tourné de {twist}° par rapport à a.",
+    "spatial b": "Son axe en B est perpendiculaire à AB, et tourné de {twist}° par rapport à a.",
     "spatial B sleeve": "Dans son fourreau en B, la bielle tourne et glisse.",
     "spatial directions": (
         "Les directions sont celles du quadrilatère sphérique d’arcs {ground}°, {crank}°, "
         "{coupler}°, {rocker}° : les longueurs ne font rien tourner."
     ),
+    "spatial true directions": "Vus suivant DA, OA et OD sont dans le plan du dessin.",
     "spatial I": (
         "Les plans du bâti et de la bielle s’y coupent suivant OI, τ = {tau}° de OA : autour de OI "
         "le balancier tourne par rapport à la manivelle."
     ),
-    "spatial c": "De là, l’axe c a sa direction.",
-    "spatial slides": (
+    "spatial c": "De là, l’axe en C a sa direction.",
+    "spatial slides B": (
         "Trois longueurs ferment la chaîne : s_B = {b}, s_C = {c}, s_D = {d} {unit}."
     ),
+    "spatial slides C": "s_C = {c} {unit}, du balancier jusqu’au pied de BC.",
+    "spatial slides D": "s_D = {d} {unit}, de D jusqu’au pied du balancier.",
     "spatial coupler": (
         "La bielle : de son arbre en B, le long de la normale commune BC = {size} {unit}."
     ),
@@ -42,7 +45,7 @@ PHRASES = {
     "spatial rocker": (
         "Le balancier DC = {size} {unit} avec ses arbres en C et en D : θ₄ = {theta}°."
     ),
-    "spatial C": "C est le pied de la normale BC sur c.",
+    "spatial C": "C est le pied de BC sur son axe.",
     "spatial screw": (
         "Autour de I, le balancier tourne par rapport à la manivelle, et il glisse suivant I."
     ),

@@ -46,8 +46,8 @@ PHRASES = {
         "in der Gestellebene."
     ),
     "bodies turned coupler": (
-        "Die Koppelebene, umgeklappt: {label} = {symbol}·τ̇₃ = {omega} × {tau} = {value} {unit}, "
-        "⟂ OI: auch in ihr dreht sich {symbol} mit OI."
+        "{label} = {symbol}·τ̇₃ = {omega} × {tau} = {value} {unit}, "
+        "⟂ OI: auch in der Koppelebene dreht sich {symbol} mit OI."
     ),
     "bodies line 24 velocity": (
         "Durch {point} parallel zu OI: nur OI liegt in der Gestellebene und in der Koppelebene, "
@@ -61,9 +61,12 @@ PHRASES = {
         "Durch {point} parallel zu OD: um eine andere Gerade dreht sich die Schwinge nicht, also "
         "liegt {meeting} auf dieser Geraden."
     ),
+    "bodies fold": (
+        "Die Koppelebene wird um OI in das Blatt umgeklappt: OB und OC liegen in wahrer Richtung."
+    ),
     "bodies line 23": (
-        "In der umgeklappten Koppelebene: durch {point} parallel zu OB, {arc}° von OI. Um OB dreht "
-        "sich die Koppel gegenüber der Kurbel, also liegt {meeting} auf dieser Geraden."
+        "Durch {point} parallel zum umgeklappten OB, {arc}° von OI: um OB dreht sich die Koppel "
+        "gegenüber der Kurbel, also liegt {meeting} auf dieser Geraden."
     ),
     "bodies line 43": (
         "Durch {point} parallel zu OC, {arc}° von OI: um OC dreht sich die Koppel gegenüber der "

@@ -46,8 +46,8 @@ PHRASES = {
         "the plane of the frame."
     ),
     "bodies turned coupler": (
-        "The plane of the coupler, laid over: {label} = {symbol}·τ̇₃ = {omega} × {tau} = {value} "
-        "{unit}, ⟂ OI: in that plane {symbol} turns with OI, too."
+        "{label} = {symbol}·τ̇₃ = {omega} × {tau} = {value} "
+        "{unit}, ⟂ OI: in the plane of the coupler {symbol} turns with OI, too."
     ),
     "bodies line 24 velocity": (
         "Through {point}, parallel to OI: in the planes of frame and coupler alike lies OI alone, "
@@ -61,9 +61,13 @@ PHRASES = {
         "Through {point}, parallel to OD: the rocker turns about no other line, so {meeting} lies "
         "on this line."
     ),
+    "bodies fold": (
+        "The plane of the coupler is laid over into the paper, about OI: OB and OC lie in true "
+        "direction."
+    ),
     "bodies line 23": (
-        "In the plane of the coupler, laid over: through {point}, parallel to OB, {arc}° from OI. "
-        "About OB the coupler turns against the crank, so {meeting} lies on this line."
+        "Through {point}, parallel to OB as laid over, {arc}° from OI: about OB the coupler turns "
+        "against the crank, so {meeting} lies on this line."
     ),
     "bodies line 43": (
         "Through {point}, parallel to OC, {arc}° from OI: about OC the coupler turns against the "

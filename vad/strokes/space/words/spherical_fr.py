@@ -47,8 +47,8 @@ PHRASES = {
         "dans le plan du bâti."
     ),
     "bodies turned coupler": (
-        "Le plan de la bielle, rabattu : {label} = {symbol}·τ̇₃ = {omega} × {tau} = {value} {unit}, "
-        "⟂ OI : dans ce plan aussi, {symbol} tourne avec OI."
+        "{label} = {symbol}·τ̇₃ = {omega} × {tau} = {value} {unit}, "
+        "⟂ OI : dans le plan de la bielle aussi, {symbol} tourne avec OI."
     ),
     "bodies line 24 velocity": (
         "Par {point}, parallèlement à OI : seul OI est à la fois dans le plan du bâti et dans "
@@ -63,10 +63,13 @@ PHRASES = {
         "Par {point}, parallèlement à OD : le balancier ne tourne autour d’aucune autre droite, "
         "donc {meeting} est sur cette droite."
     ),
+    "bodies fold": (
+        "Le plan de la bielle est rabattu sur la feuille autour de OI : OB et OC y sont en vraie "
+        "direction."
+    ),
     "bodies line 23": (
-        "Dans le plan rabattu de la bielle : par {point}, parallèlement à OB, à {arc}° de OI. La "
-        "bielle tourne autour de OB par rapport à la manivelle, donc {meeting} est sur cette "
-        "droite."
+        "Par {point}, parallèlement à OB rabattu, à {arc}° de OI : la bielle tourne autour de OB "
+        "par rapport à la manivelle, donc {meeting} est sur cette droite."
     ),
     "bodies line 43": (
         "Par {point}, parallèlement à OC, à {arc}° de OI : la bielle tourne autour de OC par "
