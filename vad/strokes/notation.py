@@ -83,4 +83,4 @@ def in_metres(rates: Iterable[float]) -> bool:
 
     They change together, for a caption multiplies the one and gets the other.
     """
-    return max(map(abs, rates), default=0.0) >= LARGE
+    return bool(max(map(abs, rates), default=0.0) >= LARGE)
