@@ -46,6 +46,9 @@ SCENES: dict[str, tuple[dict[str, Any], dict[str, float]]] = {
     "scotch-yoke": ({}, {"angle": 40, "alpha": 20}),
     "double-slider": ({"guide_b": 110}, {"position": 400, "acceleration": 2000}),
     "gate-actuator": ({}, {"position": 3.6}),
+    "hooke-joint": ({}, {"angle": 60, "alpha": 40}),
+    "spherical-four-bar": ({}, {"angle": 140}),
+    "rssr": ({}, {"angle": 290}),
 }
 
 #: Mechanisms from files that ship with the program, shown in one style.

@@ -254,8 +254,9 @@ class _Views:
         """Return AB + s_B + BC = AD + s_D + DC + s_C."""
         drawn = {stroke.name for stroke in self.strokes}
 
-        def terms(*labels: tuple[str, str | None, str]) -> tuple[Term, ...]:
-            return tuple(Term(label, link, name) for label, link, name in labels if name in drawn)
+        def terms(*labels: tuple[str, str | None, str | None]) -> tuple[Term, ...]:
+            terms = (Term(*each) for each in labels)
+            return tuple(term for term in terms if term.stroke is None or term.stroke in drawn)
 
         return Equation(
             terms(
@@ -264,7 +265,7 @@ class _Views:
                 ("BC", "axis", "BC.coupler"),
             ),
             terms(
-                ("AD", None, "AD.ground"),
+                ("AD", None, None),
                 ("s_D", "rocker", "D.slide"),
                 ("DC", "rocker", "DC.rocker"),
                 ("s_C", "rocker", "C.slide"),
