@@ -23,6 +23,8 @@ from vad.strokes.sheet import Arrow
 EVERY = pytest.mark.parametrize("scene", SCENES)
 SHARES = [k / 8 for k in range(9)]
 NEAR = 1e-9
+#: What a pencil draws; in views a compass arc stays.
+DRAWN = ("construction", "compass arc", "path")
 
 
 @cache
@@ -130,7 +132,7 @@ def test_the_pencil_is_at_the_tip_of_what_is_drawn(scene: str):
     pencils = 0
     for name, items in strokes(scene).items():
         moving = [m for m in by_role(items, "pencil") if m.growth]
-        drawn = by_role(items, "construction") + by_role(items, "compass arc")
+        drawn = [m for role in DRAWN for m in by_role(items, role)]
         for pencil in moving:
             (line,) = drawn
             for share in SHARES[1:]:
