@@ -103,6 +103,14 @@ def test_outputs_in_one_page_do_not_disturb_each_other(page):
         assert page.locator("svg").nth(place).screenshot() == expected
 
 
+def test_a_drawing_is_as_wide_as_its_cell_at_most(page):
+    """Whatever the notebook says of drawings: JupyterLab says nothing, and would cut them."""
+    form = SHEET._repr_mimebundle_(include={"image/svg+xml"})["image/svg+xml"]
+    page.set_content(f'<div style="width:640px">{form}</div><div style="width:1500px">{form}</div>')
+    sizes = [each.bounding_box() for each in page.locator("svg").all()]
+    assert [(box["width"], box["height"]) for box in sizes] == [(640, 360), (1280, 720)]
+
+
 def test_a_lesson_plays_in_a_frame_that_knows_nothing_of_the_notebook(page):
     html = LESSON._repr_mimebundle_(include={"text/html"})["text/html"]
     page.set_content(page_of(html, html))

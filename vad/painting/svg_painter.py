@@ -105,7 +105,8 @@ class SvgPainter:
         """End the picture."""
         self._close()
         width, height = number(self._grid.width), number(self._grid.height)
-        scope = f'id="{self._classes.scope}" ' if self._classes.scope else ""
+        fits = 'style="max-width:100%;height:auto"'  # a cell, which else would cut it
+        scope = f'id="{self._classes.scope}" {fits} ' if self._classes.scope else ""
         self.svg = (
             f'<svg xmlns="http://www.w3.org/2000/svg" {scope}width="{width}" height="{height}" '
             f'viewBox="0 0 {width} {height}" role="img" lang="{self._sheet.language}" '
