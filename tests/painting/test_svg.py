@@ -78,10 +78,10 @@ def test_it_says_what_it_shows(code: str) -> None:
 def test_every_stroke_has_a_group_with_its_name_and_caption(name: str) -> None:
     sheet = sheet_of(name)
     found = groups(written(sheet))
-    strokes = {f"{p.name}:{s.name}": (p, s) for p in sheet.panels for s in p.strokes}
+    strokes = {p.full(s.name): (p, s) for p in sheet.halves for s in p.strokes}
     assert set(found) <= set(strokes)
     for full, (panel, stroke) in strokes.items():
-        if panel.name == "position" and stroke.kind == "construction":
+        if panel.picture == "skeleton" and stroke.kind == "construction":
             continue  # wiped off when its crossing is found
         if stroke.component == "relative" and full not in found:
             continue  # a whole vector that lies upon its one part

@@ -7,6 +7,7 @@ from functools import cache
 import pytest
 
 import vad
+from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import Placed
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Lettering, Mark, Polyline
@@ -37,15 +38,15 @@ def _meet(one: Placed, other: Placed) -> bool:
     return abs(away.real) < aside and abs(away.imag) < above
 
 
-@pytest.mark.parametrize("name", CASES)
-def test_labels_lie_on_no_stroke_and_glide(name: str):
-    here = board(name)
+@pytest.mark.parametrize("case", CASES)
+def test_labels_lie_on_no_stroke_and_glide(case: str):
+    here = board(case)
     met, frames, inked, labels = 0, 0, 0.0, 0
     for frame in range(0, FRAMES, EVERY):
         phases = frame / FRAMES, (frame + 1) / FRAMES
         sheet = here.turn.at(phases[0])
-        for index, panel in enumerate(here.panels.values()):
-            pose = sheet.panels[index]
+        for name, panel in here.panels.items():
+            pose = sheet.panel(name)
             strokes = panel.picture.pose(pose).obstacles
             found = panel.labels(pose, phases[0])
             frames += 1
@@ -70,15 +71,16 @@ def test_labels_lie_on_no_stroke_and_glide(name: str):
 def test_no_number_meets_a_stroke_a_letter_or_another_number(name: str):
     here = board(name)
     shown, sheet, numbered = here.shown(0), here.turn.at(0.0), 0
-    for pose in sheet.panels:
-        panel = here.panels[pose.name]
-        marks = [m for item in shown if item.region == pose.name for m in item.marks]
-        strokes = panel.picture.pose(pose).obstacles
+    for column in sheet.panels:
+        marks = [m for item in shown if item.region == column.name for m in item.marks]
+        halves = [(here.panels[half.name], half) for half in column.halves]
+        first, *others = [panel.picture.pose(half).obstacles for panel, half in halves]
+        strokes = Obstacles(first.edge, [line for each in (first, *others) for line in each.lines])
         for way in (mark.shape for mark in marks if mark.role == "hodograph"):
             assert isinstance(way, Polyline)
             for piece in way.pieces:
                 strokes.line(piece, 0.0)
-        taken = [placed for _, placed, _ in panel.labels(pose, 0.0)]
+        taken = [placed for panel, half in halves for _, placed, _ in panel.labels(half, 0.0)]
         for numeral in (_ink_box(mark) for mark in marks if mark.role == "numeral"):
             assert strokes.free([numeral.centre], numeral.wide, numeral.high, 0.0)[0]
             assert not any(_meet(numeral, other) for other in taken)

@@ -21,13 +21,14 @@ from vad.plan.marks import Lettering, Mark
 from vad.plan.page.heads import TITLE, head
 from vad.plan.page.title import title_marks
 from vad.plan.pictures.kinds import sketched
+from vad.plan.pictures.views import views_scale
 from vad.plan.scale import Scale, fill
 from vad.plan.sharing import rooms
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.stated_scale import SIZE as SCALE
 from vad.strokes.multiples import Multiples
 from vad.strokes.notation import Notation
-from vad.strokes.sheet import Cell, Panel
+from vad.strokes.sheet import Cell, Sheet
 
 #: The least room of a picture, for which all type on the page shrinks.
 NARROWEST, LOWEST = 0.43, 0.40
@@ -105,28 +106,31 @@ class MultiplesBoard:
         cell = Rect(left, row.bottom, left + self._room, row.top)
         return next(room for half, room in rooms(column, cell) if half.name == name)
 
+    def _setting(self, sheet: Sheet, name: str, number: int) -> Setting:
+        # The inset of a rule has its place in a lecture, not beside five others.
+        panel = replace(sheet.panel(name), inset=None)
+        room = self._cell(number, name)
+        return Setting(sheet, panel, room, rows_of(sheet), 0, self.form.centimetre)
+
     def _sketched(self, name: str) -> Iterator[Sketch]:
         """Yield one kind of panel in all poses, at one scale."""
         sheets = self._multiples.sheets
-        # The inset of a rule has its place in a lecture, not beside five others.
-        panels = [replace(sheet.panel(name), inset=None) for sheet in sheets]
-        scales = self._scales(panels)
-        for number, (sheet, panel, scale) in enumerate(zip(sheets, panels, scales, strict=True)):
-            room, centimetre = self._cell(number, name), self.form.centimetre
-            yield sketched(Setting(sheet, panel, room, rows_of(sheet), 0, centimetre, scale))
+        settings = [self._setting(sheet, name, number) for number, sheet in enumerate(sheets)]
+        for setting, scale in zip(settings, self._scales(settings), strict=True):
+            yield sketched(replace(setting, scale=scale))
 
-    def _scales(self, panels: list[Panel]) -> list[Scale]:
-        name, is_position = panels[0].name, panels[0].picture != "vectors"
+    def _scales(self, settings: list[Setting]) -> list[Scale]:
+        panels = [setting.panel for setting in settings]
+        if panels[0].picture == "views":
+            return [views_scale(setting, panels) for setting in settings]
+        is_position = panels[0].picture != "vectors"
         points = [corners(panel) for panel in panels]
         if is_position:
             points = [[point for each in points for point in each]] * len(panels)
-        rooms = [self._cell(number, name) for number in range(len(panels))]
-        pairs = list(zip(points, rooms, strict=True))
+        pairs = [(each, setting.room) for each, setting in zip(points, settings, strict=True)]
         found = [fill(each, room, is_position, self.form.centimetre) for each, room in pairs]
         least = min((scale.factor for scale in found if not scale.bare), default=None)
-        scales = [fill(each, room, is_position, factor=least) for each, room in pairs]
-        bare = panels[0].picture == "views"  # which state no scale
-        return [replace(scale, bare=scale.bare or bare) for scale in scales]
+        return [fill(each, room, is_position, factor=least) for each, room in pairs]
 
     def _titles(self) -> Iterator[Mark]:
         """Yield the title of the page, and over each column the place of its driver."""

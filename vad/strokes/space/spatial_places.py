@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vad.errors import DeadCentreError
 from vad.kinematics.motion import solve
 from vad.kinematics.space.dual import real
 from vad.kinematics.space.sphere_solver import SphereSolver
@@ -66,7 +67,10 @@ def reach_of(mechanism: Mechanism) -> tuple[complex, complex]:
     spots = []
     for angle in angles[many.assembled].tolist():
         motion: Any = solve(mechanism, angle=angle)
-        places = Places(motion)
+        try:
+            places = Places(motion)
+        except DeadCentreError:
+            continue  # an instant, as a change point
         ends = [places.at[letter] for letter in "ABCD"]
         spots += [*ends, places.coupler_b, places.rocker_c, places.rocker_d]
     view = seen(np.array(spots))

@@ -161,11 +161,11 @@ class _Views:
         pin = self.rose + radius * cmath.exp(1j * math.radians(self.theta2))
         circle = Curve(tuple(self.rose + radius * each for each in _CIRCLE))
         self._draw("rose.circle", "known", "", circle, "circle", link="crank")
-        reference = Curve((self.rose, self.rose + 1.4 * radius))
+        reference = Curve((self.rose, self.rose + 1.5 * radius))
         self._draw("rose.reference", "guide", "", reference, "reference")
         arm = Arrow(self.rose, pin, "", "")
         self._draw("rose.crank", "known", "", arm, "true", link="crank", body=True)
-        arc = Arc(self.rose, 0.55 * radius, 0.0, self.theta2)
+        arc = Arc(self.rose, 1.3 * radius, 0.0, self.theta2)
         label = with_unit(self.scene.figures.place(angle), "°")
         self._draw("rose.angle", "angle", label, arc, "angle", link="crank", angle=angle)
         axis = self._line(places.at["B"], places.b, -AXIS, AXIS)
@@ -254,8 +254,9 @@ class _Views:
         """Return AB + s_B + BC = AD + s_D + DC + s_C."""
         drawn = {stroke.name for stroke in self.strokes}
 
-        def terms(*labels: tuple[str, str | None, str]) -> tuple[Term, ...]:
-            return tuple(Term(label, link, name) for label, link, name in labels if name in drawn)
+        def terms(*labels: tuple[str, str | None, str | None]) -> tuple[Term, ...]:
+            terms = (Term(*each) for each in labels)
+            return tuple(term for term in terms if term.stroke is None or term.stroke in drawn)
 
         return Equation(
             terms(
@@ -264,7 +265,7 @@ class _Views:
                 ("BC", "axis", "BC.coupler"),
             ),
             terms(
-                ("AD", None, "AD.ground"),
+                ("AD", None, None),
                 ("s_D", "rocker", "D.slide"),
                 ("DC", "rocker", "DC.rocker"),
                 ("s_C", "rocker", "C.slide"),
