@@ -88,7 +88,7 @@ def test_no_angle_reads_360_wherever_it_stands(angle: float):
 
 def test_the_title_says_parameters_as_they_were_given():
     sheet = vad.draw(vad.solve(vad.SliderCrank(crank=60.25, rod=140)))
-    assert title(sheet) == "Slider–crank: crank 60.25 mm, rod 140 mm, offset 0 mm"
+    assert title(sheet) == "Slider–crank: crank 60.25 mm, rod 140 mm, offset 0"
 
 
 def test_one_quantity_is_written_one_way():

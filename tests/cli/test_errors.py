@@ -112,9 +112,14 @@ def test_an_input_that_is_not_finite(vad, name, word):
 
 
 def test_an_option_like_no_other_is_answered_with_all(vad):
-    _, hint = complaint(vad("draw", "four-bar", "--fps", "3", "-o", "x.png"), 2)
+    _, hint = complaint(vad("draw", "four-bar", "--zebra", "3", "-o", "x.png"), 2)
     assert hint.startswith("known: --")
     assert "--panels" in hint
+
+
+def test_an_option_of_another_verb_is_answered_with_that_verb(vad):
+    _, hint = complaint(vad("draw", "four-bar", "--fps", "3", "-o", "x.png"), 2)
+    assert hint == "--fps is an option of vad animate"
 
 
 @pytest.mark.parametrize("given", ["--rod 100", "--ram-height 180"])
