@@ -94,7 +94,7 @@ def posed(
     board = plan(thing, form, look.key)
     if left:
         board = problem(board, left, look.key)
-    strokes = {**{panel.name: panel.strokes for panel in thing.panels}, **left}
+    strokes = {**{half.name: half.strokes for half in thing.halves}, **left}
     return Posed(board, Moment(board.finished), look, part(thing, strokes))
 
 

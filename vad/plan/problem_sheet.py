@@ -35,8 +35,9 @@ def blank_panels(sheet: Sheet, names: Sequence[str] | str) -> Blank:
     there = [panel.name for panel in sheet.panels]
     panels = [sheet.panel(one_of("panel", name, there)) for name in chosen]
     return {
-        panel.name: tuple(stroke for stroke in panel.strokes if _is_given(stroke))
+        half.name: tuple(stroke for stroke in half.strokes if _is_given(stroke))
         for panel in panels
+        for half in panel.halves
     }
 
 
@@ -58,7 +59,7 @@ def problem(key: Plan, blank: Blank, line: float) -> Plan:
     """
     items = [shown for item in key.items if (shown := _without_answer(item, key, blank))]
     cells = table(key.sheet, key.page, line).cells
-    for name in blank:
+    for name in (panel.name for panel in key.sheet.panels if panel.name in blank):
         for index, row in enumerate(key.sheet.rows):
             both = zip(row.cells.get(name, ()), cells(index, row, name, False), strict=True)
             marks = [entry.marks if cell.given else entry.blank for cell, entry in both]
@@ -74,9 +75,12 @@ def _without_answer(item: Item, key: Plan, blank: Blank) -> Item | None:
         return None if item.stroke.partition(":")[0] in blank else item
     if place:
         return item if place == "head" and item.until == FOREVER else None
-    setting = key.sketches[home].setting
-    for stroke in blank[home]:
-        since = setting.after(setting.panel.number(stroke.name))
-        if item.stroke == setting.panel.full(stroke.name) and item.since <= since < item.until:
-            return replace(item, since=0, until=FOREVER)  # without the letters that come to it
+    if any(mark.role == "scale bar" for mark in item.marks):  # of a polygon below another
+        return replace(item, since=0)
+    for half in key.sheet.panel(home).halves:
+        setting = key.sketches[half.name].setting
+        for stroke in blank[half.name]:
+            since = setting.after(half.number(stroke.name))
+            if item.stroke == half.full(stroke.name) and item.since <= since < item.until:
+                return replace(item, since=0, until=FOREVER)  # without letters that come to it
     return None
