@@ -10,6 +10,7 @@ from dataclasses import replace
 from html import escape
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
+from urllib.parse import quote
 from xml.etree import ElementTree
 
 import pytest
@@ -101,6 +102,20 @@ def test_outputs_in_one_page_do_not_disturb_each_other(page):
             place,
         )
         assert page.locator("svg").nth(place).screenshot() == expected
+
+
+def test_a_drawing_is_as_wide_as_its_cell_at_most(page):
+    """Also as an image of its own, which is what JupyterLab makes of it, and says no size."""
+    form = SHEET._repr_mimebundle_(include={"image/svg+xml"})["image/svg+xml"]
+    image = f'<img alt="" src="data:image/svg+xml,{quote(form)}">'
+    widths = {640: form, 1500: form, 600: image}
+    page.set_content(
+        "".join(f'<div style="width:{w}px">{each}</div>' for w, each in widths.items())
+    )
+    until(page, lambda: page.evaluate("document.querySelector('img').complete"))
+    sizes = [each.bounding_box() for each in page.locator("svg, img").all()]
+    assert [box["width"] for box in sizes] == [640, 1280, 600]
+    assert [box["height"] for box in sizes] == pytest.approx([360, 720, 337.5], abs=0.01)
 
 
 def test_a_lesson_plays_in_a_frame_that_knows_nothing_of_the_notebook(page):

@@ -93,10 +93,12 @@ def about(centre: tuple[float, float], degrees: float, radius: float) -> tuple[f
     return centre[0] + radius * math.cos(turn), centre[1] - radius * math.sin(turn)
 
 
-@pytest.mark.parametrize("moves", [1, 20])
-def test_the_crank_follows_the_hand(window: Page, moves):
-    load(window, "slider-crank")
-    centre = pivot(window, "slider-crank")
+@pytest.mark.parametrize(
+    ("mechanism", "moves"), [("slider-crank", 1), ("slider-crank", 20), ("hooke-joint", 20)]
+)
+def test_the_crank_follows_the_hand(window: Page, mechanism, moves):
+    load(window, mechanism)
+    centre = pivot(window, mechanism)
     window.mouse.move(*middle(window))
     window.mouse.down()
     window.mouse.move(*about(centre, 130, 90), steps=moves)

@@ -6,7 +6,7 @@ import pytest
 
 import vad
 from vad.lecture.timeline import CLOSING, GLIDE, OPENING, SETTLE, growth, rest
-from vad.strokes.sheet import Arrow, Dot, Kind, Stroke
+from vad.strokes.sheet import Arrow, Dot, Fold, Kind, Stroke
 
 # Seconds that a stroke grows; a vector of no length takes the second, between them it is linear.
 GROWS: dict[Kind, tuple[float, float]] = {
@@ -19,6 +19,8 @@ GROWS: dict[Kind, tuple[float, float]] = {
     "intersection": (0.3, 0.225),
     "result": (1.2, 0.9),
 }
+# Seconds in which a plane is laid over, whatever is said meanwhile.
+FOLDS = 1.0
 # Seconds that a stroke stands from its beginning to the next one, by the words of its caption, if
 # it grows for a second: at five words a second with a breath of 0.3 s, and half a second at least.
 STANDS = {0: 1.5, 1: 1.5, 5: 1.5, 10: 2.3, 20: 4.3, 30: 6.3}
@@ -94,6 +96,8 @@ def test_only_a_mechanism_before_its_polygons_glides_into_its_panel(panels: str 
 
 
 def _grows(drawn: Stroke, shapes: list[object]) -> float:
+    if isinstance(drawn.shape, Fold):
+        return FOLDS
     long, short = GROWS[drawn.kind]
     if not isinstance(drawn.shape, Arrow):
         return long

@@ -26,7 +26,12 @@ OFF = 0.01
 SQUARE, FAINT = 5, 12
 #: All lessons at every stroke take minutes: VAD_FULL=1.
 FULL = bool(os.environ.get("VAD_FULL"))
-SAMPLE = {"crank-slotted-lever": 13, "gate-actuator": 17, "four-bar": 19}
+SAMPLE = {
+    "crank-slotted-lever": 13,
+    "gate-actuator": 17,
+    "four-bar": 19,
+    "spherical-four-bar": 36,  # with the plane that is laid over
+}
 LESSONS = (
     [(name, "paper", 1) for name in vad.MECHANISMS]
     + [("four-bar", "print", 1), ("whitworth", "chalk", 1)]

@@ -186,7 +186,8 @@ def test_the_set_square_lies_along_its_line_at_the_pencil(scene: str):
 
 @EVERY
 def test_dots_swell_and_blocks_come_out_of_the_ground(scene: str):
-    for mark in growing(scene, Scaling):
+    dots = [mark for mark in growing(scene, Scaling) if isinstance(mark.shape, Disc)]
+    for mark in dots:
         discs = [mark.at(share).shape for share in SHARES]
         radii = [disc.radius for disc in discs]
         assert radii == sorted(radii)
@@ -196,6 +197,22 @@ def test_dots_swell_and_blocks_come_out_of_the_ground(scene: str):
         alphas = [mark.at(share).alpha for share in SHARES]
         assert alphas == sorted(alphas)
         assert (alphas[0], alphas[-1]) == (0.0, 1.0)
+
+
+def test_lines_that_swell_across_an_axis_keep_their_places_along_it():
+    axis = cmath.rect(1.0, 0.4)
+    growth = Scaling(1 + 1j, ((0.0, -0.5), (1.0, 1.0)), axis)
+    end = 1 + 1j + (3 + 2j) * axis
+    mark = Mark(Polyline(((1 + 1j, end),)), "path", growth=growth)
+    begun, half = (mark.at(share) for share in (0.0, 0.5))
+    for shown, across in ((begun, -1.0), (half, 0.5)):
+        assert shown is not None and isinstance(shown.shape, Polyline)
+        (line,) = shown.shape.pieces
+        assert line[0] == 1 + 1j
+        assert abs(line[1] - (1 + 1j + (3 + 1j * across) * axis)) < NEAR
+    turned = mark.mapped(2.0, 1j).at(0.0)
+    assert turned is not None and isinstance(turned.shape, Polyline)
+    assert abs(turned.shape.pieces[0][1] - (2 * (1 + 1j + (3 - 1j) * axis) + 1j)) < NEAR
 
 
 @pytest.mark.parametrize("sweep", [60.0, -60.0])

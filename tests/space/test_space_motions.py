@@ -85,6 +85,7 @@ def test_out_of_reach_is_nan_and_nothing_else(recwarn: Any) -> None:
 
 @each
 def test_a_position_costs_no_velocity(mechanism: vad.Mechanism, monkeypatch: Any) -> None:
+    solver_of.cache_clear()  # what other tests have recorded is played without being asked
     solver, asked = solver_of(mechanism), []
     found = type(solver).rates
 
@@ -221,3 +222,19 @@ def test_sweeps(tmp_path: Any) -> None:
     blocks = vad.sweep(vad.SpatialFourBar(), wanted, angle=np.array([row["angle [deg]"]]))
     assert (blocks["C.position"][0] == motion.point("C").position).all()
     assert blocks["B.angle"][0] == motion.joint("B").angle
+
+
+def test_a_batch(tmp_path: Any) -> None:
+    """Exercises in space: numbers drawn clear of dead centres, answers by axes."""
+    sheets = tmp_path / "sheets.toml"
+    sheets.write_text(
+        '[sheet]\nmechanism = "spherical-four-bar"\ncount = 2\nseed = 3\nfiles = ["key.json"]\n'
+        "[vary]\ncrank = [30, 75]\nangle = [20, 100, 180, 200]\n[keep]\nsine = 0.2\n",
+        encoding="utf-8",
+    )
+    made = list(vad.batch(sheets, tmp_path / "sheets"))
+    assert [each.error for each in made] == [None, None]
+    head, *rows = (tmp_path / "sheets" / "answers.csv").read_text().splitlines()
+    assert len(rows) == 2
+    for name in ("joint B omega [rad/s]", "coupler alpha z [rad/s^2]", "C position z [mm]"):
+        assert name in head

@@ -7,6 +7,7 @@ from functools import cache
 from typing import Any
 
 import vad
+from tests.kinds import SPACE
 from vad.kinematics.reach import closing_range
 from vad.strokes.sheet import Sheet
 
@@ -23,6 +24,8 @@ MECHANISMS: dict[str, Any] = {
     for lengths in ({}, *([RAMS[name]] if name in RAMS else []))
     for assembly in ("open", "crossed")
 }
+#: Those of them that move in space.
+IN_SPACE = {key: each for key, each in MECHANISMS.items() if each.name in SPACE}
 #: First and second rate of the driver, as multiples of the mechanism's own first.
 RATES = ((1.0, 0.0), (-1.0, 2.5), (0.0, 1.0), (0.0, 0.0))
 

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 import vad
-from vad.kinematics.reach import travels
+from vad.kinematics.any_solver import AnySolver
 from vad.kinematics.solver import Solver, solver_of
+from vad.kinematics.space.space_solver import SpaceSolver
 
 PANELS = ("position", "velocity", "acceleration")
 
@@ -20,18 +21,20 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     """Count what the solver is asked for: positions, velocities, accelerations."""
     solver_of.cache_clear()  # else what other tests have recorded is not computed again
     counted: Counter[str] = Counter()
-    positions, rates = Solver.positions, Solver.rates
 
-    def counting_positions(self: Solver, value: Any) -> Any:
-        counted["position"] += 1
-        return positions(self, value)
+    def counting(kind: type[AnySolver], step: str) -> Any:
+        asked = getattr(kind, step)
 
-    def counting_rates(self: Solver, pose: Any, lower: Any, value: Any) -> Any:
-        counted[PANELS[len(lower) + 1]] += 1
-        return rates(self, pose, lower, value)
+        def counting_step(self: AnySolver, *given: Any) -> Any:
+            counted[PANELS[0 if step == "positions" else len(given[1]) + 1]] += 1
+            return asked(self, *given)
 
-    monkeypatch.setattr(Solver, "positions", counting_positions)
-    monkeypatch.setattr(Solver, "rates", counting_rates)
+        return counting_step
+
+    for kind in (Solver, SpaceSolver):
+        monkeypatch.setattr(kind, "positions", counting(kind, "positions"))
+    for kind in (Solver, *SpaceSolver.__subclasses__()):
+        monkeypatch.setattr(kind, "rates", counting(kind, "rates"))
     return counted
 
 
@@ -40,9 +43,9 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
 def test_a_panel_costs_its_own_order_and_those_below(
     name: str, count: int, calls: Counter[str]
 ) -> None:
-    """Of the pose; how far slides get in all poses is found once for each mechanism."""
+    """Of the pose; how far it gets in all poses is found once for each mechanism."""
     mechanism = vad.MECHANISMS[name]()
-    travels(mechanism)
+    vad.draw(vad.solve(mechanism), panels=PANELS[count - 1])
     calls.clear()
     vad.draw(vad.solve(mechanism), panels=PANELS[count - 1])
     assert calls == dict.fromkeys(PANELS[:count], 1)

@@ -12,7 +12,7 @@ from vad.strokes.vector_equations import NOTHING
 
 def names(sheet: Sheet) -> list[frozenset[str]]:
     found = []
-    for panel in sheet.panels:
+    for panel in sheet.halves:
         drawn, zero = ([s.name for s in strokes] for strokes in (panel.strokes, panel.zeros))
         assert len({*drawn, *zero}) == len(drawn) + len(zero)
         found.append(frozenset((*drawn, *zero)))
@@ -123,7 +123,7 @@ def test_coriolis_vanishes_with_the_sliding() -> None:
 def test_at_rest_all_vectors_are_zero_at_the_pole() -> None:
     for cls in vad.MECHANISMS.values():
         still = dict.fromkeys(list(cls.inputs)[1:], 0.0)
-        for panel in vad.draw(vad.solve(cls(), **still)).panels[1:]:
+        for panel in vad.draw(vad.solve(cls(), **still)).halves[1:]:
             arrows = [s.shape for s in panel.zeros if isinstance(s.shape, Arrow)]
             assert [stroke.name for stroke in panel.strokes] == ["pole"]
             assert arrows and all(arrow.start == arrow.end == 0 for arrow in arrows)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-_AXES = ("x", "y")
+_AXES = "xyz"
 
 
 def cells(answers: Mapping[str, Any]) -> dict[str, Any]:
@@ -32,14 +32,15 @@ def cells(answers: Mapping[str, Any]) -> dict[str, Any]:
     row: dict[str, Any] = {"mechanism": answers["mechanism"], **answers["parameters"]}
     row |= {"assembly": _assembly(answers["assembly"]), "length_unit": units["length"]}
     row |= answers["input"]
-    for rows in ("links", "slides"):
-        for owner, results in answers[rows].items():
-            for quantity, value in results.items():
+    joints = {f"joint {letter}": each for letter, each in answers.get("joints", {}).items()}
+    parts = answers["links"] | joints, answers["slides"], answers["points"]
+    for owner, results in (pair for part in parts for pair in part.items()):
+        for quantity, value in results.items():
+            if isinstance(value, list):  # a vector
+                for axis, number in zip(_AXES, value, strict=False):
+                    row[head(f"{owner} {quantity} {axis}", quantity)] = number
+            else:
                 row[head(f"{owner} {quantity}", quantity)] = value
-    for letter, results in answers["points"].items():
-        for quantity, vector in results.items():
-            for axis, value in zip(_AXES, vector, strict=True):
-                row[head(f"{letter} {quantity} {axis}", quantity)] = value
     return row
 
 

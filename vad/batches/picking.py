@@ -82,8 +82,7 @@ def _weakest(motion: Motion, keep: float) -> str | None:
     """Say which dyad does not close, or is too near to a dead centre; None where all is well."""
     place = next(iter(motion.inputs.values()))
     sines = np.abs(motion.solver.sines(np.array([place]))[:, 0])
-    for sine, pair in zip(sines, motion.linkage.unknowns, strict=True):
-        dyad = " and ".join(scalar.name for scalar in pair)
+    for sine, dyad in zip(sines, motion.solver.dyads, strict=True):
         if np.isnan(sine):
             return f"{dyad} do not close"
         if sine < keep or sine == 0.0:

@@ -23,7 +23,7 @@ from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
 from vad.page.ink import Inker
 from vad.page.panels import picture, scale_bar
-from vad.page.results_table import measured_cells
+from vad.page.results_table import measured_cells, values_of
 from vad.page.themed import themed
 from vad.page.wording import Words
 from vad.painting.posed import SIZE
@@ -91,8 +91,9 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
         [each.name, scale_bar(shown.plan, each, words), picture(shown.plan, each, inker)]
         for each in sheet.panels
     ]
+    values = values_of(shown.plan, load_style(question.style).key)
     rows = [
-        [measured_cells(shown.plan, panel, row, words) for panel in sheet.panels]
+        [measured_cells(shown.plan, panel, row, words, values) for panel in sheet.panels]
         for row in sheet.rows
     ]
     return {

@@ -117,6 +117,11 @@ class AnySolver(ABC):
 
     @property
     @abstractmethod
+    def dyads(self) -> list[str]:
+        """What each loop finds, by name, in the order of the sines."""
+
+    @property
+    @abstractmethod
     def searched(self) -> list[int]:
         """The numbers of the loops whose limits have no closed form."""
 

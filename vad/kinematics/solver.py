@@ -86,6 +86,11 @@ class Solver(AnySolver):
         return self.routes.letters
 
     @property
+    def dyads(self) -> list[str]:
+        """What each loop finds, by name, in the order of the sines."""
+        return [" and ".join(scalar.name for scalar in pair) for pair in self.linkage.unknowns]
+
+    @property
     def searched(self) -> list[int]:
         """The numbers of the loops whose limits have no closed form."""
         return [

@@ -16,7 +16,7 @@ class HookeJoint(MechanismInSpace):
     """
 
     name = "hooke-joint"
-    title = "Hooke's joint"
+    title = "Hooke’s joint"
     letters = "PQO"
     links = {"driving": "2", "cross": "3", "driven": "4"}
     joints = {"P": "cross against driving", "Q": "cross against driven"}

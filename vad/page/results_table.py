@@ -16,8 +16,9 @@ from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.marks import line
 from vad.plan.page.changing import measuring
-from vad.plan.page.columns import EQUALS, VALUES
+from vad.plan.page.columns import EQUALS, VALUES, Columns
 from vad.plan.page.entries import SIZE
+from vad.plan.page.table import table as laid_out
 from vad.strokes.language import Language
 from vad.strokes.sheet import Cell, Panel, Row
 from vad.written import with_unit
@@ -26,16 +27,17 @@ from vad.written import with_unit
 def table(plan: Plan, key: float, inker: Inker, words: Words) -> str:
     """Return the results of a sheet; ``key`` is the length of the line before a row's name."""
     sheet, say = plan.sheet, Language(plan.sheet.language).say
+    values = values_of(plan, key)
     heads = "".join(f'<th scope="col">{words.of(roman(p.title))}</th>' for p in sheet.panels)
     rows = "".join(
         f'<tr role="row"><th scope="row" role="rowheader">{_key(number, key, inker)}'
         f"{words.of(roman(row.title + ' ') + symbols(row.letters))}</th>"
-        + "".join(measured_cells(plan, panel, row, words) for panel in sheet.panels)
+        + "".join(measured_cells(plan, panel, row, words, values) for panel in sheet.panels)
         + "</tr>"
         for number, row in enumerate(sheet.rows)
     )
     lefts = [place.drawing.left for place in plan.page.panels.values()]
-    ends = [lefts[0], lefts[0] + VALUES, *lefts[1:], plan.page.right]
+    ends = [lefts[0], lefts[0] + values, *lefts[1:], plan.page.right]
     widths = [end - start for start, end in pairwise(ends)]
     columns = "".join(f'<col style="width:{100 * each / sum(widths):.2f}%">' for each in widths)
     legend = words.of(roman(say("legend"))) if _has_given(sheet.rows) else ""
@@ -53,11 +55,17 @@ def _key(number: int, key: float, inker: Inker) -> str:
     return f'<svg class="key" viewBox="{view}" aria-hidden="true">{inker.mark(mark)}</svg>'
 
 
-def measured_cells(plan: Plan, panel: Panel, row: Row, words: Words) -> str:
+def values_of(plan: Plan, key: float) -> float:
+    """Return how far behind the margin the first cells begin."""
+    laid = laid_out(plan.sheet, plan.page, key)
+    return laid.values if isinstance(laid, Columns) else VALUES
+
+
+def measured_cells(plan: Plan, panel: Panel, row: Row, words: Words, values: float) -> str:
     """Return what a panel measures of a row, as one cell of the table."""
     cells = row.cells.get(panel.name, ())
     room = plan.page.panels[panel.name].drawing.width
-    room -= VALUES if panel is plan.sheet.panels[0] else 0.0
+    room -= values if panel is plan.sheet.panels[0] else 0.0
     need = sum(width(_reading(plan, cell), SIZE) + EQUALS for cell in cells)
     small = f' style="font-size:{100 * room / need:.0f}%"' if need > room else ""
     halves = []

@@ -106,9 +106,12 @@ class SvgPainter:
         """End the picture."""
         self._close()
         width, height = number(self._grid.width), number(self._grid.height)
-        scope = f'id="{self._classes.scope}" ' if self._classes.scope else ""
+        size = f'width="{width}" height="{height}"'
+        if self._classes.scope:  # no cell is to cut it, also where a notebook makes it an image
+            fits = f'style="width:100%;max-width:{width}px;height:auto"'
+            size = f'id="{self._classes.scope}" {fits}'
         self.svg = (
-            f'<svg xmlns="http://www.w3.org/2000/svg" {scope}width="{width}" height="{height}" '
+            f'<svg xmlns="http://www.w3.org/2000/svg" {size} '
             f'viewBox="0 0 {width} {height}" role="img" lang="{self._sheet.language}" '
             f'fill="none" stroke-miterlimit="{_MITRE}" xml:space="preserve">\n'
             f"<title>{escape(title(self._sheet))}</title>\n"

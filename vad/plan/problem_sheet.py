@@ -59,7 +59,7 @@ def problem(key: Plan, blank: Blank, line: float) -> Plan:
     """
     items = [shown for item in key.items if (shown := _without_answer(item, key, blank))]
     cells = table(key.sheet, key.page, line).cells
-    for name in (panel.name for panel in key.sheet.panels if panel.name in blank):
+    for name in (name for name in blank if name in key.page.panels):
         for index, row in enumerate(key.sheet.rows):
             both = zip(row.cells.get(name, ()), cells(index, row, name, False), strict=True)
             marks = [entry.marks if cell.given else entry.blank for cell, entry in both]
@@ -75,12 +75,10 @@ def _without_answer(item: Item, key: Plan, blank: Blank) -> Item | None:
         return None if item.stroke.partition(":")[0] in blank else item
     if place:
         return item if place == "head" and item.until == FOREVER else None
-    if any(mark.role == "scale bar" for mark in item.marks):  # of a polygon below another
-        return replace(item, since=0)
-    for half in key.sheet.panel(home).halves:
-        setting = key.sketches[half.name].setting
-        for stroke in blank[half.name]:
-            since = setting.after(half.number(stroke.name))
-            if item.stroke == half.full(stroke.name) and item.since <= since < item.until:
+    for name, strokes in blank.items():
+        setting = key.sketches[name].setting
+        for stroke in strokes:
+            since = setting.after(setting.panel.number(stroke.name))
+            if item.stroke == setting.panel.full(stroke.name) and item.since <= since < item.until:
                 return replace(item, since=0, until=FOREVER)  # without letters that come to it
     return None

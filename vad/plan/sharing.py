@@ -38,5 +38,6 @@ def add_lower_bar(sketch: Sketch) -> None:
     widest = WIDEST_BAR * room.width
     length, runs = stated(panel, sketch.scale, widest, setting.centimetre, notation)
     start = complex(room.left, room.bottom + BAR_OFF)
-    sketch.add(None, Level.GROUND, setting.during(0), bar_marks(length, runs, start))
+    pole = panel.strokes[0]  # with which it comes
+    sketch.add(pole, Level.GROUND, setting.during(0), bar_marks(length, runs, start))
     sketch.obstacles.box(bar_box(length, runs, start))

@@ -22,8 +22,8 @@ MORE = 2
 _ALL = 15
 _PLACE = re.compile("\x02(\\d+)\x03")
 _EXACT = Context(prec=50)
-#: Multiplication or addition.
-Operation = Callable[[Decimal, Decimal], Decimal]
+#: What is made of the numbers that a reader types in.
+Calculation = Callable[[list[Decimal]], Decimal]
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +74,7 @@ class Figures:
 
     def __init__(self) -> None:
         self._placed: list[Figure | Unit] = []
-        self._calculated: list[tuple[Figure, tuple[Figure, ...], Operation]] = []
+        self._calculated: list[tuple[Figure, tuple[Figure, ...], Calculation]] = []
 
     def place(self, entry: Figure | Unit) -> str:
         """Return what keeps the place of a number or unit in a caption."""
@@ -83,11 +83,20 @@ class Figures:
 
     def product(self, result: Figure, *factors: Figure) -> None:
         """Note down that a result is the product of factors."""
-        self._calculated.append((result, factors, _EXACT.multiply))
+        self._calculated.append((result, factors, _product))
 
     def sum(self, result: Figure, *addends: Figure) -> None:
         """Note down that a result is the sum of addends."""
-        self._calculated.append((result, addends, _EXACT.add))
+        self._calculated.append((result, addends, _sum))
+
+    def hypotenuse(self, result: Figure, *legs: Figure) -> None:
+        """Note down that a result is the root of the sum of squares; each leg has the power 2."""
+        self._calculated.append((result, legs, lambda squares: _root(_sum(squares))))
+
+    def leg(self, result: Figure, hypotenuse: Figure, other: Figure) -> None:
+        """Note down that a result is the root of the difference of squares, given likewise."""
+        squares = hypotenuse, other
+        self._calculated.append((result, squares, lambda found: _root(_EXACT.subtract(*found))))
 
     def fill(self, caption: str, notation: Notation) -> str:
         """Return a caption with its numbers and units."""
@@ -102,13 +111,25 @@ class Figures:
         before = None
         while before != calculator.digits:
             before = dict(calculator.digits)
-            for result, factors, operation in reversed(self._calculated):
-                while not calculator.agrees(result, factors, operation):
+            for result, factors, calculation in reversed(self._calculated):
+                while not calculator.agrees(result, factors, calculation):
                     finer = calculator.to_refine(result, factors)
                     if finer is None:
                         break
                     calculator.refine(finer)
         return calculator.notation
+
+
+def _product(factors: list[Decimal]) -> Decimal:
+    return reduce(_EXACT.multiply, factors)
+
+
+def _sum(addends: list[Decimal]) -> Decimal:
+    return reduce(_EXACT.add, addends)
+
+
+def _root(square: Decimal) -> Decimal:
+    return _EXACT.sqrt(max(square, Decimal(0)))
 
 
 class _Calculator:
@@ -119,12 +140,12 @@ class _Calculator:
         self.notation = replace(notation, digits=self.digits)
         self._printed: dict[Figure, Decimal] = {}
 
-    def agrees(self, result: Figure, factors: tuple[Figure, ...], operation: Operation) -> bool:
+    def agrees(self, result: Figure, factors: tuple[Figure, ...], calculation: Calculation) -> bool:
         """Tell whether the printed factors give the printed result, and that clearly: no tie."""
         printed = self._read(result)
         powers = [_EXACT.power(self._read(each), Decimal(each.power)) for each in factors]
         last = Decimal(1).scaleb(int(printed.as_tuple().exponent))
-        return 2 * abs(_EXACT.subtract(reduce(operation, powers), printed)) < last
+        return 2 * abs(_EXACT.subtract(calculation(powers), printed)) < last
 
     def to_refine(self, result: Figure, factors: tuple[Figure, ...]) -> Figure | None:
         """Return the number that is to have a further digit; None where no digits are left."""

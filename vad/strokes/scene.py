@@ -7,8 +7,6 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeGuard
 
-import numpy as np
-
 from vad.kinematics.linkage import (
     Bar,
     Scalar,
@@ -85,6 +83,8 @@ class Scene:
 
         That is the last slide on a guide of the frame, else the last link that turns.
         """
+        import numpy as np  # which a list of mechanisms need not load
+
         motion, driver = self.motion, self.driver.name
         guided = {step.name for step in motion.frame.steps if self.is_guide(step)}
         slides = [name for name in motion.slides if name in guided and name != driver]

@@ -42,6 +42,11 @@ class SpaceSolver(AnySolver):
         return set(self.points)
 
     @property
+    def dyads(self) -> list[str]:
+        """What the one loop finds, by name."""
+        return [" and ".join(sorted(self.links - {self.driver.name}))]
+
+    @property
     def searched(self) -> list[int]:
         """The numbers of the loops whose limits have no closed form: none."""
         return []

@@ -56,6 +56,11 @@ class Columns:
         rows = self._entries.sheet.rows
         return max((self._need(row.cells.get(panel, ())) for row in rows), default=0.0)
 
+    @property
+    def values(self) -> float:
+        """How far behind the margin the cells of the first panel begin."""
+        return min(left for left, _ in self._places.values()) - self._page.left
+
     def frame(self) -> list[Mark]:
         """Return rules, keys and names, and what grey means."""
         y, page = self._page.hairline, self._page
@@ -78,11 +83,13 @@ class Columns:
         left, right = self._places[panel]
         baseline, dressed = self._page.rows[index], self._entries.dressed
         cells = row.cells.get(panel, ())
-        values = [dressed(cell, new, self._reading(cell)) for cell in cells]
+        bare = self._need(cells, new) > right - left and self._alike(cells, panel)
+        values = [dressed(cell, new, self._reading(cell, bare)) for cell in cells]
         signs = [dressed(cell, new, _sign(cell)) for cell in cells]
-        shrink = min(1.0, (right - left) / self._need(cells, new))
+        need = self._need(cells, new, bare)
+        shrink = min(1.0, (right - left) / need)
         size, symbol = SIZE * shrink, self._symbol(panel) * shrink
-        last = min(right, max(self._usual[panel], left + self._need(cells, new)))
+        last = min(right, max(self._usual[panel], left + need))
         ends = self._ends(values, signs, left + symbol + (NUMBERS - EQUALS) * shrink, last, size)
         found: list[Entry] = []
         for count, (cell, value, sign) in enumerate(zip(cells, values, signs, strict=True)):
@@ -90,6 +97,9 @@ class Columns:
             places = [(name, left), (equals, left + symbol)]
             start = left + symbol + (NUMBERS - EQUALS) * shrink
             end = min(start + WRITTEN * shrink, right)
+            if len(cells) > 1:  # up to the symbol behind it
+                ahead = width(values[1], size) + width(signs[1], size) + CLEAR * shrink
+                end = min(end, ends[1] - ahead)
             if count:
                 end = ends[count]
                 start = end - width(value, size)
@@ -139,17 +149,27 @@ class Columns:
             left += need * stretch
         return places
 
-    def _need(self, cells: Sequence[Cell], new: bool = True) -> float:
-        """Return the width of cells at full size."""
+    def _alike(self, cells: Sequence[Cell], panel: str) -> bool:
+        """Tell whether cells have the unit that stands behind the first number of their column.
+
+        A degree sign is part of its number.
+        """
+        firsts = [row.cells[panel][0] for row in self._entries.sheet.rows if row.cells.get(panel)]
+        units = {cell.unit for cell in cells}
+        return units == {firsts[0].unit} and "°" not in units and cells[0] is not firsts[0]
+
+    def _need(self, cells: Sequence[Cell], new: bool = True, bare: bool = False) -> float:
+        """Return the width of cells at full size; ``bare`` ones are without their units."""
         signs = [self._entries.dressed(cell, new, _sign(cell)) for cell in cells[1:]]
-        values = [self._entries.dressed(cell, new, self._reading(cell)) for cell in cells]
+        values = [self._entries.dressed(cell, new, self._reading(cell, bare)) for cell in cells]
         runs = sum(width(runs, SIZE) for runs in (*values, *signs))
         symbol = width(symbols(cells[0].symbol), SIZE) if cells else 0.0
         more = symbol + SIGN_GAP - EQUALS if symbol > EQUALS else 0.0
         return NUMBERS + more + runs + CLEAR * len(signs)
 
-    def _reading(self, cell: Cell) -> Runs:
-        return self._entries.figures(cell) + roman(with_unit("", self._entries.unit(cell)))
+    def _reading(self, cell: Cell, bare: bool) -> Runs:
+        unit = with_unit("", self._entries.unit(cell))
+        return self._entries.figures(cell) + (() if bare else roman(unit))
 
 
 def _sign(cell: Cell) -> Runs:

@@ -11,8 +11,8 @@ from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
 from vad.plan.page.entries import NAME_GAP, SIZE, Entries, Entry
 from vad.strokes.language import Language
-from vad.strokes.sheet import Row
-from vad.written import numbered
+from vad.strokes.sheet import Cell, Row
+from vad.written import numbered, with_unit
 
 TITLE_SIZE = 0.037
 HEAD_SIZE = 0.031
@@ -125,12 +125,12 @@ class Quarter:
         for depth, cell in enumerate(row.cells.get(panel, ())):
             baseline = self._baselines[index] - depth * ROW_PITCH * self._squeeze
             dressed, role = self._entries.dressed, self._entries.role(cell)
-            value = dressed(cell, new, self._entries.figures(cell))
+            value = dressed(cell, new, self._written(cell, row.cells[panel]))
             number = _right(value, complex(right, baseline), size, role)
             left, symbol = self._left(panel), []
             if depth:
                 left = right - width(value, size)
-                sign = dressed(cell, new, symbols(cell.symbol) + roman(" = "))
+                sign = dressed(cell, new, _sign(cell))
                 symbol.append(_right(sign, complex(left, baseline), size, role))
             found.append(Entry(tuple(symbol), number, left, right))
         return found
@@ -151,8 +151,9 @@ class Quarter:
         area, rows = self._area, self._rows
         key = full = self._entries.key
         wide = [self._widest(name) + COLUMN_GAP for name in self._names]
-        title = max((width(self._entries.heading(row), SIZE) for row in rows), default=0.0)
-        letters = max((width(symbols(row.letters), SIZE) for row in rows), default=0.0)
+        under = self._under_names() - wide[0] + COLUMN_GAP - NAME_GAP - SHORT_KEY * full
+        title = max([under, *(width(self._entries.heading(row), SIZE) for row in rows)])
+        letters = max([under, *(width(symbols(row.letters), SIZE) for row in rows)])
         for name in (title, letters):
             content = NAME_GAP + name + sum(wide)
             key = min(key, max(SHORT_KEY * full, area.width - content * most))
@@ -175,11 +176,35 @@ class Quarter:
         rows = [row for row in self._rows if row.cells.get(name)]
         numbers = [self._entries.figures(row.cells[name][0]) for row in rows]
         heads = [self._quantities(group, name) for group in self._groups]
+        further = self._beside(name)
         return max(
-            [width(face, SIZE) for runs in numbers for face in (runs, bold(runs))]
+            [width(face, SIZE) for runs in (*numbers, *further) for face in (runs, bold(runs))]
             + [width(runs, HEAD_SIZE) for runs in heads],
             default=0.0,
         )
+
+    def _under_names(self) -> float:
+        """Return the width of the further cells of the first column, which begin below names."""
+        cells = [row.cells.get(self._names[0], ()) for row in self._rows]
+        further = [_sign(cell) + self._written(cell, each) for each in cells for cell in each[1:]]
+        return max((width(runs, SIZE) for runs in further), default=0.0)
+
+    def _beside(self, name: str) -> list[Runs]:
+        """Return the further cells of a column that have one beside them in the column before."""
+        place = self._names.index(name)
+        found: list[Runs] = []
+        for row in self._rows:
+            cells = row.cells.get(name, ())
+            before = row.cells.get(self._names[place - 1], ()) if place else ()
+            pairs = list(zip(cells, before, strict=False))[1:]
+            found += [_sign(cell) + self._written(cell, cells) for cell, _ in pairs]
+        return found
+
+    def _written(self, cell: Cell, cells: Sequence[Cell]) -> Runs:
+        """Return the number of a cell, with its unit where the head has that of another one."""
+        runs = self._entries.figures(cell)
+        unit = self._entries.unit(cell)
+        return runs if cell.unit == cells[0].unit else runs + roman(with_unit("", unit))
 
     def _quantities(self, group: list[Row], name: str) -> Runs:
         """Return the head of a column: its quantities and their unit, nothing where it is empty."""
@@ -188,6 +213,11 @@ class Quarter:
             return ()
         quantities = list(dict.fromkeys(numbered(cell.symbol)[0] for cell in cells))
         return symbols(" / ".join(quantities)) + roman(", " + self._entries.unit(cells[0]))
+
+
+def _sign(cell: Cell) -> Runs:
+    """Return the symbol before a further cell."""
+    return symbols(cell.symbol) + roman(" = ")
 
 
 def _right(runs: Runs, at: complex, size: float, role: str) -> Mark:

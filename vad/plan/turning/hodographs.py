@@ -18,10 +18,12 @@ from vad.plan.scale import Scale
 from vad.plan.turning.thinning import Ints, thinned
 
 Complexes = NDArray[np.complex128]
+Truths = NDArray[np.bool_]
 
 TAIL = 75.0 / 360.0  # of the cycle
 TAIL_STEPS = 6
 END = 0.011  # half of the tick at either end of a straight way
+JUMP = 0.06  # from one sample to the next
 INSET = 0.004  # from the panel's edge, a way that leaves it ends
 
 
@@ -51,6 +53,7 @@ class Hodographs:
         self.straight: list[str] = []
         self._rows, self._room = rows, room.inside(INSET)
         self._kept: dict[str, Ints] = {}
+        self._jumping: set[str] = set()
         for letter, way in self.tracks.items():
             if not np.isfinite(way).all() or np.ptp(way.real) + np.ptp(way.imag) < 2 * PIXEL:
                 continue
@@ -58,6 +61,8 @@ class Hodographs:
                 continue
             self.drawn.append(letter)
             self._kept[letter] = thinned(way)
+            if np.abs(np.diff(way)).max() > JUMP:
+                self._jumping.add(letter)
             if _extent(way)[1] < PIXEL:
                 self.straight.append(letter)
 
@@ -80,7 +85,10 @@ class Hodographs:
             if letter in self.straight:
                 marks.append(lines(self._straight(way), "hodograph", row))
             else:
-                marks.append(lines(self._seen(way[self._kept[letter]]), "hodograph", row))
+                kept = self._kept[letter]
+                # Of samples side by side: a straight way is thinned to its ends.
+                jumps = self._jumps(letter, way[kept]) & (np.diff(kept) == 1)
+                marks.append(lines(self._seen(way[kept], jumps), "hodograph", row))
         return [mark for mark in marks if mark.shape.pieces]  # type: ignore[union-attr]
 
     def tails(self, letters: Sequence[str], share: float) -> list[Mark]:
@@ -91,7 +99,8 @@ class Hodographs:
                 continue
             for step in range(TAIL_STEPS):
                 ends = [share - TAIL * (1 - (step + by) / TAIL_STEPS) for by in (0, 1)]
-                pieces = self._seen(self.stretch(letter, *ends))
+                tail = self.stretch(letter, *ends)
+                pieces = self._seen(tail, self._jumps(letter, tail))
                 if pieces:
                     mark = lines(pieces, "tail", self._rows.get(letter))
                     alpha = (step + 1) / TAIL_STEPS
@@ -107,6 +116,10 @@ class Hodographs:
         middle = self.tracks[letter][between % count]
         return np.concatenate([[self.at(letter, start)], middle, [self.at(letter, end)]])
 
+    def _jumps(self, letter: str, way: Complexes) -> Truths:
+        """Tell after which points a way jumps, as one does that is laid over to the other side."""
+        return (np.abs(np.diff(way)) > JUMP) & (letter in self._jumping)
+
     def _straight(self, way: Complexes) -> list[tuple[complex, complex]]:
         """Return a straight way with its ticks, as far as it lies in the panel."""
         along, _ = _extent(way)
@@ -116,8 +129,12 @@ class Hodographs:
         pieces += [self._room.clipped(end - tick, end + tick) for end in ends]
         return [piece for piece in pieces if piece]
 
-    def _seen(self, way: Complexes) -> list[list[complex]]:
-        """Return the pieces of a way that lie in the panel."""
+    def _seen(self, way: Complexes, jumps: Truths) -> list[list[complex]]:
+        """Return the pieces of a way between its jumps that lie in the panel."""
+        parts = np.split(way, np.flatnonzero(jumps) + 1)
+        return [piece for part in parts if len(part) > 1 for piece in self._within(part)]
+
+    def _within(self, way: Complexes) -> list[list[complex]]:
         room, points = self._room, way.tolist()
         inside = (way.real >= room.left) & (way.real <= room.right)
         if (inside & (way.imag >= room.bottom) & (way.imag <= room.top)).all():

@@ -50,7 +50,7 @@ class BallScene(SceneInSpace):
             return ()
         value = getattr(self.motion.link(key), quantity)
         if key == "coupler":
-            value = np.linalg.norm(value, axis=-1)
+            value = _size(value)
         cell = Cell(letter + subscript(BODIES[key]), value, unit, key == "crank")
         if quantity != "omega" or key == "crank":
             return (cell,)
@@ -61,7 +61,13 @@ class BallScene(SceneInSpace):
         velocity = self.motion.point("C").velocity
         if key == "coupler":
             velocity = velocity - self.motion.point("B").velocity
-        return np.linalg.norm(velocity, axis=-1)
+        return _size(velocity)
+
+
+def _size(vector: Any) -> Any:
+    """Return the length of a vector: a number, or an array of them."""
+    size = np.linalg.norm(vector, axis=-1)
+    return size if size.ndim else float(size)
 
 
 def _order(diagram: Diagram) -> int:

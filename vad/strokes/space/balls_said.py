@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 BODIES = {"crank": 2, "coupler": 3, "rocker": 4}
 _ENDS = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
 _PANELS = ("velocity", "acceleration")
+_RATES = ("omega", "alpha")
 
 
 def length_of(scene: SceneInSpace, link: str, unit: str = "", power: int = 1) -> Figure:
@@ -56,6 +58,7 @@ class BallWords:
             size = length_of(self._scene, link, self._unit, power=-1)
             speed = Figure(self._relative_speed, per_second(self._scene.unit, 1), power=2)
             parts |= {"size": size, "speed": speed}
+            self._scene.figures.product(parts["seen"], speed, size)
             return self._say("balls normal BC", **parts)
         rate = self._rate(link, 1 if normal else self._order, power=2 if normal else 1)
         value = Figure(abs(rate.value) ** rate.power * size.value, self._unit)
@@ -92,14 +95,15 @@ class BallWords:
         rate = Figure(abs(rate.value), rate.unit)
         if link == "rocker":
             self._scene.figures.product(rate, value, size)
-            turning = getattr(self._scene.motion.link(link), ("omega", "alpha")[self._order - 1])
+            turning = getattr(self._scene.motion.link(link), _RATES[self._order - 1])
             sense = self._say("counter-clockwise" if turning > 0 else "clockwise")
             return self._say(
                 f"balls rocker {self._panel}", rate=rate, size=size, sense=sense, **parts
             )
         whole = Figure(rate.value * size.value, self._unit)
-        self._scene.figures.product(rate, whole, size)
         off = Figure(self._relative_off, self._unit)
+        self._scene.figures.hypotenuse(whole, replace(value, power=2), replace(off, power=2))
+        self._scene.figures.product(rate, whole, size)
         return self._say(
             f"balls coupler {self._panel}",
             rate=rate,
@@ -125,8 +129,8 @@ class BallWords:
 
     def _rate(self, link: str, order: int, power: int = 1) -> Figure:
         """Return a rate as it is multiplied, without its sign; that of the coupler is its size."""
-        motion = self._scene.motion.link(link)
-        rate = float(np.linalg.norm((motion.omega, motion.alpha)[order - 1 : order]))
+        rates = getattr(self._scene.motion.link(link), _RATES[order - 1])
+        rate = float(np.linalg.norm(rates))
         given = link == "crank"
         return Figure(rate, ("rad/s", "rad/s²")[order - 1], given, power)
 

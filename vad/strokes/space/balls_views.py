@@ -9,6 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.numbers import fold
@@ -124,11 +125,14 @@ class _Views:
         """Find C where the circles meet, and draw coupler and rocker."""
         b, c, unit = self.at["B"], self.at["C"], self.scene.unit
         height = float((self.seen.at("B") - self.seen.at("D")) @ self.seen.d)
+        off, size = Figure(abs(height), unit), self._length("coupler")
+        reach = Figure(abs(c - b), unit)
+        self.scene.figures.leg(reach, replace(size, power=2), replace(off, power=2))
         parts: dict[str, object] = {
-            "height": Figure(abs(height), unit),
+            "height": off,
             "side": self.scene.say("balls ahead" if height > 0.0 else "balls behind"),
-            "size": self._length("coupler"),
-            "reach": Figure(abs(c - b), unit),
+            "size": size,
+            "reach": reach,
             "unit": Unit(unit),
         }
         middle = math.degrees(cmath.phase(c - b))

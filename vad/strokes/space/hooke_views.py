@@ -260,7 +260,7 @@ class _Views:
         self._draw("PQ.line", "construction", "", line, "PQ", link="cross", parts=parts)
         self._draw("T.found", "intersection", "T", Dot(at), "T")
         self._draw("T.projector", "construction", "", Curve((at, below)), "T below")
-        self._draw("T.plan", "intersection", "T", Dot(below), "T plan")
+        self._draw("T.plan", "intersection", "", Dot(below), "T plan")  # beside Q there is no room
         way = (below - PLAN) / abs(below - PLAN)
         shape = Curve((PLAN - AXIS * way, PLAN + AXIS * way))
         self._draw("OT.line", "construction", "", shape, "OT", link="cross")

@@ -72,10 +72,6 @@ class SphericalScene(SceneInSpace):
         return (Cell(symbol, getattr(part, quantity), unit, key == "crank"),)
 
     def rows(self, diagrams: Sequence[Diagram]) -> list[Row]:
-        """Return the rows of the results, each with the axis about which it turns."""
-        return [
-            replace(
-                row, title=self.say("spherical at", part=self.language.name(_BODIES[row.key][0]))
-            )
-            for row in super().rows(diagrams)
-        ]
+        """Return the rows of the results, each with its axis."""
+        names = self.language.name
+        return [replace(row, title=names(_BODIES[row.key][0])) for row in super().rows(diagrams)]

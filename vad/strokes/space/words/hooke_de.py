@@ -73,7 +73,7 @@ PHRASES = {
 }
 
 NAMES = {
-    "Hooke's joint": "Kreuzgelenk",
+    "Hooke’s joint": "Kreuzgelenk",
     "driving": "Antriebswelle",
     "driven": "Abtriebswelle",
     "cross": "Kreuz",

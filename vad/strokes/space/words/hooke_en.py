@@ -69,7 +69,6 @@ PHRASES = {
 }
 
 NAMES = {
-    "Hooke's joint": "Hooke’s joint",
     "driving": "driving shaft",
     "driven": "driven shaft",
     "shaft_angle": "shaft angle",

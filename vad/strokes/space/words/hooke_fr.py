@@ -75,7 +75,7 @@ PHRASES = {
 }
 
 NAMES = {
-    "Hooke's joint": "Joint de Cardan",
+    "Hooke’s joint": "Joint de Cardan",
     "driving": "arbre moteur",
     "driven": "arbre mené",
     "cross": "croisillon",

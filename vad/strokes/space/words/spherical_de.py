@@ -1,7 +1,6 @@
 """Was der Lehrer zum sphärischen Viergelenk und zu Plänen von Körpern sagt, auf Deutsch."""
 
 PHRASES = {
-    "spherical at": "{part}, bei",
     # Lageplan
     "spherical along": "längs {axis}",
     "spherical outline": (

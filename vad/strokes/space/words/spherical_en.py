@@ -1,7 +1,6 @@
 """What the teacher says of the spherical four-bar and of polygons of bodies, in English."""
 
 PHRASES = {
-    "spherical at": "{part}, at",
     # position
     "spherical along": "along {axis}",
     "spherical outline": (

@@ -1,7 +1,6 @@
 """Ce que dit le professeur du quadrilatère sphérique et des polygones de corps, en français."""
 
 PHRASES = {
-    "spherical at": "{part}, en",
     # position
     "spherical along": "suivant {axis}",
     "spherical outline": (

@@ -1,0 +1,121 @@
+"""The ball-jointed four-bar on the board: what the strokes measure is what the solver finds."""
+
+from __future__ import annotations
+
+import cmath
+from typing import Any
+
+import numpy as np
+import pytest
+
+import vad
+from vad.strokes.sheet import Arrow, Line, Panel
+from vad.strokes.space.balls_seen import Seen
+
+SLANTED = vad.RSSR(
+    ground=100.0, crank=40.0, coupler=120.0, rocker=80.0,
+    ground_twist=40.0, crank_offset=30.0, rocker_offset=-20.0,
+)  # fmt: skip
+MECHANISMS = [vad.RSSR(), SLANTED, vad.RSSR(assembly="crossed")]
+ANGLES = [0.0, 75.0, 160.0, 290.0]
+poses = pytest.mark.parametrize(
+    "motion",
+    [vad.solve(kind, angle=angle, alpha=5.0) for kind in MECHANISMS for angle in ANGLES],
+    ids=lambda motion: f"{motion.mechanism.assembly}-{motion.inputs['angle']:g}",
+)
+
+
+def arrows(panel: Panel) -> dict[str, complex]:
+    """Return every vector that is drawn or left out, by its name."""
+    strokes = (*panel.strokes, *panel.zeros)
+    shapes = {stroke.name: stroke.shape for stroke in strokes}
+    return {n: s.end - s.start for n, s in shapes.items() if isinstance(s, Arrow)}
+
+
+@poses
+def test_velocities(motion: Any) -> None:
+    """Along the path and across BC all is measured true; the rest is what leads off the paper."""
+    drawn, seen = arrows(vad.draw(motion).panel("velocity")), Seen(motion)
+    b, c = motion.point("B").velocity, motion.point("C").velocity
+    assert abs(drawn["DC.tangential"]) == pytest.approx(np.linalg.norm(c), rel=1e-12)
+    assert seen.depth(c) == pytest.approx(0.0, abs=1e-9 * np.linalg.norm(c))
+    relative = abs(drawn["BC.tangential"]) ** 2 + seen.depth(b) ** 2
+    assert relative == pytest.approx((c - b) @ (c - b), rel=1e-12)
+    sides = drawn["AB.tangential"] + drawn["BC.tangential"], drawn["DC.tangential"]
+    assert sides[0] == pytest.approx(sides[1], rel=1e-12)
+
+
+@poses
+def test_accelerations(motion: Any) -> None:
+    drawn, seen = arrows(vad.draw(motion).panel("acceleration")), Seen(motion)
+    rocker, sizes = motion.link("rocker"), motion.mechanism.parameters()
+    relative = motion.point("C").velocity - motion.point("B").velocity
+    normal = relative @ relative / sizes["coupler"]
+    assert abs(drawn["BC.normal"]) == pytest.approx(normal, rel=1e-12)
+    tangential = abs(rocker.alpha) * sizes["rocker"]
+    assert abs(drawn["DC.tangential"]) == pytest.approx(tangential, rel=1e-12)
+    for point, name in (("B", "AB"), ("C", "DC")):
+        whole = seen.third(motion.point(point).acceleration)
+        parts = drawn[f"{name}.normal"] + drawn[f"{name}.tangential"]
+        assert parts == pytest.approx(complex(whole), rel=1e-11)
+
+
+@poses
+def test_lines_run_as_in_the_third_view(motion: Any) -> None:
+    sheet = vad.draw(motion)
+    bars = arrows(sheet.panel("position"))
+    shapes = {stroke.name: stroke.shape for stroke in sheet.panel("velocity").strokes}
+    across, path = shapes["BC.line"], shapes["DC.line"]
+    assert isinstance(across, Line) and isinstance(path, Line)
+    along = bars["BC.third"] / abs(bars["BC.third"])
+    assert (across.direction * along.conjugate()).real == pytest.approx(0.0, abs=1e-12)
+    # The angle between BC and the path is true.
+    b, c = motion.point("B").position, motion.point("C").position
+    cosine = (c - b) @ motion.point("C").velocity
+    cosine /= np.linalg.norm(c - b) * np.linalg.norm(motion.point("C").velocity)
+    turned = cmath.phase(path.direction / along)
+    assert abs(np.cos(turned)) == pytest.approx(abs(cosine), abs=1e-12)
+
+
+@poses
+def test_circles_are_in_true_size(motion: Any) -> None:
+    bars, sizes = arrows(vad.draw(motion).panel("position")), motion.mechanism.parameters()
+    assert abs(bars["AB.bar"]) == pytest.approx(sizes["crank"], rel=1e-12)
+    assert abs(bars["DC.front"]) == pytest.approx(sizes["rocker"], rel=1e-12)
+    for name in ("AB", "BC", "DC"):
+        above, below = bars[f"{name}.front"], bars["AB.bar" if name == "AB" else f"{name}.top"]
+        assert above.real == pytest.approx(below.real, abs=1e-9)  # one straight over the other
+    assert cmath.phase(bars["DC.front"]) % cmath.tau == pytest.approx(
+        np.radians(motion.link("rocker").angle), abs=1e-12
+    )
+
+
+@pytest.mark.parametrize("language", ["en", "de", "fr"])
+def test_strokes_have_the_same_names_in_every_pose(language: str) -> None:
+    names = set()
+    for angle in (*ANGLES, 95.5):
+        for omega in (0.0, 10.0):
+            sheet = vad.draw(vad.solve(vad.RSSR(), angle=angle, omega=omega), language=language)
+            names.add(
+                tuple(
+                    tuple(sorted(stroke.name for stroke in (*panel.strokes, *panel.zeros)))
+                    for panel in sheet.panels
+                )
+            )
+            said = [stroke.caption for panel in sheet.panels for stroke in panel.strokes]
+            assert all(said) and not any("{" in caption for caption in said)
+    assert len(names) == 1
+
+
+def test_without_twist_the_polygon_is_the_four_bars() -> None:
+    """Turned into the third view, letter by letter."""
+    sizes = {"ground": 100.0, "crank": 40.0, "coupler": 120.0, "rocker": 80.0}
+    flat = vad.solve(vad.RSSR(**sizes, ground_twist=0.0, crank_offset=0.0, rocker_offset=0.0))
+    plane = vad.solve(vad.FourBar(**sizes))
+    for name in ("velocity", "acceleration"):
+        mine, other = (arrows(vad.draw(motion).panel(name)) for motion in (flat, plane))
+        turn = mine["DC.tangential"] / other["DC.tangential"]
+        assert abs(turn) == pytest.approx(1.0)
+        assert mine.keys() == other.keys()
+        for vector, value in mine.items():
+            assert value == pytest.approx(turn * other[vector], abs=1e-8)
