@@ -15,6 +15,7 @@ from PIL import Image
 from pypdf import PdfReader
 from starlette.testclient import TestClient
 
+from tests.kinds import SPACE
 from vad.cli.run import run
 from vad.errors import VadError
 from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion, read
@@ -64,7 +65,7 @@ def test_a_pose_is_short_and_whole(client: TestClient, name, parameters):
         "/api/pose", json={**question, "scales": second["scales"], "ways": second["ways"]}
     )
     for answer in (first, again):
-        assert len(answer.content) <= 15_000
+        assert len(answer.content) <= (20_000 if name in SPACE else 15_000)  # curves, two views
         data = answer.json()
         names = [name for name, _, _ in data["panels"]]
         assert names == ["position", "velocity", "acceleration"]

@@ -18,7 +18,7 @@ from vad.painting.svg.set_text import SetText
 from vad.plan.format import Format
 from vad.plan.items import Item
 from vad.plan.marks import Outline
-from vad.strokes.sheet import Sheet
+from vad.strokes.sheet import BELOW, Sheet
 from vad.strokes.words import describe, title
 from vad.style import Look
 
@@ -89,7 +89,8 @@ class SvgPainter:
         if not item.stroke:
             return
         self._open = True
-        first = item.region == item.stroke.partition(":")[0] and item.stroke not in self._begun
+        home = item.stroke.partition(":")[0].removesuffix(BELOW)
+        first = item.region == home and item.stroke not in self._begun
         if first:
             self._begun.add(item.stroke)
         name = escape(item.stroke)

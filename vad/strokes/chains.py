@@ -67,8 +67,7 @@ def _parts(
     """Return the components of a step."""
     step, motion = vector.step, scene.motion
     found = scalar_of(step) in unknowns
-    square_to = scene.letters(step) if isinstance(step, Bar) else None
-    along = "" if square_to else scene.say("parallel", line=scene.line(cast(Slide, step)))
+    label, square_to = _line(scene, step) if found else ("", None)
     parts = []
     for component in motion.frame.components(step, motion.pose, scene.orders(order)):
         direction = scene.heading(component.direction)
@@ -83,11 +82,19 @@ def _parts(
             component="absolute" if scene.is_guide(step) else component.name,
             stage="z" if coriolis else _stage(scene, vector, found, order),
             dictated=scene.drives(step) and not coriolis,  # Coriolis needs a link that is found
-            label=f"⟂ {square_to}" if square_to else along,
+            label=label,
             square_to=square_to,
         )
         parts.append(part)
     return parts
+
+
+def _line(scene: Scene, step: Step) -> tuple[str, str | None]:
+    """Return the label of a step's construction line, and what that is perpendicular to."""
+    if isinstance(step, Slide):
+        return scene.say("parallel", line=scene.line(step)), None
+    square_to = scene.letters(step)
+    return f"⟂ {square_to}", square_to
 
 
 def _stage(scene: Scene, vector: StepVector, found: bool, order: int) -> str:

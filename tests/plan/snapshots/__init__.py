@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, assert_never
 
 import vad
+from tests.kinds import SPACE
 from vad.lecture.lesson import Lesson
 from vad.painting.posed import board_of
 from vad.plan.board import plan
@@ -64,8 +65,11 @@ def _turn(scene: str) -> Iterable[str]:
         yield from written(board.shown(frame))
 
 
-#: Their turns show nothing that those of others do not.
-STANDING = {"crank-slotted-lever", "whitworth", "four-bar-crossed", "slider-crank-offset"}
+#: Their turns show nothing that those of others do not, and of space stills and lessons tell.
+STANDING = {
+    *("crank-slotted-lever", "whitworth", "four-bar-crossed", "slider-crank-offset"),
+    *SPACE,
+}
 #: The kinds of picture; a lesson is at 16:9, a still at 4:3.
 KINDS: dict[str, Callable[[str], Iterable[str]]] = {
     "lesson": _lesson,

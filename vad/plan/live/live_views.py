@@ -56,7 +56,7 @@ class LiveViews:
     def resized(self, setting: Setting, before: Scale | None) -> LiveViews:
         """Return it with other dimensions; it keeps the scale of the pose before while it fits."""
         scale = calm_scale(setting.panel, setting.room, before or self.scale)
-        return replace(self, moving=self.moving.resized(setting, scale))
+        return replace(self, moving=self.moving.resized(setting, replace(scale, bare=True)))
 
     def pose(self, setting: Setting, ways: Ways) -> tuple[Sketch, dict[str, float]]:
         """Return the mechanism in one pose, and where its labels stand."""

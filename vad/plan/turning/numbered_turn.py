@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from vad.lecture.turn import Turn
 from vad.plan.format import Format
 from vad.plan.items import Item, Level
-from vad.plan.labels.obstacles import PIXEL
+from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import Placed, belongs, beside, fan
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import ink_size
@@ -32,6 +32,8 @@ DIRECTIONS, ON_ONE_SIDE = 16, 5  # tried about a position; of a straight way
 _STEP = 1e-3  # of the cycle: so far on, a way shows its direction
 _AT_REST = 1e-5  # on the page, in that time
 
+Spot = tuple[str, int, complex]
+
 
 class NumberedTurn(TurnBoard):
     """A turn that stands still; position 1 is where the driver passes 0°."""
@@ -42,11 +44,11 @@ class NumberedTurn(TurnBoard):
         super().__init__(turn, form)
         shares = [number / POSITIONS for number in range(POSITIONS)]
         items = [*self.unmoved]
-        for panel in turn.sheet.halves:
-            moving = self.panels[panel.name]
-            sketch = moving.pose(panel, 0.0)
-            _number(sketch, moving, shares)
-            items += lasting(sketch)
+        for panel in turn.sheet.panels:
+            halves = [(self.panels[half.name], half) for half in panel.halves]
+            pairs = [(moving.pose(half, 0.0), moving) for moving, half in halves]
+            _number(pairs, shares)
+            items += [item for sketch, _ in pairs for item in lasting(sketch)]
             if panel.picture != "vectors" and self.clock:
                 items.append(self.item(panel.name, self.clock.marks()))
         ticks = [(share, f"{number}") for number, share in enumerate([*shares, 1.0], 1)]
@@ -61,8 +63,23 @@ class NumberedTurn(TurnBoard):
         return self._shown
 
 
-def _number(sketch: Sketch, moving: MovingPanel, shares: Sequence[float]) -> None:
+def _number(column: Sequence[tuple[Sketch, MovingPanel]], shares: Sequence[float]) -> None:
     """Add the positions of all points that move, each with its number where there is room.
+
+    Of two polygons in a column, each keeps clear of the other.
+    """
+    first = column[0][0].obstacles
+    for sketch, _ in column[1:]:
+        first.lines += sketch.obstacles.lines
+        first.boxes += sketch.obstacles.boxes
+        sketch.obstacles = Obstacles(sketch.obstacles.edge, first.lines, first.boxes)
+    dotted = [_add_dots(sketch, moving, shares) for sketch, moving in column]
+    for (sketch, moving), spots in zip(column, dotted, strict=True):
+        _add_numerals(sketch, moving.hodographs, shares, spots)
+
+
+def _add_dots(sketch: Sketch, moving: MovingPanel, shares: Sequence[float]) -> list[Spot]:
+    """Add the positions, and return the letter of each, its number and its place.
 
     A point that is seen twice is numbered in its first view.
     """
@@ -78,11 +95,17 @@ def _number(sketch: Sketch, moving: MovingPanel, shares: Sequence[float]) -> Non
     for mark in ways.still(moving.ways):
         for piece in mark.shape.pieces:  # type: ignore[union-attr]
             obstacles.line(piece, 0.0)
-    dots: list[Mark] = []
-    for letter, _, at in spots:
-        dots.append(disc(at, DOT, "position", ways.row(letter)))
+    for _, _, at in spots:
         obstacles.disc(at, DOT)
-    numerals: list[Mark] = []
+    dots = [disc(at, DOT, "position", ways.row(letter)) for letter, _, at in spots]
+    sketch.add(None, Level.GLOW, 0, dots)
+    return spots
+
+
+def _add_numerals(
+    sketch: Sketch, ways: Hodographs, shares: Sequence[float], spots: Sequence[Spot]
+) -> None:
+    obstacles, numerals = sketch.obstacles, list[Mark]()
     for letter, number, at in spots:
         runs = roman(str(number))
         box = ink_size(runs, NUMERAL)
@@ -100,7 +123,6 @@ def _number(sketch: Sketch, moving: MovingPanel, shares: Sequence[float]) -> Non
             centre = centres[int(free.argmax())]
             obstacles.box(Placed(centre, *box).box)
             numerals.append(text_at(runs, runs, centre, NUMERAL, "numeral", ways.row(letter)))
-    sketch.add(None, Level.GLOW, 0, dots)
     sketch.add(None, Level.LABEL, 0, numerals)
 
 
