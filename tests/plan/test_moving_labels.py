@@ -74,8 +74,9 @@ def test_no_number_meets_a_stroke_a_letter_or_another_number(name: str):
     for column in sheet.panels:
         marks = [m for item in shown if item.region == column.name for m in item.marks]
         halves = [(here.panels[half.name], half) for half in column.halves]
-        first, *others = [panel.picture.pose(half).obstacles for panel, half in halves]
-        strokes = Obstacles(first.edge, [line for each in (first, *others) for line in each.lines])
+        drawn = [panel.picture.pose(half).obstacles for panel, half in halves]
+        room = here.page.panels[column.name].drawing
+        strokes = Obstacles(room, [line for each in drawn for line in each.lines])
         for way in (mark.shape for mark in marks if mark.role == "hodograph"):
             assert isinstance(way, Polyline)
             for piece in way.pieces:
