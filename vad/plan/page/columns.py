@@ -83,7 +83,8 @@ class Columns:
         left, right = self._places[panel]
         baseline, dressed = self._page.rows[index], self._entries.dressed
         cells = row.cells.get(panel, ())
-        bare = self._need(cells, new) > right - left and self._alike(cells, panel)
+        tight = len(cells) > 1 and self._need(cells, new) > right - left
+        bare = tight and self._alike(cells, panel)
         values = [dressed(cell, new, self._reading(cell, bare)) for cell in cells]
         signs = [dressed(cell, new, _sign(cell)) for cell in cells]
         need = self._need(cells, new, bare)
