@@ -122,8 +122,8 @@ def test_the_scale_is_that_of_the_ball_and_is_not_stated():
 
 def test_the_notes_are_written_near_what_they_say():
     sketch = planned(sheet_of_views()).sketches["position"]
-    front, above = sketch.tags[-2:]
-    assert (front.text, above.text) == ("seen from the front", "from above")
+    tags = {tag.text: tag for tag in sketch.tags}
+    front, above = tags["seen from the front"], tags["from above"]
     assert front.box.centre.imag > sketch.scale(0j).imag
     assert above.box.centre.imag < sketch.scale(-1.5j).imag
 
