@@ -24,6 +24,8 @@ from vad.export.sweep.ranges import largest, limits, unwrapped
 from vad.export.sweep.results import Column, Curves, Results
 from vad.kinematics.motion import Motions, solve
 from vad.kinematics.solver import Solver
+from vad.plan.lettering.glyphs import width
+from vad.plan.lettering.runs import roman
 from vad.strokes.language import Language
 from vad.strokes.scene import Scene
 from vad.style import Style, load_style
@@ -40,6 +42,8 @@ _SYMBOLS = {
 }
 _LINE = 110  # characters of the smallest type on one line
 _NOTHING = 1e-9
+#: The type of names at the ends of curves, and the gap before them.
+_NAME, _NAME_GAP = 0.026, 0.01
 _ORDERS = 3
 _RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 #: Ticks of an angle stand at 15°, 30°, 45°, 60°, 90° …, all others at round numbers.
@@ -120,7 +124,9 @@ def _curves(figure: Figure, results: Results, symbols: Mapping[str, str], style:
     ]
     drawn = [group for group in groups if group]
     plots = figure.subplots(_ORDERS, len(drawn), sharex=True, squeeze=False)
-    figure.subplots_adjust(0.09, 0.085, 0.885, 0.775, wspace=0.60, hspace=0.40)
+    names = [_plain(row) for row in drawn[-1]]
+    right = min(0.885, 0.98 - _NAME_GAP - max(_share(width(roman(name), _NAME)) for name in names))
+    figure.subplots_adjust(0.09, 0.085, right, 0.775, wspace=0.60, hspace=0.40)
     spin = largest([row.columns[1] for row in results.turning])
     for group, column in zip(drawn, plots.T, strict=True):
         size = largest([row.columns[0] for row in group])
@@ -140,7 +146,7 @@ def _curves(figure: Figure, results: Results, symbols: Mapping[str, str], style:
                 known = np.flatnonzero(np.isfinite(y))
                 if known.size:
                     ends.append(Ending(_name(row), ink, y[known[-1]]))
-            name_ends(plot, ends, _points(0.026))
+            name_ends(plot, ends, _points(_NAME))
         _input_axis(column[-1], results)
 
 
@@ -186,11 +192,19 @@ def _points(share: float) -> float:
     return share * _SIZE[1] * 72.0 / _DPI
 
 
+def _share(size: float) -> float:
+    """Return a fraction of the picture's height as one of its width."""
+    return size * _SIZE[1] / _SIZE[0]
+
+
 def _name(row: Curves) -> str:
     """Return a row's name with its letters in italics: rod BC, slider B."""
+    return f"{_plain(row).removesuffix(row.letters)}$\\mathit{{{row.letters}}}$"
+
+
+def _plain(row: Curves) -> str:
     name, letters = _ENGLISH.name(row.name), f" {row.letters}"
-    name = name.removesuffix(letters).removesuffix(letters.lower())
-    return f"{name} $\\mathit{{{row.letters}}}$"
+    return name.removesuffix(letters).removesuffix(letters.lower()) + letters
 
 
 def _unit(name: str) -> str:
