@@ -71,8 +71,9 @@ def _reported(kind: type[Mechanism]) -> str:
     """Say what the results are called."""
     links = [f"`{name}` {ends}" for name, ends in kind.links.items()]
     slides = [f"`{name}` at {point}" for name, point in kind.slides.items()]
+    joints = [f"`{letter}`, {between}" for letter, between in kind.joints.items()]
     points = [f"`{letter}`" for letter in kind.letters]
-    named = {"Links": links, "Slides": slides, "Points": points}
+    named = {"Links": links, "Joints": joints, "Slides": slides, "Points": points}
     return " · ".join(f"{what}: {', '.join(each)}" for what, each in named.items() if each) + "."
 
 
