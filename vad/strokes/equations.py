@@ -56,6 +56,12 @@ def equation(loop: Loop, first: Side, second: Side) -> Equation:
     return Equation(tuple(left or nothing), tuple(right or nothing))
 
 
+def of_chains(first: Side, second: Side) -> Equation:
+    """Return ``first = second`` of chains whose vectors all run with them."""
+    nothing = [Term("0", None, None)]
+    return Equation(tuple(first.forward() or nothing), tuple(second.forward() or nothing))
+
+
 def of_position(scene: Scene, loop: Loop, strokes: Sequence[Stroke]) -> Equation:
     """Return the equation of a loop of the mechanism itself as drawn, a ground link added."""
     fixed = scene.motion.frame.fixed

@@ -83,11 +83,13 @@ class Part(Generic[V]):
     stage
         The vertex at which it ends, where that is not the vector's own head: cₙ.
     dictated
-        Whether the driver alone gives it.
+        Whether it comes before all else: the driver alone gives it, or the polygon above.
     label, square_to
         What is written beside its construction line, and what that is perpendicular to.
     symbol
         What is written beside its vector; nothing for the letters of its ends.
+    called
+        What its stroke is called, where its vector and its own name do not say it.
     """
 
     of: V
@@ -101,11 +103,12 @@ class Part(Generic[V]):
     label: str = ""
     square_to: str | None = None
     symbol: str = ""
+    called: str = ""
 
     @property
     def stroke_name(self) -> str:
         """What the stroke that draws it is called: ``AB.normal``."""
-        return f"{self.of.name}.{self.name}"
+        return self.called or f"{self.of.name}.{self.name}"
 
     @property
     def reverse(self) -> bool:

@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vad.strokes.diagram import Drawing
+from vad.strokes.equations import of_chains
 from vad.strokes.pencil import Pencil
 from vad.strokes.player import Player
 from vad.strokes.scene import image_letter
-from vad.strokes.sheet import Equation, Term
 from vad.strokes.space.balls_said import BallWords
 from vad.strokes.space.balls_seen import TILT, Seen
 from vad.strokes.vector_equations import Chain, Part, Vector, VectorEquation
@@ -45,12 +45,10 @@ def polygon(scene: SceneInSpace, order: int) -> Drawing:
     pencil.begin(words.pole(pencil.resting), tuple(scene.headings) if pencil.resting else ())
     player: Player[Vector] = Player(pencil)
     first, second = player.play(equation)
-    none = [Term("0", None, None)]
-    sums = Equation(tuple(first.side.forward() or none), tuple(second.side.forward() or none))
     return Drawing(
         tuple(pencil.strokes),
         tuple(pencil.zeros),
-        () if pencil.resting else (sums,),
+        () if pencil.resting else (of_chains(first.side, second.side),),
         loops=tuple(player.begins),
         remark=scene.language.say("balls remark"),
     )

@@ -14,22 +14,12 @@ from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.numbers import fold
 from vad.strokes.diagram import Drawing
-from vad.strokes.figures import Figure, Unit
-from vad.strokes.sheet import (
-    Arc,
-    Arrow,
-    Curve,
-    Dot,
-    Equation,
-    Kind,
-    Note,
-    Shape,
-    Stroke,
-    Term,
-)
+from vad.strokes.figures import Figure
+from vad.strokes.sheet import Arc, Arrow, Curve, Dot, Equation, Kind, Note, Term
 from vad.strokes.space.balls_said import length_of
 from vad.strokes.space.balls_seen import TILT, Seen, layout
-from vad.written import subscript, with_unit
+from vad.strokes.space.views_pen import ViewsPen
+from vad.written import subscript
 
 if TYPE_CHECKING:
     from vad.strokes.space.scene_in_space import SceneInSpace
@@ -60,13 +50,13 @@ def views(scene: SceneInSpace) -> Drawing:
     return _Views(scene).drawing()
 
 
-class _Views:
+class _Views(ViewsPen):
+    topic = "balls"
+
     def __init__(self, scene: SceneInSpace) -> None:
-        self.scene = scene
+        super().__init__(scene)
         self.seen, self.layout = Seen(scene.motion), layout(scene.motion.mechanism)
-        self.sizes = scene.motion.mechanism.parameters()
         self.at = {name: complex(at) for name, at in tracks(scene).items()}
-        self.strokes: list[Stroke] = []
 
     def drawing(self) -> Drawing:
         self._crank()
@@ -74,85 +64,66 @@ class _Views:
         self._coupler()
         self._below()
         self._third()
-        return Drawing(
-            tuple(self.strokes), equations=(_EQUATION,), picture="views", notes=self._notes()
-        )
-
-    def _draw(
-        self,
-        name: str,
-        kind: Kind,
-        shape: Shape,
-        phrase: str,
-        label: str = "",
-        parts: Mapping[str, object] = {},  # never changed
-        **more: Any,
-    ) -> None:
-        caption = self.scene.say(f"balls {phrase}", **parts)
-        self.strokes.append(Stroke(kind, label, shape, caption, name=name, **more))
+        return self.finished(_EQUATION, self._notes())
 
     def _bar(
         self, name: str, tail: str, head: str, link: str, kind: Kind, phrase: str, **more: Any
     ) -> None:
         shape = Arrow(self.at[tail], self.at[head], tail[0], head[0])
-        self._draw(name, kind, shape, phrase, link=link, component="link", **more)
+        self.draw(name, kind, "", shape, phrase, link, True, **more)
 
     def _crank(self) -> None:
         """Draw the crank as it is seen along its axis."""
         centre, radius = self.at["A.top"], self.sizes["crank"]
-        angle = Figure(float(self.scene.motion.link("crank").angle), "°", given=True)
-        self._draw("A.fixed", "fixed", Dot(centre), "A", "A")
-        self._draw("B.path", "known", _circle(centre, radius), "crank path", link="crank")
-        parts = {"size": self._length("crank"), "angle": angle, "unit": Unit(self.scene.unit)}
-        self._bar("AB.bar", "A.top", "B.top", "crank", "known", "crank", parts=parts)
+        angle = self.given(float(self.scene.motion.link("crank").angle))
+        self.draw("A.fixed", "fixed", "A", Dot(centre), "A")
+        self.draw("B.path", "known", "", _circle(centre, radius), "crank path", link="crank")
+        parts = {"size": self.length("crank"), "angle": angle}
+        self._bar("AB.bar", "A.top", "B.top", "crank", "known", "crank", **parts)
         arc = Arc(centre, ANGLE * radius, 0.0, angle.value)
-        label = with_unit(self.scene.figures.place(angle), "°")
-        self._draw("AB.angle", "angle", arc, "crank angle", label, link="crank")
+        self.draw("AB.angle", "angle", self.degrees(angle), arc, "crank angle", link="crank")
 
     def _rocker(self) -> None:
         """Draw what is known as it is seen along D's axis: the circle of C, and B."""
-        self._draw("D.fixed", "fixed", Dot(self.at["D"]), "D", "D")
+        self.draw("D.fixed", "fixed", "D", Dot(self.at["D"]), "D")
         low, high = self.layout.swing
         arc = [low - FARTHER, min(high + FARTHER, low + 360.0 - FARTHER)]
         shape = _circle(self.at["D"], self.sizes["rocker"], *arc)
-        self._draw("C.path", "known", shape, "rocker path", link="rocker")
-        self._draw("A.front", "fixed", Dot(self.at["A"]), "A front", "A")
+        self.draw("C.path", "known", "", shape, "rocker path", link="rocker")
+        self.draw("A.front", "fixed", "A", Dot(self.at["A"]), "A front")
         shape = Curve((self.at["B.top"], self.at["B"]))
-        self._draw("B.projector", "construction", shape, "B front")
+        self.draw("B.projector", "construction", "", shape, "B front")
         self._bar("AB.front", "A", "B", "crank", "known", "AB front")
 
     def _coupler(self) -> None:
         """Find C where the circles meet, and draw coupler and rocker."""
         b, c, unit = self.at["B"], self.at["C"], self.scene.unit
         height = float((self.seen.at("B") - self.seen.at("D")) @ self.seen.d)
-        off, size = Figure(abs(height), unit), self._length("coupler")
+        off, size = Figure(abs(height), unit), self.length("coupler")
         reach = Figure(abs(c - b), unit)
         self.scene.figures.leg(reach, replace(size, power=2), replace(off, power=2))
-        parts: dict[str, object] = {
+        parts: dict[str, Any] = {
             "height": off,
             "side": self.scene.say("balls ahead" if height > 0.0 else "balls behind"),
             "size": size,
             "reach": reach,
-            "unit": Unit(unit),
         }
         middle = math.degrees(cmath.phase(c - b))
         arc = Arc(b, abs(c - b), middle - COMPASS, 2 * COMPASS, c)
-        self._draw("BC.compass", "construction", arc, "compass", link="coupler", parts=parts)
-        self._draw("C.found", "intersection", Dot(c), "C", "C", link="rocker")
+        self.draw("BC.compass", "construction", "", arc, "compass", link="coupler", **parts)
+        self.draw("C.found", "intersection", "C", Dot(c), "C", link="rocker")
         self._bar("BC.front", "B", "C", "coupler", "result", "BC front")
         angle, theta = float(self.scene.motion.link("rocker").angle), "θ" + subscript(4)
         parts = {"theta": theta, "angle": Figure(angle, "°")}
-        self._bar(
-            "DC.front", "D", "C", "rocker", "result", "rocker", parts=parts, reveals=("rocker",)
-        )
+        self._bar("DC.front", "D", "C", "rocker", "result", "rocker", **parts, reveals=("rocker",))
         arc = Arc(self.at["D"], SMALL * self.sizes["rocker"], 0.0, fold(angle))
-        self._draw("DC.angle", "angle", arc, "rocker angle", theta, link="rocker")
+        self.draw("DC.angle", "angle", theta, arc, "rocker angle", link="rocker")
 
     def _below(self) -> None:
         """Draw coupler and rocker as they are seen along A's axis."""
         shape = Curve((self.at["C"], self.at["C.top"]))
-        self._draw("C.projector", "construction", shape, "C top")
-        self._draw("D.top", "fixed", Dot(self.at["D.top"]), "D top", "D")
+        self.draw("C.projector", "construction", "", shape, "C top")
+        self.draw("D.top", "fixed", "D", Dot(self.at["D.top"]), "D top")
         self._bar("DC.top", "D.top", "C.top", "rocker", "result", "DC top")
         self._bar("BC.top", "B.top", "C.top", "coupler", "result", "BC top")
 
@@ -161,10 +132,10 @@ class _Views:
         self._bar("BC.third", "B.third", "C.third", "coupler", "result", "BC third")
         onward = ONWARD * (self.at["C.third"] - self.at["B.third"])
         edge = Curve((self.at["B.third"] - 1j * onward, self.at["B.third"] + 1j * onward))
-        self._draw("B.plane", "construction", edge, "plane", link="coupler")
+        self.draw("B.plane", "construction", "", edge, "plane", link="coupler")
         way = abs(onward) * complex(self.seen.third(self.seen.path))
         line = Curve((self.at["C.third"] - way, self.at["C.third"] + way))
-        self._draw("C.line", "construction", line, "line", link="rocker")
+        self.draw("C.line", "construction", "", line, "line", link="rocker")
 
     def _notes(self) -> tuple[Note, ...]:
         """Say from where each view is seen."""
@@ -177,7 +148,8 @@ class _Views:
             Note(self.layout.place + (TILT + 0.3) * third, say("balls third") + small),
         )
 
-    def _length(self, name: str) -> Figure:
+    def length(self, name: str) -> Figure:
+        """Return a parameter that is a length."""
         return length_of(self.scene, name)
 
 

@@ -13,21 +13,10 @@ from typing import TYPE_CHECKING, Any
 
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure
-from vad.strokes.sheet import (
-    Arc,
-    Arrow,
-    Bearing,
-    Curve,
-    Dot,
-    Equation,
-    Line,
-    Note,
-    Shape,
-    Stroke,
-    Term,
-)
+from vad.strokes.sheet import Arc, Arrow, Bearing, Curve, Dot, Equation, Line, Note, Term
 from vad.strokes.space.scene_in_space import SceneInSpace
-from vad.written import PRIME, subscript, with_unit
+from vad.strokes.space.views_pen import ViewsPen
+from vad.written import PRIME, subscript
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import MotionInSpace
@@ -95,9 +84,11 @@ def views(scene: SceneInSpace) -> Drawing:
     return _Views(scene).drawing()
 
 
-class _Views:
+class _Views(ViewsPen):
+    topic = "hooke"
+
     def __init__(self, scene: SceneInSpace) -> None:
-        self.scene = scene
+        super().__init__(scene)
         motion = scene.motion
         self.shafts = shafts_of(motion)
         self.theta2 = float(motion.link("driving").angle)
@@ -105,7 +96,6 @@ class _Views:
         self.p, self.q = pins(motion)
         #: From O along shaft 4, away from it, in the plan.
         self.away = 1j * cmath.exp(1j * self.shafts)
-        self.strokes: list[Stroke] = []
 
     def drawing(self) -> Drawing:
         self._frame()
@@ -116,103 +106,67 @@ class _Views:
         self._cut()
         say = self.scene.language.say
         notes = Note(AXIS + 1.2j, say("hooke along")), Note(PLAN + AXIS - 1j, say("hooke plan"))
-        return Drawing(
-            tuple(self.strokes), equations=(self._equation(),), picture="views", notes=notes
-        )
-
-    def _draw(
-        self, name: str, kind: str, label: str, shape: Shape, phrase: str, **more: Any
-    ) -> None:
-        parts = more.pop("parts", {})
-        caption = self.scene.say(f"hooke {phrase}", **parts)
-        stroke = Stroke(kind, label, shape, caption, name=name, **more)  # type: ignore[arg-type]
-        self.strokes.append(stroke)
+        return self.finished(self._equation(), notes)
 
     def _frame(self) -> None:
         """Draw shafts and bearings in the plan, and the lines of reference of the front view."""
         for shaft, link, way in (("2", "driving", -1j), ("4", "driven", self.away)):
             shape = Curve((PLAN + END * way, PLAN + BACK * way))
-            self._draw(
-                f"{shaft}.shaft",
-                "known",
-                shaft,
-                shape,
-                f"shaft {shaft}",
-                link=link,
-                component="link",
-            )
+            name, phrase = f"{shaft}.shaft", f"shaft {shaft}"
+            self.draw(name, "known", shaft, shape, phrase, link, body=True)
             bearing = Bearing(PLAN + BEARING * way, way)
-            parts = {"shaft": shaft}
-            self._draw(f"{shaft}.bearing", "fixed", "", bearing, "bearing", parts=parts)
+            self.draw(f"{shaft}.bearing", "fixed", "", bearing, "bearing", shaft=shaft)
         upright = (AXIS * 1j, PLAN - AXIS * 1j)
         tilted = (PLAN - 0.35 * self.away, PLAN + AXIS * self.away)
         axes = Curve((*upright, *tilted), breaks=(2,))
-        self._draw("shafts.axes", "guide", "", axes, "axes")
-        given = self._given(math.degrees(self.shafts))
+        self.draw("shafts.axes", "guide", "", axes, "axes")
+        given = self.given(math.degrees(self.shafts))
         arc = Arc(PLAN, SHAFTS, 90.0, math.degrees(self.shafts))
-        label = self._degrees(given)
-        self._draw("shafts.angle", "angle", label, arc, "angle", parts={"angle": given})
-        self._draw("O.fixed", "fixed", "", Dot(0j), "O")
-        self._draw("plane.axis", "guide", "", Curve((-AXIS + 0j, AXIS + 0j)), "plane")
+        label = self.degrees(given)
+        self.draw("shafts.angle", "angle", label, arc, "angle", angle=given)
+        self.draw("O.fixed", "fixed", "", Dot(0j), "O")
+        self.draw("plane.axis", "guide", "", Curve((-AXIS + 0j, AXIS + 0j)), "plane")
 
     def _pin_p(self) -> None:
         """Draw the circle of P, its arm and its angle."""
-        self._draw("P.circle", "known", "", Curve(_ellipse(1.0)), "circle", link="driving")
-        given, p = self._given(self.theta2), complex(front(self.p))
-        arm, parts = Arrow(-p, p, "", "P"), {"angle": given}
-        self._draw("OP.arm", "known", "", arm, "OP", link="cross", component="link", parts=parts)
+        self.draw("P.circle", "known", "", Curve(_ellipse(1.0)), "circle", link="driving")
+        given, p = self.given(self.theta2), complex(front(self.p))
+        arm = Arrow(-p, p, "", "P")
+        self.draw("OP.arm", "known", "", arm, "OP", link="cross", body=True, angle=given)
         arc = Arc(0j, DRIVING, 0.0, self.theta2)
-        self._draw("P.angle", "angle", self._degrees(given), arc, "theta 2", link="driving")
+        self.draw("P.angle", "angle", self.degrees(given), arc, "theta 2", link="driving")
 
     def _pin_q(self) -> None:
         """Draw the ellipse of Q, find Q on it, and turn it into the view."""
         q, cosine = complex(front(self.q)), math.cos(self.shafts)
-        given = self._given(math.degrees(self.shafts))
+        given = self.given(math.degrees(self.shafts))
         ellipse = Curve(_ellipse(cosine))
-        parts: dict[str, object] = {"angle": given}
-        self._draw("Q.ellipse", "construction", "", ellipse, "ellipse", link="driven", parts=parts)
+        self.draw("Q.ellipse", "construction", "", ellipse, "ellipse", link="driven", angle=given)
         line = Line(0j, q / abs(q), q, "OP")
-        self._draw("OQ.line", "construction", "", line, "OQ", link="cross")
-        self._draw("Q.found", "intersection", "Q", Dot(q), "Q", link="driven")
+        self.draw("OQ.line", "construction", "", line, "OQ", link="cross")
+        self.draw("Q.found", "intersection", "Q", Dot(q), "Q", link="driven")
         arm = Arrow(-q, q, "", "Q")
-        self._draw("OQ.arm", "result", "", arm, "arm", link="cross", component="link")
+        self.draw("OQ.arm", "result", "", arm, "arm", link="cross", body=True)
         turned = 1j * cmath.exp(1j * math.radians(self.theta4))
-        self._draw("Q.turned", "construction", "", Curve((q, turned)), "turned", link="driven")
+        self.draw("Q.turned", "construction", "", Curve((q, turned)), "turned", link="driven")
         arc, theta = Arc(0j, DRIVEN, 90.0, self.theta4), "θ" + subscript(4)
-        parts = {"theta": theta, "value": Figure(self.theta4, "°"), "ratio": self._ratio(given)}
-        self._draw(
-            "Q.angle",
-            "angle",
-            theta,
-            arc,
-            "theta 4",
-            link="driven",
-            parts=parts,
-            reveals=("driven",),
-        )
+        parts: dict[str, Any] = {"theta": theta, "value": Figure(self.theta4, "°")}
+        parts["ratio"] = self._ratio(given)
+        self.draw("Q.angle", "angle", theta, arc, "theta 4", "driven", False, ("driven",), **parts)
 
     def _plan(self) -> None:
         """Draw the cross in the plan."""
         p, q = complex(front(self.p)), complex(front(self.q))
         below_p, below_q = (PLAN + complex(plan(pin)) for pin in (self.p, self.q))
         shape = Curve((p, below_p, q, below_q), breaks=(2,))
-        self._draw("PQ.projectors", "construction", "", shape, "projectors")
+        self.draw("PQ.projectors", "construction", "", shape, "projectors")
         at_p, at_q = (Figure(float(angle), "°") for angle in swings(self.scene))
-        parts = {"at_p": at_p, "at_q": at_q}
+        parts: dict[str, Any] = {"at_p": at_p, "at_q": at_q}
         for letter, below in (("P", below_p), ("Q", below_q)):
             arm = Arrow(2 * PLAN - below, below, "", letter)
             number, shown = ("3", ("cross",)) if letter == "Q" else ("", ())
-            self._draw(
-                f"{letter}.plan",
-                "result",
-                number,
-                arm,
-                f"{letter} plan",
-                link="cross",
-                component="link",
-                parts=parts,
-                reveals=shown,
-            )
+            name, phrase = f"{letter}.plan", f"{letter} plan"
+            self.draw(name, "result", number, arm, phrase, "cross", True, shown, **parts)
 
     def _yokes(self) -> None:
         """Draw the yokes, in the plan and as they are seen along shaft 2."""
@@ -222,31 +176,13 @@ class _Views:
         ):
             letter = "P" if shaft == "2" else "Q"
             end = complex(plan(pin))
-            arms = [PLAN + end, PLAN + end + BACK * way, PLAN - end + BACK * way, PLAN - end]
-            parts = {"shaft": shaft, "pin": letter}
-            self._draw(
-                f"{shaft}.yoke",
-                "result",
-                "",
-                Curve(tuple(arms)),
-                "yoke",
-                link=link,
-                component="link",
-                parts=parts,
-            )
+            yoke = PLAN + end, PLAN + end + BACK * way, PLAN - end + BACK * way, PLAN - end
+            more: dict[str, Any] = {"link": link, "body": True, "shaft": shaft}
+            self.draw(f"{shaft}.yoke", "result", "", Curve(yoke), "yoke", pin=letter, **more)
             own = self.theta2 if shaft == "2" else 90.0 + self.theta4
             fork = [_on_ellipse(width, own + by) for by in (-FORK, 0.0, FORK)]
             shape = Curve((*fork, *(-z for z in fork)), breaks=(3,))
-            self._draw(
-                f"{shaft}.fork",
-                "result",
-                "",
-                shape,
-                "fork",
-                link=link,
-                component="link",
-                parts={"shaft": shaft},
-            )
+            self.draw(f"{shaft}.fork", "result", "", shape, "fork", **more)
 
     def _cut(self) -> None:
         """Find the line in which the plane of the cross cuts that of the shafts."""
@@ -256,31 +192,24 @@ class _Views:
         other, second = ("Q" + PRIME, -1) if self.p[0] >= 0.0 else ("Q", 1)
         start, end = first * complex(front(self.p)), second * complex(front(self.q))
         line = Line(start, (end - start) / abs(end - start), end)
-        parts = {"one": one, "other": other}
-        self._draw("PQ.line", "construction", "", line, "PQ", link="cross", parts=parts)
-        self._draw("T.found", "intersection", "T", Dot(at), "T")
-        self._draw("T.projector", "construction", "", Curve((at, below)), "T below")
-        self._draw("T.plan", "intersection", "", Dot(below), "T plan")  # beside Q there is no room
+        self.draw("PQ.line", "construction", "", line, "PQ", "cross", one=one, other=other)
+        self.draw("T.found", "intersection", "T", Dot(at), "T")
+        self.draw("T.projector", "construction", "", Curve((at, below)), "T below")
+        self.draw("T.plan", "intersection", "", Dot(below), "T plan")  # beside Q there is no room
         way = (below - PLAN) / abs(below - PLAN)
         shape = Curve((PLAN - AXIS * way, PLAN + AXIS * way))
-        self._draw("OT.line", "construction", "", shape, "OT", link="cross")
+        self.draw("OT.line", "construction", "", shape, "OT", link="cross")
 
     def _equation(self) -> Equation:
         """Return tan θ₄ = tan θ₂ / cos 30°."""
-        ratio = self._ratio(self._given(math.degrees(self.shafts)))
+        ratio = self._ratio(self.given(math.degrees(self.shafts)))
         left = Term(f"tan θ{subscript(4)}", "driven", "Q.angle")
         return Equation((left,), (Term(ratio, "driving", "P.angle"),))
 
     def _ratio(self, shafts: Figure) -> str:
         """Write what tan θ₄ is."""
-        tangent = self._degrees(self._given(self.theta2))
-        return f"tan {tangent} / cos {self._degrees(shafts)}"
-
-    def _given(self, degrees: float) -> Figure:
-        return Figure(degrees, "°", given=True)
-
-    def _degrees(self, figure: Figure) -> str:
-        return with_unit(self.scene.figures.place(figure), "°")
+        tangent = self.degrees(self.given(self.theta2))
+        return f"tan {tangent} / cos {self.degrees(shafts)}"
 
 
 def _ellipse(width: float) -> tuple[complex, ...]:

@@ -6,27 +6,29 @@ four-bar; below is A as a point of the rocker: relative to the crank, and about 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from vad.strokes.diagram import Drawing
+from vad.strokes.equations import of_chains
 from vad.strokes.figures import Figure, Unit
-from vad.strokes.sheet import Component, Kind
-from vad.strokes.space.hand import Hand, Spot
+from vad.strokes.pencil import Pencil
+from vad.strokes.player import Player
+from vad.strokes.sheet import Component
+from vad.strokes.space.body_words import TURNED
 from vad.strokes.space.screw_rates import ScrewRates
-from vad.written import MINUS, PRIME, per_second, subscript
+from vad.strokes.vector_equations import Chain, Part, Vector, VectorEquation
+from vad.written import MINUS, per_second, subscript
 
 if TYPE_CHECKING:
     from vad.strokes.space.scene_in_space import SceneInSpace
 
-DOT = "\N{COMBINING DOT ABOVE}"
 #: Quantities by their order: of 4 against 2, of A along I, and of the slide at D.
 RELATIVE = {1: "ω" + subscript(42), 2: "α" + subscript(42) + "ₜ"}
 ALONG_I = {1: "v" + subscript(42), 2: "a" + subscript(42)}
 ALONG_D = {1: "ṡ_D", 2: "s\N{COMBINING DIAERESIS}_D"}
-#: What ω₄₂ changes by as it turns with OI.
-TURNED = RELATIVE[1] + "τ" + DOT
 
 
 def polygons(scene: SceneInSpace, order: int) -> Drawing:
@@ -36,8 +38,14 @@ def polygons(scene: SceneInSpace, order: int) -> Drawing:
     return replace(upper.drawing(), below=lower.drawing())
 
 
-class _Half:
-    """What both polygons have: a hand, vertices, and the lines along I and D."""
+class _Half(ABC):
+    """What both polygons have: vertices, the lines along I and D, and what is said of them.
+
+    ``found`` are the rates that the crossing finds, by their rows; ``lines`` are the phrases of the
+    lines along I and D.
+    """
+
+    lines: ClassVar[Mapping[str, str]]
 
     def __init__(
         self,
@@ -45,85 +53,115 @@ class _Half:
         rates: ScrewRates,
         order: int,
         unit: str,
-        spots: dict[str, complex],
+        spots: Mapping[str, complex],
+        found: Mapping[str, float],
     ) -> None:
         self.scene, self.rates, self.order, self.unit = scene, rates, order, unit
-        self.spots: list[Spot] = list(spots.items())
-        longest = max(abs(at) for at in spots.values())
-        self.hand = Hand(scene, order, longest, unit)
+        self.spots, self.found = spots, found
+        self.i, self.d = complex(rates.i), complex(rates.d)
+        self.longest = max(map(abs, spots.values()))
         self.panel = ("velocity", "acceleration")[order - 1]
 
-    def pole(self, phrase: str, *letters: Spot) -> None:
-        """Begin with the pole."""
-        spots = tuple(self.spots) if self.hand.resting else letters
-        self.hand.pole(spots, f"{phrase} {self.panel}")
+    def play(self, equation: VectorEquation[Vector], fixed: list[str], pole: str) -> Drawing:
+        """Draw an equation from the pole on, where the ``fixed`` vertices are."""
+        place, resting = self.spots.__getitem__, self.longest == 0.0
+        at_pole = list(self.spots) if resting else fixed
+        pencil: Pencil[Vector] = Pencil(self, place, self.longest, at_pole)
+        rows = tuple(self.scene.headings) if resting else ()
+        pencil.begin(self.scene.say("still" if resting else f"{pole} {self.panel}"), rows)
+        first, second = Player(pencil).play(equation)
+        sums = () if resting else (of_chains(first.side, second.side),)
+        return Drawing(tuple(pencil.strokes), tuple(pencil.zeros), sums)
 
     def figure(self, value: float, unit: str = "", given: bool = False) -> Figure:
         """Return a number in a caption."""
         return Figure(float(value), unit or self.unit, given)
 
-    def lines(self, first: Spot, second: Spot, end: Spot, phrases: tuple[str, str]) -> None:
-        """Draw the line along I through one vertex and that along D through another."""
-        ways = complex(self.rates.i), complex(self.rates.d)
-        for spot, way, letter, key, phrase in zip(
-            (first, second), ways, "ID", ("axis", "rocker"), phrases, strict=True
-        ):
-            place = self.scene.say("the pole") if spot[0] in ("1", "1" + PRIME) else spot[0]
-            said = self.scene.say(phrase, point=place, meeting=end[0], axis="O" + letter)
-            self.hand.line(f"{letter}.line", "O" + letter, spot, way, end[1], key, said)
+    def laid(self, vector: Vector, way: complex, component: Component, **more: Any) -> Part[Vector]:
+        """Return a vector that is known beforehand, along a unit vector."""
+        value = self.spots[vector.head] - self.spots[vector.tail]
+        return Part(vector, component, value, way, False, component, vector.head, **more)
 
-    def known(
-        self, name: str, kind: Kind, label: str, ends: tuple[Spot, Spot], key: str, caption: str
-    ) -> None:
-        """Lay a known vector across I or D."""
-        self.hand.vector(name, kind, label, ends, key, caption, "normal")
+    def along(
+        self, letter: str, tail: str, head: str, component: Component, **more: Any
+    ) -> Part[Vector]:
+        """Return what the crossing finds along I or D."""
+        way, row = {"I": (self.i, "axis"), "D": (self.d, "rocker")}[letter]
+        vector, value = Vector(letter, tail, head, row), self.spots[head] - self.spots[tail]
+        more["label"] = self.scene.say("parallel", line="O" + letter)
+        return Part(vector, component, value, way, True, component, head, **more)
+
+    @abstractmethod
+    def known(self, label: str, part: Part[Vector]) -> str:
+        """Work out a vector that is known before the crossing."""
+
+    def line(self, part: Part[Vector], point: str, meeting: str) -> str:
+        """Say why the next vertex lies on the line along I or D."""
+        letter, pole = part.of.name, next(iter(self.spots))
+        place = self.scene.say("the pole") if part.of.tail == pole else point
+        phrase = self.lines[letter].format(self.panel)
+        return self.scene.say(phrase, point=place, meeting=meeting, axis="O" + letter)
+
+    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[Vector], str]]) -> str:
+        """Say what lies where the two lines cross."""
+        return self.scene.say("crossing", letter=letter)
+
+    def measured(self, label: str, part: Part[Vector]) -> str:
+        """Measure a result off the polygon."""
+        value, unit = self.figure(self.found[part.of.owner]), Unit(self.unit)
+        return self.scene.say(
+            "turning measured", label=label, symbol=part.symbol, value=value, unit=unit
+        )
+
+    def whole(self, label: str, size: float, vector: Vector) -> str:
+        """Say nothing: no sum is drawn beside its parts."""
+        return ""
 
 
 class _Turning(_Half):
     """The polygon 1 2 4 of angular velocities or accelerations."""
 
+    lines: ClassVar = {"I": "bodies line 24 {}", "D": "bodies line 14"}
+
     def __init__(self, scene: SceneInSpace, rates: ScrewRates, order: int) -> None:
         spots = {letter: complex(at) for letter, at in rates.turning(order).items()}
-        super().__init__(scene, rates, order, ("rad/s", "rad/s²")[order - 1], spots)
+        found = {"axis": float(rates.about_i(order)[0]), "rocker": float(rates.of_rocker(order))}
+        super().__init__(scene, rates, order, ("rad/s", "rad/s²")[order - 1], spots, found)
 
     def drawing(self) -> Drawing:
         """Draw 1 2, the lines, 4, and measure 2 4 and 1 4."""
-        hand, order, unit = self.hand, self.order, Unit(self.unit)
         one, two, *turned, four = self.spots
-        letter = "ωα"[order - 1]
-        first = [one] if order == 1 or hand.shows(two[1]) else [one, two]
-        self.pole("bodies pole", *first)
-        symbol, value = letter + subscript(2), self.figure(self.rates.of_crank(order), given=True)
-        label = one[0] + two[0]
-        caption = self.scene.say(
-            "bodies given", label=label, symbol=symbol, axis="OA", value=value, unit=unit
-        )
-        hand.vector("12", "known", symbol, (one, two), "crank", caption)
-        along, across = map(float, self.rates.about_i(order))
-        begin = two
+        letter = "ωα"[self.order - 1]
+        symbols = {body: letter + subscript(body) for body in (2, 4)}
+        a, across = complex(self.rates.a), 1j * self.i
+        crank, begin = Vector("12", one, two, "crank"), turned[0] if turned else two
+        first = [self.laid(crank, a, "absolute", dictated=True, symbol=symbols[2], called="12")]
         if turned:
-            begin = turned[0]
-            self.known("24.normal", "known", TURNED, (two, begin), "axis", self._turned(across))
-        self.lines(begin, one, four, (f"bodies line 24 {self.panel}", "bodies line 14"))
-        found = {"axis": along, "rocker": float(self.rates.of_rocker(order))}
-        hand.cross("4.crossing", four, found)
-        component: Component = "relative" if order == 1 else "tangential"
-        hand.measure("24", RELATIVE[order], (begin, four), "axis", along, component, ("axis",))
-        hand.measure(
-            "14", letter + subscript(4), (one, four), "rocker", found["rocker"], reveals=("rocker",)
-        )
-        relative = ("24",) if order == 1 else ("24.normal", "24")
-        return hand.drawing((("12", *relative), ("14",)))
+            turning = Vector("24", two, begin, "axis", lettered=False)
+            first.append(self.laid(turning, across, "normal", symbol=TURNED))
+        component: Component = "tangential" if turned else "relative"
+        symbol = RELATIVE[self.order]
+        first.append(self.along("I", begin, four, component, symbol=symbol, called="24"))
+        last = self.along("D", one, four, "absolute", symbol=symbols[4], called="14")
+        return self.play(VectorEquation(_chain(*first), _chain(last), "4"), [one], "bodies pole")
 
-    def _turned(self, across: float) -> str:
+    def known(self, label: str, part: Part[Vector]) -> str:
+        """Work out how the crank turns, or how ω₄₂ turns with OI."""
+        if part.of.owner == "axis":
+            return self._turned(label)
+        value = self.figure(self.rates.of_crank(self.order), given=True)
+        parts = {"label": label, "symbol": part.symbol, "value": value, "unit": Unit(self.unit)}
+        return self.scene.say("bodies given", axis="OA", **parts)
+
+    def _turned(self, label: str) -> str:
         """Say how ω₄₂ turns with OI."""
         omega, _, tau, _ = (abs(float(rate)) for rate in self.rates.moving)
         factors = self.figure(omega, "rad/s"), self.figure(tau, "rad/s")
-        value = self.figure(abs(across))
+        value = self.figure(abs(float(self.rates.about_i(self.order)[1])))
         self.scene.figures.product(value, *factors)
         return self.scene.say(
             "bodies turned frame",
-            label=f"2{PRIME}4ₙ",
+            label=label,
             symbol=RELATIVE[1],
             omega=factors[0],
             tau=factors[1],
@@ -135,25 +173,32 @@ class _Turning(_Half):
 class _Sliding(_Half):
     """The polygon of A as a point of the rocker."""
 
+    lines: ClassVar = {"I": "spatial along I {}", "D": "spatial along D {}"}
+
     def __init__(self, scene: SceneInSpace, rates: ScrewRates, order: int) -> None:
         spots = {letter: complex(at) for letter, at in rates.sliding(order).items()}
-        super().__init__(scene, rates, order, per_second(scene.unit, order), spots)
+        found = {"axis": float(rates.of_a(order)[0]), "rocker": float(rates.along_d(order))}
+        super().__init__(scene, rates, order, per_second(scene.unit, order), spots, found)
 
     def drawing(self) -> Drawing:
         """Draw both ways to A, across and along I, across and along d."""
-        hand, order, rates = self.hand, self.order, self.rates
         a, d, y, z, end = self.spots
-        self.pole("spatial pole", *(spot for spot in self.spots[:-1]))
-        self.known("ay", "known", a[0] + y[0], (a, y), "axis", self._about_i(a[0] + y[0]))
-        self.known("dz", "known", d[0] + z[0], (d, z), "rocker", self._about_d(d[0] + z[0]))
-        phrases = f"spatial along I {self.panel}", f"spatial along D {self.panel}"
-        self.lines(y, z, end, phrases)
-        along, slid = float(rates.of_a(order)[0]), float(rates.along_d(order))
-        hand.cross("a4.crossing", end, {"axis": along, "rocker": slid})
-        hand.measure("ya4", ALONG_I[order], (y, end), "axis", along, "sliding", ("axis",))
-        hand.measure("za4", ALONG_D[order], (z, end), "rocker", slid, "sliding", ("rocker",))
-        drawing = hand.drawing((("ay", "ya4"), ("dz", "za4")))
+        about_i, about_d = Vector("ay", a, y, "axis"), Vector("dz", d, z, "rocker")
+        symbols = ALONG_I[self.order], ALONG_D[self.order]
+        first = _chain(
+            self.laid(about_i, 1j * self.i, "normal", dictated=True, called="ay"),
+            self.along("I", y, end, "sliding", symbol=symbols[0], called="ya4"),
+        )
+        second = _chain(
+            self.laid(about_d, 1j * self.d, "normal", dictated=True, called="dz"),
+            self.along("D", z, end, "sliding", symbol=symbols[1], called="za4"),
+        )
+        drawing = self.play(VectorEquation(first, second, "a4"), [a, d], "spatial pole")
         return replace(drawing, unit=self.unit)
+
+    def known(self, label: str, part: Part[Vector]) -> str:
+        """Work out how A turns about I or D."""
+        return self._about_i(label) if part.of.owner == "axis" else self._about_d(label)
 
     def _about_d(self, label: str) -> str:
         """Say how A turns with the rocker about D."""
@@ -189,3 +234,9 @@ class _Sliding(_Half):
             sign = MINUS if each.value < 0.0 else "+"
             text += f" {sign} {self.scene.figures.place(replace(each, value=abs(each.value)))}"
         return text
+
+
+def _chain(*parts: Part[Vector]) -> Chain[Vector]:
+    """Return the chain of vectors of one part each."""
+    start, end = parts[0].of.tail, parts[-1].of.head
+    return Chain(start, end, tuple(part.of for part in parts), parts)

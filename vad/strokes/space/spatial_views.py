@@ -14,27 +14,13 @@ from typing import Any
 import numpy as np
 
 from vad.strokes.diagram import Drawing
-from vad.strokes.figures import Figure, Unit
-from vad.strokes.sheet import (
-    Arc,
-    Arrow,
-    Bearing,
-    Block,
-    Component,
-    Curve,
-    Dot,
-    Equation,
-    Kind,
-    Note,
-    Shape,
-    Stroke,
-    Term,
-)
+from vad.strokes.figures import Figure
+from vad.strokes.sheet import Arc, Arrow, Bearing, Block, Curve, Dot, Equation, Note, Term
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.strokes.space.screw_rates import ScrewRates
 from vad.strokes.space.spatial_places import Places, points, reach_of, seen
+from vad.strokes.space.views_pen import ViewsPen
 from vad.strokes.vector_equations import NOTHING
-from vad.written import with_unit
 
 #: Lengths as shares of the mechanism's reach: axes beyond their points, shafts beyond sleeves.
 AXIS, SHAFT, BEARING = 0.13, 0.06, 0.10
@@ -52,11 +38,13 @@ def views(scene: SceneInSpace) -> Drawing:
     return _Views(scene).drawing()
 
 
-class _Views:
+class _Views(ViewsPen):
+    topic = "spatial"
+
     def __init__(self, scene: SceneInSpace) -> None:
-        self.scene, self.places = scene, Places(scene.motion)
+        super().__init__(scene)
+        self.places = Places(scene.motion)
         self.rates = ScrewRates(scene.motion)
-        self.sizes = scene.motion.mechanism.parameters()
         self.at = {letter: complex(seen(at)) for letter, at in self.places.at.items()}
         low, high = reach_of(scene.motion.mechanism)
         self.reach = max((high - low).real, (high - low).imag)
@@ -64,8 +52,6 @@ class _Views:
         self.star = complex(low.real + RAY * self.reach, top)
         self.rose = complex(high.real - RAY * self.reach, top - ROSE * self.reach)
         self.theta2 = float(scene.motion.link("crank").angle)
-        self.strokes: list[Stroke] = []
-        self.zeros: list[Stroke] = []
 
     def drawing(self) -> Drawing:
         """Draw step after step."""
@@ -80,41 +66,7 @@ class _Views:
             Note(self.star + (NOTE - 0.8j * RAY) * self.reach, say("spatial star")),
             Note(self.rose - NOTE * self.reach, say("spatial rose")),
         )
-        equation = self._equation()
-        return Drawing(
-            tuple(self.strokes),
-            tuple(self.zeros),
-            equations=(equation,),
-            picture="views",
-            notes=notes,
-            unit=self.scene.unit,
-        )
-
-    def _draw(
-        self,
-        name: str,
-        kind: Kind,
-        label: str,
-        shape: Shape,
-        phrase: str,
-        link: str | None = None,
-        body: bool = False,
-        reveals: tuple[str, ...] = (),
-        **parts: Any,
-    ) -> None:
-        caption = self.scene.say(f"spatial {phrase}", unit=Unit(self.scene.unit), **parts)
-        component: Component | None = "link" if body else None
-        stroke = Stroke(
-            kind,
-            label,
-            shape,
-            caption,
-            link,
-            component,
-            reveals=reveals,
-            name=name,
-        )
-        self.strokes.append(stroke)
+        return self.finished(self._equation(), notes)
 
     def _line(self, at: Any, way: Any, *ends: float) -> Curve:
         """Return a straight line in space by shares of the reach along it."""
@@ -127,57 +79,57 @@ class _Views:
     def _frame(self) -> None:
         """Draw the fixed axes with their common normal, the joint at A and the sleeve at D."""
         places, at = self.places, self.at
-        size, twist = self._size("ground"), self._angle("ground_twist")
-        self._draw("a.axis", "guide", "", self._line(places.at["A"], places.a, -AXIS, AXIS), "a")
-        self._draw("d.axis", "guide", "", self._line(places.at["D"], places.d, -AXIS, AXIS), "d")
+        size, twist = self.length("ground"), self.angle("ground_twist")
+        self.draw("a.axis", "guide", "", self._line(places.at["A"], places.a, -AXIS, AXIS), "a")
+        self.draw("d.axis", "guide", "", self._line(places.at["D"], places.d, -AXIS, AXIS), "d")
         ground = Curve((at["A"], at["D"]))
-        self._draw("AD.ground", "guide", "", ground, "AD", size=size, twist=twist)
+        self.draw("AD.ground", "guide", "", ground, "AD", size=size, twist=twist)
         middle = complex(seen(places.at["A"] - BEARING * self.reach * places.a))
         shaft = self._line(places.at["A"], places.a, -BEARING - SHAFT, 0.0)
-        self._draw("A.shaft", "known", "", shaft, "shaft", link="crank", body=True)
-        self._draw("A.bearing", "fixed", "", Bearing(middle, self._way(places.a)), "bearing")
-        self._draw("A.fixed", "fixed", "A", Dot(at["A"]), "A")
+        self.draw("A.shaft", "known", "", shaft, "shaft", link="crank", body=True)
+        self.draw("A.bearing", "fixed", "", Bearing(middle, self._way(places.a)), "bearing")
+        self.draw("A.fixed", "fixed", "A", Dot(at["A"]), "A")
         sleeve = Block(at["D"], self._way(places.d))
-        self._draw("D.sleeve", "fixed", "", sleeve, "D sleeve")
-        self._draw("D.fixed", "fixed", "D", Dot(at["D"]), "D")
+        self.draw("D.sleeve", "fixed", "", sleeve, "D sleeve")
+        self.draw("D.fixed", "fixed", "D", Dot(at["D"]), "D")
 
     def _crank(self) -> None:
         """Draw the crank, its axis b with the sleeve, and its angle in a rose."""
         places, at = self.places, self.at
-        angle = Figure(self.theta2, "°", given=True)
+        angle = self.given(self.theta2)
         crank = Arrow(at["A"], at["B"], "A", "B")
-        self._draw(
+        self.draw(
             "AB.crank",
             "known",
             "",
             crank,
             "crank",
-            link="crank",
-            body=True,
-            size=self._size("crank"),
+            "crank",
+            True,
+            size=self.length("crank"),
             angle=angle,
         )
         radius = ROSE * self.reach
         pin = self.rose + radius * cmath.exp(1j * math.radians(self.theta2))
         circle = Curve(tuple(self.rose + radius * each for each in _CIRCLE))
-        self._draw("rose.circle", "known", "", circle, "circle", link="crank")
+        self.draw("rose.circle", "known", "", circle, "circle", link="crank")
         reference = Curve((self.rose, self.rose + 1.5 * radius))
-        self._draw("rose.reference", "guide", "", reference, "reference")
+        self.draw("rose.reference", "guide", "", reference, "reference")
         arm = Arrow(self.rose, pin, "", "")
-        self._draw("rose.crank", "known", "", arm, "true", link="crank", body=True)
+        self.draw("rose.crank", "known", "", arm, "true", link="crank", body=True)
         arc = Arc(self.rose, 1.3 * radius, 0.0, self.theta2)
-        label = with_unit(self.scene.figures.place(angle), "°")
-        self._draw("rose.angle", "angle", label, arc, "angle", link="crank", angle=angle)
+        label = self.degrees(angle)
+        self.draw("rose.angle", "angle", label, arc, "angle", link="crank", angle=angle)
         axis = self._line(places.at["B"], places.b, -AXIS, AXIS)
-        twist = self._angle("crank_twist")
-        self._draw("b.axis", "guide", "", axis, "b", twist=twist)
+        twist = self.angle("crank_twist")
+        self.draw("b.axis", "guide", "", axis, "b", twist=twist)
         sleeve = Block(at["B"], self._way(places.b))
-        self._draw("B.sleeve", "known", "", sleeve, "B sleeve", link="crank")
+        self.draw("B.sleeve", "known", "", sleeve, "B sleeve", link="crank")
 
     def _directions(self) -> None:
         """Draw the directions of a, d and I in a star, and what has been found by them."""
         twists: dict[str, Any] = {
-            name: self._angle(f"{name}_twist") for name in ("ground", "crank", "coupler", "rocker")
+            name: self.angle(f"{name}_twist") for name in ("ground", "crank", "coupler", "rocker")
         }
         ray = RAY * self.reach
         for letter, way, key, phrase in (
@@ -185,15 +137,15 @@ class _Views:
             ("D", self.rates.d, "rocker", "true directions"),
         ):
             shape = Curve((self.star, self.star + ray * complex(way)))
-            self._draw(f"star.{letter}", "known", "O" + letter, shape, phrase, link=key, **twists)
+            self.draw(f"star.{letter}", "known", "O" + letter, shape, phrase, link=key, **twists)
         tau = Figure(self.rates.axis.tau, "°")
         shape = Curve((self.star, self.star + ray * complex(self.rates.i)))
-        self._draw("star.I", "construction", "OI", shape, "I", link="axis", tau=tau)
+        self.draw("star.I", "construction", "OI", shape, "I", link="axis", tau=tau)
 
     def _slides(self) -> None:
         """Draw what the directions tell: axis c and the lengths that close the loop."""
         places = self.places
-        self._draw("c.axis", "guide", "", self._line(places.at["C"], places.c, -AXIS, AXIS), "c")
+        self.draw("c.axis", "guide", "", self._line(places.at["C"], places.c, -AXIS, AXIS), "c")
         slide, unit = self.scene.motion.slide, self.scene.unit
         values: dict[str, Any] = {
             letter: Figure(float(slide(f"slide_{letter}").position), unit) for letter in "bcd"
@@ -205,9 +157,9 @@ class _Views:
         ):
             shape = Curve((complex(seen(start)), complex(seen(end))))
             name, label = f"{letter}.slide", f"s_{letter}"
-            self._draw(name, "result", label, shape, f"slides {letter}", key, **values)
+            self.draw(name, "result", label, shape, f"slides {letter}", key, **values)
             if abs(values[letter.lower()].value) <= NOTHING * self.reach:
-                self.zeros.append(_bare(self.strokes.pop()))
+                self.leave_out()
 
     def _bodies(self) -> None:
         """Ink coupler and rocker, each with the shafts on which it slides."""
@@ -215,10 +167,10 @@ class _Views:
         begin = _beyond(places.coupler_b, places.at["B"], places.b, SHAFT * reach)
         coupler = [begin, places.coupler_b, places.at["C"]]
         shape = Curve(tuple(complex(seen(at)) for at in coupler))
-        size = self._size("coupler")
-        self._draw("BC.coupler", "result", "", shape, "coupler", "axis", body=True, size=size)
+        size = self.length("coupler")
+        self.draw("BC.coupler", "result", "", shape, "coupler", "axis", body=True, size=size)
         sleeve = Block(self.at["C"], self._way(places.c))
-        self._draw("C.sleeve", "result", "", sleeve, "C sleeve", "axis")
+        self.draw("C.sleeve", "result", "", sleeve, "C sleeve", "axis")
         ends = (
             _beyond(places.rocker_c, places.at["C"], places.c, SHAFT * reach),
             _beyond(places.rocker_d, places.at["D"], places.d, SHAFT * reach),
@@ -226,7 +178,7 @@ class _Views:
         rocker = [ends[0], places.rocker_c, places.rocker_d, ends[1]]
         theta = Figure(float(self.scene.motion.link("rocker").angle), "°")
         shape = Curve(tuple(complex(seen(at)) for at in rocker))
-        self._draw(
+        self.draw(
             "DC.rocker",
             "result",
             "",
@@ -235,18 +187,18 @@ class _Views:
             "rocker",
             body=True,
             reveals=("rocker",),
-            size=self._size("rocker"),
+            size=self.length("rocker"),
             theta=theta,
         )
-        self._draw("C.found", "intersection", "C", Dot(self.at["C"]), "C", "axis")
+        self.draw("C.found", "intersection", "C", Dot(self.at["C"]), "C", "axis")
 
     def _screw(self) -> None:
         """Draw the axis I through H."""
         places = self.places
         height = Figure(float(self.rates.height), self.scene.unit)
         axis = self._line(places.at["H"], places.i, -AXIS, AXIS)
-        self._draw("I.axis", "construction", "I", axis, "screw", "axis")
-        self._draw(
+        self.draw("I.axis", "construction", "I", axis, "screw", "axis")
+        self.draw(
             "H.found", "intersection", "H", Dot(self.at["H"]), "H", reveals=("axis",), height=height
         )
 
@@ -272,12 +224,6 @@ class _Views:
             ),
         )
 
-    def _size(self, name: str) -> Figure:
-        return Figure(self.sizes[name], self.scene.unit, given=True)
-
-    def _angle(self, name: str) -> Figure:
-        return Figure(self.sizes[name], "°", given=True)
-
 
 _CIRCLE = tuple(cmath.exp(1j * math.tau * k / 72) for k in range(73))
 
@@ -286,9 +232,3 @@ def _beyond(foot: Any, sleeve: Any, way: Any, by: float) -> Any:
     """Return where a shaft ends that goes from a foot through its sleeve."""
     slid = float(np.dot(sleeve - foot, way))
     return sleeve + math.copysign(by, slid) * way
-
-
-def _bare(stroke: Stroke) -> Stroke:
-    return Stroke(
-        stroke.kind, stroke.label, stroke.shape, "", stroke.link, stroke.component, name=stroke.name
-    )

@@ -16,21 +16,11 @@ import numpy as np
 
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure
-from vad.strokes.sheet import (
-    Arc,
-    Arrow,
-    Bearing,
-    Curve,
-    Dot,
-    Equation,
-    Note,
-    Shape,
-    Stroke,
-    Term,
-)
+from vad.strokes.sheet import Arc, Arrow, Bearing, Curve, Dot, Equation, Kind, Note, Term
 from vad.strokes.space.body_rates import rates_on_sphere
 from vad.strokes.space.scene_in_space import SceneInSpace
-from vad.written import subscript, with_unit
+from vad.strokes.space.views_pen import ViewsPen
+from vad.written import subscript
 
 #: Where the roses are and what is said of them, how large they are, and how far their line of
 #: reference goes.
@@ -56,16 +46,16 @@ def views(scene: SceneInSpace) -> Drawing:
     return _Views(scene).drawing()
 
 
-class _Views:
+class _Views(ViewsPen):
+    topic = "spherical"
+
     def __init__(self, scene: SceneInSpace) -> None:
-        self.scene = scene
+        super().__init__(scene)
         self.rates = rates_on_sphere(scene.motion)
         self.at = {letter: complex(z) for letter, z in tracks(scene).items()}
-        self.arcs = scene.motion.mechanism.parameters()
         self.theta2, self.theta4 = (
             float(scene.motion.link(name).angle) for name in ("crank", "rocker")
         )
-        self.strokes: list[Stroke] = []
 
     def drawing(self) -> Drawing:
         """Draw step after step."""
@@ -82,47 +72,36 @@ class _Views:
             (Term("AB", "crank", "AB.arc"), Term("BC", "B", "BC.arc")),
             (Term("AD", None, "AD.arc"), Term("DC", "rocker", "DC.arc")),
         )
-        strokes = tuple(self.strokes)
-        return Drawing(strokes, equations=(equation,), picture="views", notes=notes)
-
-    def _draw(
-        self, name: str, kind: str, label: str, shape: Shape, phrase: str, **more: Any
-    ) -> None:
-        parts = more.pop("parts", {})
-        caption = self.scene.say(f"spherical {phrase}", **parts)
-        stroke = Stroke(kind, label, shape, caption, name=name, **more)  # type: ignore[arg-type]
-        self.strokes.append(stroke)
+        return self.finished(equation, notes)
 
     def _frame(self) -> None:
         """Draw the sphere's outline, A and D with their shafts, and the arc between them."""
         a, d = self.at["A"], self.at["D"]
         outline = tuple(cmath.exp(1j * math.radians(90.0 + STEP * k)) for k in range(73))
-        self._draw("outline", "fixed", "", Curve(outline), "outline")
+        self.draw("outline", "fixed", "", Curve(outline), "outline")
         axes = Curve((0j, a, 0j, d), breaks=(2,))
-        self._draw("axes", "guide", "", axes, "axes")
-        self._draw("O.fixed", "fixed", "O", Dot(0j), "O")
+        self.draw("axes", "guide", "", axes, "axes")
+        self.draw("O.fixed", "fixed", "O", Dot(0j), "O")
         for letter, link, at in (("A", "crank", a), ("D", "rocker", d)):
-            shaft, parts = Curve((at, END * at)), {"letter": letter}
-            more = {"link": link, "component": "link", "parts": parts}
-            self._draw(f"{letter}.shaft", "known", "", shaft, "shaft", **more)
+            shaft = Curve((at, END * at))
+            self.draw(f"{letter}.shaft", "known", "", shaft, "shaft", link, True, letter=letter)
             bearing = Bearing(BEARING * at, at)
-            self._draw(f"{letter}.bearing", "fixed", "", bearing, "bearing", parts=parts)
-            self._draw(f"{letter}.fixed", "fixed", letter, Dot(at), "fixed", parts=parts)
+            self.draw(f"{letter}.bearing", "fixed", "", bearing, "bearing", letter=letter)
+            self.draw(f"{letter}.fixed", "fixed", letter, Dot(at), "fixed", letter=letter)
         self._arc(
-            "AD.arc", "fixed", self.rates.a, self.rates.d, "ground", size=self._arc_of("ground")
+            "AD.arc", "fixed", self.rates.a, self.rates.d, "ground", size=self.angle("ground")
         )
 
     def _crank(self) -> None:
         """Draw B's circle on edge, the crank's true angle and the crank."""
-        self._draw("B.circle", "known", "", self._edge("A", "crank"), "circle", link="crank")
-        given = Figure(self.theta2, "°", given=True)
-        label = with_unit(self.scene.figures.place(given), "°")
-        self._rose("A", "crank", self.theta2, label, {"angle": given})
-        size = self._arc_of("crank")
+        self.draw("B.circle", "known", "", self._edge("A", "crank"), "circle", link="crank")
+        given = self.given(self.theta2)
+        self._rose("A", "crank", self.theta2, self.degrees(given), {"angle": given})
+        size = self.angle("crank")
         self._arc(
             "AB.arc", "known", self.rates.a, self.rates.b, "crank", "crank", size=size, angle=given
         )
-        self._draw("B.known", "known", "B", Dot(self.at["B"]), "B", link="crank")
+        self.draw("B.known", "known", "B", Dot(self.at["B"]), "B", link="crank")
 
     def _find_c(self) -> None:
         """Draw the circles about B and D on which C lies."""
@@ -134,13 +113,12 @@ class _Views:
             foot = along * b
             return foot + math.cos(angle) * (c - foot) + math.sin(angle) * turned
 
-        parts = {"size": self._arc_of("coupler")}
         arc = self._curve(about_b, -COMPASS, COMPASS)
-        self._draw("BC.compass", "construction", "", arc, "about B", link="B", parts=parts)
-        parts = {"size": self._arc_of("rocker")}
-        edge = self._edge("D", "rocker")
-        self._draw("DC.compass", "construction", "", edge, "about D", link="rocker", parts=parts)
-        self._draw("C.found", "intersection", "C", Dot(self.at["C"]), "C", link="B")
+        size = self.angle("coupler")
+        self.draw("BC.compass", "construction", "", arc, "about B", "B", size=size)
+        edge, size = self._edge("D", "rocker"), self.angle("rocker")
+        self.draw("DC.compass", "construction", "", edge, "about D", "rocker", size=size)
+        self.draw("C.found", "intersection", "C", Dot(self.at["C"]), "C", link="B")
 
     def _links(self) -> None:
         """Ink coupler and rocker, and the rocker's true angle."""
@@ -164,10 +142,10 @@ class _Views:
             return math.cos(angle) * rates.i + math.sin(angle) * rates.j
 
         circle = self._curve(coupler, begin, 0.0)
-        self._draw("BC.circle", "construction", "", circle, "great circle", link="B")
-        self._draw("I.found", "intersection", "I", Dot(self.at["I"]), "I")
+        self.draw("BC.circle", "construction", "", circle, "great circle", link="B")
+        self.draw("I.found", "intersection", "I", Dot(self.at["I"]), "I")
         line = Curve((0j, self.at["I"]), far=((0, 1),))
-        self._draw("OI.line", "construction", "", line, "OI", link="B")
+        self.draw("OI.line", "construction", "", line, "OI", link="B")
 
     def _rose(
         self,
@@ -175,33 +153,33 @@ class _Views:
         link: str,
         angle: float,
         label: str,
-        parts: Mapping[str, object],
+        parts: Mapping[str, Any],
         reveals: tuple[str, ...] = (),
     ) -> None:
         """Draw an angle as it is seen along its axis."""
         at, bar = ROSES[letter], {"A": "AB", "D": "DC"}[letter]
-        known = "known" if letter == "A" else "construction"
+        known: Kind = "known" if letter == "A" else "construction"
         rim = tuple(at + ROSE * cmath.exp(1j * math.radians(10.0 * k)) for k in range(37))
-        more: dict[str, Any] = {"link": link, "parts": {"axis": "O" + letter}}
-        self._draw(f"{letter}.rose", known, "", Curve(rim), "rose", **more)
+        rose, axis = Curve(rim), "O" + letter
+        self.draw(f"{letter}.rose", known, "", rose, "rose", link=link, axis=axis)
         reference = Curve((at, at + REFERENCE))
-        self._draw(f"{letter}.reference", "guide", "", reference, f"reference {letter}")
+        self.draw(f"{letter}.reference", "guide", "", reference, f"reference {letter}")
         end = at + ROSE * cmath.exp(1j * math.radians(angle))
-        kind = "known" if letter == "A" else "result"
-        arrow, more = Arrow(at, end, "", ""), {"link": link, "component": "link", "parts": parts}
-        self._draw(f"{bar}.rose", kind, "", arrow, f"true {letter}", reveals=reveals, **more)
-        arc, more = Arc(at, ANGLE, 0.0, angle), {"link": link, "parts": parts}
-        self._draw(f"{bar}.angle", "angle", label, arc, f"angle {letter}", **more)
+        kind: Kind = "known" if letter == "A" else "result"
+        arrow = Arrow(at, end, "", "")
+        self.draw(f"{bar}.rose", kind, "", arrow, f"true {letter}", link, True, reveals, **parts)
+        arc = Arc(at, ANGLE, 0.0, angle)
+        self.draw(f"{bar}.angle", "angle", label, arc, f"angle {letter}", link, **parts)
 
     def _edge(self, letter: str, arc: str) -> Curve:
         """Return a circle about an axis of the frame, which is seen on edge."""
-        at, angle = self.at[letter], math.radians(self.arcs[arc])
+        at, angle = self.at[letter], math.radians(self.sizes[arc])
         return Curve((at * cmath.exp(1j * angle), at * cmath.exp(-1j * angle)))
 
     def _arc(
         self,
         name: str,
-        kind: str,
+        kind: Kind,
         start: Any,
         end: Any,
         phrase: str,
@@ -217,17 +195,16 @@ class _Views:
             return (weights[0] * start + weights[1] * end) / math.sin(whole)
 
         curve = self._curve(on_arc, 0.0, 1.0, max(2, round(math.degrees(whole) / STEP)))
-        component = "link" if link else None
-        self._draw(
+        self.draw(
             name,
             kind,
             "",
             curve,
             phrase,
             link=link,
-            component=component,
+            body=link is not None,
             reveals=reveals,
-            parts=parts,
+            **parts,
         )
 
     def _curve(
@@ -244,6 +221,3 @@ class _Views:
                 far.append((first, last))
             first = last
         return Curve(tuple(complex(self.rates.seen(spot)) for spot in spots), tuple(far))
-
-    def _arc_of(self, name: str) -> Figure:
-        return Figure(self.arcs[name], "°", given=True)
