@@ -56,9 +56,9 @@ def draw(setting: Setting) -> Sketch:
     label_vertices(sketch, vertices, RADIUS, NEAR)
     for index, arc in arcs:
         add_angle(sketch, index, arc)
+    add_names(sketch)
     add_notes(sketch)
     add_turning(sketch)
-    add_names(sketch)
     points = [vertex.at for vertex in vertices]
     for index, stroke in enumerate(panel.strokes):
         if isinstance(stroke.shape, Line):
