@@ -90,8 +90,9 @@ class Player(Generic[V]):
     def _arrive(self, vector: V, tip: Tip, seen: int) -> None:
         """Come to the end of a vector that is wholly known; so many of its parts are ``seen``."""
         if not seen and vector.lettered:
-            self.pencil.vertices[vector.head] = tip.at  # it could move, but stands still
-            self.pencil.share_pole(vector.head)
+            self.pencil.vertices[vector.head] = tip.at
+            if tip.at == 0j:  # it could move, but stands still
+                self.pencil.share_pole(vector.head)
             tip.name = vector.head
         if vector.whole:
             self.pencil.whole(vector, seen > 1)

@@ -31,7 +31,7 @@ class Vector:
     arrives
         Whether its head is a vertex with a place of its own, if all its parts are known.
     lettered
-        Whether its head bears a letter at the pole, if it could move but stands still.
+        Whether its head keeps its letter if it is of no length, also at the pole.
     whole
         What its sum is, where that is measured beside its parts.
     measured

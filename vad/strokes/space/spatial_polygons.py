@@ -137,7 +137,7 @@ class _Turning(_Half):
         crank, begin = Vector("12", one, two, "crank"), turned[0] if turned else two
         first = [self.laid(crank, a, "absolute", dictated=True, symbol=symbols[2], called="12")]
         if turned:
-            turning = Vector("24", two, begin, "axis", lettered=False)
+            turning = Vector("24", two, begin, "axis")
             first.append(self.laid(turning, across, "normal", symbol=TURNED))
         component: Component = "tangential" if turned else "relative"
         symbol = RELATIVE[self.order]
