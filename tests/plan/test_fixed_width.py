@@ -18,7 +18,6 @@ from vad.written import number
         ("mm/s", (0.00123, 0.001)),
         ("mm/s²", (1234567.0, 3.0)),
         ("°", (338.213, 12.0)),
-        ("°", (359.97, 12.0)),
     ],
 )
 def test_the_largest_number_of_a_column_is_written_as_everywhere(
@@ -43,5 +42,13 @@ def test_the_largest_number_of_a_column_is_written_as_everywhere(
 )
 def test_numbers_are_always_as_wide(unit: str, values: tuple[float, ...], shown: list[str]):
     form = fixed_width(unit, values, ",")
-    assert ["".join(run.text for run in form.bare(value)) for value in values] == shown
+    found = [[run.text for run in form.runs(value) if run.shown] for value in values]
+    assert list(map("".join, found)) == shown
     assert len({width(form.runs(value), 1.0) for value in values}) == 1
+
+
+def test_an_axis_ends_at_a_full_turn_where_a_reading_begins_anew() -> None:
+    form = fixed_width("°", (0.0, 359.97))
+    end = "".join(run.text for run in form.bare(359.97))
+    reading = "".join(run.text for run in form.runs(359.97) if run.shown)
+    assert (end, reading) == ("360.0", "0.0")

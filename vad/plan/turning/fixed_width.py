@@ -51,7 +51,7 @@ class FixedWidth:
         return blank + roman((MINUS if negative else "") + shown + tail)
 
     def bare(self, value: float) -> Runs:
-        """Return a number as wide as it is; at the end of a turn stands 360, not 0."""
+        """Return a number of an axis, as wide as it is; a full turn ends at 360, not at 0."""
         return tuple(run for run in replace(self, turns=False).runs(value) if run.shown)
 
 
