@@ -119,3 +119,9 @@ def test_without_twist_the_polygon_is_the_four_bars() -> None:
         assert mine.keys() == other.keys()
         for vector, value in mine.items():
             assert value == pytest.approx(turn * other[vector], abs=1e-8)
+
+
+@pytest.mark.parametrize("panel", ["position", "velocity", "acceleration"])
+def test_balls_that_meet_nowhere_are_an_error(panel: str) -> None:
+    with pytest.raises(vad.AssemblyError, match="they close at no angle"):
+        vad.draw(vad.solve(vad.RSSR(coupler=300.0)), panels=panel)

@@ -55,6 +55,7 @@ class _Views(ViewsPen):
 
     def __init__(self, scene: SceneInSpace) -> None:
         super().__init__(scene)
+        scene.motion.pose  # noqa: B018  # raises where the balls do not meet, perhaps nowhere
         self.seen, self.layout = Seen(scene.motion), layout(scene.motion.mechanism)
         self.at = {name: complex(at) for name, at in tracks(scene).items()}
 
