@@ -9,6 +9,7 @@ import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import Obstacles
@@ -82,20 +83,28 @@ class LiveViews:
         return sketch, labels.ways
 
     def _add_turning(self, sketch: Sketch) -> None:
-        """Add the arrow of ω where it meets no pose."""
+        """Add the arrow of ω, which stands where it meets no pose."""
         setting = sketch.setting
         index = driven_angle(setting.sheet, setting.panel)
         rate = given_rate(setting.sheet, "ω")[1]
-        if index is None or self.angle is None:
+        if index is None or self.angle is None or not rate:
             return
-        crowd = self.moving.crowd
-        free = Obstacles(crowd.edge, list(crowd.lines), list(crowd.boxes))
-        arrow = Sketch(setting, self.scale, free)
-        add_sense(arrow, index, self.angle, rate)
+        sense = math.copysign(1.0, rate)
+        if sense not in self._arrows:
+            crowd = self.moving.crowd
+            free = Obstacles(crowd.edge, list(crowd.lines), list(crowd.boxes))
+            self._arrows[sense] = Sketch(setting, self.scale, free)
+            add_sense(self._arrows[sense], index, self.angle, sense)
+        arrow = self._arrows[sense]
         for item in arrow.items:
             sketch.items.append(replace(item, level=Level.LABEL, since=0))
         for tag in arrow.tags:
             sketch.obstacles.box(tag.box)
+
+    @cached_property
+    def _arrows(self) -> dict[float, Sketch]:
+        """The arrow of ω by its sense: to look for its place takes as long as all else."""
+        return {}
 
 
 def held_arc(panel: Panel, driver: str) -> Arc | None:
