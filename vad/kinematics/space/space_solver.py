@@ -16,7 +16,7 @@ from vad.kinematics.evaluation import Evaluation
 from vad.kinematics.linkage import Scalar
 from vad.kinematics.numbers import Number, degrees_of, fold, positive
 from vad.kinematics.results.formulas import Result, order_of
-from vad.kinematics.space.vector3 import Vector3, scaled
+from vad.kinematics.space.vector3 import Vector3, added, cross, scaled
 from vad.kinematics.state import Pose, Rates
 
 #: The driven axis a.
@@ -79,6 +79,20 @@ class SpaceSolver(AnySolver):
     @abstractmethod
     def spins(self, body: str, pose: Pose, rates: tuple[Rates, ...]) -> tuple[Vector3, ...]:
         """Return ω, and with two orders α, of a body."""
+
+    def spins_against_driver(
+        self, joint: str, axis: Vector3, rates: tuple[Rates, ...]
+    ) -> tuple[Vector3, ...]:
+        """Return ω, and with two orders α, of a body that turns about an axis of the driver's."""
+        driver = self.driver.name
+        found = [
+            added(scaled(each.turning[driver], Z), scaled(each.turning[joint], axis))
+            for each in rates
+        ]
+        if len(rates) > 1:
+            first = rates[0].turning
+            found[1] = added(found[1], scaled(first[driver] * first[joint], cross(Z, axis)))
+        return tuple(found)
 
     def evaluate(self, result: Result, evaluation: Evaluation) -> Number:
         """Return a result, of a point or a free body as x, y, z; NaN where it is undetermined."""

@@ -133,14 +133,7 @@ class SphereSolver(SpaceSolver):
             return tuple(scaled(each.turning["crank"], Z) for each in rates)
         if body == "rocker":
             return tuple(scaled(each.turning["rocker"], self._d) for each in rates)
-        b = reals(self.on_sphere(pose).b)
-        found = [
-            added(scaled(each.turning["crank"], Z), scaled(each.turning["B"], b)) for each in rates
-        ]
-        if len(rates) > 1:
-            first = rates[0].turning
-            found[1] = added(found[1], scaled(first["crank"] * first["B"], cross(Z, b)))
-        return tuple(found)
+        return self.spins_against_driver("B", reals(self.on_sphere(pose).b), rates)
 
     def point(self, letter: str, pose: Pose, rates: tuple[Rates, ...]) -> Vector3:
         """Return a point's position, its velocity (one order in ``rates``) or acceleration."""

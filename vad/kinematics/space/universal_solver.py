@@ -17,7 +17,7 @@ from vad.kinematics.space.space_linkage import CrossedShafts
 from vad.kinematics.space.space_solver import SpaceSolver, Z
 from vad.kinematics.space.sphere import SphereRates
 from vad.kinematics.space.universal import Universal, UniversalPose, UniversalRates
-from vad.kinematics.space.vector3 import Vector3, added, carried, cross, scaled
+from vad.kinematics.space.vector3 import Vector3, carried, scaled
 from vad.kinematics.state import Pose, Rates
 
 _TURNS = ("driven", "P", "Q")
@@ -99,15 +99,7 @@ class UniversalSolver(SpaceSolver):
         if body != "cross":
             axis = Z if body == "driving" else self.joint.d
             return tuple(scaled(each.turning[body], axis) for each in rates)
-        p = self.joint.p(self.on_arms(pose))
-        found = [
-            added(scaled(each.turning["driving"], Z), scaled(each.turning["P"], p))
-            for each in rates
-        ]
-        if len(rates) > 1:
-            first = rates[0].turning
-            found[1] = added(found[1], scaled(first["driving"] * first["P"], cross(Z, p)))
-        return tuple(found)
+        return self.spins_against_driver("P", self.joint.p(self.on_arms(pose)), rates)
 
     def point(self, letter: str, pose: Pose, rates: tuple[Rates, ...]) -> Vector3:
         """Return a pin's position, its velocity (one order in ``rates``) or acceleration."""
