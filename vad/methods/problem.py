@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -74,7 +75,7 @@ Unfinished = dict[Scalar, Any]
 
 
 @dataclass(frozen=True)
-class Driven:
+class Driven(ABC):
     """What is to be found of a mechanism, and the motion of its driver.
 
     Attributes
@@ -95,9 +96,9 @@ class Driven:
     size: float
 
     @property
+    @abstractmethod
     def unknowns(self) -> tuple[Scalar, ...]:
         """All scalars that are to be found."""
-        raise NotImplementedError
 
     def unit(self, scalar: Scalar) -> float:
         """Return by what a scalar is measured: 1 rad for an angle, or the largest length."""
