@@ -14,13 +14,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vad.kinematics.numbers import fold
+from vad.kinematics.space.space_solver import Z
+from vad.kinematics.space.universal import Universal
+from vad.kinematics.space.universal_solver import UniversalSolver
 from vad.strokes.diagram import Drawing
 from vad.strokes.notation import Notation
 from vad.strokes.sheet import PolarInset
 from vad.strokes.space.body_polygon import Bodies, polygon_of_bodies
 from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.space.body_words import BodyWords
-from vad.strokes.space.hooke_views import PLAN, pierced, pins, shafts_of
+from vad.strokes.space.hooke_views import PLAN, pierced, pins
 from vad.written import PRIME, subscript
 
 if TYPE_CHECKING:
@@ -37,10 +41,14 @@ _MEASURED = {1: {"12", "14", "23"}, 2: {"12", "14", "24"}}
 def joint_rates(motion: MotionInSpace[Any, Any]) -> BodyRates:
     """Return how the shafts turn, and the cross about its arms."""
     p, q = pins(motion)
-    shafts = shafts_of(motion)
-    first, last = np.array([0.0, 0.0, 1.0]), np.array([0.0, -math.sin(shafts), math.cos(shafts)])
     t = pierced(p, q)
-    axes = first, p, q, last, t / np.linalg.norm(t, axis=-1, keepdims=True)
+    axes = (
+        np.array(Z),
+        p,
+        q,
+        np.array(_closure(motion).d),
+        t / np.linalg.norm(t, axis=-1, keepdims=True),
+    )
     parts = motion.link("driving"), motion.joint("P"), motion.joint("Q"), motion.link("driven")
     return BodyRates(axes, parts, -90.0)
 
@@ -73,16 +81,16 @@ class JointWords(BodyWords):
 
 
 def speeds(scene: SceneInSpace) -> PolarInset:
-    """Return the speeds over a turn: ω₄ = ω₂ cos β / (1 - sin²β cos²θ) about a circle of ω₂."""
-    motion, shafts = scene.motion, shafts_of(scene.motion)
-    cosine, omega = math.cos(shafts), abs(motion.link("driving").omega)
+    """Return the speeds over a turn: ω₄ about a circle of ω₂."""
+    motion, closure = scene.motion, _closure(scene.motion)
+    cosine, omega = closure.cosine, abs(motion.link("driving").omega)
 
-    def speed(theta: float) -> complex:
-        ratio = cosine / (1.0 - (math.sin(shafts) * math.cos(theta)) ** 2)
-        return cmath.rect(omega * ratio, theta)
+    def speed(degrees: float) -> complex:
+        driven = closure.velocity(closure.pose(fold(degrees)), omega).driven
+        return cmath.rect(driven, math.radians(degrees))
 
     alike = math.atan(math.sqrt(cosine))
-    alike_at = [alike, math.pi - alike, math.pi + alike, -alike] if shafts else []
+    alike_at = [alike, math.pi - alike, math.pi + alike, -alike] if closure.sine else []
     low, high = (
         Notation(scene.language.point).number(float(f"{ratio:.4g}"), given=True)
         for ratio in (cosine, 1.0 / cosine)
@@ -91,10 +99,16 @@ def speeds(scene: SceneInSpace) -> PolarInset:
         "driving",
         "driven",
         omega,
-        tuple(speed(math.tau * number / SPEEDS) for number in range(SPEEDS + 1)),
-        speed(math.radians(motion.link("driving").angle)),
+        tuple(speed(360.0 * number / SPEEDS) for number in range(SPEEDS + 1)),
+        speed(motion.link("driving").angle),
         tuple(cmath.rect(omega, theta) for theta in alike_at),
         scene.say("hooke speeds"),
         f"ω{subscript(4)}/ω{subscript(2)} = {low} … {high}",
         "14.absolute",
     )
+
+
+def _closure(motion: MotionInSpace[Any, Any]) -> Universal:
+    """Return what solves the joint."""
+    assert isinstance(motion.solver, UniversalSolver)
+    return motion.solver.joint
