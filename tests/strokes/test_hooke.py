@@ -13,11 +13,12 @@ import pytest
 
 import vad
 from tests.plan.overlaps import overlaps
+from tests.strokes.named import dot, stroke, vector
 from vad.export.data.sheet_json import sheet_from_json, to_text
 from vad.kinematics.space.universal_solver import UniversalSolver
 from vad.strokes.language import Language, languages
 from vad.strokes.scenes import scene_of
-from vad.strokes.sheet import Arc, Arrow, Curve, Dot, Line, Panel, PolarInset, Sheet, Stroke
+from vad.strokes.sheet import Arc, Curve, Line, PolarInset, Sheet
 from vad.strokes.space.hooke_views import PLAN
 
 ANGLES = [*range(0, 360, 45), 60, 130, 200, 341]
@@ -32,22 +33,6 @@ def motion(angle: float, shafts: float = 30.0, omega: float = 10.0, alpha: float
 @cache
 def sheet(angle: float, shafts: float = 30.0, code: str = "en") -> Sheet:
     return vad.draw(motion(angle, shafts), language=code)
-
-
-def stroke(panel: Panel, name: str) -> Stroke:
-    return next(s for s in (*panel.strokes, *panel.zeros) if s.name == name)
-
-
-def vector(panel: Panel, name: str) -> complex:
-    shape = stroke(panel, name).shape
-    assert isinstance(shape, Arrow)
-    return shape.end - shape.start
-
-
-def dot(panel: Panel, name: str) -> complex:
-    shape = stroke(panel, name).shape
-    assert isinstance(shape, Dot)
-    return shape.at
 
 
 poses = pytest.mark.parametrize("angle", ANGLES)

@@ -13,11 +13,12 @@ import pytest
 
 import vad
 from tests.plan.overlaps import overlaps
+from tests.strokes.named import dot, stroke, vector
 from vad.export.data.sheet_json import to_text
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.language import Language, languages
 from vad.strokes.scenes import scene_of
-from vad.strokes.sheet import Arrow, Curve, Dot, Line, Panel, Sheet, Stroke
+from vad.strokes.sheet import Curve, Line, Panel, Sheet
 from vad.strokes.space.screw_rates import ScrewRates
 from vad.strokes.space.spatial_places import seen
 
@@ -36,22 +37,6 @@ def motion(angle: float, alpha: float = 0.0) -> Any:
 @cache
 def sheet(angle: float, alpha: float = 0.0, code: str = "en") -> Sheet:
     return vad.draw(motion(angle, alpha), language=code)
-
-
-def stroke(panel: Panel, name: str) -> Stroke:
-    return next(s for s in (*panel.strokes, *panel.zeros) if s.name == name)
-
-
-def vector(panel: Panel, name: str) -> complex:
-    shape = stroke(panel, name).shape
-    assert isinstance(shape, Arrow)
-    return shape.end - shape.start
-
-
-def dot(panel: Panel, name: str) -> complex:
-    shape = stroke(panel, name).shape
-    assert isinstance(shape, Dot)
-    return shape.at
 
 
 def line(panel: Panel, name: str) -> Line:

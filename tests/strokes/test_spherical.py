@@ -12,10 +12,11 @@ import pytest
 
 import vad
 from tests.plan.overlaps import overlaps, planned
+from tests.strokes.named import dot, stroke, vector
 from vad.export.data.sheet_json import sheet_from_json, to_text
 from vad.plan.growth import Scaling
 from vad.plan.marks import Polyline
-from vad.strokes.sheet import Arrow, Curve, Dot, Fold, Line, Panel, Sheet, Stroke
+from vad.strokes.sheet import Curve, Fold, Line, Sheet
 
 ANGLES = [*range(0, 360, 30), 140]
 #: The frame's bisector points down: the direction of OA on the page.
@@ -32,22 +33,6 @@ def motion(angle: float, assembly: str = "open", alpha: float = 30.0) -> Any:
 @cache
 def sheet(angle: float, assembly: str = "open", language: str = "en") -> Sheet:
     return vad.draw(motion(angle, assembly), language=language)
-
-
-def stroke(panel: Panel, name: str) -> Stroke:
-    return next(s for s in (*panel.strokes, *panel.zeros) if s.name == name)
-
-
-def dot(panel: Panel, name: str) -> complex:
-    shape = stroke(panel, name).shape
-    assert isinstance(shape, Dot)
-    return shape.at
-
-
-def vector(panel: Panel, name: str) -> complex:
-    shape = stroke(panel, name).shape
-    assert isinstance(shape, Arrow)
-    return shape.end - shape.start
 
 
 def parts(arm: Any, pose: Any) -> tuple[float, float]:
