@@ -40,7 +40,7 @@ def live_polygon(setting: Setting, scale: Scale, ways: Ways) -> tuple[Sketch, di
     labels = KeptLabels(sketch, ways)
     labels.letter(vertices, 0.0, NEAR)
     _name_vectors(sketch, labels)
-    return sketch, labels.ways
+    return sketch, labels.place()
 
 
 def _name_vectors(sketch: Sketch, labels: KeptLabels) -> None:
