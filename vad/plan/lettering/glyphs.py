@@ -42,8 +42,8 @@ class Letter:
     """One letter of a line: its outline and advance, and where it stands, all in ems.
 
     ``text`` says which letter it is and ``face`` where its outline was found, which is upright
-    for a sign that has no italic; ``size`` is less than 1 for a small one.  ``low`` and ``high``
-    are the corners of its ink.
+    for a sign that has no italic; ``size`` is less than 1 for a small one.  ``ink`` are
+    the lower left and the upper right corner of what is inked.
     """
 
     face: Face
@@ -51,8 +51,7 @@ class Letter:
     vertices: Points
     codes: Codes
     advance: float
-    low: complex
-    high: complex
+    ink: tuple[complex, complex]
     at: complex
     size: float
 
@@ -104,7 +103,7 @@ def _font(face: Face) -> Any:
 
 
 @lru_cache(maxsize=1024)
-def _glyph(face: Face, letter: str) -> tuple[Face, Points, Codes, float, complex, complex]:
+def _glyph(face: Face, letter: str) -> tuple[Face, Points, Codes, float, tuple[complex, complex]]:
     """Return the face that has a letter, and what a `Letter` tells of its shape there."""
     from matplotlib.ft2font import LoadFlags
 
@@ -118,7 +117,7 @@ def _glyph(face: Face, letter: str) -> tuple[Face, Points, Codes, float, complex
     outline, kinds = np.asarray(vertices, dtype=float) / _EM, np.asarray(codes, dtype=np.uint8)
     ink = outline[kinds != CLOSE]  # a closing point carries no position
     low, high = (ink.min(axis=0), ink.max(axis=0)) if len(ink) else ((0.0, 0.0), (0.0, 0.0))
-    return face, outline, kinds, advance, complex(*low), complex(*high)
+    return face, outline, kinds, advance, (complex(*low), complex(*high))
 
 
 @lru_cache(maxsize=4096)
@@ -136,8 +135,8 @@ def typeset(runs: Runs) -> Typeset:
                 continue
             if sign in "′″" and slanted:
                 pen += PRIME_GAP
-            face, *shape = _glyph(run.face, sign)
-            letter = Letter(face, sign, *shape, complex(pen, rise), size)
+            face, shape, kinds, advance, ink = _glyph(run.face, sign)
+            letter = Letter(face, sign, shape, kinds, advance, ink, complex(pen, rise), size)
             if sign in DOTS and letters:
                 letter = replace(letter, at=letter.at + _above(letter, letters[-1]))
             if run.shown:
@@ -148,7 +147,7 @@ def typeset(runs: Runs) -> Typeset:
         letter.at + letter.size * corner
         for letter in letters
         if len(letter.vertices)
-        for corner in (letter.low, letter.high)
+        for corner in letter.ink
     ]
     if not corners:
         return Typeset((), pen, 0.0, 0.0, pen, 0.0)
@@ -161,7 +160,7 @@ def _above(dots: Letter, letter: Letter) -> complex:
     if not len(letter.vertices):
         return 0j
     aside = SLANT * dots.size if letter.face in ("italic", "bolditalic") else 0.0
-    low, top = dots.low.imag * dots.size, letter.high.imag * letter.size
+    low, top = dots.ink[0].imag * dots.size, letter.ink[1].imag * letter.size
     return complex(aside, max(0.0, top + DOT_GAP * dots.size - low))
 
 
