@@ -6,7 +6,6 @@ Pure geometry: in come shapes with the beats in which they show, out goes which 
 from __future__ import annotations
 
 import itertools
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -80,13 +79,12 @@ class Obstacles:
         free: Bools = (x - half_x >= edge.left) & (x + half_x <= edge.right)
         free &= (y - half_y >= edge.bottom) & (y + half_y <= edge.top)
         aside, above = wide / 2 + max(grow, apart.real), high / 2 + max(grow, apart.imag)
-        for box, _ in self.boxes:
-            free &= (
-                (x - aside >= box.right)
-                | (x + aside <= box.left)
-                | (y - above >= box.top)
-                | (y + above <= box.bottom)
-            )
+        if self.boxes:
+            edges = [(box.left, box.bottom, box.right, box.top) for box, _ in self.boxes]
+            left, bottom, right, top = np.array(edges).T[:, :, None]
+            past = (x - aside >= right) | (x + aside <= left)
+            past |= (y - above >= top) | (y + above <= bottom)
+            free &= past.all(axis=0)
         if self.lines and free.any():
             free &= ~_meets(at, half_x, half_y, self._strokes()).any(axis=1)
         return free
@@ -99,9 +97,7 @@ class Obstacles:
         return self._kept
 
     def covered(self, start: complex, end: complex) -> float:
-        """Return how much of a leader would lie on strokes; it never runs through a label."""
-        if not self.clear_of_labels([(start, end)], 1.5 * PIXEL).all():
-            return math.inf
+        """Return how much of a leader would lie on strokes."""
         steps = max(2, int(abs(end - start) / (3.0 * PIXEL)))
         centres = [start + (end - start) * i / steps for i in range(1, steps)]
         lies_on = ~self.free(centres, 0.0, 0.0, PIXEL)
@@ -112,7 +108,7 @@ class Obstacles:
         at = np.array([box.centre for box, _ in self.boxes], dtype=np.complex128)
         wide = np.array([box.width / 2 for box, _ in self.boxes])
         high = np.array([box.height / 2 for box, _ in self.boxes])
-        starts, ends = np.array(lines, dtype=np.complex128).T
+        starts, ends = np.array(lines, dtype=np.complex128).reshape(-1, 2).T
         strokes = _Strokes.between(starts, ends, np.full(len(lines), half_width))
         free: Bools = ~np.logical_or.reduce(_meets(at, wide, high, strokes))
         return free

@@ -110,8 +110,8 @@ class MovingSkeleton:
             ):
                 add_stroke(sketch, index)
         vertices = find_vertices(panel, self.scale)
-        sketch.add(None, Level.DOT, 0, joints(vertices, panel, self.size))
-        for vertex in vertices:
+        for vertex, mark in zip(vertices, joints(vertices, panel, self.size), strict=True):
+            sketch.add(None, Level.DOT, 0, [mark])
             obstacles.disc(vertex.at, self.radius)
         return sketch
 
