@@ -62,15 +62,14 @@ class Obstacles:
     def free(
         self,
         centres: Sequence[complex],
-        wide: float | Reals,
-        high: float | Reals,
+        wide: float,
+        high: float,
         grow: float,
         apart: complex = 0j,
     ) -> Bools:
         """Tell for each centre whether a box there, grown, meets nothing.
 
-        Boxes have one size, or each its own.  From other boxes they stay ``apart``: aside by the
-        real, above by the imaginary part.
+        From other boxes it stays ``apart``: aside by the real, above by the imaginary part.
         """
         at = np.asarray(centres, dtype=np.complex128)
         x, y = at.real, at.imag
@@ -88,6 +87,44 @@ class Obstacles:
         if self.lines and free.any():
             free &= ~_meets(at, half_x, half_y, self._strokes()).any(axis=1)
         return free
+
+    def has_room(
+        self, centre: complex, wide: float, high: float, grow: float, apart: complex
+    ) -> bool:
+        """Tell the same of one centre.
+
+        Without arrays, and only as far as to the first obstacle: that takes a tenth of the time.
+        """
+        x, y = centre.real, centre.imag
+        half_x, half_y = wide / 2 + grow, high / 2 + grow
+        edge = self.edge
+        if not (
+            x - half_x >= edge.left
+            and x + half_x <= edge.right
+            and y - half_y >= edge.bottom
+            and y + half_y <= edge.top
+        ):
+            return False
+        aside, above = wide / 2 + max(grow, apart.real), high / 2 + max(grow, apart.imag)
+        for box, _ in self.boxes:
+            if (
+                x - aside < box.right
+                and x + aside > box.left
+                and y - above < box.top
+                and y + above > box.bottom
+            ):
+                return False
+        for start, end, half, _ in self.lines:
+            way, away = (end - start) / 2, centre - (start + end) / 2
+            long, tall = abs(way.real), abs(way.imag)
+            wider, higher = half_x + half, half_y + half
+            if (
+                abs(away.real) <= wider + long
+                and abs(away.imag) <= higher + tall
+                and abs(away.real * way.imag - away.imag * way.real) <= wider * tall + higher * long
+            ):
+                return False
+        return True
 
     def _strokes(self) -> _Strokes:
         """Return all lines as arrays; they are kept until there is another."""

@@ -137,7 +137,7 @@ def place_all(obstacles: Obstacles, wishes: Sequence[Wish]) -> Iterator[tuple[in
         spots = near.pop(number)
         placed = spots[0] if spots else _far_off(obstacles, wishes[number])
         _settle(obstacles, placed, wishes[number].span)
-        near = {each: [s for s in spots if apart(s, placed)] for each, spots in near.items()}
+        near = {each: [s for s in spots if _apart(s, placed)] for each, spots in near.items()}
         yield number, placed
 
 
@@ -145,16 +145,6 @@ def place(obstacles: Obstacles, wish: Wish) -> Placed:
     """Place one label and add it to the obstacles."""
     ((_, placed),) = place_all(obstacles, [wish])
     return placed
-
-
-def apart(spot: Placed, other: Placed) -> bool:
-    """Tell whether a label leaves another one and its leader alone."""
-    off = spot.centre - other.centre
-    aside = abs(off.real) - (spot.wide + other.wide) / 2 >= APART.real
-    above = abs(off.imag) - (spot.high + other.high) / 2 >= APART.imag
-    return (aside or above) and not (
-        other.leader and spot.box.inside(-CLEARANCE).clipped(*other.leader)
-    )
 
 
 def _near(obstacles: Obstacles, wish: Wish) -> list[Placed]:
@@ -174,6 +164,16 @@ def _near(obstacles: Obstacles, wish: Wish) -> list[Placed]:
         for gap, spot in found
         if gap <= wish.near[0] or belongs(spot.box, wish.at, wish.rivals)
     ]
+
+
+def _apart(spot: Placed, other: Placed) -> bool:
+    """Tell whether a label leaves another one and its leader alone."""
+    off = spot.centre - other.centre
+    aside = abs(off.real) - (spot.wide + other.wide) / 2 >= APART.real
+    above = abs(off.imag) - (spot.high + other.high) / 2 >= APART.imag
+    return (aside or above) and not (
+        other.leader and spot.box.inside(-CLEARANCE).clipped(*other.leader)
+    )
 
 
 def _far_off(obstacles: Obstacles, wish: Wish) -> Placed:

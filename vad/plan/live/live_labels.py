@@ -9,14 +9,11 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from itertools import chain
-
-import numpy as np
+from dataclasses import replace
 
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.labels.placing import APART, CLEARANCE, WAYS, Placed, Wish, apart
+from vad.plan.labels.placing import APART, CLEARANCE, WAYS, Placed, Wish
 from vad.plan.labels.vertices import LETTER, Vertex, text_at, wish
 from vad.plan.lettering.runs import Runs, symbols
 from vad.plan.sketch import Sketch, Tag
@@ -25,24 +22,18 @@ from vad.plan.sketch import Sketch, Tag
 Ways = Mapping[str, float]
 
 
-@dataclass(frozen=True, slots=True)
-class Label:
-    """A label that is to be placed, and is remembered by its ``name``."""
-
-    name: str
-    runs: Runs
-    size: float
-    wish: Wish
-    role: str
-    row: int | None
-
-
 class KeptLabels:
-    """The labels of a panel in one pose."""
+    """The labels of a panel in one pose.
+
+    Attributes
+    ----------
+    ways
+        Where they stand, for the next pose.
+    """
 
     def __init__(self, sketch: Sketch, before: Ways) -> None:
         self._sketch, self._before = sketch, before
-        self._labels: list[Label] = []
+        self.ways: dict[str, float] = {}
 
     def letter(self, vertices: Sequence[Vertex], radius: float, near: Sequence[float]) -> None:
         """Letter the vertices."""
@@ -61,49 +52,29 @@ class KeptLabels:
         role: str = "letter",
         row: int | None = None,
     ) -> None:
-        """Ask for a label."""
+        """Add a label; it is remembered by its ``name``."""
         if name in self._before:
             wanted = replace(wanted, first=cmath.rect(1.0, math.radians(self._before[name])))
-        self._labels.append(Label(name, runs, size, wanted, role, row))
-
-    def place(self) -> dict[str, float]:
-        """Add all labels, and return where they stand, for the next pose."""
-        placed: list[Placed] = []
-        ways: dict[str, float] = {}
-        for label, spots in zip(self._labels, self._where_they_stood(), strict=True):
-            kept = (spot for spot in spots if all(apart(spot, other) for other in placed))
-            spot = next(kept, None) or _elsewhere(self._sketch.obstacles, label.wish)
-            placed.append(spot)
-            self._sketch.obstacles.box(spot.box)
-            self._sketch.tags.append(Tag(label.name, spot.box))
-            text = text_at(label.runs, label.runs, spot.centre, label.size, label.role, label.row)
-            self._sketch.add(None, Level.LABEL, 0, [text])
-            ways[label.name] = math.degrees(cmath.phase(spot.centre - label.wish.at))
-        return ways
-
-    def _where_they_stood(self) -> list[list[Placed]]:
-        """Return the free places of each label on its side, the nearest first.
-
-        They are looked up for all labels at once: most of them stay, and to ask takes longer than
-        to be told.
-        """
-        spots = [
-            [Placed(at, label.wish.wide, label.wish.high) for at in label.wish.ahead()]
-            for label in self._labels
-        ]
-        every = list(chain.from_iterable(spots))
-        centres = [spot.centre for spot in every]
-        wide, high = np.array([(spot.wide, spot.high) for spot in every]).reshape(-1, 2).T
-        free = iter(self._sketch.obstacles.free(centres, wide, high, CLEARANCE, APART).tolist())
-        return [[spot for spot in row if next(free)] for row in spots]
+        placed = _kept(self._sketch.obstacles, wanted)
+        self._sketch.obstacles.box(placed.box)
+        self._sketch.tags.append(Tag(name, placed.box))
+        text = text_at(runs, runs, placed.centre, size, role, row)
+        self._sketch.add(None, Level.LABEL, 0, [text])
+        self.ways[name] = math.degrees(cmath.phase(placed.centre - wanted.at))
 
 
-def _elsewhere(obstacles: Obstacles, wanted: Wish) -> Placed:
-    """Return the free place nearest to the side of a label; that side itself where none is."""
-    size = wanted.wide, wanted.high
+def _kept(obstacles: Obstacles, wanted: Wish) -> Placed:
+    """Return a free place: on the side on which it stood, else the nearest to that side.
+
+    Where none is free, it is on that side all the same.
+    """
+    size, side = (wanted.wide, wanted.high), wanted.ahead()
+    for spot in side:
+        if obstacles.has_room(spot, *size, CLEARANCE, APART):
+            return Placed(spot, *size)
     spots = [spot for gap in wanted.near for spot in wanted.around(gap, WAYS)]
-    for clear, aside in ((CLEARANCE, APART), (0.5 * PIXEL, 0j)):
-        free = obstacles.free(spots, *size, clear, aside)
+    for clear, apart in ((CLEARANCE, APART), (0.5 * PIXEL, 0j)):
+        free = obstacles.free(spots, *size, clear, apart)
         if free.any():
             return Placed(spots[int(free.argmax())], *size)
-    return Placed(spots[0], *size)
+    return Placed(side[0], *size)

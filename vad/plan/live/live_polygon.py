@@ -40,7 +40,7 @@ def live_polygon(setting: Setting, scale: Scale, ways: Ways) -> tuple[Sketch, di
     labels = KeptLabels(sketch, ways)
     labels.letter(vertices, 0.0, NEAR)
     _name_vectors(sketch, labels)
-    return sketch, labels.place()
+    return sketch, labels.ways
 
 
 def _name_vectors(sketch: Sketch, labels: KeptLabels) -> None:

@@ -92,9 +92,8 @@ class LiveSkeleton:
         labels.letter(vertices, self.moving.radius, NEAR)
         for index, shape in arcs:
             add_angle(sketch, index, angle_arc(sketch, shape), labels)
-        sides = labels.place()
         add_speed(sketch, *given_rate(setting.sheet, "v"), self.moving.size)
-        return sketch, sides
+        return sketch, labels.ways
 
     def _add_sense(self, sketch: Sketch) -> None:
         """Add the ω arrow of the driven link, about its pivot."""

@@ -80,7 +80,7 @@ class LiveViews:
         labels.letter(find_vertices(setting.panel, self.scale), RADIUS, NEAR)
         for index, arc in arcs.items():
             add_angle(sketch, index, arc, labels)
-        return sketch, labels.place()
+        return sketch, labels.ways
 
     def _add_turning(self, sketch: Sketch) -> None:
         """Add the arrow of ω, which stands where it meets no pose."""
