@@ -28,7 +28,7 @@ _EXACT = Context(prec=50)
 Calculation = Callable[[list[Decimal]], Decimal]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)  # a frozen one takes several times as long to make
 class Figure:
     """A number in a caption, or one whose unit alone is written.
 
@@ -56,7 +56,7 @@ class Figure:
         return squared(text) if self.power == 2 else text
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Unit:
     """A unit in a caption."""
 
@@ -67,8 +67,7 @@ class Unit:
         return notation.unit(self.name)
 
 
-#: What has a place in a caption.
-PLACED = Figure, Unit
+_PLACED = Figure, Unit
 
 
 class Figures:
@@ -82,6 +81,10 @@ class Figures:
         """Return what keeps the place of a number or unit in a caption."""
         self._placed.append(entry)
         return f"{_BEGINS}{len(self._placed) - 1}{_ENDS}"
+
+    def kept(self, part: object, form: str) -> str:
+        """Return the place of a number or unit, and anything else in its form."""
+        return self.place(part) if isinstance(part, _PLACED) else format(part, form)
 
     def product(self, result: Figure, *factors: Figure) -> None:
         """Note down that a result is the product of factors."""

@@ -213,15 +213,8 @@ class Scene:
         return float(self.orders(order)[-1].sliding[name]) * self.members.frame.scale
 
     def line(self, slide: Slide) -> Noun:
-        """Name the line of a slide: lever, slot, guide, or guide of A where there are several."""
-        noun = self.language.noun
-        if isinstance(slide.along, str):
-            return noun(slide.along)
-        if not self.members.is_guide(slide):
-            return noun("slot")
-        guides = {guide.ends for guide in self.members.guides}
-        of = self.language.say("of point", head=slide.head) if len(guides) > 1 else ""
-        return noun("guide", of)
+        """Name the line of a slide."""
+        return self.members.line(slide, self.language)
 
     def rate_unit(self, order: int) -> str:
         """Return the unit of a velocity (1) or acceleration (2)."""

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
-from functools import cache
+from collections.abc import Callable, Iterable, Mapping
+from functools import cache, lru_cache
 from importlib import import_module
+from string import Formatter
 from typing import Any
 
 from vad.errors import one_of
@@ -43,6 +44,12 @@ def _merged(name: str, code: str) -> Mapping[str, str]:
     return {key: value for table in _tables(code) for key, value in getattr(table, name).items()}
 
 
+@cache
+def _pieces(phrase: str) -> tuple[tuple[str, str | None, str], ...]:
+    """Return the texts of a phrase, each with the name and the form of the part behind it."""
+    return tuple((text, name, form or "") for text, name, form, _ in Formatter().parse(phrase))
+
+
 def _short(phrases: Iterable[str]) -> str:
     """Return the pattern of the short words of a language, where they name no vector."""
     bare = " ".join(re.sub(r"{.*?}", "", phrase) for phrase in phrases)
@@ -72,6 +79,21 @@ class Noun:
         return f"{text} {self._of}" if self._of else text
 
 
+@lru_cache(maxsize=256)
+def _name(code: str, name: str) -> str:
+    return _merged("NAMES", code).get(name, name.replace("_", " "))
+
+
+@lru_cache(maxsize=256)
+def _noun(code: str, name: str, of: str, generic: str) -> Noun:
+    genders = _merged("GENDERS", code)
+    articles: Mapping[str, Mapping[str, str]] = _tables(code)[0].ARTICLES
+    if name in genders or not articles:
+        return Noun(_name(code, name), articles.get(genders.get(name, ""), {}), of)
+    of = f"{_name(code, name)} {of}".rstrip()
+    return Noun(_name(code, generic), articles[genders[generic]], of)
+
+
 class Language:
     """The phrases of one language.
 
@@ -90,9 +112,6 @@ class Language:
         table = _tables(one_of("language", code, languages()))[0]
         self.code = code
         self._phrases = _merged("PHRASES", code)
-        self._names = _merged("NAMES", code)
-        self._genders = _merged("GENDERS", code)
-        self._articles: dict[str, dict[str, str]] = table.ARTICLES
         self.point: str = table.POINT
         self.upright: str = _upright(code)
 
@@ -100,22 +119,25 @@ class Language:
         """Fill in one phrase; the names of links and slides are translated."""
         return self.filled(phrase, parts)
 
-    def filled(self, phrase: str, parts: Mapping[str, Any]) -> str:
-        """Fill in one phrase with parts by name, as `say` does."""
-        nouns = {
-            key: self.noun(parts[key], generic=generic)
-            for key, generic in _GENERIC.items()
-            if key in parts
-        }
-        return self._phrases[phrase].format_map({**parts, **nouns} if nouns else parts)
+    def filled(
+        self, phrase: str, parts: Mapping[str, Any], write: Callable[[Any, str], str] = format
+    ) -> str:
+        """Fill in one phrase with parts by name; ``write`` writes what is neither name nor text."""
+        texts = []
+        for text, name, form in _pieces(self._phrases[phrase]):
+            texts.append(text)
+            if name is None:
+                continue
+            part = parts[name]
+            if name in _GENERIC:
+                part = self.noun(part, generic=_GENERIC[name])
+            texts.append(part if part.__class__ is str else write(part, form))
+        return "".join(texts)
 
     def name(self, name: str) -> str:
         """Return a name or title in this language; one that it does not translate stays itself."""
-        return self._names.get(name, name.replace("_", " "))
+        return _name(self.code, name)
 
     def noun(self, name: str, of: str = "", generic: str = "link") -> Noun:
         """Return a name as sentences have it; one of unknown gender stands behind what it is."""
-        if name in self._genders or not self._articles:
-            return Noun(self.name(name), self._articles.get(self._genders.get(name, ""), {}), of)
-        what = self.name(generic), self._articles[self._genders[generic]]
-        return Noun(*what, f"{self.name(name)} {of}".rstrip())
+        return _noun(self.code, name, of, generic)
