@@ -18,14 +18,14 @@ from vad.strokes.figures import Figure
 from vad.strokes.sheet import Arc, Arrow, Curve, Dot, Equation, Kind, Note, Term
 from vad.strokes.space.balls_said import length_of
 from vad.strokes.space.balls_seen import TILT, Seen, layout
-from vad.strokes.space.views_pen import ViewsPen
+from vad.strokes.space.views_pen import ViewsPen, circle
 from vad.written import subscript
 
 if TYPE_CHECKING:
     from vad.strokes.space.scene_in_space import SceneInSpace
 
-#: Points of a circle; half of a compass arc, in degrees.
-POINTS, COMPASS = 72, 9.0
+#: Half of a compass arc, in degrees.
+COMPASS = 9.0
 #: Radii of the angles' arcs, of crank and rocker.
 ANGLE, SMALL = 0.45, 0.25
 #: How far the path of C goes on in the third view, and past where it has been, in degrees.
@@ -78,7 +78,7 @@ class _Views(ViewsPen):
         centre, radius = self.at["A.top"], self.sizes["crank"]
         angle = self.given(float(self.scene.motion.link("crank").angle))
         self.draw("A.fixed", "fixed", "A", Dot(centre), "A")
-        self.draw("B.path", "known", "", _circle(centre, radius), "crank path", link="crank")
+        self.draw("B.path", "known", "", circle(centre, radius), "crank path", link="crank")
         parts = {"size": self.length("crank"), "angle": angle}
         self._bar("AB.bar", "A.top", "B.top", "crank", "known", "crank", **parts)
         arc = Arc(centre, ANGLE * radius, 0.0, angle.value)
@@ -88,9 +88,9 @@ class _Views(ViewsPen):
         """Draw what is known as it is seen along D's axis: the circle of C, and B."""
         self.draw("D.fixed", "fixed", "D", Dot(self.at["D"]), "D")
         low, high = self.layout.swing
-        arc = [low - FARTHER, min(high + FARTHER, low + 360.0 - FARTHER)]
-        shape = _circle(self.at["D"], self.sizes["rocker"], *arc)
-        self.draw("C.path", "known", "", shape, "rocker path", link="rocker")
+        sweep = min(high - low + 2.0 * FARTHER, 360.0)
+        path = circle(self.at["D"], self.sizes["rocker"], low - FARTHER, sweep)
+        self.draw("C.path", "known", "", path, "rocker path", link="rocker")
         self.draw("A.front", "fixed", "A", Dot(self.at["A"]), "A front")
         shape = Curve((self.at["B.top"], self.at["B"]))
         self.draw("B.projector", "construction", "", shape, "B front")
@@ -152,11 +152,6 @@ class _Views(ViewsPen):
     def length(self, name: str) -> Figure:
         """Return a parameter that is a length."""
         return length_of(self.scene, name)
-
-
-def _circle(centre: complex, radius: float, low: float = 0.0, high: float = 360.0) -> Curve:
-    turns = (math.radians(low + (high - low) * k / POINTS) for k in range(POINTS + 1))
-    return Curve(tuple(centre + cmath.rect(radius, turn) for turn in turns))
 
 
 _EQUATION = Equation(

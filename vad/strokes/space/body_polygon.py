@@ -10,12 +10,10 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from vad.strokes.diagram import Drawing
 from vad.strokes.pencil import Pencil
 from vad.strokes.player import Player
-from vad.strokes.sheet import Component, Equation, Fold, Stroke, Term
+from vad.strokes.sheet import Component, Ellipse, Equation, Fold, Stroke, Term
 from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.space.body_words import TURNED, BodyVector, BodyWords
 from vad.strokes.vector_equations import Chain, Part, VectorEquation
@@ -197,9 +195,8 @@ class _Polygon:
         rates = self.rates
         axis, turn = complex(rates.seen(rates.i)), float(rates.fold(self.side))
         arms = tuple(centre + complex(rates.laid(arm, self.side)) for arm in (rates.b, rates.c))
-        angles = np.radians(np.linspace(0.0, 360.0, 73))[:, None]
-        rim = centre + rates.seen(np.cos(angles) * rates.i + np.sin(angles) * rates.j)
-        shape = Fold(centre, axis, turn, arms, tuple(rim.tolist()))
+        rim = Ellipse(centre, axis, complex(rates.seen(rates.j)))
+        shape = Fold(centre, axis, turn, arms, rim)
         caption = self.scene.say(f"{self.bodies.words.topic} fold")
         return Stroke("construction", "", shape, caption, self.bodies.rows["23"], name="fold")
 

@@ -19,7 +19,7 @@ from vad.strokes.sheet import Arc, Arrow, Bearing, Block, Curve, Dot, Equation, 
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.strokes.space.screw_rates import ScrewRates
 from vad.strokes.space.spatial_places import Places, points, reach_of, seen
-from vad.strokes.space.views_pen import ViewsPen
+from vad.strokes.space.views_pen import ViewsPen, circle
 from vad.strokes.vector_equations import NOTHING
 
 #: Lengths as shares of the mechanism's reach: axes beyond their points, shafts beyond sleeves.
@@ -111,8 +111,8 @@ class _Views(ViewsPen):
         )
         radius = ROSE * self.reach
         pin = self.rose + radius * cmath.exp(1j * math.radians(self.theta2))
-        circle = Curve(tuple(self.rose + radius * each for each in _CIRCLE))
-        self.draw("rose.circle", "known", "", circle, "circle", link="crank")
+        rim = circle(self.rose, radius)
+        self.draw("rose.circle", "known", "", rim, "circle", link="crank")
         reference = Curve((self.rose, self.rose + 1.5 * radius))
         self.draw("rose.reference", "guide", "", reference, "reference")
         arm = Arrow(self.rose, pin, "", "")
@@ -223,9 +223,6 @@ class _Views(ViewsPen):
                 ("s_C", "rocker", "C.slide"),
             ),
         )
-
-
-_CIRCLE = tuple(cmath.exp(1j * math.tau * k / 72) for k in range(73))
 
 
 def _beyond(foot: Any, sleeve: Any, way: Any, by: float) -> Any:
