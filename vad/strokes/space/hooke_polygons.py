@@ -12,12 +12,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from vad.kinematics.numbers import fold
 from vad.kinematics.space.space_solver import Z
 from vad.kinematics.space.universal import Universal
 from vad.kinematics.space.universal_solver import UniversalSolver
+from vad.kinematics.space.vector3 import dot, over
 from vad.strokes.diagram import Drawing
 from vad.strokes.notation import Notation
 from vad.strokes.sheet import PolarInset
@@ -42,27 +41,21 @@ def joint_rates(motion: MotionInSpace[Any, Any]) -> BodyRates:
     """Return how the shafts turn, and the cross about its arms."""
     p, q = pins(motion)
     t = pierced(p, q)
-    axes = (
-        np.array(Z),
-        p,
-        q,
-        np.array(_closure(motion).d),
-        t / np.linalg.norm(t, axis=-1, keepdims=True),
-    )
+    axes = Z, p, q, _closure(motion).d, over(t, dot(t, t) ** 0.5)
     parts = motion.link("driving"), motion.joint("P"), motion.joint("Q"), motion.link("driven")
-    return BodyRates(axes, parts, -90.0)
+    return BodyRates(axes, 1.0, parts, -90.0)
 
 
-def tracks(scene: SceneInSpace, order: int) -> Mapping[str, Any]:
+def tracks(rates: BodyRates, order: int) -> Mapping[str, Any]:
     """Return where the vertices of a polygon are: of accelerations, those of its whole vectors."""
-    found = joint_rates(scene.motion).vertices(order)
+    found = rates.vertices(order)
     whole = ("1", "2", "3", "4") if order == 1 else ("1" + PRIME, "2" + PRIME, "4" + PRIME)
     return {letter: found[letter] for letter in whole}
 
 
-def polygon(scene: SceneInSpace, order: int) -> Drawing:
+def polygon(scene: SceneInSpace, rates: BodyRates, order: int) -> Drawing:
     """Return the polygon of ω (1) or α (2) of a pose."""
-    rates, say = joint_rates(scene.motion), scene.say
+    say = scene.say
     shafts = {f"1{shaft}": say("hooke shaft", shaft=shaft) for shaft in (2, 4)}
     axes = {**shafts, "24": "OT", "23": "OP", "43": "OQ"}
     words = JointWords(scene, order, rates)

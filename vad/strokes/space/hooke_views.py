@@ -11,6 +11,7 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from vad.kinematics.space.vector3 import Vector3, added, over, scaled
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure
 from vad.strokes.sheet import (
@@ -25,6 +26,7 @@ from vad.strokes.sheet import (
     Note,
     Term,
 )
+from vad.strokes.space.body_rates import place
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.strokes.space.views_pen import ViewsPen
 from vad.written import PRIME, subscript
@@ -41,19 +43,19 @@ DRIVING, DRIVEN, SHAFTS = 1.15, 0.32, 1.15
 FORK = 13.0
 
 
-def front(vector: Any) -> Any:
+def front(vector: Vector3) -> Any:
     """Return a vector as it is seen along shaft 2, the plane of the shafts horizontal."""
-    return -vector[..., 1] + 1j * vector[..., 0]
+    return -vector[1] + 1j * vector[0]
 
 
-def plan(vector: Any) -> Any:
+def plan(vector: Vector3) -> Any:
     """Return a vector as it is seen square to the plane of the shafts, without its place."""
-    return -vector[..., 1] - 1j * vector[..., 2]
+    return -vector[1] - 1j * vector[2]
 
 
-def pins(motion: MotionInSpace[Any, Any]) -> list[Any]:
+def pins(motion: MotionInSpace[Any, Any]) -> tuple[Vector3, Vector3]:
     """Return where P and Q are."""
-    return [motion.point(letter).position for letter in "PQ"]
+    return place(motion, "P"), place(motion, "Q")
 
 
 def shafts_of(motion: MotionInSpace[Any, Any]) -> float:
@@ -61,13 +63,12 @@ def shafts_of(motion: MotionInSpace[Any, Any]) -> float:
     return math.radians(motion.mechanism.parameters()["shaft_angle"])
 
 
-def pierced(p: Any, q: Any) -> Any:
+def pierced(p: Vector3, q: Vector3) -> Vector3:
     """Return where the line of an end of P's arm and one of Q's pierces the plane of the shafts.
 
     Of both such points, opposite each other, it is the one that stays on its side in all poses.
     """
-    high_p, high_q = p[..., :1], q[..., :1]
-    return (p * high_q - q * high_p) / (abs(high_p) + abs(high_q))
+    return over(added(scaled(q[0], p), scaled(-p[0], q)), abs(p[0]) + abs(q[0]))
 
 
 def tracks(scene: SceneInSpace) -> Mapping[str, Any]:

@@ -11,12 +11,11 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
-
+from vad.kinematics.space.vector3 import Vector3, added, cross, dot, over, scaled
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure
 from vad.strokes.sheet import Arc, Arrow, Bearing, Curve, Dot, Ellipse, Equation, Kind, Note, Term
-from vad.strokes.space.body_rates import rates_on_sphere
+from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.strokes.space.views_pen import ViewsPen, circle
 from vad.written import subscript
@@ -32,27 +31,25 @@ END, BEARING = 1.3, 1.16
 COMPASS = 25.0
 #: As good as in the paper; so short is no stretch behind it, in degrees.
 LEVEL, SHORT = 1e-9, 1e-6
-ORIGIN = np.zeros(3)
 
 
-def tracks(scene: SceneInSpace) -> Mapping[str, Any]:
+def tracks(rates: BodyRates) -> Mapping[str, Any]:
     """Return where the lettered points are."""
-    rates = rates_on_sphere(scene.motion)
     return {letter: rates.seen(getattr(rates, letter.lower())) for letter in "ABCDI"}
 
 
-def views(scene: SceneInSpace) -> Drawing:
+def views(scene: SceneInSpace, rates: BodyRates) -> Drawing:
     """Return the construction of a pose."""
-    return _Views(scene).drawing()
+    return _Views(scene, rates).drawing()
 
 
 class _Views(ViewsPen):
     topic = "spherical"
 
-    def __init__(self, scene: SceneInSpace) -> None:
+    def __init__(self, scene: SceneInSpace, rates: BodyRates) -> None:
         super().__init__(scene)
-        self.rates = rates_on_sphere(scene.motion)
-        self.at = {letter: complex(z) for letter, z in tracks(scene).items()}
+        self.rates = rates
+        self.at = {letter: complex(z) for letter, z in tracks(rates).items()}
         self.theta2, self.theta4 = (
             float(scene.motion.link(name).angle) for name in ("crank", "rocker")
         )
@@ -105,8 +102,9 @@ class _Views(ViewsPen):
     def _find_c(self) -> None:
         """Draw the circles about B and D on which C lies."""
         b, c = self.rates.b, self.rates.c
-        foot = float(b @ c) * b
-        arc = self._seen(c - foot, np.cross(b, c), -COMPASS, 2 * COMPASS, foot)
+        foot = scaled(dot(b, c), b)
+        first = added(c, scaled(-1.0, foot))
+        arc = self._seen(first, cross(b, c), -COMPASS, 2 * COMPASS, foot)
         size = self.angle("coupler")
         self.draw("BC.compass", "construction", "", arc, "about B", "B", size=size)
         edge, size = self._edge("D", "rocker"), self.angle("rocker")
@@ -127,8 +125,7 @@ class _Views(ViewsPen):
     def _axis(self) -> None:
         """Follow the coupler's great circle to I, where it meets the frame's."""
         rates = self.rates
-        at_b = float(rates.at_b)
-        begin = at_b if at_b > 0.0 else min(0.0, float(rates.at_c))
+        begin = rates.at_b if rates.at_b > 0.0 else min(0.0, rates.at_c)
         great = self._seen(rates.i, rates.j, begin, -begin)
         self.draw("BC.circle", "construction", "", great, "great circle", link="B")
         self.draw("I.found", "intersection", "I", Dot(self.at["I"]), "I")
@@ -167,23 +164,23 @@ class _Views(ViewsPen):
         self,
         name: str,
         kind: Kind,
-        start: Any,
-        end: Any,
+        start: Vector3,
+        end: Vector3,
         phrase: str,
         link: str | None = None,
         reveals: tuple[str, ...] = (),
         **parts: object,
     ) -> None:
         """Draw a link: the arc of a great circle between two axes."""
-        cosine = float(start @ end)
-        across = end - cosine * start
-        sine = math.sqrt(across @ across)
+        cosine = dot(start, end)
+        across = added(end, scaled(-cosine, start))
+        sine = math.sqrt(dot(across, across))
         whole = math.degrees(math.atan2(sine, cosine))
         self.draw(
             name,
             kind,
             "",
-            self._seen(start, across / sine, 0.0, whole),
+            self._seen(start, over(across, sine), 0.0, whole),
             phrase,
             link=link,
             body=link is not None,
@@ -192,13 +189,18 @@ class _Views(ViewsPen):
         )
 
     def _seen(
-        self, first: Any, second: Any, start: float, sweep: float, centre: Any = ORIGIN
+        self,
+        first: Vector3,
+        second: Vector3,
+        start: float,
+        sweep: float,
+        centre: Vector3 = (0.0, 0.0, 0.0),
     ) -> Ellipse:
         """Return a circle on the sphere, or an arc of it, by its centre and two of its radii."""
         low, high = sorted((start, start + sweep))
         nearest = math.degrees(math.atan2(second[0], first[0]))
         rise = max(math.hypot(first[0], second[0]), LEVEL**2)
-        level = (float(centre[0]) + LEVEL) / rise
+        level = (centre[0] + LEVEL) / rise
         ahead = math.degrees(math.acos(min(max(-level, -1.0), 1.0)))
         begin = low + (nearest + ahead - low) % 360.0
         turns = ((begin + by, begin + by + 360.0 - 2.0 * ahead) for by in (-360.0, 0.0))
