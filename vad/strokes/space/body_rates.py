@@ -140,8 +140,8 @@ def rates_on_sphere(motion: MotionInSpace[Any, Any]) -> BodyRates:
     return BodyRates((Z, b, c, sphere.d, i), sphere.sines[2], parts, upright)
 
 
-def place(motion: MotionInSpace[Any, Any], letter: str) -> Vector3:
-    """Return where a point is, as three numbers or arrays."""
-    position = motion.point(letter).position
-    x, y, z = np.moveaxis(position, -1, 0) if motion.many else position.tolist()
+def place(motion: MotionInSpace[Any, Any], letter: str, quantity: str = "position") -> Vector3:
+    """Return where a point is, or its velocity or acceleration, as three numbers or arrays."""
+    vector = getattr(motion.point(letter), quantity)
+    x, y, z = np.moveaxis(vector, -1, 0) if motion.many else vector.tolist()
     return x, y, z

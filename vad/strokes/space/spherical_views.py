@@ -11,7 +11,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from vad.kinematics.space.vector3 import Vector3, added, cross, dot, over, scaled
+from vad.kinematics.space.vector3 import Vector3, cross, difference, dot, over, scaled
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure
 from vad.strokes.sheet import Arc, Arrow, Bearing, Curve, Dot, Ellipse, Equation, Kind, Note, Term
@@ -103,7 +103,7 @@ class _Views(ViewsPen):
         """Draw the circles about B and D on which C lies."""
         b, c = self.rates.b, self.rates.c
         foot = scaled(dot(b, c), b)
-        first = added(c, scaled(-1.0, foot))
+        first = difference(c, foot)
         arc = self._seen(first, cross(b, c), -COMPASS, 2 * COMPASS, foot)
         size = self.angle("coupler")
         self.draw("BC.compass", "construction", "", arc, "about B", "B", size=size)
@@ -173,7 +173,7 @@ class _Views(ViewsPen):
     ) -> None:
         """Draw a link: the arc of a great circle between two axes."""
         cosine = dot(start, end)
-        across = added(end, scaled(-cosine, start))
+        across = difference(end, scaled(cosine, start))
         sine = math.sqrt(dot(across, across))
         whole = math.degrees(math.atan2(sine, cosine))
         self.draw(
