@@ -13,6 +13,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.numbers import fold
+from vad.kinematics.space.vector3 import difference, dot
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure
 from vad.strokes.sheet import Arc, Arrow, Curve, Dot, Equation, Kind, Note, Term
@@ -32,32 +33,30 @@ ANGLE, SMALL = 0.45, 0.25
 ONWARD, FARTHER = 0.22, 12.0
 
 
-def tracks(scene: SceneInSpace) -> Mapping[str, Any]:
+def tracks(seen: Seen) -> Mapping[str, Any]:
     """Return where the lettered points are in all views."""
-    seen, views = Seen(scene.motion), layout(scene.motion.mechanism)
-    points = {letter: seen.at(letter) for letter in "ABCD"}
-    way = views.share * seen.third(points["C"] - points["B"])
+    views = layout(seen.motion.mechanism)
+    way = views.share * seen.third(difference(seen.at["C"], seen.at["B"]))
     return {
-        **{letter: seen.front(at) for letter, at in points.items()},
-        **{f"{letter}.top": seen.top(at) - 1j * views.drop for letter, at in points.items()},
+        **{letter: seen.front(at) for letter, at in seen.at.items()},
+        **{f"{letter}.top": seen.top(at) - 1j * views.drop for letter, at in seen.at.items()},
         "B.third": views.place + 0 * way,
         "C.third": views.place + way,
     }
 
 
-def views(scene: SceneInSpace) -> Drawing:
+def views(scene: SceneInSpace, seen: Seen) -> Drawing:
     """Return the construction of a pose."""
-    return _Views(scene).drawing()
+    return _Views(scene, seen).drawing()
 
 
 class _Views(ViewsPen):
     topic = "balls"
 
-    def __init__(self, scene: SceneInSpace) -> None:
+    def __init__(self, scene: SceneInSpace, seen: Seen) -> None:
         super().__init__(scene)
-        scene.motion.pose  # noqa: B018  # raises where the balls do not meet, perhaps nowhere
-        self.seen, self.layout = Seen(scene.motion), layout(scene.motion.mechanism)
-        self.at = {name: complex(at) for name, at in tracks(scene).items()}
+        self.seen, self.layout = seen, layout(scene.motion.mechanism)
+        self.at = tracks(seen)
 
     def drawing(self) -> Drawing:
         self._crank()
@@ -99,7 +98,7 @@ class _Views(ViewsPen):
     def _coupler(self) -> None:
         """Find C where the circles meet, and draw coupler and rocker."""
         b, c, unit = self.at["B"], self.at["C"], self.scene.unit
-        height = float((self.seen.at("B") - self.seen.at("D")) @ self.seen.d)
+        height = dot(difference(self.seen.at["B"], self.seen.at["D"]), self.seen.d)
         off, size = Figure(abs(height), unit), self.length("coupler")
         reach = Figure(abs(c - b), unit)
         self.scene.figures.leg(reach, replace(size, power=2), replace(off, power=2))
@@ -134,7 +133,7 @@ class _Views(ViewsPen):
         onward = ONWARD * (self.at["C.third"] - self.at["B.third"])
         edge = Curve((self.at["B.third"] - 1j * onward, self.at["B.third"] + 1j * onward))
         self.draw("B.plane", "construction", "", edge, "plane", link="coupler")
-        way = abs(onward) * complex(self.seen.third(self.seen.path))
+        way = abs(onward) * self.seen.third(self.seen.path)
         line = Curve((self.at["C.third"] - way, self.at["C.third"] + way))
         self.draw("C.line", "construction", "", line, "line", link="rocker")
 

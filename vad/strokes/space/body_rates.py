@@ -22,7 +22,7 @@ from vad.strokes.vector_equations import NOTHING
 from vad.written import PRIME
 
 if TYPE_CHECKING:
-    from vad.kinematics.motion import MotionInSpace
+    from vad.kinematics.motion import Motion, MotionInSpace
 
 _QUANTITIES = "omega", "alpha"
 
@@ -140,7 +140,7 @@ def rates_on_sphere(motion: MotionInSpace[Any, Any]) -> BodyRates:
     return BodyRates((Z, b, c, sphere.d, i), sphere.sines[2], parts, upright)
 
 
-def place(motion: MotionInSpace[Any, Any], letter: str, quantity: str = "position") -> Vector3:
+def place(motion: Motion[Any, Any, Any], letter: str, quantity: str = "position") -> Vector3:
     """Return where a point is, or its velocity or acceleration, as three numbers or arrays."""
     vector = getattr(motion.point(letter), quantity)
     x, y, z = np.moveaxis(vector, -1, 0) if motion.many else vector.tolist()
