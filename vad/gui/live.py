@@ -24,7 +24,7 @@ from vad.mechanisms import Mechanism
 from vad.page.ink import Inker
 from vad.page.panels import picture, scale_bar
 from vad.page.results_table import measured_cells, values_of
-from vad.page.themed import themed
+from vad.page.themed import Inks
 from vad.page.wording import Words
 from vad.painting.posed import SIZE
 from vad.painting.svg.font_subset import Faces
@@ -80,13 +80,13 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
         sheet = vad.draw(motion, POSITION, question.language)
         trouble = {"error": problem(error, question.fields)}
     scales = {name: scale_of(values) for name, values in question.scales.items()}
-    rested = question.rested()
+    rested = question.rested(mechanism)
     board = board_of(rested, panels, question.language)
     if rested != mechanism:
         board = board.resized(sheet, scales)
     shown = board.pose(sheet, scales, question.ways)
-    style, faces = load_style(question.style), Faces()
-    inker, words = Inker(FORM, themed(style), faces), Words(faces)
+    faces = Faces()
+    inker, words = Inker(FORM, _inks(question.style), faces), Words(faces)
     drawn = [
         [each.name, scale_bar(shown.plan, each, words), picture(shown.plan, each, inker)]
         for each in sheet.panels
@@ -140,6 +140,11 @@ def _over(mechanism: Mechanism) -> Iterable[Motion]:
 def _pictured(motion: Motion) -> Panel:
     """Return the mechanism in one pose; the numbers in its captions, which nobody reads, lack."""
     return DIAGRAMS[POSITION].panel(scene_of(motion, Language("en")))
+
+
+@lru_cache(maxsize=8)
+def _inks(style: str) -> Inks:
+    return Inks(load_style(style))
 
 
 @lru_cache(maxsize=64)

@@ -12,7 +12,7 @@ from itertools import groupby
 from typing import Any
 
 from vad.page.growths import grown
-from vad.page.themed import Inks, Themed
+from vad.page.themed import Inks
 from vad.painting.svg.classes import Classes
 from vad.painting.svg.elements import Elements
 from vad.painting.svg.font_subset import Faces
@@ -32,17 +32,17 @@ class Inker:
     ----------
     classes
         The looks that have been met.
-    style
-        What names their colours.
+    inks
+        Their looks, and the style that names their colours.
     growths
         How each mark that grows comes about: see `vad.page.growths`.
     """
 
-    def __init__(self, form: Format, style: Themed, faces: Faces) -> None:
+    def __init__(self, form: Format, inks: Inks, faces: Faces) -> None:
         self.classes = Classes()
-        self.style = style
+        self.inks = inks
         self.growths: list[list[Any]] = []
-        self._grid, self._inks = Grid(form), Inks(style)
+        self._grid = Grid(form)
         self._elements = Elements(self._grid, self.classes, SetText(self.classes, faces, ""))
 
     def drawing(self, plan: Plan, panel: str) -> str:
@@ -60,7 +60,7 @@ class Inker:
 
     def mark(self, mark: Mark) -> str:
         """Return a mark as it stays."""
-        return self._elements.of(mark.shape, self._inks(mark)).replace("\n", "")
+        return self._elements.of(mark.shape, self.inks(mark)).replace("\n", "")
 
     def view(self, area: Rect) -> str:
         """Return the view of an area of the page."""

@@ -46,7 +46,7 @@ def owner(step: Step) -> str:
 def _vector(scene: Scene, step: Step, order: int) -> StepVector:
     tail, head = (image_letter(each, order) for each in (step.tail, step.head))
     measured = order > 1 and isinstance(step, Bar) and not _is_driving_strut(scene, step)
-    still = step.tail in scene.motion.frame.fixed
+    still = step.tail in scene.members.fixed
     whole: Component | None = ("absolute" if still else "relative") if measured else None
     return StepVector(
         step.ends,
@@ -55,7 +55,7 @@ def _vector(scene: Scene, step: Step, order: int) -> StepVector:
         owner(step),
         step.reverse,
         arrives=not _on_link(step),
-        lettered=step.head in scene.motion.points,
+        lettered=step.head in scene.members.points,
         whole=whole,
         step=step,
     )
@@ -65,13 +65,13 @@ def _parts(
     scene: Scene, vector: StepVector, unknowns: tuple[Scalar, ...], order: int
 ) -> list[Part[StepVector]]:
     """Return the components of a step."""
-    step, motion = vector.step, scene.motion
+    step, frame = vector.step, scene.members.frame
     found = scalar_of(step) in unknowns
     label, square_to = _line(scene, step) if found else ("", None)
     parts = []
-    for component in motion.frame.components(step, motion.pose, scene.orders(order)):
+    for component in frame.components(step, scene.pose, scene.orders(order)):
         direction = scene.heading(component.direction)
-        amount = float(cast(float, component.amount)) * motion.frame.scale
+        amount = float(cast(float, component.amount)) * frame.scale
         coriolis = component.name == "coriolis"
         part = Part(
             vector,
@@ -79,9 +79,10 @@ def _parts(
             amount * direction,
             direction,
             unknown=found and component.name in ("tangential", "sliding"),
-            component="absolute" if scene.is_guide(step) else component.name,
+            component="absolute" if scene.members.is_guide(step) else component.name,
             stage="z" if coriolis else _stage(scene, vector, found, order),
-            dictated=scene.drives(step) and not coriolis,  # Coriolis needs a link that is found
+            dictated=scene.members.drives(step)
+            and not coriolis,  # Coriolis needs a link that is found
             label=label,
             square_to=square_to,
         )
@@ -93,7 +94,7 @@ def _line(scene: Scene, step: Step) -> tuple[str, str | None]:
     """Return the label of a step's construction line, and what that is perpendicular to."""
     if isinstance(step, Slide):
         return scene.say("parallel", line=scene.line(step)), None
-    square_to = scene.letters(step)
+    square_to = scene.members.letters(step)
     return f"⟂ {square_to}", square_to
 
 

@@ -8,6 +8,7 @@ printed results, the same ones wherever it stands.
 from __future__ import annotations
 
 import re
+from collections import defaultdict
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from decimal import Context, Decimal
@@ -20,7 +21,8 @@ from vad.written import GIVEN, MEASURED, squared
 MORE = 2
 #: What double precision holds.
 _ALL = 15
-_PLACE = re.compile("\x02(\\d+)\x03")
+_BEGINS, _ENDS = "\x02", "\x03"
+_PLACE = re.compile(rf"{_BEGINS}(\d+){_ENDS}")
 _EXACT = Context(prec=50)
 #: What is made of the numbers that a reader types in.
 Calculation = Callable[[list[Decimal]], Decimal]
@@ -53,10 +55,6 @@ class Figure:
         text = notation.number(self.value, self.unit, self.given)
         return squared(text) if self.power == 2 else text
 
-    def printed(self, notation: Notation) -> Decimal:
-        """Return the number that a reader types into a calculator."""
-        return Decimal(notation.plain(self.value, self.unit, self.given))
-
 
 @dataclass(frozen=True, slots=True)
 class Unit:
@@ -69,6 +67,10 @@ class Unit:
         return notation.unit(self.name)
 
 
+#: What has a place in a caption.
+PLACED = Figure, Unit
+
+
 class Figures:
     """The numbers and units of one sheet, and the products among them."""
 
@@ -79,7 +81,7 @@ class Figures:
     def place(self, entry: Figure | Unit) -> str:
         """Return what keeps the place of a number or unit in a caption."""
         self._placed.append(entry)
-        return f"\x02{len(self._placed) - 1}\x03"
+        return f"{_BEGINS}{len(self._placed) - 1}{_ENDS}"
 
     def product(self, result: Figure, *factors: Figure) -> None:
         """Note down that a result is the product of factors."""
@@ -100,6 +102,8 @@ class Figures:
 
     def fill(self, caption: str, notation: Notation) -> str:
         """Return a caption with its numbers and units."""
+        if _BEGINS not in caption:
+            return caption
         return _PLACE.sub(lambda found: self._placed[int(found[1])].written(notation), caption)
 
     def settled(self, notation: Notation) -> Notation:
@@ -108,15 +112,20 @@ class Figures:
         What is measured last is settled first: its factors are the results of what came before.
         """
         calculator = _Calculator(notation)
-        before = None
-        while before != calculator.digits:
-            before = dict(calculator.digits)
-            for result, factors, calculation in reversed(self._calculated):
-                while not calculator.agrees(result, factors, calculation):
-                    finer = calculator.to_refine(result, factors)
+        calculations = [
+            (calculator.typed(result), list(map(calculator.typed, factors)), calculation)
+            for result, factors, calculation in reversed(self._calculated)
+        ]
+        refined = True
+        while refined:
+            refined = False
+            for result, factors, calculation in calculations:
+                while not result.agrees(calculation([each.factor for each in factors])):
+                    finer = _to_refine(result, factors)
                     if finer is None:
                         break
                     calculator.refine(finer)
+                    refined = True
         return calculator.notation
 
 
@@ -132,42 +141,70 @@ def _root(square: Decimal) -> Decimal:
     return _EXACT.sqrt(max(square, Decimal(0)))
 
 
+class _Typed:
+    """A number as a reader types it into a pocket calculator, with the digits that it has so far.
+
+    Attributes
+    ----------
+    number, count
+        The printed number and its significant digits.
+    factor
+        Its power that a product has.
+    """
+
+    def __init__(self, figure: Figure, notation: Notation) -> None:
+        self.key = key(figure.value)
+        self._figure = figure
+        self._notation = notation
+        self.read()
+
+    def read(self) -> None:
+        """Read what is printed."""
+        figure, notation = self._figure, self._notation
+        self.number = Decimal(notation.plain(figure.value, figure.unit, figure.given))
+        _, digits, exponent = self.number.as_tuple()
+        self._last = Decimal((0, (1,), int(exponent)))
+        self.count = max(MEASURED, len(digits))
+        if figure.given:
+            self.count = max(GIVEN, notation.digits.get(self.key, 0))
+        power = figure.power
+        self.factor = self.number if power == 1 else _EXACT.power(self.number, power)
+
+    @property
+    def exact(self) -> bool:
+        """Whether nothing of it is rounded off."""
+        figure = self._figure
+        return float(self.number) == self._notation.scaled(figure.value, figure.unit)
+
+    def agrees(self, calculated: Decimal) -> bool:
+        """Tell whether a calculation gives what is printed, and that clearly: no tie."""
+        return 2 * abs(_EXACT.subtract(calculated, self.number)) < self._last
+
+
+def _to_refine(result: _Typed, factors: list[_Typed]) -> _Typed | None:
+    """Return the number that is to have a further digit; None where no digits are left."""
+    most = min(result.count + MORE, _ALL)
+    rough = [each for each in factors if each.count < most and not each.exact]
+    coarsest = min(rough, key=lambda each: each.count, default=result)
+    return coarsest if coarsest.count < _ALL else None
+
+
 class _Calculator:
-    """What a pocket calculator makes of printed numbers, while their digits are settled."""
+    """The numbers of all calculations, while their digits are settled."""
 
     def __init__(self, notation: Notation) -> None:
-        self.digits: dict[str, int] = {}
-        self.notation = replace(notation, digits=self.digits)
-        self._printed: dict[Figure, Decimal] = {}
+        self._digits: dict[str, int] = {}
+        self.notation = replace(notation, digits=self._digits)
+        self._alike: dict[str, list[_Typed]] = defaultdict(list)
 
-    def agrees(self, result: Figure, factors: tuple[Figure, ...], calculation: Calculation) -> bool:
-        """Tell whether the printed factors give the printed result, and that clearly: no tie."""
-        printed = self._read(result)
-        powers = [_EXACT.power(self._read(each), Decimal(each.power)) for each in factors]
-        last = Decimal(1).scaleb(int(printed.as_tuple().exponent))
-        return 2 * abs(_EXACT.subtract(calculation(powers), printed)) < last
+    def typed(self, figure: Figure) -> _Typed:
+        """Return a number as it is printed."""
+        number = _Typed(figure, self.notation)
+        self._alike[number.key].append(number)
+        return number
 
-    def to_refine(self, result: Figure, factors: tuple[Figure, ...]) -> Figure | None:
-        """Return the number that is to have a further digit; None where no digits are left."""
-        most = min(self._count(result) + MORE, _ALL)
-        scaled = self.notation.scaled
-        rounded = [f for f in factors if float(self._read(f)) != scaled(f.value, f.unit)]
-        rough = [f for f in rounded if self._count(f) < most]
-        coarsest = min(rough, key=self._count, default=result)
-        return coarsest if self._count(coarsest) < _ALL else None
-
-    def refine(self, figure: Figure) -> None:
+    def refine(self, number: _Typed) -> None:
         """Give a number a further digit, wherever it stands."""
-        self.digits[key(figure.value)] = self._count(figure) + 1
-        self._printed.clear()
-
-    def _read(self, figure: Figure) -> Decimal:
-        if figure not in self._printed:
-            self._printed[figure] = figure.printed(self.notation)
-        return self._printed[figure]
-
-    def _count(self, figure: Figure) -> int:
-        """Return the significant digits of a number as it is written."""
-        if figure.given:
-            return max(GIVEN, self.digits.get(key(figure.value), 0))
-        return max(MEASURED, len(self._read(figure).as_tuple().digits))
+        self._digits[number.key] = number.count + 1
+        for each in self._alike[number.key]:
+            each.read()

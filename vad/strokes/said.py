@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from vad.strokes.figures import Figure, Figures, Unit
+from vad.strokes.figures import PLACED, Figures
 from vad.strokes.language import Language
 
 
 def filled(language: Language, figures: Figures, phrase: str, parts: Mapping[str, object]) -> str:
     """Return a phrase in which the places of numbers and units are kept."""
     kept = {
-        name: figures.place(part) if isinstance(part, Figure | Unit) else part
+        name: figures.place(part) if isinstance(part, PLACED) else part
         for name, part in parts.items()
     }
-    return language.say(phrase, **kept)
+    return language.filled(phrase, kept)

@@ -8,6 +8,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from itertools import pairwise
 
 from vad.plan.format import Format
@@ -78,11 +79,16 @@ class Grid:
         return round(away.real), -round(away.imag)
 
     def _length(self, steps: int) -> str:
-        return number(steps / self.fine, self._digits)
+        return _decimal(steps, self._digits)
 
     def _listed(self, steps: Iterable[int]) -> str:
         """Return lengths one after the other; a minus sign parts them as well as a blank."""
-        return " ".join(map(self._length, steps)).replace(" -", "-")
+        return " ".join([_decimal(step, self._digits) for step in steps]).replace(" -", "-")
+
+
+@lru_cache(maxsize=1 << 15)  # the same lengths come in every picture: a tenth of the time
+def _decimal(steps: int, digits: int) -> str:
+    return number(steps / 10**digits, digits)
 
 
 def number(value: float, digits: int = 2) -> str:

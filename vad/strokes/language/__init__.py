@@ -33,12 +33,14 @@ def _tables(code: str) -> tuple[Any, ...]:
 @cache
 def _upright(code: str) -> str:
     """Return the pattern of the words of a language that are also names of points or vectors."""
-    tables = _tables(code)
-    return "|".join(filter(None, (tables[0].UPRIGHT, _short(_merged("PHRASES", tables).values()))))
+    short = _short(_merged("PHRASES", code).values())
+    return "|".join(filter(None, (_tables(code)[0].UPRIGHT, short)))
 
 
-def _merged(name: str, tables: Iterable[Any]) -> dict[str, str]:
-    return {key: value for table in tables for key, value in getattr(table, name).items()}
+@cache
+def _merged(name: str, code: str) -> Mapping[str, str]:
+    """Return a table of words of a language, those of the mechanisms in space included."""
+    return {key: value for table in _tables(code) for key, value in getattr(table, name).items()}
 
 
 def _short(phrases: Iterable[str]) -> str:
@@ -85,22 +87,27 @@ class Language:
     """
 
     def __init__(self, code: str) -> None:
-        tables = _tables(one_of("language", code, languages()))
-        table = tables[0]
+        table = _tables(one_of("language", code, languages()))[0]
         self.code = code
-        self._phrases = _merged("PHRASES", tables)
-        self._names = _merged("NAMES", tables)
-        self._genders = _merged("GENDERS", tables)
+        self._phrases = _merged("PHRASES", code)
+        self._names = _merged("NAMES", code)
+        self._genders = _merged("GENDERS", code)
         self._articles: dict[str, dict[str, str]] = table.ARTICLES
         self.point: str = table.POINT
         self.upright: str = _upright(code)
 
     def say(self, phrase: str, **parts: Any) -> str:
         """Fill in one phrase; the names of links and slides are translated."""
-        for key, generic in _GENERIC.items():
-            if key in parts:
-                parts[key] = self.noun(parts[key], generic=generic)
-        return self._phrases[phrase].format(**parts)
+        return self.filled(phrase, parts)
+
+    def filled(self, phrase: str, parts: Mapping[str, Any]) -> str:
+        """Fill in one phrase with parts by name, as `say` does."""
+        nouns = {
+            key: self.noun(parts[key], generic=generic)
+            for key, generic in _GENERIC.items()
+            if key in parts
+        }
+        return self._phrases[phrase].format_map({**parts, **nouns} if nouns else parts)
 
     def name(self, name: str) -> str:
         """Return a name or title in this language; one that it does not translate stays itself."""
