@@ -44,12 +44,23 @@ class Grid:
             case Polygon(rings):
                 return "".join(self._line(ring) + "z" for ring in rings)
             case Bow():
-                return self._arc(shape)
+                return self._arc(shape) if shape.narrow == 1.0 else self._curve(shape)
 
     def _line(self, points: Sequence[complex]) -> str:
         places = [self.steps(z) for z in points]
         ways = [each for (x, y), (u, v) in pairwise(places) for each in (u - x, v - y)]
         return f"M{self._listed(places[0])}" + (f"l{self._listed(ways)}" if ways else "")
+
+    def _curve(self, bow: Bow) -> str:
+        """Return Bézier curves: of a narrow arc, whose middle hangs on how its ends are rounded."""
+        (x, y), *places = map(self.steps, bow.curve())
+        data = f"M{self._listed((x, y))}c"
+        ways: list[int] = []
+        for number, (u, v) in enumerate(places, 1):
+            ways += [u - x, v - y]
+            if number % 3 == 0:
+                x, y = u, v
+        return data + self._listed(ways)
 
     def _arc(self, bow: Bow) -> str:
         pieces = max(1, math.ceil(abs(bow.sweep) / _QUARTER))

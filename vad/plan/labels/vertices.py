@@ -20,7 +20,7 @@ from vad.plan.lettering.runs import Runs, symbols
 from vad.plan.marks import Lettering, Mark, line
 from vad.plan.scale import Scale
 from vad.plan.sketch import Sketch, Tag
-from vad.strokes.sheet import Arrow, Bearing, Curve, Dot, Line, Panel, Plate
+from vad.strokes.sheet import Arrow, Bearing, Curve, Dot, Ellipse, Line, Panel, Plate
 
 LETTER = 0.040
 COINCIDENT = 0.012
@@ -78,6 +78,8 @@ def corners(panel: Panel) -> list[complex]:
             points += [stroke.shape.through, stroke.shape.until]
         elif isinstance(stroke.shape, Curve):
             points += stroke.shape.points
+        elif isinstance(stroke.shape, Ellipse):
+            points += stroke.shape.outermost
         elif isinstance(stroke.shape, Bearing):
             points.append(stroke.shape.at)
     return points

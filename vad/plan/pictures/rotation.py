@@ -66,11 +66,7 @@ def angle_radius(scale: Scale, shape: Arc, room: Rect, share: float = SHARE_OF_C
 
 def arc_line(centre: complex, radius: float, start: float, sweep: float) -> list[complex]:
     """Return points along an arc, close enough for keeping clear of it."""
-    count = max(2, math.ceil(abs(sweep) / 8.0) + 1)
-    return [
-        centre + cmath.rect(radius, math.radians(start + sweep * i / (count - 1)))
-        for i in range(count)
-    ]
+    return Bow(centre, radius, start, sweep).line()
 
 
 def angle_arc(sketch: Sketch, shape: Arc) -> Bow:
@@ -84,7 +80,7 @@ def angle_arc(sketch: Sketch, shape: Arc) -> Bow:
 
 def block_arc(obstacles: Obstacles, arc: Bow) -> None:
     """Add an angle's arc to what labels keep clear of."""
-    obstacles.line(arc_line(arc.centre, arc.radius, arc.start, arc.sweep), LINE / 2)
+    obstacles.line(arc.line(), LINE / 2)
 
 
 def add_angle(sketch: Sketch, index: int, arc: Bow) -> None:
