@@ -17,7 +17,6 @@ from vad.kinematics.linkage import (
 from vad.strokes.figures import Figure, Figures
 from vad.strokes.language import Language, Noun
 from vad.strokes.members import Members, members_of
-from vad.strokes.said import filled
 from vad.strokes.sheet import Cell, Row
 from vad.written import PRIME, per_second
 
@@ -172,7 +171,7 @@ class Scene:
 
     def say(self, phrase: str, **parts: object) -> str:
         """Fill in a phrase, in which the places of numbers and units are kept."""
-        return filled(self.language, self.figures, phrase, parts)
+        return self.language.say(phrase, **parts)
 
     def figure(self, scalar: Scalar, value: float, unit: str = "", power: int = 1) -> Figure:
         """Return a number of a scalar or its rates, which is given for the driver."""
