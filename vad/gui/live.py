@@ -88,12 +88,16 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
     faces = Faces()
     inker, words = Inker(FORM, _inks(question.style), faces), Words(faces)
     drawn = [
-        [each.name, scale_bar(shown.plan, each, words), picture(shown.plan, each, inker)]
+        [
+            each.name,
+            _quoted(scale_bar(shown.plan, each, words)),
+            _quoted(picture(shown.plan, each, inker)),
+        ]
         for each in sheet.panels
     ]
     values = values_of(shown.plan, load_style(question.style).key)
     rows = [
-        [measured_cells(shown.plan, panel, row, words, values) for panel in sheet.panels]
+        [_quoted(measured_cells(shown.plan, panel, row, words, values)) for panel in sheet.panels]
         for row in sheet.rows
     ]
     return {
@@ -123,6 +127,11 @@ def board_of(mechanism: Mechanism, panels: tuple[str, ...], language: str) -> Li
     motions = list(_over(mechanism))
     poses = [_pictured(motion) for motion in motions]
     return LiveBoard.over(_first(motions, panels, language), FORM, LINES, poses)
+
+
+def _quoted(html: str) -> str:
+    """Return HTML with single quotes, of which JSON escapes none; a text has neither of both."""
+    return html.replace('"', "'")
 
 
 def _over(mechanism: Mechanism) -> Iterable[Motion]:

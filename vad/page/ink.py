@@ -47,12 +47,12 @@ class Inker:
 
     def drawing(self, plan: Plan, panel: str) -> str:
         """Return the groups of a panel, in painting order."""
-        groups: dict[tuple[Level, str], list[Span]] = {}
+        groups: dict[tuple[Level, str], dict[Span, None]] = {}
         for item in plan.items:
             if item.region == panel:
                 # What shows again and again, as the light on a link, is written once.
                 key = item.level, "".join(map(self._mark, item.marks))
-                groups.setdefault(key, []).append((item.since, item.until))
+                groups.setdefault(key, {})[item.since, item.until] = None
         beats = groupby(groups.items(), key=lambda group: when(group[1]))
         return "".join(
             f"<g{span}>{''.join(marks for (_, marks), _ in run)}</g>" for span, run in beats
