@@ -16,7 +16,7 @@ class Captions:
         self._scene = scene
         self._order = order
         self._panel = "velocity" if order == 1 else "acceleration"
-        self._say = scene.say
+        self._say = scene.caption
         self._unit = scene.rate_unit(order)
         self._written_unit = Unit(self._unit)
 

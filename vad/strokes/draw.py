@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
 
 from vad.errors import InputError, UsageError, one_of, shown
 from vad.kinematics.linkage import points_of
@@ -11,11 +10,11 @@ from vad.kinematics.motion import Motion
 from vad.strokes.canonical import canonical
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.figures import Writer
+from vad.strokes.finishing import finished, without_noise
 from vad.strokes.language import Language
 from vad.strokes.notation import Notation, in_metres
 from vad.strokes.scenes import AnyScene, scene_of
-from vad.strokes.sheet import TWIST, Arrow, Cell, Equation, Panel, Row, Sheet, Stroke, Term
-from vad.strokes.vector_equations import NOTHING
+from vad.strokes.sheet import TWIST, Arrow, Panel, Row, Sheet
 
 #: Ends the name of the angle between two axes, whose distance bears the name before it.
 _TWIST = "_twist"
@@ -51,12 +50,26 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     >>> [stroke.label for stroke in sheet.panel("velocity").strokes]
     ['a,d', 'ab', '⟂ BC', '⟂ DC', 'c', 'bc', 'dc']
     """
+    return _sheet(motion, panels, language, captioned=True)
+
+
+def sketch(motion: Motion, panels: Sequence[str] | str | None, language: str) -> Sheet:
+    """Draw one pose as `draw` does, but for its captions, which are empty: in less time.
+
+    While something moves, nobody reads them.
+    """
+    return _sheet(motion, panels, language, captioned=False)
+
+
+def _sheet(
+    motion: Motion, panels: Sequence[str] | str | None, language: str, captioned: bool
+) -> Sheet:
     if not isinstance(motion, Motion):
         raise InputError(f"motion: must be what vad.solve returns, got {shown(motion)}")
     if motion.many:
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
     diagrams = [DIAGRAMS[name] for name in chosen(panels)]
-    scene = scene_of(motion, Language(language))
+    scene = scene_of(motion, Language(language), captioned)
     drawn = tuple(diagram.panel(scene) for diagram in diagrams)
     rows = scene.rows(diagrams)
     largest = _largest(rows, drawn)
@@ -68,8 +81,8 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
         mechanism=mechanism.name,
         title=scene.language.name(mechanism.title),
         parameters=canonical(_parameters(scene)),
-        rows=_without_noise(rows, largest),
-        panels=tuple(_finished(panel, fill) for panel in drawn),
+        rows=without_noise(rows, largest),
+        panels=tuple(finished(panel, fill, captioned) for panel in drawn),
         language=language,
         notation=notation,
     )
@@ -126,41 +139,6 @@ def _parameters(scene: AnyScene) -> tuple[tuple[str, float, str], ...]:
     return tuple(shown[:MOST])
 
 
-def _finished(panel: Panel, fill: Callable[[str], str]) -> Panel:
-    """Return a panel with the numbers in its captions, labels and equations, and all canonical."""
-
-    def strokes(raw: tuple[Stroke, ...]) -> tuple[Stroke, ...]:
-        return tuple([_finished_stroke(stroke, fill) for stroke in raw])
-
-    def term(raw: Term) -> Term:
-        label = fill(raw.label)
-        return raw if label is raw.label else replace(raw, label=label)
-
-    def terms(raw: tuple[Term, ...]) -> tuple[Term, ...]:
-        return tuple(map(term, raw))
-
-    return replace(
-        panel,
-        strokes=strokes(panel.strokes),
-        zeros=strokes(panel.zeros),
-        equations=tuple(
-            [Equation(terms(each.left), terms(each.right)) for each in panel.equations]
-        ),
-        inset=canonical(panel.inset),
-        triangles=canonical(panel.triangles),
-        notes=canonical(panel.notes),
-        below=panel.below and _finished(panel.below, fill),
-    )
-
-
-def _finished_stroke(raw: Stroke, fill: Callable[[str], str]) -> Stroke:
-    label, caption, shape = fill(raw.label), fill(raw.caption), canonical(raw.shape)
-    if label is raw.label and caption is raw.caption and shape is raw.shape:
-        return raw
-    more = raw.link, raw.component, raw.image, raw.reveals, raw.name
-    return Stroke(raw.kind, label, shape, caption, *more)
-
-
 def _largest(rows: list[Row], panels: tuple[Panel, ...]) -> dict[str, float]:
     """Return the largest size of each unit, in the table and of the vectors."""
     largest: dict[str, float] = {}
@@ -173,21 +151,3 @@ def _largest(rows: list[Row], panels: tuple[Panel, ...]) -> dict[str, float]:
         largest[half.unit] = max(largest.get(half.unit, 0.0), *sizes, 0.0)
     largest["rad/s²"] = max(largest.get("rad/s²", 0.0), largest.get("rad/s", 0.0) ** 2)
     return largest
-
-
-def _without_noise(rows: list[Row], largest: dict[str, float]) -> tuple[Row, ...]:
-    """Write as zero what is zero but for rounding, against the largest of its kind."""
-
-    def cleaned(cell: Cell) -> Cell:
-        noise = abs(cell.value) < NOTHING * largest[cell.unit]
-        return replace(cell, value=0.0) if noise and not cell.given else canonical(cell)
-
-    return tuple(
-        Row(
-            row.key,
-            row.title,
-            row.letters,
-            {name: tuple([cleaned(cell) for cell in cells]) for name, cells in row.cells.items()},
-        )
-        for row in rows
-    )

@@ -28,7 +28,7 @@ class Ink:
         **more: object,
     ) -> None:
         """Add a stroke with the caption that a phrase makes of its parts."""
-        caption = self.scene.say(phrase, **parts)
+        caption = self.scene.caption(phrase, **parts)
         stroke = Stroke(kind, label, shape, caption, name=name, **more)  # type: ignore[arg-type]
         self.strokes.append(stroke)
 
