@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 import re
+from functools import lru_cache
 
 MINUS = "\N{MINUS SIGN}"
 PRIME = "\N{PRIME}"
@@ -66,6 +67,7 @@ def number(value: float, unit: str = "", given: bool = False) -> str:
     return typeset(plain(value, unit, given))
 
 
+@lru_cache(maxsize=1024)  # a number stands in the results, in captions and in calculations
 def plain(value: float, unit: str = "", given: bool = False, digits: int = 0) -> str:
     """Write a value as `number` does, but in the notation of programs.
 
@@ -154,6 +156,7 @@ def typed(value: float, unit: str = "", digits: int = GIVEN) -> str:
     return "0" if is_angle and abs(value) < _FULL_TURN <= abs(float(text)) else text
 
 
+@lru_cache(maxsize=1024)
 def typeset(text: str, point: str = ".") -> str:
     """Turn a number in the notation of programs into print.
 

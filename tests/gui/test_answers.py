@@ -277,7 +277,7 @@ def test_the_mechanism_stays_in_its_panel_to_the_ends_of_its_reach(ask: Ask, nam
     answer = ask("pose", name, parameters=parameters)
     driven = next(iter(MECHANISMS[name].inputs))
     left, top, wide, high = map(
-        float, re.search('viewBox="([^"]+)"', answer["panels"][0][2])[1].split()
+        float, re.search("viewBox='([^']+)'", answer["panels"][0][2])[1].split()
     )
     for low, last in answer["ranges"]:
         for share in (0.002, 0.01, 0.5, 0.99, 0.998):

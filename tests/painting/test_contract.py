@@ -232,6 +232,27 @@ def test_a_bow_runs_from_its_start_over_its_sweep(paint: Paint, start: float, sw
             assert cover[int(spot.imag), int(spot.real)] < 0.05
 
 
+@pytest.mark.parametrize(
+    ("axis", "narrow", "start", "sweep"),
+    [(30, 0.5, 0, 360), (-70, 0.2, 40, -200), (135, 0.01, 90, 180)],
+)
+def test_a_narrow_bow_is_a_circle_seen_from_aside(
+    paint: Paint, axis: float, narrow: float, start: float, sweep: float
+) -> None:
+    centre, radius, width = 200 + 150j, 100.0, 6.0
+    way = cmath.rect(1.0, math.radians(axis))
+    bow = Bow(centre / HEIGHT, radius / HEIGHT, start, sweep, way, narrow)
+    angles = np.radians(start + sweep * np.linspace(0.0, 1.0, 721))
+    circle = radius * np.exp(1j * angles) * way.conjugate()
+    seen = centre + way * (circle.real + 1j * narrow * circle.imag)
+    cover = ink(paint((bow, Look(pen=pen(width, join="round")))))
+    rows, columns = np.nonzero(cover > 0.02)
+    spots = columns + 0.5 + 1j * (rows + 0.5)
+    assert np.abs(spots[:, None] - seen).min(axis=1).max() < width / 2 + 1.2
+    for spot in seen[20:-20:25]:
+        assert cover[int(spot.imag), int(spot.real)] > 0.95
+
+
 @pytest.mark.parametrize("marks", [(), ((Polyline(()), Look(pen=pen(3))),)])
 def test_nothing_is_nothing(paint: Paint, marks: Marks) -> None:
     assert ink(paint(*marks)).sum() == 0.0

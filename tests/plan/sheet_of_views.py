@@ -16,6 +16,7 @@ from vad.strokes.sheet import (
     Cell,
     Curve,
     Dot,
+    Ellipse,
     Line,
     Note,
     Panel,
@@ -24,9 +25,8 @@ from vad.strokes.sheet import (
     Stroke,
 )
 
-ROUND = tuple(cmath.exp(2j * math.pi * number / 48) for number in range(49))
 #: Behind the ball for 0° to 180°.
-ELLIPSE = tuple(complex(z.real, 0.4 * z.imag) for z in ROUND)
+ELLIPSE = Ellipse(0j, 1.0 + 0j, 0.4j, far=((0.0, 180.0),))
 ABOVE = -2.6j
 
 
@@ -35,11 +35,11 @@ def sheet_of_views(degrees: float = 60.0) -> Sheet:
     p = cmath.exp(1j * math.radians(degrees))
     down = complex(p.real) + ABOVE
     strokes = (
-        Stroke("fixed", "", Curve(ROUND), "The ball.", name="ball"),
+        Stroke("fixed", "", Ellipse(0j, 1.0 + 0j, 1j), "The ball.", name="ball"),
         Stroke("fixed", "O", Dot(0j), "O is its centre.", name="O.fixed"),
         Stroke("guide", "", Curve((ABOVE - 0.9j, ABOVE + 0.3j)), "The shaft's axis.", name="axis"),
         Stroke("fixed", "", Bearing(ABOVE - 0.6j, 1j), "Its bearing.", name="bearing"),
-        Stroke("known", "", Curve(ELLIPSE, ((0, 24),)), "A circle.", "driving", name="circle"),
+        Stroke("known", "", ELLIPSE, "A circle.", "driving", name="circle"),
         Stroke(
             "known",
             "",

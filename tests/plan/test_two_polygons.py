@@ -18,7 +18,7 @@ from vad.plan.format import screen
 from vad.plan.items import FOREVER
 from vad.plan.lettering.glyphs import CLOSE, typeset
 from vad.plan.lettering.runs import plain, roman, symbols
-from vad.plan.marks import Disc, Lettering, Polyline
+from vad.plan.marks import Bow, Disc, Lettering, Polyline
 from vad.plan.multiples_board import MultiplesBoard
 from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import PolarInset
@@ -172,18 +172,17 @@ def test_the_polar_inset_is_true_to_scale():
     sketch = drawn.sketches["acceleration"]
     item = next(i for i in sketch.items if any(m.role == "path" for m in i.marks))
     assert item.since == sketch.setting.after(6)
-    circle, curve = (
-        m.shape.pieces[0] for m in item.marks if m.role == "path" and isinstance(m.shape, Polyline)
-    )
-    centre = sum(circle[:-1]) / (len(circle) - 1)
-    radius = abs(circle[0] - centre)
+    circle, line = (m.shape for m in item.marks if m.role == "path")
+    assert isinstance(circle, Bow) and abs(circle.sweep) == 360.0
+    assert isinstance(line, Polyline)
+    centre, radius, curve = circle.centre, circle.radius, line.pieces[0]
     reached = [abs(point - centre) / radius for point in curve]
     assert min(reached) == pytest.approx(math.cos(math.radians(30.0)))
     assert max(reached) == pytest.approx(1.0 / math.cos(math.radians(30.0)))
     dots = [m.shape for m in item.marks if isinstance(m.shape, Disc) and m.row is None]
     assert [abs(dot.centre - centre) / radius for dot in dots] == [pytest.approx(1.0)]
     room = sketch.setting.room
-    assert all(room.holds(point) for point in (*circle, *curve))
+    assert all(room.holds(point) for point in (*circle.line(), *curve))
 
 
 def test_the_remark_stands_between_polygon_and_equation():

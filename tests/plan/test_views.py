@@ -2,24 +2,28 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 from dataclasses import replace
-from itertools import pairwise
 
 import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
 
 from tests.plan.overlaps import overlaps, planned
-from tests.plan.sheet_of_views import ROUND, sheet_of_views
+from tests.plan.sheet_of_views import sheet_of_views
 from vad.export.data.sheet_json import sheet_from_json, to_text
 from vad.plan.format import screen
 from vad.plan.items import Item
 from vad.plan.live.live_board import LiveBoard
-from vad.plan.marks import Disc, Lettering, Mark, Polygon, Polyline
+from vad.plan.marks import Bow, Disc, Lettering, Mark, Polygon
 from vad.plan.page.captioning import caption_lines
-from vad.plan.pictures.curves import PlacedCurve
+from vad.plan.pictures.curves import curve_of
 from vad.plan.pictures.views import views_scale
+from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.moving_views import MovingViews
-from vad.strokes.sheet import Arrow
+from vad.strokes.sheet import Arrow, Ellipse
 
 POSES = [sheet_of_views(degrees) for degrees in range(5, 365, 30)]
 
@@ -32,11 +36,6 @@ def marks(items: list[Item], name: str, role: str) -> list[Mark]:
 
 def setting(room_of: Sketch) -> Setting:
     return replace(room_of.setting, panel=POSES[0].panels[0])
-
-
-def length(mark: Mark) -> float:
-    assert isinstance(mark.shape, Polyline)
-    return sum(abs(b - a) for piece in mark.shape.pieces for a, b in pairwise(piece))
 
 
 @pytest.mark.parametrize(
@@ -56,21 +55,48 @@ def test_the_far_half_of_a_circle_is_dashed_and_the_near_one_solid():
     sketch = planned(sheet_of_views()).sketches["position"]
     (near,) = marks(sketch.items, "position:circle", "path")
     (far,) = marks(sketch.items, "position:circle", "path far")
-    assert length(near) == pytest.approx(length(far))
-    centre = sketch.scale(0j).imag
-    assert all(z.imag >= centre - 1e-12 for piece in far.shape.pieces for z in piece)
-    assert all(z.imag <= centre + 1e-12 for piece in near.shape.pieces for z in piece)
+    centre, factor = sketch.scale(0j), sketch.scale.factor
+    for mark, side in ((near, -1.0), (far, 1.0)):
+        ways = [(z - centre) / factor for z in mark.shape.line()]
+        assert all(side * way.imag >= -1e-12 for way in ways)
+        assert [abs(complex(way.real, way.imag / 0.4)) for way in ways] == pytest.approx(
+            [1.0] * len(ways)
+        )
+        assert {round(ways[0].real), round(ways[-1].real)} == {1, -1}
 
 
 def test_a_curve_grows_from_its_first_point_through_near_and_far_parts():
-    curve = PlacedCurve([complex(x) for x in range(9)], frozenset((2, 3, 6)))
+    shape = Ellipse(0.5j, 1.0 + 0j, 1j, 90.0, -320.0, ((-30.0, 20.0), (-150.0, -110.0)))
+    curve = curve_of(Scale(0j, 0.1), shape)
     for share in (0.125, 0.3, 0.5, 0.8, 1.0):
         grown = [
             shown for mark in curve.marks("path", "path far", None) if (shown := mark.at(share))
         ]
-        assert sum(map(length, grown)) == pytest.approx(8 * share)
-        reach = max(z.real for mark in grown for piece in mark.shape.pieces for z in piece)
-        assert reach == pytest.approx(8 * share)
+        assert sum(mark.shape.length for mark in grown) == pytest.approx(
+            0.1 * math.radians(320.0) * share
+        )
+        tip = 0.1 * shape.at(90.0 - 320.0 * share)
+        assert min(abs(mark.shape.line()[-1] - tip) for mark in grown) < 1e-12
+    far = [mark for mark in curve.marks("path", "path far", None) if mark.role == "path far"]
+    assert sum(mark.shape.length for mark in far) == pytest.approx(0.1 * math.radians(90.0))
+
+
+@given(st.complex_numbers(max_magnitude=3.0), *3 * [st.floats(-180.0, 180.0)], st.booleans())
+def test_a_bow_runs_through_the_points_of_its_ellipse(first, across, start, sweep, above):
+    assume(abs(first) > 0.1 and abs(sweep) > 1.0)
+    second = first * cmath.rect(0.7, math.radians(across))
+    shape = Ellipse(0.2 + 0.1j, first, second if above else second.conjugate(), start, sweep)
+    bow = curve_of(Scale(0.3j, 0.1), shape).shape
+    assert isinstance(bow, Bow)
+    line = bow.line()
+    for number, z in enumerate(line):
+        angle = start + sweep * number / (len(line) - 1)
+        assert abs(z - (0.3j + 0.1 * shape.at(angle))) < 1e-12
+    # No point lies beyond the outermost ones.
+    points, outermost = [shape.at(start + sweep * k / 90) for k in range(91)], shape.outermost
+    for turn in (1.0, -1.0, 1j, -1j):
+        farthest = max((turn * z).real for z in outermost)
+        assert farthest >= max((turn * z).real for z in points) - 1e-12
 
 
 def test_a_curve_is_lifted_over_to_a_break():
@@ -78,7 +104,7 @@ def test_a_curve_is_lifted_over_to_a_break():
     (projectors,) = marks(sketch.items, "position:P.projector", "path far")
     assert [len(piece) for piece in projectors.shape.pieces] == [2, 2]
     first, second = projectors.shape.pieces
-    half = projectors.at(abs(first[1] - first[0]) / length(projectors))
+    half = projectors.at(abs(first[1] - first[0]) / projectors.shape.length)
     assert half is not None
     assert half.shape.pieces[0] == pytest.approx(first)
     assert second[0] == sketch.scale(0.7j)
@@ -115,7 +141,7 @@ def test_the_scale_is_that_of_the_ball_and_is_not_stated():
     plan = planned(sheet_of_views())
     sketch = plan.sketches["position"]
     (ball,) = marks(sketch.items, "position:ball", "ball")
-    assert ball.shape.rings[0] == pytest.approx([sketch.scale(z) for z in ROUND])
+    assert ball.shape == Disc(sketch.scale(0j), sketch.scale.factor)
     heads = [m for i in plan.items if i.region == "position head" for m in i.marks]
     assert not [mark for mark in heads if mark.role == "scale bar"]
 

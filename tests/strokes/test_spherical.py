@@ -16,7 +16,7 @@ from tests.strokes.named import dot, stroke, vector
 from vad.export.data.sheet_json import sheet_from_json, to_text
 from vad.plan.growth import Scaling
 from vad.plan.marks import Polyline
-from vad.strokes.sheet import Curve, Fold, Line, Sheet
+from vad.strokes.sheet import Ellipse, Fold, Line, Sheet
 
 ANGLES = [*range(0, 360, 30), 140]
 #: The frame's bisector points down: the direction of OA on the page.
@@ -61,10 +61,13 @@ def test_all_is_seen_square_to_the_plane_of_the_frame(angle: int, assembly: str)
         assert at == pytest.approx(ALONG_A * complex(z, -y))
         assert abs(at) == pytest.approx(math.sqrt(1.0 - x * x))  # so A, D and I on the outline
     bar = stroke(panel, "DC.arc").shape
-    assert isinstance(bar, Curve)
+    assert isinstance(bar, Ellipse)
+    ends = [bar.at(bar.start), bar.at(bar.start + bar.sweep)]
+    assert ends == pytest.approx([dot(panel, "D.fixed"), dot(panel, "C.found")])
+    # From D on, which lies in the paper, all of it is on the side of C.
     hidden = sum(last - first for first, last in bar.far)
     behind = pose.point("C").position[0] < 0.0
-    assert bool(hidden) == behind
+    assert hidden == pytest.approx(bar.sweep if behind else 0.0)
 
 
 @poses

@@ -24,7 +24,7 @@ from vad.mechanisms import Mechanism
 from vad.page.ink import Inker
 from vad.page.panels import picture, scale_bar
 from vad.page.results_table import measured_cells, values_of
-from vad.page.themed import themed
+from vad.page.themed import Inks
 from vad.page.wording import Words
 from vad.painting.posed import SIZE
 from vad.painting.svg.font_subset import Faces
@@ -80,20 +80,24 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
         sheet = vad.draw(motion, POSITION, question.language)
         trouble = {"error": problem(error, question.fields)}
     scales = {name: scale_of(values) for name, values in question.scales.items()}
-    rested = question.rested()
+    rested = question.rested(mechanism)
     board = board_of(rested, panels, question.language)
     if rested != mechanism:
         board = board.resized(sheet, scales)
     shown = board.pose(sheet, scales, question.ways)
-    style, faces = load_style(question.style), Faces()
-    inker, words = Inker(FORM, themed(style), faces), Words(faces)
+    faces = Faces()
+    inker, words = Inker(FORM, _inks(question.style), faces), Words(faces)
     drawn = [
-        [each.name, scale_bar(shown.plan, each, words), picture(shown.plan, each, inker)]
+        [
+            each.name,
+            _quoted(scale_bar(shown.plan, each, words)),
+            _quoted(picture(shown.plan, each, inker)),
+        ]
         for each in sheet.panels
     ]
     values = values_of(shown.plan, load_style(question.style).key)
     rows = [
-        [measured_cells(shown.plan, panel, row, words, values) for panel in sheet.panels]
+        [_quoted(measured_cells(shown.plan, panel, row, words, values)) for panel in sheet.panels]
         for row in sheet.rows
     ]
     return {
@@ -125,6 +129,11 @@ def board_of(mechanism: Mechanism, panels: tuple[str, ...], language: str) -> Li
     return LiveBoard.over(_first(motions, panels, language), FORM, LINES, poses)
 
 
+def _quoted(html: str) -> str:
+    """Return HTML with single quotes, of which JSON escapes none; a text has neither of both."""
+    return html.replace('"', "'")
+
+
 def _over(mechanism: Mechanism) -> Iterable[Motion]:
     """Yield poses over all that the driver reaches."""
     driven, ranges = next(iter(mechanism.inputs)), reach(mechanism)
@@ -140,6 +149,11 @@ def _over(mechanism: Mechanism) -> Iterable[Motion]:
 def _pictured(motion: Motion) -> Panel:
     """Return the mechanism in one pose; the numbers in its captions, which nobody reads, lack."""
     return DIAGRAMS[POSITION].panel(scene_of(motion, Language("en")))
+
+
+@lru_cache(maxsize=8)
+def _inks(style: str) -> Inks:
+    return Inks(load_style(style))
 
 
 @lru_cache(maxsize=64)

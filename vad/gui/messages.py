@@ -141,9 +141,11 @@ class PoseQuestion(Question):
     ways: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     stands: Mapping[str, Value] | None = None
 
-    def rested(self) -> Mechanism:
-        """Return the mechanism of the fair copy before."""
-        return self.with_dimensions(self.parameters if self.stands is None else self.stands)
+    def rested(self, mechanism: Mechanism) -> Mechanism:
+        """Return that of the fair copy before, which may be the ``mechanism`` asked for."""
+        if self.stands is None or self.stands == self.parameters:
+            return mechanism
+        return self.with_dimensions(self.stands)
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,7 @@ Each is a list of its kind, its knots (a share, then numbers) and what else it n
 
     ["trim", knots]                                 a line, the part of its length
     ["bow", knots, x, y, radius, start, sweep]      an arc, the part of its sweep
+    [… , sweep, degrees, narrow]                    the same, seen from aside: clockwise its axis
     ["slide", knots]                                how far it is from its place, right and down
     ["turn", knots, x, y]                           degrees clockwise to its place, about a point
     ["scale", knots, x, y]                          its factor, about a point
@@ -30,7 +31,9 @@ def grown(mark: Mark, grid: Grid) -> list[Any]:
             if isinstance(mark.shape, Bow):
                 bow = mark.shape
                 place = [*_at(bow.centre, grid), round(bow.radius * grid.unit, 2)]
-                return ["bow", _knots(knots), *place, round(bow.start, 2), round(bow.sweep, 2)]
+                aside = [_clockwise(bow.axis), _short(bow.narrow)] if bow.narrow < 1.0 else []
+                turn = round(bow.start, 2), round(bow.sweep, 2)
+                return ["bow", _knots(knots), *place, *turn, *aside]
             return ["trim", _knots(knots)]
         case Sliding(offsets):
             ways = [(share, z * grid.unit) for share, z in offsets]
@@ -40,8 +43,7 @@ def grown(mark: Mark, grid: Grid) -> list[Any]:
         case Scaling(centre, knots, axis):
             if axis is None:
                 return ["scale", _knots(knots), *_at(centre, grid)]
-            degrees = -math.degrees(cmath.phase(axis))  # clockwise
-            return ["swing", _knots(knots), *_at(centre, grid), round(degrees, 2)]
+            return ["swing", _knots(knots), *_at(centre, grid), _clockwise(axis)]
         case Fading(knots):
             return ["fade", _knots(knots)]
         case None:
@@ -56,6 +58,10 @@ def _short(value: float) -> float:
     """Return a number as precise as an eye is, whole if it can be."""
     rounded = round(value, 4)
     return int(rounded) if rounded == int(rounded) else rounded
+
+
+def _clockwise(axis: complex) -> float:
+    return round(-math.degrees(cmath.phase(axis)), 2)
 
 
 def _at(z: complex, grid: Grid) -> list[float]:

@@ -12,7 +12,7 @@ from itertools import groupby
 from typing import Any
 
 from vad.page.growths import grown
-from vad.page.themed import Inks, Themed
+from vad.page.themed import Inks
 from vad.painting.svg.classes import Classes
 from vad.painting.svg.elements import Elements
 from vad.painting.svg.font_subset import Faces
@@ -32,27 +32,27 @@ class Inker:
     ----------
     classes
         The looks that have been met.
-    style
-        What names their colours.
+    inks
+        Their looks, and the style that names their colours.
     growths
         How each mark that grows comes about: see `vad.page.growths`.
     """
 
-    def __init__(self, form: Format, style: Themed, faces: Faces) -> None:
+    def __init__(self, form: Format, inks: Inks, faces: Faces) -> None:
         self.classes = Classes()
-        self.style = style
+        self.inks = inks
         self.growths: list[list[Any]] = []
-        self._grid, self._inks = Grid(form), Inks(style)
+        self._grid = Grid(form)
         self._elements = Elements(self._grid, self.classes, SetText(self.classes, faces, ""))
 
     def drawing(self, plan: Plan, panel: str) -> str:
         """Return the groups of a panel, in painting order."""
-        groups: dict[tuple[Level, str], list[Span]] = {}
+        groups: dict[tuple[Level, str], dict[Span, None]] = {}
         for item in plan.items:
             if item.region == panel:
                 # What shows again and again, as the light on a link, is written once.
                 key = item.level, "".join(map(self._mark, item.marks))
-                groups.setdefault(key, []).append((item.since, item.until))
+                groups.setdefault(key, {})[item.since, item.until] = None
         beats = groupby(groups.items(), key=lambda group: when(group[1]))
         return "".join(
             f"<g{span}>{''.join(marks for (_, marks), _ in run)}</g>" for span, run in beats
@@ -60,7 +60,7 @@ class Inker:
 
     def mark(self, mark: Mark) -> str:
         """Return a mark as it stays."""
-        return self._elements.of(mark.shape, self._inks(mark)).replace("\n", "")
+        return self._elements.of(mark.shape, self.inks(mark)).replace("\n", "")
 
     def view(self, area: Rect) -> str:
         """Return the view of an area of the page."""

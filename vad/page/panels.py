@@ -78,7 +78,7 @@ def _piece(board: Plan, piece: Piece, inker: Inker, words: Words) -> str:
     colour, beats = "", ""
     if piece.term:
         setting = board.sketches[piece.half].setting
-        colour = f";color:{lettered(inker.style.colour('row', setting.row(piece.term.link)))}"
+        colour = f";color:{lettered(inker.inks.style.colour('row', setting.row(piece.term.link)))}"
         if piece.term.stroke:
             inked = setting.after(setting.panel.number(piece.term.stroke))
             beats = when([(inked, FOREVER)])

@@ -16,7 +16,7 @@ from vad.page.panels import panel_section
 from vad.page.phrases import phrases
 from vad.page.results_table import table
 from vad.page.spoken import spoken
-from vad.page.themed import themed
+from vad.page.themed import Inks
 from vad.page.wording import Words
 from vad.painting.posed import SIZE
 from vad.painting.svg.font_subset import Faces
@@ -78,7 +78,7 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
     """
     board = board or page_plan(lesson)
     style, faces = load_style(lesson.style), Faces()
-    inker, words = Inker(board.form, themed(style), faces), Words(faces)
+    inker, words = Inker(board.form, Inks(style), faces), Words(faces)
     sheet = lesson.sheet
     write = setter(sheet)
     said = [_listed(lesson, step, write, words) for step in lesson.steps]

@@ -6,6 +6,7 @@
 // "vad:step" with x as its detail.
 
 const smooth = (t) => t * t * (3 - 2 * t);
+const ray = (degrees) => [Math.cos(degrees * Math.PI / 180), Math.sin(degrees * Math.PI / 180)];
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
 // The numbers at a share: linear between knots, constant beyond them.
@@ -32,13 +33,15 @@ function trimmed(data, part) {
   return drawn;
 }
 
+// A vector right and down, a factor as long across an axis, which points so many degrees clockwise.
+function narrowed(right, down, factor, degrees) {
+  const [cos, sin] = ray(degrees), more = (factor - 1) * (down * cos - right * sin);
+  return [right - more * sin, down + more * cos];
+}
+
 // Lines "Mx yldx dy…", a factor as wide across an axis through a point.
 function squeezed(data, factor, x, y, degrees) {
-  const cos = Math.cos(degrees * Math.PI / 180), sin = Math.sin(degrees * Math.PI / 180);
-  const place = (right, down) => {
-    const more = (factor - 1) * (down * cos - right * sin);
-    return [right - more * sin, down + more * cos];
-  };
+  const place = (right, down) => narrowed(right, down, factor, degrees);
   return data.split("M").slice(1).map((piece) => {
     const n = piece.match(/-?(\d+\.?\d*|\.\d+)/g).map(Number), first = place(n[0] - x, n[1] - y);
     const ways = n.map((_, i) => i > 1 && i % 2 ? place(n[i - 1], n[i]).join(" ") : "").join(" ");
@@ -46,13 +49,11 @@ function squeezed(data, factor, x, y, degrees) {
   }).join("");
 }
 
-function arc(part, x, y, radius, start, sweep) {
-  const at = (degrees) => {
-    const angle = degrees * Math.PI / 180;
-    return `${x + radius * Math.cos(angle)} ${y - radius * Math.sin(angle)}`;
-  };
+function arc(part, x, y, radius, start, sweep, degrees = 0, narrow = 1) {
+  const ways = (angle) => narrowed(...ray(-angle), narrow, degrees);
+  const at = (angle) => ways(angle).map((way, i) => [x, y][i] + radius * way).join(" ");
   const turn = part * sweep, flags = `${+(Math.abs(turn) > 180)} ${+(turn < 0)}`;
-  return part > 0 ? `M${at(start)}A${radius} ${radius} 0 ${flags} ${at(start + turn)}` : "";
+  return part > 0 ? `M${at(start)}A${radius} ${narrow * radius} ${degrees} ${flags} ${at(start + turn)}` : "";
 }
 
 // Shows a growing mark at a share; at 1 it is as it stays. See vad/page/growths.py.

@@ -6,6 +6,7 @@ In come styles, out go looks that name variables, and the rules that give these 
 from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
+from functools import lru_cache
 
 from vad.painting.painter import Looks
 from vad.plan.marks import Lettering, Mark
@@ -32,14 +33,21 @@ class Themed(Style):
 
 
 class Inks(Looks):
-    """The looks of marks on a page: letters are in inks that can be read."""
+    """The looks of marks on a page in a style: letters are in inks that can be read."""
+
+    def __init__(self, style: Style) -> None:
+        self.style = themed(style)
+        super().__init__(self.style)
 
     def __call__(self, mark: Mark) -> Look:
         """Return how a mark looks."""
         look = super().__call__(mark)
-        if isinstance(mark.shape, Lettering) and look.fill:
-            return replace(look, fill=lettered(look.fill))
-        return look
+        return _legible(look) if isinstance(mark.shape, Lettering) and look.fill else look
+
+
+@lru_cache(maxsize=64)
+def _legible(look: Look) -> Look:
+    return replace(look, fill=lettered(look.fill or ""))
 
 
 def lettered(colour: str) -> str:

@@ -30,14 +30,18 @@ class Polyline:
         """Return the lines a ``factor`` as wide across an axis through ``centre``."""
 
         def place(z: complex) -> complex:
-            way = (z - centre) * axis.conjugate()
-            return centre + axis * complex(way.real, factor * way.imag)
+            return centre + squeezed(z - centre, axis, factor)
 
         return Polyline(tuple(tuple(map(place, piece)) for piece in self.pieces))
 
+    @property
+    def length(self) -> float:
+        """The length of all lines together."""
+        return sum(abs(b - a) for piece in self.pieces for a, b in pairwise(piece))
+
     def trimmed(self, share: float) -> Polyline:
         """Return the first ``share`` of the length, piece after piece."""
-        left = share * sum(abs(b - a) for piece in self.pieces for a, b in pairwise(piece))
+        left = share * self.length
         kept: list[tuple[complex, ...]] = []
         for piece in self.pieces:
             line = [piece[0]]
@@ -82,21 +86,40 @@ class Disc:
 
 @dataclass(frozen=True, slots=True)
 class Bow:
-    """An open arc of a circle; ``start`` and ``sweep`` in degrees, counter-clockwise positive."""
+    """An open arc of a circle; ``start`` and ``sweep`` in degrees, counter-clockwise positive.
+
+    Seen from aside the circle is ``narrow`` times as wide across its ``axis``, a unit vector: an
+    ellipse, whose angles remain those of the circle.
+    """
 
     centre: complex
     radius: float
     start: float
     sweep: float
+    axis: complex = 1.0 + 0j
+    narrow: float = 1.0
 
     def mapped(self, turn: complex, shift: complex) -> Bow:
         """Return the shape with every point z at ``turn * z + shift``."""
         start = self.start + math.degrees(cmath.phase(turn))
-        return Bow(turn * self.centre + shift, abs(turn) * self.radius, start, self.sweep)
+        centre, size = turn * self.centre + shift, abs(turn)
+        axis = self.axis * turn / size if size else self.axis
+        return Bow(centre, size * self.radius, start, self.sweep, axis, self.narrow)
 
     def trimmed(self, share: float) -> Bow:
         """Return the first ``share`` of the arc."""
         return replace(self, sweep=share * self.sweep)
+
+    @property
+    def length(self) -> float:
+        """The length of the arc, as long as it is on the circle."""
+        return abs(math.radians(self.sweep)) * self.radius
+
+    def line(self) -> list[complex]:
+        """Return points along the arc, close enough for keeping clear of it."""
+        count = max(2, math.ceil(abs(self.sweep) / 8.0) + 1)
+        angles = (math.radians(self.start + self.sweep * i / (count - 1)) for i in range(count))
+        return [self.centre + self._seen(cmath.rect(self.radius, angle)) for angle in angles]
 
     def curve(self) -> list[complex]:
         """Return the points of cubic Bézier curves, accurate to 1e-4 of the radius."""
@@ -104,13 +127,15 @@ class Bow:
         step = math.radians(self.sweep) / pieces
         pull = 4.0 / 3.0 * math.tan(step / 4.0)
         spoke = cmath.rect(self.radius, math.radians(self.start))
-        points = [self.centre + spoke]
+        ways = [spoke]
         for _ in range(pieces):
             ahead = spoke * cmath.exp(1j * step)
-            points += [self.centre + spoke * (1 + 1j * pull), self.centre + ahead * (1 - 1j * pull)]
-            points.append(self.centre + ahead)
+            ways += [spoke * (1 + 1j * pull), ahead * (1 - 1j * pull), ahead]
             spoke = ahead
-        return points
+        return [self.centre + self._seen(way) for way in ways]
+
+    def _seen(self, way: complex) -> complex:
+        return way if self.narrow == 1.0 else squeezed(way, self.axis, self.narrow)
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,6 +204,12 @@ class Mark:
     def moved(self, by: complex) -> Mark:
         """Return the mark shifted; it must not grow."""
         return replace(self, shape=self.shape.mapped(1.0, by))
+
+
+def squeezed(way: complex, axis: complex, factor: float) -> complex:
+    """Return a vector a ``factor`` as long across an axis, a unit vector."""
+    parts = way * axis.conjugate()
+    return axis * complex(parts.real, factor * parts.imag)
 
 
 def line(

@@ -18,10 +18,11 @@ class Captions:
         self._panel = "velocity" if order == 1 else "acceleration"
         self._say = scene.say
         self._unit = scene.rate_unit(order)
+        self._written_unit = Unit(self._unit)
 
     def pole(self, letters: list[str]) -> str:
         """Say which points lie at the pole."""
-        points = self._scene.motion.points
+        points = self._scene.members.points
         *named, last = [
             letter
             if point_of(letter) in points
@@ -47,18 +48,18 @@ class Captions:
         rate = scene.spin(bar.link, 1 if normal else self._order, power=2 if normal else 1)
         size, value = scene.length(bar, self._unit), self._size(part)
         scene.figures.product(value, rate, size)
-        tail, head = scene.ends(bar)
+        tail, head = scene.members.ends(bar)
         whole = label == "".join(image_letter(end, self._order) for end in (bar.tail, bar.head))
         return self._say(
             ("normal" if normal else f"tangential {self._panel}") + (" whole" if whole else ""),
             label=label,
             bar=tail + head,
-            omega=scene.symbol("ω", bar.link),
-            alpha=scene.symbol("α", bar.link),
+            omega=scene.members.symbol("ω", bar.link),
+            alpha=scene.members.symbol("α", bar.link),
             rate=rate,
             size=size,
             value=value,
-            unit=Unit(self._unit),
+            unit=self._written_unit,
             head=head,
             tail=tail,
             whose=self._whose(bar),
@@ -66,7 +67,7 @@ class Captions:
 
     def _known_slide(self, label: str, part: Part[StepVector], slide: Slide) -> str:
         scene, value = self._scene, self._size(part)
-        common = {"label": label, "unit": Unit(self._unit)}
+        common = {"label": label, "unit": self._written_unit}
         if part.name != "coriolis":
             given = scene.figure(length_of(slide.name), value.value, value.unit)
             line, way = scene.line(slide), self._way(part.vector)
@@ -76,32 +77,32 @@ class Captions:
         sliding = abs(scene.speed(slide.name, 1))
         speed = scene.figure(length_of(slide.name), sliding, scene.rate_unit(1))
         scene.figures.product(value, Figure(2.0, given=True), rate, speed)
-        omega = scene.symbol("ω", link)
+        omega = scene.members.symbol("ω", link)
         return self._say("coriolis", omega=omega, rate=rate, speed=speed, value=value, **common)
 
     def line(self, part: Part[StepVector], point: str, meeting: str) -> str:
         """Say why the next vertex must lie on a construction line."""
         scene, step = self._scene, part.of.step
-        fixed = {image_letter(letter, self._order) for letter in scene.motion.frame.fixed}
+        fixed = {image_letter(letter, self._order) for letter in scene.members.fixed}
         place = self._say("the pole") if point in fixed else point
         if isinstance(step, Slide):
             return self._say(
                 self._along(step),
                 point=place,
                 line=scene.line(step),
-                slide=scene.slider(step),
+                slide=scene.members.slider(step),
                 head=self._sliding_point(step),
                 meeting=meeting,
             )
-        tail, head = scene.ends(step)
-        strut = " strut" if self._order == 1 and scene.is_strut(step) else ""
+        tail, head = scene.members.ends(step)
+        strut = " strut" if self._order == 1 and scene.members.is_strut(step) else ""
         return self._say(
             f"across {self._panel}{strut}",
             point=place,
             bar=tail + head,
             tail=tail,
             head=head,
-            alpha=scene.symbol("α", step.link),
+            alpha=scene.members.symbol("α", step.link),
             meeting=meeting,
         )
 
@@ -119,7 +120,7 @@ class Captions:
     def absolute(self, label: str, point: str, size: float) -> str:
         """Measure the vector of a point from the pole."""
         value, whose = Figure(size, self._unit), self._say(f"{self._panel} of", head=point)
-        return self._say("whole", label=label, value=value, unit=Unit(self._unit), whose=whose)
+        return self._say("whole", label=label, value=value, unit=self._written_unit, whose=whose)
 
     def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[StepVector], str]]) -> str:
         """Say what lies where the two lines cross, and which results are zero there."""
@@ -134,11 +135,11 @@ class Captions:
     def measured(self, label: str, part: Part[StepVector]) -> str:
         """Measure a result off the polygon."""
         scene, step, value = self._scene, part.of.step, self._size(part)
-        common = {"label": label, "value": value, "unit": Unit(self._unit)}
+        common = {"label": label, "value": value, "unit": self._written_unit}
         if isinstance(step, Slide):
             return self._say(
                 f"measured sliding {self._panel}",
-                slide=scene.slider(step),
+                slide=scene.members.slider(step),
                 head=self._sliding_point(step),
                 line=scene.line(step),
                 way=self._way(part.vector),
@@ -148,12 +149,12 @@ class Captions:
             )
         rate, size = scene.spin(step.link, self._order), scene.length(step, self._unit, power=-1)
         scene.figures.product(rate, value, size)
-        tail, head = scene.ends(step)
+        tail, head = scene.members.ends(step)
         turning = scene.rate(step.link, self._order)
         return self._say(
             f"measured omega{self._seen(step)}" if self._order == 1 else "measured alpha",
-            omega=scene.symbol("ω", step.link),
-            alpha=scene.symbol("α", step.link),
+            omega=scene.members.symbol("ω", step.link),
+            alpha=scene.members.symbol("α", step.link),
             bar=tail + head,
             tail=tail,
             head=head,
@@ -170,7 +171,7 @@ class Captions:
             "whole",
             label=label,
             value=Figure(size, self._unit),
-            unit=Unit(self._unit),
+            unit=self._written_unit,
             whose=self._whose(vector.step),
         )
 
@@ -187,7 +188,7 @@ class Captions:
             "".join(image_letter(letter, self._order) for letter in (each.tail, each.head))
             for each in (bar, base)
         )
-        common = {"value": found, "unit": Unit(self._unit), "label": label}
+        common = {"value": found, "unit": self._written_unit, "label": label}
         also = "" if part == label else self._say("image other", **common)
         if not scene.against(bar):  # else it would take three lines
             whose = self._say(f"{self._panel} of", head=bar.head)
@@ -205,7 +206,7 @@ class Captions:
             size=size,
             length=length,
             own=own,
-            unit=Unit(self._unit),
+            unit=self._written_unit,
             also=also,
         )
 
@@ -213,22 +214,22 @@ class Captions:
         """Return the symbol of what a step's unknown part measures: ω₃, α₃, v or a."""
         if isinstance(step, Slide):
             return "va"[self._order - 1]
-        return self._scene.symbol("ωα"[self._order - 1], step.link)
+        return self._scene.members.symbol("ωα"[self._order - 1], step.link)
 
     def _size(self, part: Part[StepVector]) -> Figure:
         return Figure(abs(part.vector), self._unit)
 
     def _whose(self, bar: Step) -> str:
         """Say whose velocity or acceleration the whole vector of a bar is."""
-        fixed = bar.tail in self._scene.motion.frame.fixed
+        fixed = bar.tail in self._scene.members.fixed
         phrase = f"{self._panel} of" + ("" if fixed else " relative")
         return self._say(phrase, head=bar.head, tail=bar.tail)
 
     def _seen(self, bar: Bar) -> str:
         """Return from where the motion of a bar's head is seen."""
-        if self._scene.is_strut(bar):
+        if self._scene.members.is_strut(bar):
             return " strut"
-        return " absolute" if bar.tail in self._scene.motion.frame.fixed else ""
+        return " absolute" if bar.tail in self._scene.members.fixed else ""
 
     def _sliding_point(self, slide: Slide) -> str:
         return self._scene.motion.mechanism.slides[slide.name]
@@ -238,7 +239,7 @@ class Captions:
         if isinstance(slide.along, str):
             inside = "slot" if slide.name == slide.along else "link"
             return f"along velocity {inside}" if self._order == 1 else "along acceleration"
-        return "along velocity" if self._scene.is_guide(slide) else "along velocity slot"
+        return "along velocity" if self._scene.members.is_guide(slide) else "along velocity slot"
 
     def _way(self, vector: complex) -> str:
         if abs(vector.real) >= abs(vector.imag):

@@ -24,8 +24,8 @@ class _Construction:
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self.motion = scene.motion
-        self.frame = scene.motion.frame
-        self.linkage = scene.motion.linkage
+        self.members = scene.members
+        self.frame, self.linkage = self.members.frame, self.members.linkage
         self.ink = Ink(scene)
         self.found: set[str] = set(self.frame.fixed)
         self.further = FurtherPoints(scene, self.ink, self.found)
@@ -58,7 +58,7 @@ class _Construction:
             for end in (step.tail, step.head)
         }
         ends = {end for pair in self.motion.mechanism.links.values() for end in points_of(pair)}
-        for letter in self.motion.points:
+        for letter in self.members.points:
             if letter in self.frame.fixed:
                 pivot = letter in bars | ends
                 kind, phrase = ("fixed", "fixed") if pivot else ("pole", self._point(letter))
@@ -66,22 +66,20 @@ class _Construction:
                 self.ink.draw(
                     f"{letter}.fixed", kind, letter, Dot(self.scene.at(letter)), phrase, parts
                 )
-        for slide in self.scene.slides:
-            if self.scene.is_guide(slide):
-                self._guide(slide)
+        for slide in self.members.guides:
+            self._guide(slide)
 
     def _point(self, letter: str) -> str:
         """Return the phrase for a fixed point that is no pivot."""
-        guides = [slide for slide in self.scene.slides if self.scene.is_guide(slide)]
-        lines = {slide.along for slide in guides if slide.tail == letter}
+        lines = {slide.along for slide in self.members.guides if slide.tail == letter}
         return "guides cross" if len(lines) > 1 else "fixed point"
 
     def _guide(self, slide: Slide) -> None:
-        line = self.scene.heading(self.frame.line(slide, self.motion.pose))
+        line = self.scene.heading(self.frame.line(slide, self.scene.pose))
         origin = self.scene.at(slide.tail) + self.scene.outward(self.frame.shift(slide))
         guide = Guide(origin, line, self._away(slide.head, line))
         head, tail = slide.head, slide.tail
-        known = tail in self.motion.points
+        known = tail in self.members.points
         label, phrase = ("", "guide") if known else (tail, "guide point")
         parts = {"head": head, "tail": tail}
         name = f"{slide.ends}.guide"
@@ -150,7 +148,7 @@ class _Construction:
                 self._link_slot_line(step, end)
                 phrase = ("on link slot", {"letter": end})
             elif isinstance(step, Slide) and isinstance(step.along, float):
-                if not self.scene.is_guide(step):
+                if not self.members.is_guide(step):
                     self._slot_line(step)
                     phrase = ("on slot", {"letter": end})
                 elif phrase[0] == "found" and arcs:
@@ -165,7 +163,7 @@ class _Construction:
 
     def _under(self, slide: Slide) -> None:
         """Letter the point of a known link that lies under a block."""
-        if slide.tail not in self.found and slide.tail in self.motion.points:
+        if slide.tail not in self.found and slide.tail in self.members.points:
             self.found.add(slide.tail)
             at = Dot(self.scene.at(slide.tail))
             parts = {"letter": slide.tail, "link": slide.along, "pin": slide.head}
@@ -175,12 +173,12 @@ class _Construction:
     def _is_slot(self, slide: Slide, unknowns: tuple[Scalar, ...]) -> bool:
         """Tell whether a block slides on a turning link that is known before."""
         known = isinstance(slide.along, str) and angle_of(slide.along) not in unknowns
-        return known and slide.head in self.motion.points
+        return known and slide.head in self.members.points
 
     def _compass(self, bar: Bar, end: str) -> None:
         """Draw the arc about the known end of a bar on which its other end lies."""
-        tail, head = self.scene.ends(bar)
-        phrase = "compass strut" if self.scene.is_strut(bar) else "compass"
+        tail, head = self.members.ends(bar)
+        phrase = "compass strut" if self.members.is_strut(bar) else "compass"
         centre = tail if end == head else head
         self.further.arc(bar, centre, end, self.scene.length(bar, self.scene.unit), phrase)
 
@@ -190,7 +188,7 @@ class _Construction:
         if bar.offset.imag:
             self._link_slot_line(slide, pin)
         else:
-            line = self.scene.heading(self.frame.heading(bar, self.motion.pose))
+            line = self.scene.heading(self.frame.heading(bar, self.scene.pose))
             shape = Line(self.scene.at(bar.tail), line, self.scene.at(end))
             parts: dict[str, object] = {"link": bar.link, "tail": bar.tail, "pin": pin}
             name, label = f"{bar.ends}.line", bar.tail + pin
@@ -201,7 +199,7 @@ class _Construction:
         """Draw the line of a slot through the block in it."""
         head, tail = slide.head, slide.tail
         towards = self.scene.at(tail) - self.scene.at(head)
-        line = self.scene.heading(self.frame.line(slide, self.motion.pose))
+        line = self.scene.heading(self.frame.line(slide, self.scene.pose))
         if (line.conjugate() * towards).real < 0:
             line = -line
         shape = Line(self.scene.at(head), line, self.scene.at(tail))
@@ -212,7 +210,7 @@ class _Construction:
 
     def _link_slot_line(self, slide: Slide, end: str) -> None:
         """Draw the line of the slot in a known link, from where it is next to its first point."""
-        line = self.scene.heading(self.frame.line(slide, self.motion.pose))
+        line = self.scene.heading(self.frame.line(slide, self.scene.pose))
         at, start = self.scene.at(end), self.scene.at(self.ink.carrier(slide).tail)
         towards = (line.conjugate() * (at - start)).real
         shape = Line(at - towards * line, line if towards > 0 else -line, at)
@@ -227,9 +225,9 @@ class _Construction:
                 self._ink_bar(step)
         for step in (*loop.first, *loop.second):
             if scalar_of(step) in unknowns and isinstance(step, Slide):
-                if step.head not in self.motion.points or step.name in self.motion.links:
+                if step.head not in self.members.points or step.name in self.members.links:
                     continue  # a strut has no block
-                if not self.scene.is_guide(step) and self.ink.has_slot(step):
+                if not self.members.is_guide(step) and self.ink.has_slot(step):
                     self.ink.slot(step)
                 self.ink.block(step, "result", "block")
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from vad.errors import InputError, UsageError, one_of, shown
@@ -10,6 +10,7 @@ from vad.kinematics.linkage import points_of
 from vad.kinematics.motion import Motion
 from vad.strokes.canonical import canonical
 from vad.strokes.diagrams import DIAGRAMS
+from vad.strokes.figures import Writer
 from vad.strokes.language import Language
 from vad.strokes.notation import Notation, in_metres
 from vad.strokes.scenes import AnyScene, scene_of
@@ -61,19 +62,17 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     largest = _largest(rows, drawn)
     rates = [size for unit, size in largest.items() if unit.startswith(f"{scene.unit}/s")]
     notation = scene.figures.settled(Notation(scene.language.point, in_metres(rates)))
+    fill = Writer(notation).fill
     mechanism = motion.mechanism
-    sheet: Sheet = canonical(
-        Sheet(
-            mechanism=mechanism.name,
-            title=scene.language.name(mechanism.title),
-            parameters=_parameters(scene),
-            rows=_without_noise(rows, largest),
-            panels=tuple(_in_words(panel, scene, notation) for panel in drawn),
-            language=language,
-            notation=notation,
-        )
+    return Sheet(
+        mechanism=mechanism.name,
+        title=scene.language.name(mechanism.title),
+        parameters=canonical(_parameters(scene)),
+        rows=_without_noise(rows, largest),
+        panels=tuple(_finished(panel, fill) for panel in drawn),
+        language=language,
+        notation=notation,
     )
-    return sheet
 
 
 def chosen(panels: Sequence[str] | str | None) -> tuple[str, ...]:
@@ -127,22 +126,39 @@ def _parameters(scene: AnyScene) -> tuple[tuple[str, float, str], ...]:
     return tuple(shown[:MOST])
 
 
-def _in_words(panel: Panel, scene: AnyScene, notation: Notation) -> Panel:
-    """Return a panel with the numbers in its captions, labels and equations."""
+def _finished(panel: Panel, fill: Callable[[str], str]) -> Panel:
+    """Return a panel with the numbers in its captions, labels and equations, and all canonical."""
 
-    def text(raw: str) -> str:
-        return scene.figures.fill(raw, notation)
+    def strokes(raw: tuple[Stroke, ...]) -> tuple[Stroke, ...]:
+        return tuple([_finished_stroke(stroke, fill) for stroke in raw])
 
-    def stroke(raw: Stroke) -> Stroke:
-        return replace(raw, caption=text(raw.caption), label=text(raw.label))
+    def term(raw: Term) -> Term:
+        label = fill(raw.label)
+        return raw if label is raw.label else replace(raw, label=label)
 
     def terms(raw: tuple[Term, ...]) -> tuple[Term, ...]:
-        return tuple(replace(term, label=text(term.label)) for term in raw)
+        return tuple(map(term, raw))
 
-    equations = tuple(Equation(terms(each.left), terms(each.right)) for each in panel.equations)
-    below = panel.below and _in_words(panel.below, scene, notation)
-    strokes = tuple(map(stroke, panel.strokes))
-    return replace(panel, strokes=strokes, equations=equations, below=below)
+    return replace(
+        panel,
+        strokes=strokes(panel.strokes),
+        zeros=strokes(panel.zeros),
+        equations=tuple(
+            [Equation(terms(each.left), terms(each.right)) for each in panel.equations]
+        ),
+        inset=canonical(panel.inset),
+        triangles=canonical(panel.triangles),
+        notes=canonical(panel.notes),
+        below=panel.below and _finished(panel.below, fill),
+    )
+
+
+def _finished_stroke(raw: Stroke, fill: Callable[[str], str]) -> Stroke:
+    label, caption, shape = fill(raw.label), fill(raw.caption), canonical(raw.shape)
+    if label is raw.label and caption is raw.caption and shape is raw.shape:
+        return raw
+    more = raw.link, raw.component, raw.image, raw.reveals, raw.name
+    return Stroke(raw.kind, label, shape, caption, *more)
 
 
 def _largest(rows: list[Row], panels: tuple[Panel, ...]) -> dict[str, float]:
@@ -164,9 +180,14 @@ def _without_noise(rows: list[Row], largest: dict[str, float]) -> tuple[Row, ...
 
     def cleaned(cell: Cell) -> Cell:
         noise = abs(cell.value) < NOTHING * largest[cell.unit]
-        return replace(cell, value=0.0) if noise and not cell.given else cell
+        return replace(cell, value=0.0) if noise and not cell.given else canonical(cell)
 
     return tuple(
-        replace(row, cells={name: tuple(map(cleaned, cells)) for name, cells in row.cells.items()})
+        Row(
+            row.key,
+            row.title,
+            row.letters,
+            {name: tuple([cleaned(cell) for cell in cells]) for name, cells in row.cells.items()},
+        )
         for row in rows
     )

@@ -64,7 +64,7 @@ def of_chains(first: Side, second: Side) -> Equation:
 
 def of_position(scene: Scene, loop: Loop, strokes: Sequence[Stroke]) -> Equation:
     """Return the equation of a loop of the mechanism itself as drawn, a ground link added."""
-    fixed = scene.motion.frame.fixed
+    fixed = scene.members.fixed
     sides = Side(), Side()
     start = [chain[0].start for chain in (loop.first, loop.second)]
     second_start = start[1]
@@ -77,7 +77,7 @@ def of_position(scene: Scene, loop: Loop, strokes: Sequence[Stroke]) -> Equation
         for step in chain:
             if isinstance(step, Slide) and isinstance(step.along, str):
                 continue  # the bar carries its length
-            tail, head = scene.ends(step)
+            tail, head = scene.members.ends(step)
             if side is sides[1] and step is chain[0] and tail == start[1]:
                 tail = second_start
             label = tail + head

@@ -42,16 +42,16 @@ class FurtherPoints:
         if self.scene.in_line(bar.link, bar.head):
             self._tip(bar)
             return
-        base = self.scene.base(bar.link)
+        base = self.scene.members.base(bar.link)
         beside = []
-        for point in self.scene.points_on(bar.link):
+        for point in self.scene.members.points_on(bar.link):
             if not self.scene.in_line(bar.link, point):
                 beside.append(point)
             elif point not in self.found:
                 self._tip(Bar(base.tail + point, bar.link, self.scene.span(base.tail, point)))
         for point in beside:
             self._third(bar.link, point)
-        if len(self.scene.points_on(bar.link)) > 2:
+        if len(self.scene.members.points_on(bar.link)) > 2:
             self.ink.plate(bar.link)
         else:  # the link has nothing else that does not slide
             self._tip(bar)
@@ -63,7 +63,7 @@ class FurtherPoints:
 
     def _third(self, link: str, point: str) -> None:
         """Find the third corner of a triangle by two arcs."""
-        base = self.scene.base(link)
+        base = self.scene.members.base(link)
         for centre in (base.tail, base.head):
             span = self.scene.span(centre, point)
             size = self.scene.measured(span, self.scene.unit)
@@ -78,7 +78,7 @@ class FurtherPoints:
         at, point = self.scene.at(centre), self.scene.at(end)
         angle = math.degrees(cmath.phase(point - at))
         arc = Arc(at, size.value, angle - COMPASS, 2 * COMPASS, through=point)
-        letters = self.scene.letters(bar)
+        letters = self.scene.members.letters(bar)
         parts = {"head": end, "tail": centre, "bar": letters, "size": size, "link": bar.link}
         parts["unit"] = Unit(self.scene.unit)
         name = f"{bar.ends}.compass"

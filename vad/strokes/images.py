@@ -31,7 +31,7 @@ class Images:
 
         A point in line always has that vector, of which its caption speaks.
         """
-        base = self._scene.base(bar.link)
+        base = self._scene.members.base(bar.link)
         if self._scene.in_line(bar.link, bar.head):
             self._divide(bar, base)
             return

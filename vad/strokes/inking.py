@@ -34,7 +34,7 @@ class Ink:
 
     def bar(self, bar: Bar, kind: str, phrase: str, image: bool = False) -> None:
         """Draw a bar of a link; if it points elsewhere than the link, that is named by its own."""
-        letters, (tail, head) = self.scene.letters(bar), self.scene.ends(bar)
+        letters, (tail, head) = self.scene.members.letters(bar), self.scene.members.ends(bar)
         arrow = Arrow(
             self.scene.at(tail), self.scene.at(head), tail, head, self.scene.cylinder(bar)
         )
@@ -44,7 +44,10 @@ class Ink:
         if bar.turn != 1.0 or self.scene.backward(bar):
             parts["bar"] = self.scene.motion.mechanism.links[bar.link]
         parts |= {"size": self.scene.length(bar, self.scene.unit), "unit": Unit(self.scene.unit)}
-        parts |= {"angle": Figure(angle, "°", driven), "symbol": self.scene.symbol("θ", bar.link)}
+        parts |= {
+            "angle": Figure(angle, "°", driven),
+            "symbol": self.scene.members.symbol("θ", bar.link),
+        }
         parts |= {"letter": head, "tail": tail}
         reveals = () if driven or image else (bar.link,)
         self.draw(
@@ -62,7 +65,7 @@ class Ink:
 
     def plate(self, link: str) -> None:
         """Draw a link of three points or more as a plate, from whose corners its points are."""
-        points = self.scene.points_on(link)
+        points = self.scene.members.points_on(link)
         places = dict(zip(points, map(self.scene.at, points), strict=True))
         letters = hull(places)
         shape = Plate(tuple(places[letter] for letter in letters), letters)
@@ -73,7 +76,7 @@ class Ink:
     def slot(self, slide: Slide) -> None:
         """Draw the slot of a moving link, in which a block slides."""
         owner = self.owner(slide)
-        line = self.scene.heading(self.scene.motion.frame.line(slide, self.scene.motion.pose))
+        line = self.scene.heading(self.scene.members.frame.line(slide, self.scene.pose))
         moving = isinstance(slide.along, str)
         guide = Guide(self.scene.at(slide.head if moving else slide.tail), line)
         parts: dict[str, object] = {"head": slide.head, "link": owner}
@@ -81,7 +84,7 @@ class Ink:
 
     def carrier(self, slide: Slide) -> Bar:
         """Return the bar of a turning link that reaches to the point under a block."""
-        bars = (step for step in self.scene.motion.frame.steps if isinstance(step, Bar))
+        bars = (step for step in self.scene.members.frame.steps if isinstance(step, Bar))
         return next(bar for bar in bars if (bar.link, bar.length) == (slide.along, slide.name))
 
     def has_slot(self, slide: Slide) -> bool:
@@ -92,17 +95,17 @@ class Ink:
         """Return what bears the slot along which a block slides."""
         if isinstance(slide.along, str):
             return slide.along
-        return next(other for other in self.scene.slides if other.head == slide.tail).name
+        return next(other for other in self.scene.members.sliding if other.head == slide.tail).name
 
     def block(self, slide: Slide, kind: str, phrase: str) -> None:
         """Draw a sliding block."""
         letter = slide.head
-        line = self.scene.heading(self.scene.motion.frame.line(slide, self.scene.motion.pose))
+        line = self.scene.heading(self.scene.members.frame.line(slide, self.scene.pose))
         on = slide.along if isinstance(slide.along, str) else None
         driven = scalar_of(slide) == self.scene.driver
-        symbol = self.scene.slide_symbol(slide.name)
+        symbol = self.scene.members.slide_symbol(slide.name)
         parts: dict[str, object] = {
-            "slide": self.scene.slider(slide),
+            "slide": self.scene.members.slider(slide),
             "head": letter,
             "symbol": symbol,
             "value": Figure(self.scene.motion.slide(slide.name).position, self.scene.unit, driven),
@@ -125,7 +128,7 @@ class Ink:
 
     def _measured_from(self, slide: Slide) -> str:
         """Return the point from which a slide's position counts: a lever's pivot, a line's tail."""
-        bars = (step for step in self.scene.motion.frame.steps if isinstance(step, Bar))
+        bars = (step for step in self.scene.members.frame.steps if isinstance(step, Bar))
         pivots = (bar.tail for bar in bars if bar.length == slide.name)
         return next(pivots, slide.tail)
 

@@ -44,7 +44,9 @@ class Notation:
 
     def scaled(self, value: float, unit: str) -> float:
         """Return a value of ``unit`` in the unit in which it is written."""
-        return value if self.unit(unit) == unit else value / _TO_A_METRE[unit.partition("/")[0]]
+        if not self.metres or self.unit(unit) == unit:
+            return value
+        return value / _TO_A_METRE[unit.partition("/")[0]]
 
     def plain(self, value: float, unit: str = "", given: bool = False) -> str:
         """Write a value of ``unit`` in the notation of programs."""

@@ -20,7 +20,7 @@ class PlanePencil(Pencil[StepVector]):
         self.say = Captions(scene, order)
         #: The point of each vertex.
         self._points = {self.letter(point): point for point in scene.motion.plane.routes.letters}
-        fixed = [self.letter(point) for point in scene.motion.frame.fixed]
+        fixed = [self.letter(point) for point in scene.members.fixed]
         super().__init__(self.say, self._place, longest, fixed, from_pole)
 
     def letter(self, point: str) -> str:
@@ -36,17 +36,16 @@ class PlanePencil(Pencil[StepVector]):
 
     def image(self, point: str) -> complex:
         """Return the true velocity or acceleration of a point: the place of its image."""
-        motion, orders = self.scene.motion, self.scene.orders(self.order)
-        return self.scene.outward(motion.plane.routes.rate(point, motion.pose, orders))
+        return self.scene.image(point, self.order)
 
     def pole(self) -> None:
         """Draw the pole, where all fixed points are, unless a crossing is to find it.
 
         Where nothing moves it is the whole polygon.
         """
-        motion = self.scene.motion
+        members = self.scene.members
         if self.resting:
-            self.begin(self.say.still(), (*motion.links, *motion.slides))
+            self.begin(self.say.still(), (*members.links, *members.slides))
         elif self.from_pole:
             self.begin(self.say.pole(self.fixed))
 
@@ -65,7 +64,7 @@ class PlanePencil(Pencil[StepVector]):
 
         Fixed points all lie there.
         """
-        return self.letter(self.scene.pivot(link)) + self.letter(point)
+        return self.letter(self.scene.members.pivot(link)) + self.letter(point)
 
     def absolute(self, point: str, link: str, image: bool = False, caption: str = "") -> Stroke:
         """Ink the vector from the pole to a vertex; it is left out where it is zero."""
@@ -90,8 +89,7 @@ class PlanePencil(Pencil[StepVector]):
 
     def _rule(self, part: Part[StepVector], slide: Slide, stroke: str) -> CoriolisInset:
         """Return the directions that the Coriolis inset shows."""
-        motion = self.scene.motion
-        line = self.scene.heading(motion.frame.line(slide, motion.pose))
+        line = self.scene.heading(self.scene.members.frame.line(slide, self.scene.pose))
         forward = self.scene.speed(slide.name, 1) > 0
         return CoriolisInset(
             link=str(slide.along),

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from vad.kinematics.linkage import Bar
-from vad.strokes.chains import StepVector, chain_of, equation_of
+from vad.strokes.chains import StepVector, chain_of, equations_of
 from vad.strokes.diagram import Drawing
 from vad.strokes.equations import equation
 from vad.strokes.images import Images
@@ -46,12 +46,11 @@ class _Polygon(Player[StepVector]):
     def __init__(self, scene: Scene, order: int) -> None:
         self.scene = scene
         self.order = order
-        self.linkage = scene.motion.linkage
-        loops = zip(self.linkage.loops, self.linkage.unknowns, strict=True)
-        self.equations = [equation_of(scene, loop, unknowns, order) for loop, unknowns in loops]
+        self.linkage = scene.members.linkage
+        self.equations = equations_of(scene, order)
         longest = max(each.longest for each in self.equations)
         begin = self.linkage.loops[0].first[0].start, self.linkage.loops[0].second[0].start
-        from_pole = all(point in scene.motion.frame.fixed for point in begin)
+        from_pole = all(point in scene.members.fixed for point in begin)
         super().__init__(PlanePencil(scene, order, longest, from_pole))
         self.images = Images(scene, order, self.pencil)
 
@@ -83,7 +82,7 @@ class _Polygon(Player[StepVector]):
             if not trace.chain.wholly_known(vector):
                 return
             if name not in vertices:
-                if not isinstance(step, Bar) or self.scene.drives(step):
+                if not isinstance(step, Bar) or self.scene.members.drives(step):
                     return
                 self.images.find(replace(step, ends=step.start + step.end))
             trace.known = [part for part in trace.known if part.of is not vector]
@@ -107,9 +106,9 @@ class _Polygon(Player[StepVector]):
         steps = (step for loop in self.linkage.loops[1:] for _, step in loop.steps())
         vertices = self.pencil.vertices
         for step in steps:
-            if not isinstance(step, Bar) or not self.scene.drives(step):
+            if not isinstance(step, Bar) or not self.scene.members.drives(step):
                 continue
             tail, head = self.pencil.letter(step.tail), self.pencil.letter(step.head)
             if tail in vertices and head not in vertices:
-                chain = chain_of(self.scene, (replace(step, reverse=False),), (), self.order)
+                chain = chain_of(self.scene, replace(step, reverse=False), self.order)
                 self.lay(self.begin(chain), chain.known)

@@ -5,6 +5,8 @@ Coordinates are complex numbers in the panel's own unit, x to the right and y up
 
 from __future__ import annotations
 
+import cmath
+import math
 from dataclasses import dataclass
 
 
@@ -98,15 +100,51 @@ class Plate:
 
 @dataclass(frozen=True, slots=True)
 class Curve:
-    """A line through ``points``: a circle in space as it is seen, a bent link, a projector.
+    """A line through ``points``: a bent link, the axis of a shaft, a projector.
 
-    ``far`` are the stretches that lie behind, by the numbers of their first and last points:
-    they are dashed.  To the points whose numbers are in ``breaks`` the pencil is lifted over.
+    It is dashed where it lies ``far``: behind the rest.  To the points whose numbers are in
+    ``breaks`` the pencil is lifted over.
     """
 
     points: tuple[complex, ...]
-    far: tuple[tuple[int, int], ...] = ()
+    far: bool = False
     breaks: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Ellipse:
+    """A circle in space, or an arc of it, as it is seen.
+
+    ``first`` and ``second`` are seen of two of its radii at right angles; from ``start`` on it
+    turns by ``sweep`` degrees, counter-clockwise positive, as if from the first to the second.
+    Between the angles of ``far`` it lies behind: there it is dashed.
+    """
+
+    centre: complex
+    first: complex
+    second: complex
+    start: float = 0.0
+    sweep: float = 360.0
+    far: tuple[tuple[float, float], ...] = ()
+
+    def at(self, degrees: float) -> complex:
+        """Return the point at an angle."""
+        turn = cmath.rect(1.0, math.radians(degrees))
+        return self.centre + turn.real * self.first + turn.imag * self.second
+
+    @property
+    def outermost(self) -> list[complex]:
+        """Its ends, and where it turns back to the right or left, up or down."""
+        low, high = sorted((self.start, self.start + self.sweep))
+        x, y = (
+            math.degrees(math.atan2(one, other))
+            for one, other in (
+                (self.second.real, self.first.real),
+                (self.second.imag, self.first.imag),
+            )
+        )
+        turns = (low + (angle - low) % 360.0 for angle in (x, x + 180.0, y, y + 180.0))
+        return [self.at(angle) for angle in (low, high, *turns) if angle <= high]
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,15 +160,15 @@ class Fold:
     """A plane in space that is laid over into the paper, in the view of the mechanism.
 
     It swings by ``turn`` degrees about the line through ``centre`` along the unit vector ``axis``;
-    then its points ``arms`` lie in the paper, where they are stated.  ``rim`` shows the plane
-    before.
+    then its points ``arms`` lie in the paper, where they are stated.  ``rim``, a circle about the
+    centre, shows the plane before.
     """
 
     centre: complex
     axis: complex
     turn: float
     arms: tuple[complex, ...]
-    rim: tuple[complex, ...]
+    rim: Ellipse
 
 
-Shape = Dot | Arrow | Line | Arc | Guide | Block | Plate | Curve | Bearing | Fold
+Shape = Dot | Arrow | Line | Arc | Guide | Block | Plate | Curve | Ellipse | Bearing | Fold

@@ -7,6 +7,8 @@ thousandths of the page unit, growth).  ``python -m tests.plan.snapshots`` write
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any, assert_never
@@ -111,8 +113,10 @@ def _shape(shape: Outline) -> str:
             return "area " + " hole ".join(_points(ring) for ring in rings)
         case Disc(centre, radius):
             return f"disc {_points([centre])} r {_number(radius)}"
-        case Bow(centre, radius, start, sweep):
-            return f"arc {_points([centre])} r {_number(radius)} {start:.1f}° {sweep:+.1f}°"
+        case Bow(centre, radius, start, sweep, axis, narrow):
+            turn = math.degrees(cmath.phase(axis))
+            aside = "" if narrow == 1.0 else f" x{narrow:.3f} across {turn:.0f}°"
+            return f"arc {_points([centre])} r {_number(radius)} {start:.1f}° {sweep:+.1f}°{aside}"
         case Lettering(runs, at, size):
             text = "".join({-1: "_", 0: "", 1: "^"}[run.script] + run.text for run in runs)
             faces = "/".join(dict.fromkeys(run.face for run in runs))

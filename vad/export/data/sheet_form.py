@@ -40,6 +40,7 @@ from vad.strokes.sheet import (
     CoriolisInset,
     Curve,
     Dot,
+    Ellipse,
     Equation,
     Fold,
     Guide,
@@ -61,6 +62,15 @@ from vad.strokes.sheet import (
 UNIT = Form(
     lambda unit: unit.replace("²", "^2"),
     lambda value, place: TEXT.read(value, place).replace("^2", "²"),
+)
+ELLIPSE = record(
+    Ellipse,
+    centre=POINT,
+    first=POINT,
+    second=POINT,
+    start=optional(NUMBER, 0.0),
+    sweep=optional(NUMBER, 360.0),
+    far=optional(many(row(NUMBER, NUMBER)), ()),
 )
 SHAPE = variants(
     "shape",
@@ -89,10 +99,11 @@ SHAPE = variants(
     curve=record(
         Curve,
         points=many(POINT),
-        far=optional(many(row(INDEX, INDEX)), ()),
+        far=optional(FLAG, False),
         breaks=optional(many(INDEX), ()),
     ),
-    fold=record(Fold, centre=POINT, axis=WAY, turn=NUMBER, arms=many(POINT), rim=many(POINT)),
+    ellipse=ELLIPSE,
+    fold=record(Fold, centre=POINT, axis=WAY, turn=NUMBER, arms=many(POINT), rim=ELLIPSE),
     bearing=record(Bearing, at=POINT, direction=WAY),
 )
 STROKE = record(

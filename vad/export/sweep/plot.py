@@ -22,12 +22,12 @@ from matplotlib.ticker import MaxNLocator, MultipleLocator, ScalarFormatter
 from vad.export.sweep.ends import Ending, name_ends
 from vad.export.sweep.ranges import largest, limits, unwrapped
 from vad.export.sweep.results import Column, Curves, Results
-from vad.kinematics.motion import Motions, solve
+from vad.kinematics.motion import Motions
 from vad.kinematics.solver import Solver
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import roman
 from vad.strokes.language import Language
-from vad.strokes.scene import Scene
+from vad.strokes.members import members_of
 from vad.style import Style, load_style
 from vad.units import scene_unit
 from vad.written import THIN_SPACE, WRITTEN_OUT, quantity, sign, typeset
@@ -69,8 +69,8 @@ def _symbols(motion: Motions, results: Results) -> dict[str, str]:
     """Return the symbols of the slides' positions."""
     if not isinstance(motion.solver, Solver):
         return {row.name: "s" for row in results.slides}
-    scene = Scene(solve(motion.mechanism), _ENGLISH)  # any pose tells what slides where
-    return {row.name: scene.slide_symbol(row.name) for row in results.slides}
+    members = members_of(motion.mechanism)
+    return {row.name: members.slide_symbol(row.name) for row in results.slides}
 
 
 def _settings(style: Style) -> dict[Any, Any]:

@@ -39,9 +39,19 @@ def added(*vectors: Vector3) -> Vector3:
     return x, y, z
 
 
+def difference(a: Vector3, b: Vector3) -> Vector3:
+    """Return a - b."""
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
 def over(a: Vector3, divisor: Number) -> Vector3:
     """Return a vector divided by a number."""
     return a[0] / divisor, a[1] / divisor, a[2] / divisor
+
+
+def unit(a: Vector3) -> Vector3:
+    """Return the unit vector along a vector of floats or arrays."""
+    return over(a, dot(a, a) ** 0.5)
 
 
 def carried(arm: Vector3, *spins: Vector3) -> Vector3:

@@ -7,6 +7,7 @@ the whole page shares begin with it.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from zlib import crc32
 
 from vad.painting.svg.grid import number
@@ -37,6 +38,7 @@ class Classes:
         return f"{self.scope}-{name}" if self.scope else name
 
 
+@lru_cache(maxsize=1024)
 def named(initial: str, content: str) -> str:
     """Return a short name that speaks for its content.
 
@@ -48,6 +50,7 @@ def named(initial: str, content: str) -> str:
     return f"{initial}{crc32(content.encode()) & 0xFFFFFF:06x}"
 
 
+@lru_cache(maxsize=256)
 def filled(look: Look) -> str:
     """Return the declarations of the area of a look."""
     if not look.fill:
@@ -55,6 +58,7 @@ def filled(look: Look) -> str:
     return f"fill:{look.fill}" + _opacity("fill", look.alpha)
 
 
+@lru_cache(maxsize=256)
 def drawn(pen: Pen | None, unit: float, alpha: float = 1.0) -> str:
     """Return the declarations of a line, its widths in what a page unit is."""
     if not pen:

@@ -6,7 +6,6 @@ Pure geometry: in come shapes with the beats in which they show, out goes which 
 from __future__ import annotations
 
 import itertools
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -31,12 +30,7 @@ class Obstacles:
     edge: Rect
     lines: list[tuple[complex, complex, float, Span]] = field(default_factory=list)
     boxes: list[tuple[Rect, Span]] = field(default_factory=list)
-    _kept: tuple[Complexes, Complexes, Reals] = field(
-        default=(np.zeros(0, complex), np.zeros(0, complex), np.zeros(0)),
-        init=False,
-        repr=False,
-        compare=False,
-    )
+    _kept: _Strokes | None = field(default=None, init=False, repr=False, compare=False)
 
     def line(self, points: Sequence[complex], half_width: float, span: Span = ALWAYS) -> None:
         """Add a polyline."""
@@ -81,32 +75,65 @@ class Obstacles:
         x, y = at.real, at.imag
         half_x, half_y = wide / 2 + grow, high / 2 + grow
         edge = self.edge
-        free = (x - half_x >= edge.left) & (x + half_x <= edge.right)
+        free: Bools = (x - half_x >= edge.left) & (x + half_x <= edge.right)
         free &= (y - half_y >= edge.bottom) & (y + half_y <= edge.top)
         aside, above = wide / 2 + max(grow, apart.real), high / 2 + max(grow, apart.imag)
-        for box, _ in self.boxes:
-            free &= (
-                (x - aside >= box.right)
-                | (x + aside <= box.left)
-                | (y - above >= box.top)
-                | (y + above <= box.bottom)
-            )
+        if self.boxes:
+            edges = [(box.left, box.bottom, box.right, box.top) for box, _ in self.boxes]
+            left, bottom, right, top = np.array(edges).T[:, :, None]
+            past = (x - aside >= right) | (x + aside <= left)
+            past |= (y - above >= top) | (y + above <= bottom)
+            free &= past.all(axis=0)
         if self.lines and free.any():
-            at, sides = at[free], (half_x, half_y)
-            free[free] = ~_meets(at, sides, *_near(at, sides, *self._strokes())).any(axis=1)
+            free &= ~_meets(at, half_x, half_y, self._strokes()).any(axis=1)
         return free
 
-    def _strokes(self) -> tuple[Complexes, Complexes, Reals]:
-        """Return the ends and half widths of all lines; they are kept until there is another."""
-        if len(self._kept[0]) != len(self.lines):
+    def has_room(
+        self, centre: complex, wide: float, high: float, grow: float, apart: complex
+    ) -> bool:
+        """Tell the same of one centre.
+
+        Without arrays, and only as far as to the first obstacle: that takes a tenth of the time.
+        """
+        x, y = centre.real, centre.imag
+        half_x, half_y = wide / 2 + grow, high / 2 + grow
+        edge = self.edge
+        if not (
+            x - half_x >= edge.left
+            and x + half_x <= edge.right
+            and y - half_y >= edge.bottom
+            and y + half_y <= edge.top
+        ):
+            return False
+        aside, above = wide / 2 + max(grow, apart.real), high / 2 + max(grow, apart.imag)
+        for box, _ in self.boxes:
+            if (
+                x - aside < box.right
+                and x + aside > box.left
+                and y - above < box.top
+                and y + above > box.bottom
+            ):
+                return False
+        for start, end, half, _ in self.lines:
+            way, away = (end - start) / 2, centre - (start + end) / 2
+            long, wider = abs(way.real), half_x + half
+            if abs(away.real) > wider + long:
+                continue
+            tall, higher = abs(way.imag), half_y + half
+            across = abs(away.real * way.imag - away.imag * way.real)
+            if abs(away.imag) <= higher + tall and across <= wider * tall + higher * long:
+                return False
+        return True
+
+    def _strokes(self) -> _Strokes:
+        """Return all lines as arrays; they are kept until there is another."""
+        if self._kept is None or len(self._kept.middles) != len(self.lines):
             starts, ends, halves, _ = zip(*self.lines, strict=True)
-            self._kept = np.array(starts), np.array(ends), np.array(halves)
+            self._kept = _Strokes.between(np.array(starts), np.array(ends), np.array(halves))
         return self._kept
 
     def covered(self, start: complex, end: complex) -> float:
-        """Return how much of a leader would lie on strokes; it never runs through a label."""
-        if not self.clear_of_labels([(start, end)], 1.5 * PIXEL).all():
-            return math.inf
+        """Return how much of a leader would lie on strokes."""
         steps = max(2, int(abs(end - start) / (3.0 * PIXEL)))
         centres = [start + (end - start) * i / steps for i in range(1, steps)]
         lies_on = ~self.free(centres, 0.0, 0.0, PIXEL)
@@ -114,53 +141,42 @@ class Obstacles:
 
     def clear_of_labels(self, lines: Sequence[tuple[complex, complex]], half_width: float) -> Bools:
         """Tell for each straight stroke, given by its ends, whether it would meet no box."""
-        at = np.array([box.centre for box, _ in self.boxes])
+        at = np.array([box.centre for box, _ in self.boxes], dtype=np.complex128)
         wide = np.array([box.width / 2 for box, _ in self.boxes])
         high = np.array([box.height / 2 for box, _ in self.boxes])
-        starts, ends = np.array(lines, dtype=np.complex128).T
-        halves = np.full(len(lines), half_width)
-        meets = _meets(at, (wide[:, None], high[:, None]), starts, ends, halves)
-        free: Bools = ~np.logical_or.reduce(meets)
+        starts, ends = np.array(lines, dtype=np.complex128).reshape(-1, 2).T
+        strokes = _Strokes.between(starts, ends, np.full(len(lines), half_width))
+        free: Bools = ~np.logical_or.reduce(_meets(at, wide, high, strokes))
         return free
 
 
-def _near(
-    at: Complexes, sides: tuple[float, float], starts: Complexes, ends: Complexes, halves: Reals
-) -> tuple[Complexes, Complexes, Reals]:
-    """Return the lines that come near any of the boxes."""
-    near = np.ones(len(starts), dtype=np.bool_)
-    for centre, half, start, end in (
-        (at.real, sides[0], starts.real, ends.real),
-        (at.imag, sides[1], starts.imag, ends.imag),
-    ):
-        near &= np.minimum(start, end) - halves <= centre.max() + half
-        near &= np.maximum(start, end) + halves >= centre.min() - half
-    return starts[near], ends[near], halves[near]
+@dataclass(frozen=True, slots=True)
+class _Strokes:
+    """Straight strokes as arrays: their middles, the ways from there to an end, half widths."""
+
+    middles: Complexes
+    ways: Complexes
+    halves: Reals
+
+    @classmethod
+    def between(cls, starts: Complexes, ends: Complexes, halves: Reals) -> _Strokes:
+        """Return strokes with these ends."""
+        return cls((starts + ends) / 2, (ends - starts) / 2, halves)
 
 
-def _meets(
-    at: Complexes,
-    sides: tuple[float | Reals, float | Reals],
-    starts: Complexes,
-    ends: Complexes,
-    halves: Reals,
-) -> Bools:
-    """Tell which boxes (rows) meet which lines (columns), by the slab method."""
-    ways = ends - starts
-    enter = np.zeros((len(at), len(starts)))
-    leave = np.ones_like(enter)
-    for centre, half, start, way in (
-        (at.real, sides[0], starts.real, ways.real),
-        (at.imag, sides[1], starts.imag, ways.imag),
-    ):
-        low = centre[:, None] - half - halves - start
-        high = centre[:, None] + half + halves - start
-        still = np.abs(way) < 1e-12
-        step = np.where(still, 1.0, way)
-        one, other = low / step, high / step
-        inside = (low <= 0) & (high >= 0)
-        first = np.where(still, np.where(inside, 0.0, 2.0), np.minimum(one, other))
-        last = np.where(still, np.where(inside, 1.0, -1.0), np.maximum(one, other))
-        enter, leave = np.maximum(enter, first), np.minimum(leave, last)
-    meets: Bools = enter <= leave
+def _meets(at: Complexes, half_x: float | Reals, half_y: float | Reals, strokes: _Strokes) -> Bools:
+    """Tell which boxes (rows) meet which strokes (columns).
+
+    They do where they overlap aside, above, and across the stroke: the boxes' own axes and the
+    stroke's normal are all that could part them.
+    """
+    ways = strokes.ways
+    away = at[:, None] - strokes.middles
+    aside = np.reshape(half_x, (-1, 1)) + strokes.halves
+    above = np.reshape(half_y, (-1, 1)) + strokes.halves
+    long, tall = np.abs(ways.real), np.abs(ways.imag)
+    across = np.abs(away.real * ways.imag - away.imag * ways.real)
+    meets: Bools = across <= aside * tall + above * long
+    meets &= np.abs(away.real) <= aside + long
+    meets &= np.abs(away.imag) <= above + tall
     return meets

@@ -87,6 +87,11 @@ class Wish:
         found: list[complex] = centres.tolist()
         return found
 
+    def ahead(self) -> list[complex]:
+        """Return the centres of boxes in the first direction, the nearest first."""
+        gaps = [gap + self.radius for gap in self.near]
+        return [beside(self.at, self.first, gap, self.wide, self.high) for gap in gaps]
+
 
 def beside(at: complex, way: complex, gap: float, wide: float, high: float) -> complex:
     """Return the centre of a box whose edge lies ``gap`` from ``at`` in the direction ``way``."""
@@ -180,14 +185,13 @@ def _far_off(obstacles: Obstacles, wish: Wish) -> Placed:
             break
         clear, apart = (0.5 * PIXEL, 0j) if tight else (CLEARANCE, APART)
         free = obstacles.free(centres, wish.wide, wish.high, clear, apart)
-        for index in np.flatnonzero(free)[:MOST_LEADERS]:
-            spot = _led(wish, centres[int(index)])
-            if not spot.leader:
+        spots = [_led(wish, centres[i]) for i in np.flatnonzero(free)[:MOST_LEADERS].tolist()]
+        leaders = [spot.leader or (spot.centre, spot.centre) for spot in spots]
+        through = ~obstacles.clear_of_labels(leaders, 1.5 * PIXEL)
+        for spot, (start, end), blocked in zip(spots, leaders, through.tolist(), strict=True):
+            covered = math.inf if blocked else obstacles.covered(start, end)
+            if not spot.leader or not covered:
                 return spot
-            covered = obstacles.covered(*spot.leader)
-            if not covered:
-                return spot
-            start, end = spot.leader
             if covered + LENGTH_COUNTS * abs(end - start) < least:
                 least, best = covered + LENGTH_COUNTS * abs(end - start), spot
             bare = bare or Placed(spot.centre, wish.wide, wish.high)
@@ -206,12 +210,11 @@ def _far(edge: Rect, wish: Wish) -> Iterator[tuple[bool, list[complex]]]:
 
 def _grid(edge: Rect, at: complex, step: float) -> list[complex]:
     """Return points all over ``edge``, the nearest to ``at`` first."""
-    points = [
-        complex(edge.left + i * step, edge.bottom + j * step)
-        for i in range(1, int(edge.width / step))
-        for j in range(1, int(edge.height / step))
-    ]
-    return sorted(points, key=lambda point: abs(point - at))
+    across = edge.left + step * np.arange(1, int(edge.width / step))
+    upright = edge.bottom + step * np.arange(1, int(edge.height / step))
+    points = (across[:, None] + 1j * upright).ravel()
+    nearest: list[complex] = points[np.argsort(np.abs(points - at), kind="stable")].tolist()
+    return nearest
 
 
 def belongs(box: Rect, at: complex, rivals: Iterable[complex]) -> bool:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import combinations
 
 from vad.plan.carriers import reached
@@ -19,7 +20,7 @@ from vad.plan.lettering.runs import Runs, symbols
 from vad.plan.marks import Lettering, Mark, line
 from vad.plan.scale import Scale
 from vad.plan.sketch import Sketch, Tag
-from vad.strokes.sheet import Arrow, Bearing, Curve, Dot, Line, Panel, Plate
+from vad.strokes.sheet import Arrow, Bearing, Curve, Dot, Ellipse, Line, Panel, Plate
 
 LETTER = 0.040
 COINCIDENT = 0.012
@@ -40,7 +41,7 @@ class Vertex:
     letters: dict[str, int]
     ways: list[complex] = field(default_factory=list)
 
-    @property
+    @cached_property
     def at(self) -> complex:
         """The middle of the dot."""
         return sum(self.points, 0j) / len(self.points)
@@ -77,6 +78,8 @@ def corners(panel: Panel) -> list[complex]:
             points += [stroke.shape.through, stroke.shape.until]
         elif isinstance(stroke.shape, Curve):
             points += stroke.shape.points
+        elif isinstance(stroke.shape, Ellipse):
+            points += stroke.shape.outermost
         elif isinstance(stroke.shape, Bearing):
             points.append(stroke.shape.at)
     return points
@@ -86,29 +89,27 @@ def find_vertices(panel: Panel, scale: Scale) -> list[Vertex]:
     """Return the vertices of ``panel`` in the order in which they appear."""
     found: list[Vertex] = []
 
-    def vertex(letters: str, z: complex, since: int) -> Vertex:
+    def vertex(letters: str, at: complex, since: int) -> Vertex:
         names = [letter.strip() for letter in letters.split(",") if letter.strip()]
         for spot in found:
-            if spot.letters.keys() >= set(names) and abs(spot.at - scale(z)) < COINCIDENT:
+            if abs(spot.at - at) < COINCIDENT and spot.letters.keys() >= set(names):
                 return spot
-        found.append(Vertex([scale(z)], dict.fromkeys(names, since)))
+        found.append(Vertex([at], dict.fromkeys(names, since)))
         return found[-1]
 
     for index, stroke in enumerate(panel.strokes):
         shape = stroke.shape
         if isinstance(shape, Dot):
-            vertex(stroke.label, shape.at, index)
+            vertex(stroke.label, scale(shape.at), index)
         elif isinstance(shape, Arrow):
-            tail = vertex(shape.tail, shape.start, index)
-            head = vertex(shape.head, shape.end, index)
-            way = direction_of(scale(shape.start), scale(shape.end))
-            tail.ways.append(way)
-            head.ways.append(-way)
+            start, end = scale(shape.start), scale(shape.end)
+            way = direction_of(start, end)
+            vertex(shape.tail, start, index).ways.append(way)
+            vertex(shape.head, end, index).ways.append(-way)
         elif isinstance(shape, Plate):
             places = list(map(scale, shape.corners))
-            for letter, at in zip(shape.letters, shape.corners, strict=True):
-                others = [place for place in places if place != scale(at)]
-                ways = [direction_of(scale(at), other) for other in others]
+            for letter, at in zip(shape.letters, places, strict=True):
+                ways = [direction_of(at, other) for other in places if other != at]
                 vertex(letter, at, index).ways.extend(ways)
     return [spot for spot in _merged(found) if spot.letters]
 

@@ -7,8 +7,8 @@ that asks matplotlib: for the glyphs of its fonts.
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
-from functools import lru_cache
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -42,7 +42,8 @@ class Letter:
     """One letter of a line: its outline and advance, and where it stands, all in ems.
 
     ``text`` says which letter it is and ``face`` where its outline was found, which is upright
-    for a sign that has no italic; ``size`` is less than 1 for a small one.
+    for a sign that has no italic; ``size`` is less than 1 for a small one.  ``ink`` are
+    the lower left and the upper right corner of what is inked.
     """
 
     face: Face
@@ -50,25 +51,39 @@ class Letter:
     vertices: Points
     codes: Codes
     advance: float
+    ink: tuple[complex, complex]
     at: complex
     size: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Typeset:
     """Glyphs of one line, in units of the type size, with the baseline's start at 0.
 
     ``left``, ``bottom``, ``right``, ``top`` bound the ink; ``advance`` is the pen's way.
     """
 
-    vertices: Points
-    codes: Codes
+    letters: tuple[Letter, ...]
     advance: float
     left: float
     bottom: float
     right: float
     top: float
-    letters: tuple[Letter, ...] = ()
+
+    @cached_property
+    def vertices(self) -> Points:
+        """The points of all outlines, which a text that is only measured does not need."""
+        pieces = (each.vertices * each.size + (each.at.real, each.at.imag) for each in self._inked)
+        return np.concatenate([np.zeros((0, 2)), *pieces])
+
+    @cached_property
+    def codes(self) -> Codes:
+        """What each of the points is."""
+        return np.concatenate([np.zeros(0, np.uint8), *(each.codes for each in self._inked)])
+
+    @property
+    def _inked(self) -> list[Letter]:
+        return [each for each in self.letters if len(each.vertices)]
 
 
 def font_file(face: Face) -> str:
@@ -88,8 +103,8 @@ def _font(face: Face) -> Any:
 
 
 @lru_cache(maxsize=1024)
-def _glyph(face: Face, letter: str) -> tuple[Face, Points, Codes, float]:
-    """Return the face that has a letter, and its vertices, codes and advance there, in ems."""
+def _glyph(face: Face, letter: str) -> tuple[Face, Points, Codes, float, tuple[complex, complex]]:
+    """Return the face that has a letter, and what a `Letter` tells of its shape there."""
     from matplotlib.ft2font import LoadFlags
 
     font = _font(face)
@@ -99,55 +114,54 @@ def _glyph(face: Face, letter: str) -> tuple[Face, Points, Codes, float]:
     glyph = font.load_char(ord(letter), flags=LoadFlags.NO_HINTING)
     vertices, codes = font.get_path()
     advance = glyph.linearHoriAdvance / 65536 / _EM
-    outline = np.asarray(vertices, dtype=float) / _EM
-    return face, outline, np.asarray(codes, dtype=np.uint8), advance
+    outline, kinds = np.asarray(vertices, dtype=float) / _EM, np.asarray(codes, dtype=np.uint8)
+    ink = outline[kinds != CLOSE]  # a closing point carries no position
+    low, high = (ink.min(axis=0), ink.max(axis=0)) if len(ink) else ((0.0, 0.0), (0.0, 0.0))
+    return face, outline, kinds, advance, (complex(*low), complex(*high))
 
 
 @lru_cache(maxsize=4096)
 def typeset(runs: Runs) -> Typeset:
     """Return the glyph outlines of one line of text."""
-    vertices: list[Points] = []
-    codes: list[Codes] = []
     letters: list[Letter] = []
     pen = 0.0
     slanted = False
     for run in runs:
         size = SCRIPT_SIZE if run.script else 1.0
         rise = {-1: SUBSCRIPT_DROP, 0: 0.0, 1: SUPERSCRIPT_RISE}[run.script]
-        for letter in run.text:
-            if letter == THIN_SPACE:
+        for sign in run.text:
+            if sign == THIN_SPACE:
                 pen += THIN * size
                 continue
-            if letter in "′″" and slanted:
+            if sign in "′″" and slanted:
                 pen += PRIME_GAP
-            face, shape, kind, advance = _glyph(run.face, letter)
-            at = complex(pen, rise)
-            if letter in DOTS:
-                at += _above(shape, kind, letters[-1] if letters else None, size)
+            face, shape, kinds, advance, ink = _glyph(run.face, sign)
+            letter = Letter(face, sign, shape, kinds, advance, ink, complex(pen, rise), size)
+            if sign in DOTS and letters:
+                letter = replace(letter, at=letter.at + _above(letter, letters[-1]))
             if run.shown:
-                letters.append(Letter(face, letter, shape, kind, advance, at, size))
-            if len(shape) and run.shown:
-                vertices.append(shape * size + (at.real, at.imag))
-                codes.append(kind)
-            pen += advance * size
+                letters.append(letter)
+            pen += letter.advance * size
             slanted = run.face in ("italic", "bolditalic")
-    if not vertices:
-        return Typeset(np.zeros((0, 2)), np.zeros(0, np.uint8), pen, 0.0, 0.0, pen, 0.0)
-    whole = np.concatenate(vertices)
-    kinds = np.concatenate(codes)
-    ink = whole[kinds != 79]  # a closing point carries no position
-    (left, bottom), (right, top) = ink.min(axis=0), ink.max(axis=0)
-    return Typeset(whole, kinds, pen, left, bottom, right, top, tuple(letters))
+    corners = [
+        letter.at + letter.size * corner
+        for letter in letters
+        if len(letter.vertices)
+        for corner in letter.ink
+    ]
+    if not corners:
+        return Typeset((), pen, 0.0, 0.0, pen, 0.0)
+    x, y = [corner.real for corner in corners], [corner.imag for corner in corners]
+    return Typeset(tuple(letters), pen, min(x), min(y), max(x), max(y))
 
 
-def _above(dots: Points, codes: Codes, letter: Letter | None, size: float) -> complex:
+def _above(dots: Letter, letter: Letter) -> complex:
     """Return how far dots move that stand above a letter: aside if it slants, and clear of it."""
-    if letter is None or not len(letter.vertices):
+    if not len(letter.vertices):
         return 0j
-    low = dots[codes != CLOSE][:, 1].min() * size
-    top = letter.vertices[letter.codes != CLOSE][:, 1].max() * letter.size
-    aside = SLANT * size if letter.face in ("italic", "bolditalic") else 0.0
-    return complex(aside, max(0.0, top + DOT_GAP * size - low))
+    aside = SLANT * dots.size if letter.face in ("italic", "bolditalic") else 0.0
+    low, top = dots.ink[0].imag * dots.size, letter.ink[1].imag * letter.size
+    return complex(aside, max(0.0, top + DOT_GAP * dots.size - low))
 
 
 def width(runs: Runs, size: float) -> float:

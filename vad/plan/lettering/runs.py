@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from string import ascii_uppercase
 from typing import Literal
@@ -22,7 +22,7 @@ _SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−", stri
 _LOW, _HIGH = (
     {sign: each for each, sign in signs.items()} for signs in (_SUBSCRIPTS, _SUPERSCRIPTS)
 )
-_TOKEN = re.compile(r"_[A-Z]|[A-Za-zÀ-ÖØ-öø-ÿ]+|.", re.DOTALL)
+_TOKEN = re.compile(r"_[A-Z]|[A-Za-zÀ-ÖØ-öø-ÿ]+|[0-9]+|[\s=.,:;()/+×·°′″-]+|.", re.DOTALL)
 #: Letters with a dot above or below, which fonts do not have: ṡ.
 _DOTTED = re.compile(r"[Ḁ-ỿ]")
 #: One and two dots above what stands before them.
@@ -46,31 +46,47 @@ class Run:
 Runs = tuple[Run, ...]
 
 
-def roman(text: str, italic: Callable[[str], bool] = lambda _: False) -> Runs:
+def _upright(token: str) -> bool:
+    return False
+
+
+@lru_cache(maxsize=1024)
+def roman(text: str, italic: Callable[[str], bool] = _upright) -> Runs:
     """Return ``text`` upright, but for Greek letters and what ``italic`` picks out.
 
     A capital stands low behind ``_``, which there is no sign for: s_D.
     """
+    return _set(text, italic)
+
+
+def _set(text: str, italic: Callable[[str], bool]) -> Runs:
     runs: list[Run] = []
     apart = _DOTTED.sub(lambda found: normalize("NFD", found.group()), text)
     for token in _TOKEN.findall(apart):
-        if token in DOTS and runs:
-            runs.append(Run(token, "roman", runs[-1].script))
-        elif token[0] == "_" and len(token) == 2:
-            runs.append(Run(token[1], "italic", -1))
-        elif token in _SUBSCRIPTS:
-            letter = _SUBSCRIPTS[token]
-            runs.append(Run(letter, "italic" if letter.isalpha() else "roman", -1))
-        elif token in _SUPERSCRIPTS:
-            runs.append(Run(_SUPERSCRIPTS[token], "roman", 1))
-        elif _GREEK.match(token) or (token[0].isalpha() and italic(token)):
-            runs.append(Run(token, "italic"))
-        elif token.isdecimal() and runs and (runs[-1].face, runs[-1].script) == ("italic", 0):
-            # of a point: O2
-            runs.append(Run(token, "roman", -1))
+        run = _run(token, italic, runs[-1] if runs else None)
+        if runs and (runs[-1].face, runs[-1].script) == (run.face, run.script):
+            runs[-1] = Run(runs[-1].text + run.text, run.face, run.script)
         else:
-            runs.append(Run(token))
+            runs.append(run)
     return tuple(runs)
+
+
+def _run(token: str, italic: Callable[[str], bool], before: Run | None) -> Run:
+    """Return a token as it is set behind the run ``before`` it."""
+    if token in DOTS and before:
+        return Run(token, "roman", before.script)
+    if token[0] == "_" and len(token) == 2:
+        return Run(token[1], "italic", -1)
+    if token in _SUBSCRIPTS:
+        letter = _SUBSCRIPTS[token]
+        return Run(letter, "italic" if letter.isalpha() else "roman", -1)
+    if token in _SUPERSCRIPTS:
+        return Run(_SUPERSCRIPTS[token], "roman", 1)
+    if _GREEK.match(token) or (token[0].isalpha() and italic(token)):
+        return Run(token, "italic")
+    if token.isdecimal() and before and (before.face, before.script) == ("italic", 0):
+        return Run(token, "roman", -1)  # of a point: O2
+    return Run(token)
 
 
 @lru_cache(maxsize=1024)
@@ -97,10 +113,10 @@ def sentence(text: str, names: Iterable[str], words: str = "") -> Runs:
     pieces: list[Run] = []
     start = 0
     for found in re.finditer(upright, text):
-        pieces += roman(text[start : found.start()], known.__contains__)
+        pieces += _set(text[start : found.start()], known.__contains__)
         pieces.append(Run(found.group()))
         start = found.end()
-    pieces += roman(text[start:], known.__contains__)
+    pieces += _set(text[start:], known.__contains__)
     return tuple(pieces)
 
 
@@ -121,4 +137,4 @@ def plain(runs: Runs) -> str:
 
 def bold(runs: Runs) -> Runs:
     """Return the same runs in bold."""
-    return tuple(replace(r, face=_BOLD.get(r.face, r.face)) for r in runs)
+    return tuple(Run(r.text, _BOLD.get(r.face, r.face), r.script, r.shown) for r in runs)

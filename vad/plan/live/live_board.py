@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from vad.plan.board import Plan, arrange, regions_of, rows_of
 from vad.plan.format import Format
@@ -115,7 +116,7 @@ class LiveBoard:
             if picture:
                 kept[name] = picture.scale
                 sketch, turned[name] = picture.pose(setting, before)
-                items += lasting(picture.moving.still)
+                items += self._still[name]
             else:
                 kept[name] = calm_scale(half, setting.room, scales.get(name))
                 sketch, turned[name] = live_polygon(setting, kept[name], before)
@@ -130,6 +131,11 @@ class LiveBoard:
         column = sheet.panel(panel.column)
         halves = rooms(column, self.page.panels[column.name].drawing, OVERLAP)
         return next(room for half, room in halves if half.name == panel.name)
+
+    @cached_property
+    def _still(self) -> Mapping[str, list[Item]]:
+        """What stands still of each mechanism."""
+        return {name: lasting(picture.moving.still) for name, picture in self.pictures.items()}
 
     def _setting(self, sheet: Sheet, panel: Panel, taken: Obstacles | None = None) -> Setting:
         return Setting(sheet, panel, self.room(panel, sheet), rows_of(sheet), taken=taken)

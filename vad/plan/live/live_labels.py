@@ -64,14 +64,17 @@ class KeptLabels:
 
 
 def _kept(obstacles: Obstacles, wanted: Wish) -> Placed:
-    """Return the free place nearest to the one before, or that one itself where none is free."""
-    size = wanted.wide, wanted.high
-    last = wanted.around(wanted.near[0], 1)
-    if obstacles.free(last, *size, CLEARANCE, APART)[0]:
-        return Placed(last[0], *size)
+    """Return a free place: on the side on which it stood, else the nearest to that side.
+
+    Where none is free, it is on that side all the same.
+    """
+    size, side = (wanted.wide, wanted.high), wanted.ahead()
+    for spot in side:
+        if obstacles.has_room(spot, *size, CLEARANCE, APART):
+            return Placed(spot, *size)
     spots = [spot for gap in wanted.near for spot in wanted.around(gap, WAYS)]
     for clear, apart in ((CLEARANCE, APART), (0.5 * PIXEL, 0j)):
         free = obstacles.free(spots, *size, clear, apart)
         if free.any():
             return Placed(spots[int(free.argmax())], *size)
-    return Placed(last[0], *size)
+    return Placed(side[0], *size)

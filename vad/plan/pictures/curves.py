@@ -5,19 +5,23 @@ In come strokes and a scale, out go marks that grow along themselves, and obstac
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass
-from itertools import accumulate, pairwise
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import TypeGuard
 
 from vad.plan.geometry import SHORTEST
 from vad.plan.growth import Trimming
 from vad.plan.items import FOREVER, Level, Span
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.marks import Mark, area, lines
+from vad.plan.marks import Bow, Disc, Mark, Polyline, area, lines
 from vad.plan.pictures import machine
 from vad.plan.roles import BAR, ROLES
+from vad.plan.scale import Scale
 from vad.plan.sketch import Sketch
-from vad.strokes.sheet import Curve, Stroke
+from vad.strokes.sheet import Curve, Ellipse, Stroke
 
 BUSH = (0.034, 0.015)  # along a shaft and across, on either side of it
 GAP = BAR / 2 + 0.003  # from the shaft's axis
@@ -30,70 +34,78 @@ class PlacedCurve:
 
     Attributes
     ----------
-    points
-        Through which it runs.
-    far, lifted
-        The numbers of the points whose next stretch lies behind, or is not drawn.
+    shape
+        All that is drawn of it.
+    far
+        The stretches that lie behind, from share to share of it.  Lines are all or not at all.
     """
 
-    points: list[complex]
-    far: frozenset[int] = frozenset()
-    lifted: frozenset[int] = frozenset()
+    shape: Polyline | Bow
+    far: tuple[tuple[float, float], ...] = ()
 
     def marks(self, near: str, far: str, row: int | None) -> list[Mark]:
-        """Return the curve in two roles; it grows from its first point on."""
-        drawn = [number not in self.lifted for number in range(len(self.points) - 1)]
-        lengths = [abs(b - a) * on for (a, b), on in zip(pairwise(self.points), drawn, strict=True)]
-        total, reached = sum(lengths), list(accumulate(lengths, initial=0.0))
-        marks = []
-        for role, behind in ((far, True), (near, False)):
-            own = [(number in self.far) is behind and on for number, on in enumerate(drawn)]
-            parts = [length * mine for length, mine in zip(lengths, own, strict=True)]
-            size = sum(parts)
-            if size > SHORTEST:
-                grown = accumulate(parts, initial=0.0)
-                steps = zip(reached, grown, strict=True)
-                knots = _straightened([(at / total, part / size) for at, part in steps])
-                marks.append(lines(_pieces(self.points, own), role, row, Trimming(knots)))
+        """Return the curve in two roles, far parts first; it grows from its first point on."""
+        marks: list[Mark] = []
+        cuts = {min(max(share, 0.0), 1.0) for stretch in self.far for share in stretch}
+        for start, end in pairwise(sorted({0.0, 1.0} | cuts)):
+            behind = any(low <= start and end <= high for low, high in self.far)
+            part = self._part(start, end)
+            if part.length > SHORTEST:
+                growth = Trimming(((start, 0.0), (end, 1.0)))
+                mark = Mark(part, far if behind else near, row, growth)
+                marks.insert(0 if behind else len(marks), mark)
         return marks
 
     def whole(self, role: str, row: int | None) -> Mark:
         """Return all that is drawn of it, which does not grow."""
-        return lines(self.pieces, role, row)
-
-    @property
-    def pieces(self) -> list[list[complex]]:
-        """Its lines, each through its points."""
-        drawn = [number not in self.lifted for number in range(len(self.points) - 1)]
-        return _pieces(self.points, drawn)
+        return Mark(self.shape, role, row)
 
     def block(self, obstacles: Obstacles, width: float, span: Span) -> None:
         """Add it to what labels keep clear of."""
-        for piece in self.pieces:
+        shape = self.shape
+        for piece in shape.pieces if isinstance(shape, Polyline) else [shape.line()]:
             obstacles.line(piece, width / 2, span)
 
-
-def _pieces(points: Sequence[complex], own: Sequence[bool]) -> list[list[complex]]:
-    """Return the stretches that belong together, each through its points."""
-    pieces: list[list[complex]] = []
-    for number, mine in enumerate(own):
-        if mine and (not number or not own[number - 1]):
-            pieces.append([points[number]])
-        if mine:
-            pieces[-1].append(points[number + 1])
-    return pieces
+    def _part(self, start: float, end: float) -> Polyline | Bow:
+        if isinstance(self.shape, Polyline):
+            return self.shape
+        sweep = self.shape.sweep
+        return replace(
+            self.shape, start=self.shape.start + start * sweep, sweep=(end - start) * sweep
+        )
 
 
-def curve_of(sketch: Sketch, shape: Curve) -> PlacedCurve:
+def curve_of(scale: Scale, shape: Curve | Ellipse) -> PlacedCurve:
     """Return a curve in its place."""
-    far = frozenset(number for first, last in shape.far for number in range(first, last))
-    lifted = frozenset(number - 1 for number in shape.breaks)
-    return PlacedCurve(list(map(sketch.scale, shape.points)), far, lifted)
+    if isinstance(shape, Ellipse):
+        shares = (
+            sorted((angle - shape.start) / shape.sweep for angle in stretch)
+            for stretch in shape.far
+        )
+        return PlacedCurve(bow_of(scale, shape), tuple((low, high) for low, high in shares))
+    points, ends = list(map(scale, shape.points)), (0, *shape.breaks, len(shape.points))
+    pieces = tuple(tuple(points[first:last]) for first, last in pairwise(ends))
+    return PlacedCurve(Polyline(pieces), ((0.0, 1.0),) if shape.far else ())
 
 
-def add_curve(sketch: Sketch, index: int, shape: Curve) -> None:
+def bow_of(scale: Scale, shape: Ellipse) -> Bow:
+    """Return an ellipse in its place: as a circle that is squeezed across its long axis."""
+    # One pointer turns with the angle and one against it; along the axis they coincide.
+    ahead, back = (0.5 * scale.factor * (shape.first + turn * shape.second) for turn in (-1j, 1j))
+    start, sweep = shape.start, shape.sweep
+    if abs(ahead) < abs(back):  # it is seen from below
+        ahead, back, start, sweep = back, ahead, -start, -sweep
+    start += math.degrees(cmath.phase(ahead))
+    centre, radius = scale(shape.centre), abs(ahead) + abs(back)
+    if abs(back) < SHORTEST * radius:
+        return Bow(centre, radius, start, sweep)
+    axis = cmath.rect(1.0, (cmath.phase(ahead) + cmath.phase(back)) / 2)
+    return Bow(centre, radius, start, sweep, axis, (abs(ahead) - abs(back)) / radius)
+
+
+def add_curve(sketch: Sketch, index: int, shape: Curve | Ellipse) -> None:
     """Add a curve: a bent link, an axis, an outline, or the path of a point."""
-    setting, placed = sketch.setting, curve_of(sketch, shape)
+    setting, placed = sketch.setting, curve_of(sketch.scale, shape)
     stroke = setting.panel.strokes[index]
     during, over, row = setting.during(index), setting.over(index), setting.row(stroke.link)
     near, far = roles_of(stroke)
@@ -105,15 +117,16 @@ def add_curve(sketch: Sketch, index: int, shape: Curve) -> None:
     elif stroke.kind == "construction":
         light = placed.marks("construction light", "construction light", row)
         sketch.add(stroke, Level.CONSTRUCTION, during, light, over)
-    elif stroke.kind == "fixed" and is_closed(shape):
-        sketch.add(stroke, Level.GROUND, during, [area(placed.points, "ball")])
+    elif stroke.kind == "fixed" and is_ball(placed.shape):
+        ball = Disc(placed.shape.centre, placed.shape.radius)
+        sketch.add(stroke, Level.GROUND, during, [Mark(ball, "ball")])
     sketch.add(stroke, level_of(stroke), during, placed.marks(near, far, row))
     placed.block(sketch.obstacles, ROLES[near].width, (during, FOREVER))
 
 
-def is_closed(shape: Curve) -> bool:
-    """Tell whether a curve ends where it begins."""
-    return len(shape.points) > 2 and abs(shape.points[0] - shape.points[-1]) < SHORTEST
+def is_ball(shape: Polyline | Bow) -> TypeGuard[Bow]:
+    """Tell whether a shape is the outline of a ball: a whole circle."""
+    return isinstance(shape, Bow) and shape.narrow == 1.0 and abs(shape.sweep) == 360.0
 
 
 def roles_of(stroke: Stroke) -> tuple[str, str]:
@@ -164,13 +177,3 @@ def _hatching(corners: Sequence[complex]) -> list[tuple[complex, complex]]:
     shares = [number / _TICKS for number in range(_TICKS)]
     lean = 1.0 / _TICKS
     return [(first + share * along, first + (share + lean) * along + across) for share in shares]
-
-
-def _straightened(knots: list[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
-    """Return knots less those between which the way goes on as before."""
-    kept = knots[:1]
-    for knot, after in pairwise(knots[1:]):
-        (x0, y0), (x1, y1), (x2, y2) = kept[-1], knot, after
-        if abs((y1 - y0) * (x2 - x1) - (y2 - y1) * (x1 - x0)) > SHORTEST:
-            kept.append(knot)
-    return (*kept, knots[-1])

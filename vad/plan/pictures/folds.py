@@ -10,7 +10,8 @@ from collections.abc import Iterator, Mapping
 
 from vad.plan.growth import Scaling
 from vad.plan.items import Item, Level
-from vad.plan.marks import lines
+from vad.plan.marks import Mark, lines
+from vad.plan.pictures.curves import bow_of
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Fold
 
@@ -36,7 +37,7 @@ def folds(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
                 fold, place = stroke.shape, view.scale
                 centre, growth = place(fold.centre), _swing(fold, place(fold.centre))
                 arms = [(centre, place(arm)) for arm in fold.arms]
-                light = lines([list(map(place, fold.rim))], "construction light", row)
+                light = Mark(bow_of(place, fold.rim), "construction light", row)
                 name, region = panel.full(stroke.name), view.setting.panel.name
                 yield Item(name, region, Level.GLOW, (light,), since, until)
                 marks = (lines(arms, "path", row, growth),)

@@ -6,18 +6,16 @@ In comes the inset with its setting, out go its marks about the origin.
 from __future__ import annotations
 
 import cmath
-import math
 from dataclasses import replace
 
 from vad.plan.lettering.runs import Runs, roman
-from vad.plan.marks import Mark, disc, line
+from vad.plan.marks import Bow, Mark, disc, line
 from vad.plan.pictures.straight import vector
 from vad.plan.sketch import Setting, Tag
 from vad.strokes.sheet import PolarInset
 
 RADIUS = 0.090  # of the farthest point
 AXES = 1.12  # of that
-POINTS = 72
 DOT = 0.0042
 
 
@@ -28,14 +26,13 @@ def picture(
     farthest = max(inset.circle, *map(abs, inset.curve))
     factor = RADIUS * size / farthest
     driver, driven = setting.row(inset.driver), setting.row(inset.driven)
-    turn = [math.tau * number / POINTS for number in range(POINTS + 1)]
-    circle = [cmath.rect(inset.circle * factor, angle) for angle in turn]
+    circle = Bow(0j, inset.circle * factor, 0.0, 360.0)
     curve = [point * factor for point in (*inset.curve, inset.curve[0])]
     end = AXES * RADIUS * size
     axes = [(complex(-end), complex(end)), (-1j * end, 1j * end)]
     marks = [
         *(line(ends, "hairline") for ends in axes),
-        line(circle, "path", driver),
+        Mark(circle, "path", driver),
         line(curve, "path", driven),
         *vector(0j, inset.ray * factor, driven, "inset arrow", whole=True),
         *(disc(dot * factor, DOT * size, "position", None) for dot in inset.dots),

@@ -9,6 +9,8 @@ import cmath
 import itertools
 import math
 
+import numpy as np
+
 from vad.plan.carriers import is_yoke
 from vad.plan.geometry import Rect
 from vad.plan.growth import Trimming
@@ -64,11 +66,7 @@ def angle_radius(scale: Scale, shape: Arc, room: Rect, share: float = SHARE_OF_C
 
 def arc_line(centre: complex, radius: float, start: float, sweep: float) -> list[complex]:
     """Return points along an arc, close enough for keeping clear of it."""
-    count = max(2, math.ceil(abs(sweep) / 8.0) + 1)
-    return [
-        centre + cmath.rect(radius, math.radians(start + sweep * i / (count - 1)))
-        for i in range(count)
-    ]
+    return Bow(centre, radius, start, sweep).line()
 
 
 def angle_arc(sketch: Sketch, shape: Arc) -> Bow:
@@ -82,7 +80,7 @@ def angle_arc(sketch: Sketch, shape: Arc) -> Bow:
 
 def block_arc(obstacles: Obstacles, arc: Bow) -> None:
     """Add an angle's arc to what labels keep clear of."""
-    obstacles.line(arc_line(arc.centre, arc.radius, arc.start, arc.sweep), LINE / 2)
+    obstacles.line(arc.line(), LINE / 2)
 
 
 def add_angle(sketch: Sketch, index: int, arc: Bow) -> None:
@@ -124,13 +122,16 @@ def add_sense(sketch: Sketch, index: int | None, shape: Arc, sense: float) -> No
     centre, crank = sketch.scale(shape.centre), shape.start + shape.sweep
     sign = math.copysign(1.0, sense)
     turns = sorted(range(0, 360, 15), key=lambda t: min(t, 360 - t))
-    for strict, (radius, span), turn in itertools.product((True, False), SENSE_SIZES, turns):
-        middle = crank + sign * (SENSE_LEAD + turn)
+    places = [
+        (radius, span, crank + sign * (SENSE_LEAD + turn))
+        for (radius, span), turn in itertools.product(SENSE_SIZES, turns)
+    ]
+    letters = [sense_letter(centre, radius, middle, row) for radius, _, middle in places]
+    spots, (_, first) = [placed.centre for _, placed in letters], letters[0]
+    clear = obstacles.free(spots, first.wide, first.high, CLEARANCE, APART)
+    for strict, number in itertools.product((True, False), np.flatnonzero(clear)):
+        (radius, span, middle), (letter, placed) = places[number], letters[number]
         line = arc_line(centre, radius, middle - span / 2, span)
-        letter, placed = sense_letter(centre, radius, middle, row)
-        size = placed.wide, placed.high
-        if not obstacles.free([placed.centre], *size, CLEARANCE, APART)[0]:
-            continue
         if not all(obstacles.edge.holds(point, -0.006) for point in line):
             continue
         if strict and not obstacles.free(line, 0.0, 0.0, 0.008).all():

@@ -5,6 +5,8 @@ In come a panel's strokes and its place, out goes a `Sketch`.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from vad.plan.carriers import carries_block, is_yoke
 from vad.plan.growth import Fading, Trimming
 from vad.plan.items import Level
@@ -51,9 +53,8 @@ def draw(setting: Setting) -> Sketch:
     for index, stroke in enumerate(panel.strokes):
         own = isinstance(stroke.shape, Guide) and name_guide(sketch, index, stroke.shape, size)
         vertices += [own] if own else []
-    for vertex in vertices:
+    for vertex, mark in zip(vertices, joints(vertices, panel, size), strict=True):
         index = vertex.since
-        mark = joint_of(sketch, vertex)
         sketch.add(panel.strokes[index], Level.DOT, setting.after(index), [mark])
         sketch.obstacles.disc(vertex.at, machine.JOINT_REACH * size)
     add_axes(sketch, vertices)
@@ -89,11 +90,11 @@ def painting_order(panel: Panel) -> list[int]:
     return sorted(range(len(panel.strokes)), key=length, reverse=True)
 
 
-def joint_of(sketch: Sketch, vertex: Vertex) -> Mark:
-    """Return the pin at a vertex, or its dot where no two bodies meet."""
-    panel = sketch.setting.panel
-    part = machine.joint if pins(panel).intersection(vertex.letters) else machine.point
-    return part(vertex.at, size=part_size(panel, sketch.scale))
+def joints(vertices: Sequence[Vertex], panel: Panel, size: float) -> list[Mark]:
+    """Return the pin at each vertex, or its dot where no two bodies meet."""
+    known = pins(panel)
+    parts = (machine.joint if known & v.letters.keys() else machine.point for v in vertices)
+    return [part(vertex.at, size=size) for part, vertex in zip(parts, vertices, strict=True)]
 
 
 def pins(panel: Panel) -> set[str]:

@@ -24,14 +24,26 @@ from vad.plan.pictures.constructions import (
 )
 from vad.plan.pictures.curves import add_curve, bearing_marks, block_bearing
 from vad.plan.pictures.notes import add_notes
-from vad.plan.pictures.rotation import add_angle, add_sense, arc_line, block_arc
+from vad.plan.pictures.rotation import add_angle, add_sense, block_arc
 from vad.plan.pictures.skeleton import given_rate
 from vad.plan.pictures.tools import compass
 from vad.plan.pictures.vectors import swelling
 from vad.plan.roles import BLOCK_RIM, CONSTRUCTION
 from vad.plan.scale import Scale, fill
 from vad.plan.sketch import Setting, Sketch
-from vad.strokes.sheet import Arc, Arrow, Bearing, Block, Curve, Dot, Line, Panel, Sheet, Stroke
+from vad.strokes.sheet import (
+    Arc,
+    Arrow,
+    Bearing,
+    Block,
+    Curve,
+    Dot,
+    Ellipse,
+    Line,
+    Panel,
+    Sheet,
+    Stroke,
+)
 
 #: Of joints and sleeves: two views have the room of one mechanism in the plane.
 SIZE = 0.8
@@ -83,9 +95,8 @@ def views_scale(setting: Setting, poses: Sequence[Panel]) -> Scale:
 def reach(panel: Panel) -> list[complex]:
     """Return the points of the views that have to be on the page."""
     arcs = [stroke.shape for stroke in panel.strokes if isinstance(stroke.shape, Arc)]
-    return corners(panel) + [
-        point for arc in arcs for point in arc_line(arc.centre, arc.radius, arc.start, arc.sweep)
-    ]
+    bows = (Bow(arc.centre, arc.radius, arc.start, arc.sweep) for arc in arcs)
+    return corners(panel) + [point for bow in bows for point in bow.line()]
 
 
 def add_stroke(sketch: Sketch, index: int) -> None:
@@ -97,7 +108,7 @@ def add_stroke(sketch: Sketch, index: int) -> None:
             add_curve(sketch, index, Curve((start, end)))
             for at in [z for z, letter in ((start, tail), (end, head)) if not letter]:
                 _add_joint(sketch, index, sketch.scale(at))
-        case Curve():
+        case Curve() | Ellipse():
             add_curve(sketch, index, stroke.shape)
         case Dot(at):
             _add_dot(sketch, index, sketch.scale(at))
@@ -212,8 +223,7 @@ def _add_compass_arc(sketch: Sketch, index: int, shape: Arc) -> None:
     stroke, during = setting.panel.strokes[index], setting.during(index)
     row = setting.row(stroke.link)
     sketch.add(stroke, Level.CONSTRUCTION, during, [Mark(arc, "path", row, Trimming())])
-    points = arc_line(arc.centre, arc.radius, arc.start, arc.sweep)
-    sketch.obstacles.line(points, CONSTRUCTION / 2, (during, FOREVER))
+    sketch.obstacles.line(arc.line(), CONSTRUCTION / 2, (during, FOREVER))
 
 
 def _add_compass(sketch: Sketch, index: int, shape: Arc) -> None:

@@ -194,11 +194,15 @@ def in_first_view(letter: str) -> bool:
 
 def lasting(sketch: Sketch) -> list[Item]:
     """Return what stands when all strokes are drawn, as it stays."""
-    return [
-        replace(item, since=0, marks=tuple(replace(mark, growth=None) for mark in item.marks))
-        for item in sketch.items
-        if item.until > sketch.setting.end
-    ]
+    end = sketch.setting.end
+    return [_stayed(item) for item in sketch.items if item.until > end]
+
+
+def _stayed(item: Item) -> Item:
+    if not item.since and not item.grows:
+        return item
+    marks = tuple(replace(mark, growth=None) if mark.growth else mark for mark in item.marks)
+    return replace(item, since=0, marks=marks)
 
 
 def _owner(letter: str, fixed: Collection[str], poses: Sequence[Panel]) -> str | None:

@@ -15,7 +15,7 @@ from vad.plan.labels.vertices import find_vertices
 from vad.plan.pictures import machine
 from vad.plan.pictures.guides import Rail, add_guide, blocks_on, poles
 from vad.plan.pictures.sizes import part_size
-from vad.plan.pictures.skeleton import add_stroke, joint_of, painting_order
+from vad.plan.pictures.skeleton import add_stroke, joints, painting_order
 from vad.plan.pictures.supports import WAYS, add_axes, block_pivot, fixed_points
 from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch
@@ -109,8 +109,9 @@ class MovingSkeleton:
                 isinstance(shape, Guide) and not shape.side
             ):
                 add_stroke(sketch, index)
-        for vertex in find_vertices(panel, self.scale):
-            sketch.add(None, Level.DOT, 0, [joint_of(sketch, vertex)])
+        vertices = find_vertices(panel, self.scale)
+        for vertex, mark in zip(vertices, joints(vertices, panel, self.size), strict=True):
+            sketch.add(None, Level.DOT, 0, [mark])
             obstacles.disc(vertex.at, self.radius)
         return sketch
 

@@ -26,7 +26,7 @@ def link(scene: Scene, name: str) -> tuple[Cell, ...]:
     """Return the angular acceleration of a link."""
     return (
         Cell(
-            scene.symbol("α", name),
+            scene.members.symbol("α", name),
             scene.motion.link(name).alpha,
             "rad/s²",
             angle_of(name) == scene.driver,

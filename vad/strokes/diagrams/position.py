@@ -21,7 +21,7 @@ def link(scene: Scene, name: str) -> tuple[Cell, ...]:
     """Return the angle of a link."""
     return (
         Cell(
-            scene.symbol("θ", name),
+            scene.members.symbol("θ", name),
             scene.motion.link(name).angle,
             "°",
             angle_of(name) == scene.driver,
@@ -32,7 +32,7 @@ def link(scene: Scene, name: str) -> tuple[Cell, ...]:
 def slide(scene: Scene, name: str) -> tuple[Cell, ...]:
     """Return the position of a slide."""
     place, given = scene.motion.slide(name).position, length_of(name) == scene.driver
-    return (Cell(scene.slide_symbol(name), place, unit(scene), given),)
+    return (Cell(scene.members.slide_symbol(name), place, unit(scene), given),)
 
 
 def tracks(scene: Scene) -> Mapping[str, Any]:

@@ -26,7 +26,7 @@ def link(scene: Scene, name: str) -> tuple[Cell, ...]:
     """Return the angular velocity of a link."""
     return (
         Cell(
-            scene.symbol("ω", name),
+            scene.members.symbol("ω", name),
             scene.motion.link(name).omega,
             "rad/s",
             angle_of(name) == scene.driver,

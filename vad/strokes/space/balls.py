@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ from vad.strokes.diagram import Diagram, Drawing
 from vad.strokes.sheet import Cell
 from vad.strokes.space import balls_polygons, balls_views
 from vad.strokes.space.balls_said import BODIES
+from vad.strokes.space.balls_seen import Seen
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.written import per_second, subscript
 
@@ -30,8 +32,13 @@ class BallScene(SceneInSpace):
     def drawing(self, diagram: Diagram) -> Drawing:
         """Return the views, or a polygon."""
         if diagram.name == "position":
-            return balls_views.views(self)
-        return balls_polygons.polygon(self, _order(diagram))
+            return balls_views.views(self, self.seen)
+        return balls_polygons.polygon(self, self.seen, _order(diagram))
+
+    @cached_property
+    def seen(self) -> Seen:
+        """From where it is seen."""
+        return Seen(self.motion)
 
     def unit_of(self, diagram: Diagram) -> str:
         """Return the unit of a diagram's coordinates."""
@@ -41,7 +48,7 @@ class BallScene(SceneInSpace):
     def tracks(self, diagram: Diagram) -> Mapping[str, Any]:
         """Return where the lettered points of a diagram are."""
         order = _order(diagram)
-        return balls_polygons.tracks(self, order) if order else balls_views.tracks(self)
+        return balls_polygons.tracks(self.seen, order) if order else balls_views.tracks(self.seen)
 
     def cells(self, diagram: Diagram, key: str) -> tuple[Cell, ...]:
         """Return what a diagram adds to a row; the coupler has rates without its idle spin."""

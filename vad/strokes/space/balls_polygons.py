@@ -6,11 +6,11 @@ counts: BC keeps its length, so that c lies in a plane that this view sees as a 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
+from vad.kinematics.space.vector3 import difference, dot
 from vad.strokes.diagram import Drawing
 from vad.strokes.equations import of_chains
 from vad.strokes.pencil import Pencil
@@ -18,6 +18,7 @@ from vad.strokes.player import Player
 from vad.strokes.scene import image_letter
 from vad.strokes.space.balls_said import BallWords
 from vad.strokes.space.balls_seen import TILT, Seen
+from vad.strokes.space.body_rates import place
 from vad.strokes.vector_equations import Chain, Part, Vector, VectorEquation
 
 if TYPE_CHECKING:
@@ -28,19 +29,19 @@ _QUANTITIES = ("velocity", "acceleration")
 _NORMAL = "ₙ"
 
 
-def tracks(scene: SceneInSpace, order: int) -> Mapping[str, Any]:
+def tracks(seen: Seen, order: int) -> Mapping[str, Any]:
     """Return where the vertices of a polygon are."""
-    seen, quantity = Seen(scene.motion), _QUANTITIES[order - 1]
-    found = {letter: seen.third(getattr(scene.motion.point(letter), quantity)) for letter in "ABCD"}
+    quantity = _QUANTITIES[order - 1]
+    found = {letter: seen.third(place(seen.motion, letter, quantity)) for letter in "ABCD"}
     return {image_letter(letter, order): at for letter, at in found.items()}
 
 
-def polygon(scene: SceneInSpace, order: int) -> Drawing:
+def polygon(scene: SceneInSpace, seen: Seen, order: int) -> Drawing:
     """Return the velocity (order 1) or acceleration (order 2) polygon of a pose."""
-    places = {letter: complex(at) for letter, at in tracks(scene, order).items()}
-    equation = _equation(scene, order, places)
+    places = tracks(seen, order)
+    equation = _equation(scene, seen, order, places)
     a, d = (image_letter(letter, order) for letter in "AD")
-    words = BallWords(scene, order)
+    words = BallWords(scene, seen, order)
     pencil: Pencil[Vector] = Pencil(words, places.__getitem__, equation.longest, [a, d])
     pencil.begin(words.pole(pencil.resting), tuple(scene.headings) if pencil.resting else ())
     player: Player[Vector] = Player(pencil)
@@ -55,7 +56,7 @@ def polygon(scene: SceneInSpace, order: int) -> Drawing:
 
 
 def _equation(
-    scene: SceneInSpace, order: int, places: Mapping[str, complex]
+    scene: SceneInSpace, seen: Seen, order: int, places: Mapping[str, complex]
 ) -> VectorEquation[Vector]:
     """Return ab + bc = dc with the parts of each vector."""
     a, b, c, d = (image_letter(letter, order) for letter in "ABCD")
@@ -65,8 +66,7 @@ def _equation(
     ab = Vector("AB", a, b, "crank", whole=wholes[0])
     bc = Vector("BC", b, c, "coupler", whole=wholes[1])
     dc = Vector("DC", d, c, "rocker", whole=wholes[2])
-    seen = Seen(scene.motion)
-    path = complex(seen.third(seen.path))
+    path = seen.third(seen.path)
     across = 1j * TILT
     along_path = scene.say("parallel", line=scene.say("balls path"))
     normals = dict.fromkeys("BC", 0j) if order == 1 else _normals(seen)
@@ -135,11 +135,11 @@ def _way(vector: complex) -> complex:
 def _normals(seen: Seen) -> dict[str, complex]:
     """Return the normal components as the third view sees them."""
     motion = seen.motion
-    crank, rocker = seen.at("B") - seen.at("A"), seen.at("C") - seen.at("D")
-    relative = motion.point("C").velocity - motion.point("B").velocity
-    size = np.linalg.norm(seen.at("C") - seen.at("B"))
+    at, turning = seen.at, {name: motion.link(name).omega for name in ("crank", "rocker")}
+    crank, coupler, rocker = (difference(at[b], at[a]) for a, b in ("AB", "BC", "DC"))
+    relative = difference(place(motion, "C", "velocity"), place(motion, "B", "velocity"))
     return {
-        "AB": complex(seen.third(-(motion.link("crank").omega ** 2) * crank)),
-        "BC": complex(-TILT * (relative @ relative) / size),
-        "DC": complex(seen.third(-(motion.link("rocker").omega ** 2) * rocker)),
+        "AB": -(turning["crank"] ** 2) * seen.third(crank),
+        "BC": -TILT * dot(relative, relative) / math.sqrt(dot(coupler, coupler)),
+        "DC": -(turning["rocker"] ** 2) * seen.third(rocker),
     }

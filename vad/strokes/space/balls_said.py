@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vad.kinematics.space.vector3 import Vector3, difference, dot
 from vad.strokes.figures import Figure, Unit
 from vad.strokes.scene import image_letter
 from vad.strokes.space.balls_seen import Seen
+from vad.strokes.space.body_rates import place
 from vad.strokes.vector_equations import Part, Vector
 from vad.written import per_second, subscript
 
@@ -33,12 +36,12 @@ def length_of(scene: SceneInSpace, link: str, unit: str = "", power: int = 1) ->
 class BallWords:
     """The captions of the velocity (order 1) or acceleration (order 2) polygon."""
 
-    def __init__(self, scene: SceneInSpace, order: int) -> None:
+    def __init__(self, scene: SceneInSpace, seen: Seen, order: int) -> None:
         self._scene, self._say = scene, scene.say
         self._order = order
         self._panel = _PANELS[order - 1]
         self._unit = per_second(scene.unit, order)
-        self._seen = Seen(scene.motion)
+        self._seen = seen
 
     def pole(self, resting: bool) -> str:
         """Say what lies at the pole."""
@@ -136,11 +139,15 @@ class BallWords:
 
     @property
     def _relative_speed(self) -> float:
-        c, b = (self._scene.motion.point(letter).velocity for letter in "CB")
-        return float(np.linalg.norm(c - b))
+        relative = self._relative("velocity")
+        return math.sqrt(dot(relative, relative))
 
     @property
     def _relative_off(self) -> float:
         """By how much b and c stand at different heights over the paper."""
-        c, b = (getattr(self._scene.motion.point(letter), self._panel) for letter in "CB")
-        return abs(float(self._seen.depth(c - b)))
+        size: float = abs(self._seen.depth(self._relative(self._panel)))
+        return size
+
+    def _relative(self, quantity: str) -> Vector3:
+        c, b = (place(self._scene.motion, letter, quantity) for letter in "CB")
+        return difference(c, b)

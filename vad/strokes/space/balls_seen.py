@@ -16,6 +16,8 @@ import numpy as np
 from vad.kinematics.motion import solve
 from vad.kinematics.reach import closing_range
 from vad.kinematics.space.ball_solver import BallSolver
+from vad.kinematics.space.vector3 import Vector3, added, cross, difference, dot, scaled, unit
+from vad.strokes.space.body_rates import place
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
@@ -57,60 +59,55 @@ class Seen:
     ----------
     d, y
         The rocker's axis, and the direction across it that points up in the view along it.
+    at
+        Where the points are, by their letters.
     """
 
     def __init__(self, motion: Motion[Any, Any, Any]) -> None:
         solver = motion.solver
         assert isinstance(solver, BallSolver)
         self.motion = motion
-        self.d, self.y = np.array(solver.closure.d), np.array(solver.closure.y)
+        self.d, self.y = solver.closure.d, solver.closure.y
+        self.at = {letter: place(motion, letter) for letter in "ABCD"}
 
-    def at(self, letter: str) -> Any:
-        """Return where a point is."""
-        return self.motion.point(letter).position
-
-    def front(self, vector: Any) -> Any:
+    def front(self, vector: Vector3) -> Any:
         """Return a vector as it is seen along D's axis, from its end."""
-        return vector[..., 0] + 1j * (vector @ self.y)
+        return vector[0] + 1j * dot(vector, self.y)
 
-    def top(self, vector: Any) -> Any:
+    def top(self, vector: Vector3) -> Any:
         """Return a vector as it is seen along A's axis, from its end."""
-        return vector[..., 0] + 1j * vector[..., 1]
+        return vector[0] + 1j * vector[1]
 
-    def third(self, vector: Any) -> Any:
+    def third(self, vector: Vector3) -> Any:
         """Return a vector as the third view sees it."""
-        return TILT * (self.depth(vector, self.along) + 1j * self.depth(vector, self._across))
+        return TILT * (dot(vector, self.along) + 1j * dot(vector, self._across))
 
-    def depth(self, vector: Any, axis: Any = None) -> Any:
-        """Return how far a vector leads out of the paper of the third view, or along an axis."""
-        return np.sum(vector * (self.outward if axis is None else axis), axis=-1)
+    def depth(self, vector: Vector3) -> Any:
+        """Return how far a vector leads out of the paper of the third view."""
+        return dot(vector, self.outward)
 
     @cached_property
-    def along(self) -> Any:
+    def along(self) -> Vector3:
         """The unit vector from B to C."""
-        return _unit(self.at("C") - self.at("B"))
+        return unit(difference(self.at["C"], self.at["B"]))
 
     @cached_property
-    def path(self) -> Any:
+    def path(self) -> Vector3:
         """The unit vector along C's path, as the rocker turns counter-clockwise."""
-        return _unit(np.cross(self.d, self.at("C") - self.at("D")))
+        return unit(cross(self.d, difference(self.at["C"], self.at["D"])))
 
     @cached_property
-    def outward(self) -> Any:
+    def outward(self) -> Vector3:
         """The unit vector out of the paper of the third view, to the side of D's axis."""
-        across = np.cross(self.along, self.path)
-        flat = np.linalg.norm(across, axis=-1, keepdims=True) < 1e-12  # BC lies along the path
-        across = np.where(flat, self.d - self.along * (self.along @ self.d)[..., None], across)
-        side = np.sign(across @ self.d)[..., None]
-        return _unit(np.where(side < 0.0, -across, across))
+        across = cross(self.along, self.path)
+        flat = 1.0 * (dot(across, across) < 1e-24)  # BC lies along the path
+        upright = difference(self.d, scaled(dot(self.along, self.d), self.along))
+        across = added(scaled(1.0 - flat, across), scaled(flat, upright))
+        return unit(scaled(1.0 - 2.0 * (dot(across, self.d) < 0.0), across))
 
     @cached_property
-    def _across(self) -> Any:
-        return np.cross(self.outward, self.along)
-
-
-def _unit(vector: Any) -> Any:
-    return vector / np.linalg.norm(vector, axis=-1, keepdims=True)
+    def _across(self) -> Vector3:
+        return cross(self.outward, self.along)
 
 
 @lru_cache(maxsize=64)
@@ -120,9 +117,8 @@ def layout(mechanism: Mechanism) -> Layout:
     motion = solve(mechanism, angle=np.concatenate(ranges))
     seen = Seen(motion)
     closed = motion.assembled
-    points = {letter: seen.at(letter)[closed] for letter in "ABCD"}
-    front = np.concatenate([seen.front(each) for each in points.values()])
-    top = np.concatenate([seen.top(each) for each in points.values()])
+    front = np.concatenate([seen.front(each)[closed] for each in seen.at.values()])
+    top = np.concatenate([seen.top(each)[closed] for each in seen.at.values()])
     right = max(front.real.max(), top.real.max())
     size = max(np.ptp(front.real), np.ptp(top.imag))
     drop = top.imag.max() - front.imag.min() + GAP * size

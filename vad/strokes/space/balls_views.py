@@ -13,51 +13,50 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.numbers import fold
+from vad.kinematics.space.vector3 import difference, dot
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure
 from vad.strokes.sheet import Arc, Arrow, Curve, Dot, Equation, Kind, Note, Term
 from vad.strokes.space.balls_said import length_of
 from vad.strokes.space.balls_seen import TILT, Seen, layout
-from vad.strokes.space.views_pen import ViewsPen
+from vad.strokes.space.views_pen import ViewsPen, circle
 from vad.written import subscript
 
 if TYPE_CHECKING:
     from vad.strokes.space.scene_in_space import SceneInSpace
 
-#: Points of a circle; half of a compass arc, in degrees.
-POINTS, COMPASS = 72, 9.0
+#: Half of a compass arc, in degrees.
+COMPASS = 9.0
 #: Radii of the angles' arcs, of crank and rocker.
 ANGLE, SMALL = 0.45, 0.25
 #: How far the path of C goes on in the third view, and past where it has been, in degrees.
 ONWARD, FARTHER = 0.22, 12.0
 
 
-def tracks(scene: SceneInSpace) -> Mapping[str, Any]:
+def tracks(seen: Seen) -> Mapping[str, Any]:
     """Return where the lettered points are in all views."""
-    seen, views = Seen(scene.motion), layout(scene.motion.mechanism)
-    points = {letter: seen.at(letter) for letter in "ABCD"}
-    way = views.share * seen.third(points["C"] - points["B"])
+    views = layout(seen.motion.mechanism)
+    way = views.share * seen.third(difference(seen.at["C"], seen.at["B"]))
     return {
-        **{letter: seen.front(at) for letter, at in points.items()},
-        **{f"{letter}.top": seen.top(at) - 1j * views.drop for letter, at in points.items()},
+        **{letter: seen.front(at) for letter, at in seen.at.items()},
+        **{f"{letter}.top": seen.top(at) - 1j * views.drop for letter, at in seen.at.items()},
         "B.third": views.place + 0 * way,
         "C.third": views.place + way,
     }
 
 
-def views(scene: SceneInSpace) -> Drawing:
+def views(scene: SceneInSpace, seen: Seen) -> Drawing:
     """Return the construction of a pose."""
-    return _Views(scene).drawing()
+    return _Views(scene, seen).drawing()
 
 
 class _Views(ViewsPen):
     topic = "balls"
 
-    def __init__(self, scene: SceneInSpace) -> None:
+    def __init__(self, scene: SceneInSpace, seen: Seen) -> None:
         super().__init__(scene)
-        scene.motion.pose  # noqa: B018  # raises where the balls do not meet, perhaps nowhere
-        self.seen, self.layout = Seen(scene.motion), layout(scene.motion.mechanism)
-        self.at = {name: complex(at) for name, at in tracks(scene).items()}
+        self.seen, self.layout = seen, layout(scene.motion.mechanism)
+        self.at = tracks(seen)
 
     def drawing(self) -> Drawing:
         self._crank()
@@ -78,7 +77,7 @@ class _Views(ViewsPen):
         centre, radius = self.at["A.top"], self.sizes["crank"]
         angle = self.given(float(self.scene.motion.link("crank").angle))
         self.draw("A.fixed", "fixed", "A", Dot(centre), "A")
-        self.draw("B.path", "known", "", _circle(centre, radius), "crank path", link="crank")
+        self.draw("B.path", "known", "", circle(centre, radius), "crank path", link="crank")
         parts = {"size": self.length("crank"), "angle": angle}
         self._bar("AB.bar", "A.top", "B.top", "crank", "known", "crank", **parts)
         arc = Arc(centre, ANGLE * radius, 0.0, angle.value)
@@ -88,9 +87,9 @@ class _Views(ViewsPen):
         """Draw what is known as it is seen along D's axis: the circle of C, and B."""
         self.draw("D.fixed", "fixed", "D", Dot(self.at["D"]), "D")
         low, high = self.layout.swing
-        arc = [low - FARTHER, min(high + FARTHER, low + 360.0 - FARTHER)]
-        shape = _circle(self.at["D"], self.sizes["rocker"], *arc)
-        self.draw("C.path", "known", "", shape, "rocker path", link="rocker")
+        sweep = min(high - low + 2.0 * FARTHER, 360.0)
+        path = circle(self.at["D"], self.sizes["rocker"], low - FARTHER, sweep)
+        self.draw("C.path", "known", "", path, "rocker path", link="rocker")
         self.draw("A.front", "fixed", "A", Dot(self.at["A"]), "A front")
         shape = Curve((self.at["B.top"], self.at["B"]))
         self.draw("B.projector", "construction", "", shape, "B front")
@@ -99,7 +98,7 @@ class _Views(ViewsPen):
     def _coupler(self) -> None:
         """Find C where the circles meet, and draw coupler and rocker."""
         b, c, unit = self.at["B"], self.at["C"], self.scene.unit
-        height = float((self.seen.at("B") - self.seen.at("D")) @ self.seen.d)
+        height = dot(difference(self.seen.at["B"], self.seen.at["D"]), self.seen.d)
         off, size = Figure(abs(height), unit), self.length("coupler")
         reach = Figure(abs(c - b), unit)
         self.scene.figures.leg(reach, replace(size, power=2), replace(off, power=2))
@@ -134,7 +133,7 @@ class _Views(ViewsPen):
         onward = ONWARD * (self.at["C.third"] - self.at["B.third"])
         edge = Curve((self.at["B.third"] - 1j * onward, self.at["B.third"] + 1j * onward))
         self.draw("B.plane", "construction", "", edge, "plane", link="coupler")
-        way = abs(onward) * complex(self.seen.third(self.seen.path))
+        way = abs(onward) * self.seen.third(self.seen.path)
         line = Curve((self.at["C.third"] - way, self.at["C.third"] + way))
         self.draw("C.line", "construction", "", line, "line", link="rocker")
 
@@ -152,11 +151,6 @@ class _Views(ViewsPen):
     def length(self, name: str) -> Figure:
         """Return a parameter that is a length."""
         return length_of(self.scene, name)
-
-
-def _circle(centre: complex, radius: float, low: float = 0.0, high: float = 360.0) -> Curve:
-    turns = (math.radians(low + (high - low) * k / POINTS) for k in range(POINTS + 1))
-    return Curve(tuple(centre + cmath.rect(radius, turn) for turn in turns))
 
 
 _EQUATION = Equation(

@@ -10,12 +10,10 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from vad.strokes.diagram import Drawing
 from vad.strokes.pencil import Pencil
 from vad.strokes.player import Player
-from vad.strokes.sheet import Component, Equation, Fold, Stroke, Term
+from vad.strokes.sheet import Component, Ellipse, Equation, Fold, Stroke, Term
 from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.space.body_words import TURNED, BodyVector, BodyWords
 from vad.strokes.vector_equations import Chain, Part, VectorEquation
@@ -65,9 +63,9 @@ class _Polygon:
         self.bodies, self.rates = bodies, bodies.rates
         self.scene, self.order = bodies.words.scene, bodies.words.order
         order = self.order
-        self.values = {name: float(rate) for name, rate in self.rates.rates(order).items()}
-        self.places = {name: complex(z) for name, z in self.rates.vertices(order).items()}
-        self.side = float(self.rates.side(order))
+        self.values = self.rates.rates(order)
+        self.places = self.rates.vertices(order)
+        self.side = self.rates.side(order)
 
     def drawing(self) -> Drawing:
         """Draw both triangles."""
@@ -93,7 +91,8 @@ class _Polygon:
         )
 
     def _place(self, vertex: str) -> complex:
-        return self.places[vertex]
+        place: complex = self.places[vertex]
+        return place
 
     def _body(self, number: int) -> str:
         return f"{number}{PRIME * (self.order - 1)}"
@@ -141,10 +140,10 @@ class _Polygon:
     def _frame(self) -> VectorEquation[BodyVector]:
         """Return ω₂ + ω₄₂ = ω₄, or α₂ + ω₄₂τ̇ + α₄₂ₜ = α₄, in the plane of the frame."""
         rates, values = self.rates, self.values
-        a, d, i, m = (complex(rates.seen(axis)) for axis in (rates.a, rates.d, rates.i, rates.m))
+        a, d, i, m = map(rates.seen, (rates.a, rates.d, rates.i, rates.m))
         crank = self._vector("12", values["A"])
         rocker = self._vector("14", values["D"])
-        along, across = map(float, rates.relative(self.order))
+        along, across = rates.relative(self.order)
         alone = self.order > 1 and not self.bodies.twice
         relative = self._vector("24", along, whole="relative" if alone else None)
         parts = [self._part(crank, "absolute", a, values["A"], False)]
@@ -162,7 +161,7 @@ class _Polygon:
     def _coupler(self) -> VectorEquation[BodyVector]:
         """Return ω₄₂ = ω₃₂ - ω₃₄, or ω₄₂τ̇₃ + α₄₂ₜ = α₃₂ - α₃₄, in the plane of the coupler."""
         rates, values = self.rates, self.values
-        b, c = (complex(rates.laid(axis, self.side)) for axis in (rates.b, rates.c))
+        b, c = (rates.laid(axis, self.side) for axis in (rates.b, rates.c))
         at_b = self._vector("23", values["B"])
         at_c = self._vector("43", values["C"])
         vectors, parts, start, end = [at_b], [], self._body(2), self._body(3)
@@ -177,9 +176,9 @@ class _Polygon:
                 arrives=False,
                 symbol="ω" + subscript(42),
                 axis=self.bodies.axes["24"],
-                value=float(rates.in_coupler()),
+                value=rates.in_coupler(),
             )
-            across = self.side * complex(rates.seen(rates.m))
+            across = self.side * rates.seen(rates.m)
             parts.append(
                 self._part(
                     turned, "normal", across, turned.value, False, "3ₙ", TURNED + subscript(3)
@@ -195,11 +194,10 @@ class _Polygon:
     def _fold(self, centre: complex) -> Stroke:
         """Return how the plane of the coupler is laid over, in the view of the frame's plane."""
         rates = self.rates
-        axis, turn = complex(rates.seen(rates.i)), float(rates.fold(self.side))
-        arms = tuple(centre + complex(rates.laid(arm, self.side)) for arm in (rates.b, rates.c))
-        angles = np.radians(np.linspace(0.0, 360.0, 73))[:, None]
-        rim = centre + rates.seen(np.cos(angles) * rates.i + np.sin(angles) * rates.j)
-        shape = Fold(centre, axis, turn, arms, tuple(rim.tolist()))
+        axis, turn = rates.seen(rates.i), rates.fold(self.side)
+        arms = tuple(centre + rates.laid(arm, self.side) for arm in (rates.b, rates.c))
+        rim = Ellipse(centre, axis, rates.seen(rates.j))
+        shape = Fold(centre, axis, turn, arms, rim)
         caption = self.scene.say(f"{self.bodies.words.topic} fold")
         return Stroke("construction", "", shape, caption, self.bodies.rows["23"], name="fold")
 

@@ -6,19 +6,25 @@ frame, seen with its bisector upright.  The plane of the coupler is laid over in
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vad.kinematics.space.instant_axis import K
+from vad.kinematics.space.space_solver import Z
+from vad.kinematics.space.sphere_solver import SphereSolver
+from vad.kinematics.space.vector3 import Vector3, added, cross, dot, over, scaled
+from vad.strokes.vector_equations import NOTHING
 from vad.written import PRIME
 
 if TYPE_CHECKING:
-    from vad.kinematics.motion import MotionInSpace
+    from vad.kinematics.motion import Motion, MotionInSpace
 
-#: The normal of the frame's plane, from which it is seen.
-_K = np.array([1.0, 0.0, 0.0])
+_QUANTITIES = "omega", "alpha"
 
 
 class BodyRates:
@@ -28,6 +34,8 @@ class BodyRates:
     ----------
     axes
         The vectors a, b, c, d and i, of each pose.
+    sine
+        That of the arc from b to c.
     parts
         What turns about a to d, in the motion.
     upright
@@ -36,68 +44,78 @@ class BodyRates:
     Attributes
     ----------
     a, b, c, d, i
-        The axes, as vectors of three.
+        The axes, as three numbers or arrays.
     m, j
         Across i in the plane of the frame and in that of the coupler.
-    at_b, at_c
-        From i to b and to c, in degrees.
     """
 
-    def __init__(self, axes: Sequence[Any], parts: Sequence[Any], upright: float) -> None:
+    def __init__(
+        self, axes: Sequence[Vector3], sine: float, parts: Sequence[Any], upright: float
+    ) -> None:
         self._parts = dict(zip("ABCD", parts, strict=True))
         self.a, self.b, self.c, self.d, self.i = axes
-        self.m = np.cross(_K, self.i)
-        normal = np.cross(self.b, self.c)
-        normal = normal / np.linalg.norm(normal, axis=-1, keepdims=True)
-        self.j = np.cross(normal, self.i)
-        self.at_b, self.at_c = (
-            np.degrees(np.arctan2(dot(axis, self.j), dot(axis, self.i)))
-            for axis in (self.b, self.c)
-        )
-        self._turn = np.exp(1j * math.radians(upright))
+        self.m = cross(K, self.i)
+        self.j = cross(over(cross(self.b, self.c), sine), self.i)
+        self._turn = cmath.rect(1.0, math.radians(upright))
+        self._found: dict[int, Mapping[str, Any]] = {}
 
-    def seen(self, vector: Any) -> Any:
+    @cached_property
+    def at_b(self) -> float:
+        """From i to b, in degrees, of one pose."""
+        return self._arc(self.b)
+
+    @cached_property
+    def at_c(self) -> float:
+        """From i to c, in degrees, of one pose."""
+        return self._arc(self.c)
+
+    def _arc(self, axis: Vector3) -> float:
+        return math.degrees(math.atan2(dot(axis, self.j), dot(axis, self.i)))
+
+    def seen(self, vector: Vector3) -> Any:
         """Return a vector as it is seen square to the plane of the frame."""
-        return self._turn * (vector[..., 2] - 1j * vector[..., 1])
+        return self._turn * (vector[2] - 1j * vector[1])
 
-    def laid(self, vector: Any, side: Any) -> Any:
+    def laid(self, vector: Vector3, side: Any) -> Any:
         """Return a vector of the coupler's plane, laid over about OI to a side of it, ±1."""
         along, across = dot(vector, self.i), side * dot(vector, self.j)
         return along * self.seen(self.i) + across * self.seen(self.m)
 
-    def fold(self, side: Any) -> Any:
+    def fold(self, side: float) -> float:
         """Return by how many degrees the coupler's plane swings when it is laid over."""
-        return np.degrees(np.arctan2(self.j[..., 0], side * dot(self.j, self.m)))
+        return math.degrees(math.atan2(self.j[0], side * dot(self.j, self.m)))
 
     def rates(self, order: int) -> Mapping[str, Any]:
         """Return ω (1) or α (2) about each axis."""
-        name = ("omega", "alpha")[order - 1]
-        return {letter: getattr(part, name) for letter, part in self._parts.items()}
+        if order not in self._found:
+            name = _QUANTITIES[order - 1]
+            self._found[order] = {key: getattr(part, name) for key, part in self._parts.items()}
+        return self._found[order]
 
     def relative(self, order: int) -> tuple[Any, Any]:
         """Return ω₄₂ or α₄₂ in the plane of the frame: along i, and across it."""
         rates = self.rates(order)
-        vector = scaled(rates["D"], self.d) - scaled(rates["A"], self.a)
+        vector = added(scaled(rates["D"], self.d), scaled(-rates["A"], self.a))
         return dot(vector, self.i), dot(vector, self.m)
 
     def in_coupler(self) -> Any:
         """Return ω₄₂τ̇₃, the part of α₃₂b - α₃₄c across i."""
         rates = self.rates(2)
-        return dot(scaled(rates["B"], self.b) - scaled(rates["C"], self.c), self.j)
+        return rates["B"] * dot(self.b, self.j) - rates["C"] * dot(self.c, self.j)
 
     def side(self, order: int) -> Any:
         """Return to which side the coupler's plane is laid over.
 
         That of velocities goes away from the pole, that of accelerations so that both normal
-        components at 4ₙ go on from each other.
+        components at 4ₙ go on from each other; where a triangle is flat it is +1.
         """
         rates = self.rates(1)
         if order == 1:
-            other = dot(scaled(rates["D"], self.d), self.m)
-            own = dot(scaled(rates["B"], self.b), self.j)
+            other, own = rates["D"] * dot(self.d, self.m), rates["B"] * dot(self.b, self.j)
         else:
             other, own = -self.relative(2)[1], self.in_coupler()
-        return np.where(other * own < 0.0, -1.0, 1.0)
+        size = sum(abs(rate) for rate in self.rates(order).values())
+        return 1.0 - 2.0 * (other * own < -NOTHING * size * size)
 
     def vertices(self, order: int) -> Mapping[str, Any]:
         """Return where the vertices of the velocity (1) or acceleration (2) polygon are."""
@@ -115,16 +133,15 @@ class BodyRates:
 
 def rates_on_sphere(motion: MotionInSpace[Any, Any]) -> BodyRates:
     """Return those of a spherical four-bar, seen with the bisector of its frame upright."""
-    axes = [motion.point(letter).position for letter in "ABCDI"]
+    assert isinstance(motion.solver, SphereSolver)
+    sphere, (b, c, i) = motion.solver.sphere, (place(motion, letter) for letter in "BCI")
     parts = motion.link("crank"), motion.joint("B"), motion.joint("C"), motion.link("rocker")
-    return BodyRates(axes, parts, -90.0 - motion.mechanism.parameters()["ground"] / 2.0)
+    upright = -90.0 - motion.mechanism.parameters()["ground"] / 2.0
+    return BodyRates((Z, b, c, sphere.d, i), sphere.sines[2], parts, upright)
 
 
-def dot(one: Any, other: Any) -> Any:
-    """Return the scalar product of vectors, of each pose."""
-    return np.sum(one * other, axis=-1)
-
-
-def scaled(factor: Any, vector: Any) -> Any:
-    """Return a multiple of a vector, of each pose its own."""
-    return np.asarray(factor)[..., None] * vector
+def place(motion: Motion[Any, Any, Any], letter: str, quantity: str = "position") -> Vector3:
+    """Return where a point is, or its velocity or acceleration, as three numbers or arrays."""
+    vector = getattr(motion.point(letter), quantity)
+    x, y, z = np.moveaxis(vector, -1, 0) if motion.many else vector.tolist()
+    return x, y, z

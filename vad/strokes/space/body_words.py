@@ -83,7 +83,7 @@ class BodyWords:
         vector = part.of
         place = self.scene.say("the pole") if vector.name == "14" else point
         arcs = {"23": self.rates.at_b, "43": self.rates.at_c}
-        arc = Figure(abs(float(arcs.get(vector.name, 0.0))), "°")
+        arc = Figure(abs(arcs.get(vector.name, 0.0)), "°")
         panel = f" {self.panel}" if vector.name == "24" else ""
         parts = {"point": place, "axis": vector.axis, "meeting": meeting, "arc": arc}
         return self.scene.say(f"{self.topic} line {vector.name}{panel}", **parts)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ import numpy as np
 from vad.strokes.diagram import Diagram, Drawing
 from vad.strokes.sheet import Cell
 from vad.strokes.space import hooke_polygons, hooke_views
+from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.space.body_words import TURNED
 from vad.strokes.space.hooke_views import swings
 from vad.strokes.space.scene_in_space import SceneInSpace
@@ -26,10 +28,17 @@ class HookeScene(SceneInSpace):
     output = "driven"
     headings: Mapping[str, str] = {"driving": "2", "cross": "3", "driven": "4"}
 
+    @cached_property
+    def rates(self) -> BodyRates:
+        """How its bodies turn."""
+        return hooke_polygons.joint_rates(self.motion)
+
     def drawing(self, diagram: Diagram) -> Drawing:
         """Return the views, or a polygon."""
         order = _ORDERS.get(diagram.name)
-        return hooke_polygons.polygon(self, order) if order else hooke_views.views(self)
+        if not order:
+            return hooke_views.views(self)
+        return hooke_polygons.polygon(self, self.rates, order)
 
     def unit_of(self, diagram: Diagram) -> str:
         """Return the unit of a diagram's coordinates: none in the views."""
@@ -38,7 +47,7 @@ class HookeScene(SceneInSpace):
     def tracks(self, diagram: Diagram) -> Mapping[str, Any]:
         """Return where the lettered points of a diagram are."""
         order = _ORDERS.get(diagram.name)
-        return hooke_polygons.tracks(self, order) if order else hooke_views.tracks(self)
+        return hooke_polygons.tracks(self.rates, order) if order else hooke_views.tracks(self)
 
     def cells(self, diagram: Diagram, key: str) -> tuple[Cell, ...]:
         """Return what a diagram adds to a row."""
@@ -57,25 +66,25 @@ _QUANTITIES = {
 }
 
 
-def _cross_position(scene: SceneInSpace) -> tuple[Cell, ...]:
+def _cross_position(scene: HookeScene) -> tuple[Cell, ...]:
     at_p, at_q = swings(scene)
     return Cell("ψ", at_p, "°"), Cell("ψ", at_q, "°")
 
 
-def _cross_velocity(scene: SceneInSpace) -> tuple[Cell, ...]:
+def _cross_velocity(scene: HookeScene) -> tuple[Cell, ...]:
     motion = scene.motion
     size = np.linalg.norm(motion.link("cross").omega, axis=-1)
     values = {32: motion.joint("P").omega, 34: motion.joint("Q").omega, 3: size}
     return tuple(Cell("ω" + subscript(n), value, "rad/s") for n, value in values.items())
 
 
-def _cross_acceleration(scene: SceneInSpace) -> tuple[Cell, ...]:
-    along, across = hooke_polygons.joint_rates(scene.motion).relative(2)
+def _cross_acceleration(scene: HookeScene) -> tuple[Cell, ...]:
+    along, across = scene.rates.relative(2)
     return Cell(GROWN, along, "rad/s²"), Cell(TURNED, across, "rad/s²")
 
 
 _ORDERS = {"velocity": 1, "acceleration": 2}
-_CROSS: Mapping[str, Callable[[SceneInSpace], tuple[Cell, ...]]] = {
+_CROSS: Mapping[str, Callable[[HookeScene], tuple[Cell, ...]]] = {
     "position": _cross_position,
     "velocity": _cross_velocity,
     "acceleration": _cross_acceleration,

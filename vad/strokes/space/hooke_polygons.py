@@ -10,14 +10,14 @@ import cmath
 import math
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 from vad.kinematics.numbers import fold
 from vad.kinematics.space.space_solver import Z
 from vad.kinematics.space.universal import Universal
 from vad.kinematics.space.universal_solver import UniversalSolver
+from vad.kinematics.space.vector3 import unit
 from vad.strokes.diagram import Drawing
 from vad.strokes.notation import Notation
 from vad.strokes.sheet import PolarInset
@@ -42,27 +42,21 @@ def joint_rates(motion: MotionInSpace[Any, Any]) -> BodyRates:
     """Return how the shafts turn, and the cross about its arms."""
     p, q = pins(motion)
     t = pierced(p, q)
-    axes = (
-        np.array(Z),
-        p,
-        q,
-        np.array(_closure(motion).d),
-        t / np.linalg.norm(t, axis=-1, keepdims=True),
-    )
+    axes = Z, p, q, _closure(motion).d, unit(t)
     parts = motion.link("driving"), motion.joint("P"), motion.joint("Q"), motion.link("driven")
-    return BodyRates(axes, parts, -90.0)
+    return BodyRates(axes, 1.0, parts, -90.0)
 
 
-def tracks(scene: SceneInSpace, order: int) -> Mapping[str, Any]:
+def tracks(rates: BodyRates, order: int) -> Mapping[str, Any]:
     """Return where the vertices of a polygon are: of accelerations, those of its whole vectors."""
-    found = joint_rates(scene.motion).vertices(order)
+    found = rates.vertices(order)
     whole = ("1", "2", "3", "4") if order == 1 else ("1" + PRIME, "2" + PRIME, "4" + PRIME)
     return {letter: found[letter] for letter in whole}
 
 
-def polygon(scene: SceneInSpace, order: int) -> Drawing:
+def polygon(scene: SceneInSpace, rates: BodyRates, order: int) -> Drawing:
     """Return the polygon of ω (1) or α (2) of a pose."""
-    rates, say = joint_rates(scene.motion), scene.say
+    say = scene.say
     shafts = {f"1{shaft}": say("hooke shaft", shaft=shaft) for shaft in (2, 4)}
     axes = {**shafts, "24": "OT", "23": "OP", "43": "OQ"}
     words = JointWords(scene, order, rates)
@@ -84,11 +78,6 @@ def speeds(scene: SceneInSpace) -> PolarInset:
     """Return the speeds over a turn: ω₄ about a circle of ω₂."""
     motion, closure = scene.motion, _closure(scene.motion)
     cosine, omega = closure.cosine, abs(motion.link("driving").omega)
-
-    def speed(degrees: float) -> complex:
-        driven = closure.velocity(closure.pose(fold(degrees)), omega).driven
-        return cmath.rect(driven, math.radians(degrees))
-
     alike = math.atan(math.sqrt(cosine))
     alike_at = [alike, math.pi - alike, math.pi + alike, -alike] if closure.sine else []
     low, high = (
@@ -99,13 +88,25 @@ def speeds(scene: SceneInSpace) -> PolarInset:
         "driving",
         "driven",
         omega,
-        tuple(speed(360.0 * number / SPEEDS) for number in range(SPEEDS + 1)),
-        speed(motion.link("driving").angle),
+        _over_a_turn(closure, omega),
+        _speed(closure, omega, motion.link("driving").angle),
         tuple(cmath.rect(omega, theta) for theta in alike_at),
         scene.say("hooke speeds"),
         f"ω{subscript(4)}/ω{subscript(2)} = {low} … {high}",
         "14.absolute",
     )
+
+
+@lru_cache(maxsize=16)
+def _over_a_turn(closure: Universal, omega: float) -> tuple[complex, ...]:
+    """Return the curve of speeds, the same in all poses."""
+    return tuple(_speed(closure, omega, 360.0 * k / SPEEDS) for k in range(SPEEDS + 1))
+
+
+def _speed(closure: Universal, omega: float, degrees: float) -> complex:
+    """Return ω₄ at an angle of the driving shaft, laid off along it."""
+    driven = closure.velocity(closure.pose(fold(degrees)), omega).driven
+    return cmath.rect(driven, math.radians(degrees))
 
 
 def _closure(motion: MotionInSpace[Any, Any]) -> Universal:

@@ -11,9 +11,22 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from vad.kinematics.space.vector3 import Vector3, added, over, scaled
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure
-from vad.strokes.sheet import Arc, Arrow, Bearing, Curve, Dot, Equation, Line, Note, Term
+from vad.strokes.sheet import (
+    Arc,
+    Arrow,
+    Bearing,
+    Curve,
+    Dot,
+    Ellipse,
+    Equation,
+    Line,
+    Note,
+    Term,
+)
+from vad.strokes.space.body_rates import place
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.strokes.space.views_pen import ViewsPen
 from vad.written import PRIME, subscript
@@ -28,23 +41,21 @@ BACK, BEARING, END, AXIS = 0.5, 0.85, 1.05, 1.25
 DRIVING, DRIVEN, SHAFTS = 1.15, 0.32, 1.15
 #: So far a fork goes on both sides of its pin, in degrees, as seen along shaft 2.
 FORK = 13.0
-#: Points of a circle.
-POINTS = 72
 
 
-def front(vector: Any) -> Any:
+def front(vector: Vector3) -> Any:
     """Return a vector as it is seen along shaft 2, the plane of the shafts horizontal."""
-    return -vector[..., 1] + 1j * vector[..., 0]
+    return -vector[1] + 1j * vector[0]
 
 
-def plan(vector: Any) -> Any:
+def plan(vector: Vector3) -> Any:
     """Return a vector as it is seen square to the plane of the shafts, without its place."""
-    return -vector[..., 1] - 1j * vector[..., 2]
+    return -vector[1] - 1j * vector[2]
 
 
-def pins(motion: MotionInSpace[Any, Any]) -> list[Any]:
+def pins(motion: MotionInSpace[Any, Any]) -> tuple[Vector3, Vector3]:
     """Return where P and Q are."""
-    return [motion.point(letter).position for letter in "PQ"]
+    return place(motion, "P"), place(motion, "Q")
 
 
 def shafts_of(motion: MotionInSpace[Any, Any]) -> float:
@@ -52,13 +63,12 @@ def shafts_of(motion: MotionInSpace[Any, Any]) -> float:
     return math.radians(motion.mechanism.parameters()["shaft_angle"])
 
 
-def pierced(p: Any, q: Any) -> Any:
+def pierced(p: Vector3, q: Vector3) -> Vector3:
     """Return where the line of an end of P's arm and one of Q's pierces the plane of the shafts.
 
     Of both such points, opposite each other, it is the one that stays on its side in all poses.
     """
-    high_p, high_q = p[..., :1], q[..., :1]
-    return (p * high_q - q * high_p) / (abs(high_p) + abs(high_q))
+    return over(added(scaled(q[0], p), scaled(-p[0], q)), abs(p[0]) + abs(q[0]))
 
 
 def tracks(scene: SceneInSpace) -> Mapping[str, Any]:
@@ -129,7 +139,7 @@ class _Views(ViewsPen):
 
     def _pin_p(self) -> None:
         """Draw the circle of P, its arm and its angle."""
-        self.draw("P.circle", "known", "", Curve(_ellipse(1.0)), "circle", link="driving")
+        self.draw("P.circle", "known", "", _ellipse(1.0), "circle", link="driving")
         given, p = self.given(self.theta2), complex(front(self.p))
         arm = Arrow(-p, p, "", "P")
         self.draw("OP.arm", "known", "", arm, "OP", link="cross", body=True, angle=given)
@@ -140,8 +150,8 @@ class _Views(ViewsPen):
         """Draw the ellipse of Q, find Q on it, and turn it into the view."""
         q, cosine = complex(front(self.q)), math.cos(self.shafts)
         given = self.given(math.degrees(self.shafts))
-        ellipse = Curve(_ellipse(cosine))
-        self.draw("Q.ellipse", "construction", "", ellipse, "ellipse", link="driven", angle=given)
+        shape = _ellipse(cosine)
+        self.draw("Q.ellipse", "construction", "", shape, "ellipse", link="driven", angle=given)
         line = Line(0j, q / abs(q), q, "OP")
         self.draw("OQ.line", "construction", "", line, "OQ", link="cross")
         self.draw("Q.found", "intersection", "Q", Dot(q), "Q", link="driven")
@@ -180,7 +190,7 @@ class _Views(ViewsPen):
             more: dict[str, Any] = {"link": link, "body": True, "shaft": shaft}
             self.draw(f"{shaft}.yoke", "result", "", Curve(yoke), "yoke", pin=letter, **more)
             own = self.theta2 if shaft == "2" else 90.0 + self.theta4
-            fork = [_on_ellipse(width, own + by) for by in (-FORK, 0.0, FORK)]
+            fork = [_ellipse(width).at(own + by) for by in (-FORK, 0.0, FORK)]
             shape = Curve((*fork, *(-z for z in fork)), breaks=(3,))
             self.draw(f"{shaft}.fork", "result", "", shape, "fork", **more)
 
@@ -212,11 +222,6 @@ class _Views(ViewsPen):
         return f"tan {tangent} / cos {self.degrees(shafts)}"
 
 
-def _ellipse(width: float) -> tuple[complex, ...]:
+def _ellipse(width: float) -> Ellipse:
     """Return a circle of radius 1 that is seen so wide, from its top on."""
-    return tuple(_on_ellipse(width, 90.0 + 360.0 * k / POINTS) for k in range(POINTS + 1))
-
-
-def _on_ellipse(width: float, degrees: float) -> complex:
-    z = cmath.exp(1j * math.radians(degrees))
-    return complex(width * z.real, z.imag)
+    return Ellipse(0j, complex(width), 1j, 90.0)

@@ -30,6 +30,8 @@ class ScrewRates:
 
     Attributes
     ----------
+    motion, solver
+        What they are of.
     a, d
         Unit vectors along the fixed axes.
     ground
@@ -38,21 +40,21 @@ class ScrewRates:
 
     def __init__(self, motion: MotionInSpace[Any, Any]) -> None:
         assert isinstance(motion.solver, SphereSolver)
-        self._motion, self._solver = motion, motion.solver
+        self.motion, self.solver = motion, motion.solver
         parameters = motion.mechanism.parameters()
         self.ground = parameters["ground"]
         self._turn = cmath.exp(-1j * math.radians(90.0 + parameters["ground_twist"] / 2.0))
-        self.a, self.d = self._turn, self.seen(self._solver.sphere.d)
+        self.a, self.d = self._turn, self.seen(self.solver.sphere.d)
 
     @cached_property
     def axis(self) -> InstantAxis:
         """Where I is, of one pose."""
-        return self._solver.axis(self._motion.pose)
+        return self.solver.axis(self.motion.pose)
 
     @cached_property
     def i(self) -> Any:
         """The unit vector along I; of many poses either way along it, from what turns."""
-        if not self._motion.many:
+        if not self.motion.many:
             return self.seen(self.axis.i)
         relative = self.of_rocker(1) * self.d - self.of_crank(1) * self.a
         return relative / np.abs(relative)
@@ -60,7 +62,7 @@ class ScrewRates:
     @property
     def height(self) -> Any:
         """AH, the lever of I: with it A turns against the crank."""
-        if not self._motion.many:
+        if not self.motion.many:
             return self.axis.height
         relative = self.of_rocker(1) * self.d - self.of_crank(1) * self.a
         return across(self.sliding(1)["a₄"], self.i) / np.real(relative * np.conj(self.i))
@@ -71,26 +73,26 @@ class ScrewRates:
 
     def of_crank(self, order: int) -> Any:
         """Return ω₂ (1) or α₂ (2)."""
-        return getattr(self._motion.link("crank"), ("omega", "alpha")[order - 1])
+        return getattr(self.motion.link("crank"), ("omega", "alpha")[order - 1])
 
     def of_rocker(self, order: int) -> Any:
         """Return ω₄ or α₄."""
-        return getattr(self._motion.link("rocker"), ("omega", "alpha")[order - 1])
+        return getattr(self.motion.link("rocker"), ("omega", "alpha")[order - 1])
 
     def along_d(self, order: int) -> Any:
         """Return ṡ_D or s̈_D."""
-        return getattr(self._motion.slide("slide_d"), ("velocity", "acceleration")[order - 1])
+        return getattr(self.motion.slide("slide_d"), ("velocity", "acceleration")[order - 1])
 
     @cached_property
     def moving(self) -> tuple[Any, Any, Any, Any]:
         """ω₄₂, v₄₂, and how fast I itself moves: τ̇, ḣ."""
-        found = self._solver.axis_velocity(self._motion.pose, self._motion.velocity)
+        found = self.solver.axis_velocity(self.motion.pose, self.motion.velocity)
         return real(found.omega), dual(found.omega), real(found.tau), dual(found.tau)
 
     @cached_property
     def grown(self) -> tuple[Any, Any]:
         """α₄₂ₜ and v̇₄₂, which grow along I."""
-        found = self._solver.axis_acceleration(self._motion.pose, self._motion.acceleration)
+        found = self.solver.axis_acceleration(self.motion.pose, self.motion.acceleration)
         return real(found), dual(found)
 
     def about_i(self, order: int) -> tuple[Any, Any]:

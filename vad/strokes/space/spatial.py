@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property
 from typing import Any
 
 from vad.strokes.diagram import Diagram, Drawing
@@ -10,6 +11,7 @@ from vad.strokes.sheet import Cell
 from vad.strokes.space import spatial_polygons, spatial_views
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.strokes.space.screw_rates import ScrewRates
+from vad.strokes.space.spatial_places import points
 from vad.strokes.space.spatial_polygons import ALONG_D, ALONG_I, RELATIVE
 from vad.written import per_second, subscript
 
@@ -27,10 +29,17 @@ class SpatialScene(SceneInSpace):
     output = "rocker"
     headings: Mapping[str, str] = {"crank": "A", "axis": "I", "rocker": "D"}
 
+    @cached_property
+    def rates(self) -> ScrewRates:
+        """How the rocker moves against the crank."""
+        return ScrewRates(self.motion)
+
     def drawing(self, diagram: Diagram) -> Drawing:
         """Return the pictorial view, or two polygons."""
         order = _ORDERS[diagram.name]
-        return spatial_polygons.polygons(self, order) if order else spatial_views.views(self)
+        if not order:
+            return spatial_views.views(self, self.rates)
+        return spatial_polygons.polygons(self, self.rates, order)
 
     def unit_of(self, diagram: Diagram) -> str:
         """Return the unit of a diagram's coordinates: of a polygon that of the upper one."""
@@ -40,7 +49,7 @@ class SpatialScene(SceneInSpace):
     def tracks(self, diagram: Diagram) -> Mapping[str, Any]:
         """Return where the lettered points of a diagram are."""
         order = _ORDERS[diagram.name]
-        return ScrewRates(self.motion).tracks(order) if order else spatial_views.tracks(self)
+        return self.rates.tracks(order) if order else points(self.rates)
 
     def cells(self, diagram: Diagram, key: str) -> tuple[Cell, ...]:
         """Return how a row turns, and how it slides."""
@@ -58,7 +67,7 @@ class SpatialScene(SceneInSpace):
 
     def _axis(self, order: int, unit: str) -> tuple[Cell, ...]:
         """Return where I is, or what turns about it and slides along it."""
-        rates = ScrewRates(self.motion)
+        rates = self.rates
         if not order:
             return Cell("τ", rates.axis.tau, "°"), Cell("AH", rates.height, unit)
         turning, sliding = rates.about_i(order)[0], rates.of_a(order)[0]

@@ -1,11 +1,11 @@
 """Where the axes and points of a spatial four-bar are, and how they are seen.
 
-In comes a motion, out go arrays of x, y, z, and complex numbers in the pictorial view, which is
-fixed.
+In comes a motion, out go complex numbers in the pictorial view, which is fixed.
 """
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Mapping
 from functools import lru_cache
@@ -15,48 +15,50 @@ import numpy as np
 
 from vad.errors import DeadCentreError
 from vad.kinematics.motion import solve
-from vad.kinematics.space.dual import real
-from vad.kinematics.space.sphere_solver import SphereSolver
+from vad.kinematics.space.space_solver import Z
+from vad.kinematics.space.sphere_solver import reals
+from vad.kinematics.space.vector3 import Vector3, dot
+from vad.strokes.space.body_rates import place
 from vad.strokes.space.screw_rates import ScrewRates
 
 if TYPE_CHECKING:
-    from vad.kinematics.motion import MotionInSpace
     from vad.mechanisms.mechanism import Mechanism
 
 #: From where it is seen: degrees about a, and above the plane square to it.
 AZIMUTH, ELEVATION = -62.0, 38.0
+_EAST, _HIGH = (cmath.rect(1.0, math.radians(angle)) for angle in (AZIMUTH, ELEVATION))
+#: What points to the right and up in it.
+_RIGHT: Vector3 = (-_EAST.imag, _EAST.real, 0.0)
+_UP: Vector3 = (-_HIGH.imag * _EAST.real, -_HIGH.imag * _EAST.imag, _HIGH.real)
 #: So many poses tell what a mechanism reaches.
 POSES = 48
 
 
-def seen(vector: Any) -> Any:
+def seen(vector: Vector3) -> Any:
     """Return a vector as it is seen in the pictorial view."""
-    east, up = math.radians(AZIMUTH), math.radians(ELEVATION)
-    right = -math.sin(east), math.cos(east), 0.0
-    onward = -math.sin(up) * math.cos(east), -math.sin(up) * math.sin(east), math.cos(up)
-    return np.asarray(vector) @ np.array(right) + 1j * (np.asarray(vector) @ np.array(onward))
+    return dot(vector, _RIGHT) + 1j * dot(vector, _UP)
 
 
 class Places:
-    """Where axes and points of one pose are in space, as arrays of x, y, z."""
+    """Where the axes and points of one pose are seen; axes as unit vectors are."""
 
-    def __init__(self, motion: MotionInSpace[Any, Any]) -> None:
-        assert isinstance(motion.solver, SphereSolver)
-        axes, slide = motion.solver.on_sphere(motion.pose), motion.slide
-        self.a, self.d = np.array([0.0, 0.0, 1.0]), _array(motion.solver.sphere.d)
-        self.b, self.c = _array(axes.b), _array(axes.c)
-        self.at = points(motion)
-        self.i = _array(motion.solver.axis(motion.pose).i)
-        self.coupler_b = self.at["B"] + slide("slide_b").position * self.b
-        self.rocker_c = self.at["C"] - slide("slide_c").position * self.c
-        self.rocker_d = self.at["D"] + slide("slide_d").position * self.d
+    def __init__(self, rates: ScrewRates) -> None:
+        motion, solver = rates.motion, rates.solver
+        axes = solver.on_sphere(motion.pose)
+        self.a, self.b, self.c, self.d, self.i = (
+            seen(reals(axis)) for axis in (Z, axes.b, axes.c, solver.sphere.d, rates.axis.i)
+        )
+        self.at = points(rates)
+        self.slides = {letter: float(motion.slide(f"slide_{letter}").position) for letter in "bcd"}
+        self.coupler_b = self.at["B"] + self.slides["b"] * self.b
+        self.rocker_c = self.at["C"] - self.slides["c"] * self.c
+        self.rocker_d = self.at["D"] + self.slides["d"] * self.d
 
 
-def points(motion: MotionInSpace[Any, Any]) -> Mapping[str, Any]:
-    """Return where the lettered points are, of one pose or of many."""
-    height = np.asarray(ScrewRates(motion).height)
-    found = {letter: motion.point(letter).position for letter in "ABCD"}
-    return {**found, "H": height[..., None] * np.array([1.0, 0.0, 0.0])}
+def points(rates: ScrewRates) -> Mapping[str, Any]:
+    """Return where the lettered points are seen, of one pose or of many."""
+    found = {letter: seen(place(rates.motion, letter)) for letter in "ABCD"}
+    return {**found, "H": seen((rates.height, 0.0, 0.0))}
 
 
 @lru_cache(maxsize=32)
@@ -64,20 +66,14 @@ def reach_of(mechanism: Mechanism) -> tuple[complex, complex]:
     """Return the corners of what the mechanism reaches in a turn, as it is seen."""
     angles = np.linspace(0.0, 360.0, POSES, endpoint=False)
     many: Any = solve(mechanism, angle=angles)
-    spots = []
+    spots: list[complex] = []
     for angle in angles[many.assembled].tolist():
         motion: Any = solve(mechanism, angle=angle)
         try:
-            places = Places(motion)
+            places = Places(ScrewRates(motion))
         except DeadCentreError:
             continue  # an instant, as a change point
         ends = [places.at[letter] for letter in "ABCD"]
         spots += [*ends, places.coupler_b, places.rocker_c, places.rocker_d]
-    view = seen(np.array(spots))
-    x, y = view.real, view.imag
-    return complex(x.min(), y.min()), complex(x.max(), y.max())
-
-
-def _array(vector: Any) -> Any:
-    """Return a vector without its dual part as an array of x, y, z."""
-    return np.array([float(real(part)) for part in vector])
+    x, y = [spot.real for spot in spots], [spot.imag for spot in spots]
+    return complex(min(x), min(y)), complex(max(x), max(y))

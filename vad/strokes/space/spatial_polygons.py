@@ -31,9 +31,8 @@ ALONG_I = {1: "v" + subscript(42), 2: "a" + subscript(42)}
 ALONG_D = {1: "ṡ_D", 2: "s\N{COMBINING DIAERESIS}_D"}
 
 
-def polygons(scene: SceneInSpace, order: int) -> Drawing:
+def polygons(scene: SceneInSpace, rates: ScrewRates, order: int) -> Drawing:
     """Return the polygon of ω (1) or α (2) of a pose, and below it that of A."""
-    rates = ScrewRates(scene.motion)
     upper, lower = _Turning(scene, rates, order), _Sliding(scene, rates, order)
     return replace(upper.drawing(), below=lower.drawing())
 

@@ -8,18 +8,15 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping
 from typing import Any
-
-import numpy as np
 
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure
 from vad.strokes.sheet import Arc, Arrow, Bearing, Block, Curve, Dot, Equation, Note, Term
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.strokes.space.screw_rates import ScrewRates
-from vad.strokes.space.spatial_places import Places, points, reach_of, seen
-from vad.strokes.space.views_pen import ViewsPen
+from vad.strokes.space.spatial_places import Places, reach_of
+from vad.strokes.space.views_pen import ViewsPen, circle
 from vad.strokes.vector_equations import NOTHING
 
 #: Lengths as shares of the mechanism's reach: axes beyond their points, shafts beyond sleeves.
@@ -28,24 +25,18 @@ AXIS, SHAFT, BEARING = 0.13, 0.06, 0.10
 RAY, ROSE, ABOVE, NOTE = 0.16, 0.09, 0.02, 0.24
 
 
-def tracks(scene: SceneInSpace) -> Mapping[str, Any]:
-    """Return where the lettered points are in the view."""
-    return {letter: seen(at) for letter, at in points(scene.motion).items()}
-
-
-def views(scene: SceneInSpace) -> Drawing:
+def views(scene: SceneInSpace, rates: ScrewRates) -> Drawing:
     """Return the construction of a pose."""
-    return _Views(scene).drawing()
+    return _Views(scene, rates).drawing()
 
 
 class _Views(ViewsPen):
     topic = "spatial"
 
-    def __init__(self, scene: SceneInSpace) -> None:
+    def __init__(self, scene: SceneInSpace, rates: ScrewRates) -> None:
         super().__init__(scene)
-        self.places = Places(scene.motion)
-        self.rates = ScrewRates(scene.motion)
-        self.at = {letter: complex(seen(at)) for letter, at in self.places.at.items()}
+        self.rates, self.places = rates, Places(rates)
+        self.at = self.places.at
         low, high = reach_of(scene.motion.mechanism)
         self.reach = max((high - low).real, (high - low).imag)
         top = high.imag + (ABOVE + RAY) * self.reach
@@ -68,28 +59,24 @@ class _Views(ViewsPen):
         )
         return self.finished(self._equation(), notes)
 
-    def _line(self, at: Any, way: Any, *ends: float) -> Curve:
+    def _line(self, at: complex, way: complex, *ends: float) -> Curve:
         """Return a straight line in space by shares of the reach along it."""
-        return Curve(tuple(complex(seen(at + end * self.reach * way)) for end in ends))
-
-    def _way(self, way: Any) -> complex:
-        vector = complex(seen(way))
-        return vector / abs(vector) if abs(vector) > NOTHING else 1j
+        return Curve(tuple(at + end * self.reach * way for end in ends))
 
     def _frame(self) -> None:
         """Draw the fixed axes with their common normal, the joint at A and the sleeve at D."""
         places, at = self.places, self.at
         size, twist = self.length("ground"), self.angle("ground_twist")
-        self.draw("a.axis", "guide", "", self._line(places.at["A"], places.a, -AXIS, AXIS), "a")
-        self.draw("d.axis", "guide", "", self._line(places.at["D"], places.d, -AXIS, AXIS), "d")
+        self.draw("a.axis", "guide", "", self._line(at["A"], places.a, -AXIS, AXIS), "a")
+        self.draw("d.axis", "guide", "", self._line(at["D"], places.d, -AXIS, AXIS), "d")
         ground = Curve((at["A"], at["D"]))
         self.draw("AD.ground", "guide", "", ground, "AD", size=size, twist=twist)
-        middle = complex(seen(places.at["A"] - BEARING * self.reach * places.a))
-        shaft = self._line(places.at["A"], places.a, -BEARING - SHAFT, 0.0)
+        middle = at["A"] - BEARING * self.reach * places.a
+        shaft = self._line(at["A"], places.a, -BEARING - SHAFT, 0.0)
         self.draw("A.shaft", "known", "", shaft, "shaft", link="crank", body=True)
-        self.draw("A.bearing", "fixed", "", Bearing(middle, self._way(places.a)), "bearing")
+        self.draw("A.bearing", "fixed", "", Bearing(middle, _way(places.a)), "bearing")
         self.draw("A.fixed", "fixed", "A", Dot(at["A"]), "A")
-        sleeve = Block(at["D"], self._way(places.d))
+        sleeve = Block(at["D"], _way(places.d))
         self.draw("D.sleeve", "fixed", "", sleeve, "D sleeve")
         self.draw("D.fixed", "fixed", "D", Dot(at["D"]), "D")
 
@@ -111,8 +98,8 @@ class _Views(ViewsPen):
         )
         radius = ROSE * self.reach
         pin = self.rose + radius * cmath.exp(1j * math.radians(self.theta2))
-        circle = Curve(tuple(self.rose + radius * each for each in _CIRCLE))
-        self.draw("rose.circle", "known", "", circle, "circle", link="crank")
+        rim = circle(self.rose, radius)
+        self.draw("rose.circle", "known", "", rim, "circle", link="crank")
         reference = Curve((self.rose, self.rose + 1.5 * radius))
         self.draw("rose.reference", "guide", "", reference, "reference")
         arm = Arrow(self.rose, pin, "", "")
@@ -120,10 +107,10 @@ class _Views(ViewsPen):
         arc = Arc(self.rose, 1.3 * radius, 0.0, self.theta2)
         label = self.degrees(angle)
         self.draw("rose.angle", "angle", label, arc, "angle", link="crank", angle=angle)
-        axis = self._line(places.at["B"], places.b, -AXIS, AXIS)
+        axis = self._line(at["B"], places.b, -AXIS, AXIS)
         twist = self.angle("crank_twist")
         self.draw("b.axis", "guide", "", axis, "b", twist=twist)
-        sleeve = Block(at["B"], self._way(places.b))
+        sleeve = Block(at["B"], _way(places.b))
         self.draw("B.sleeve", "known", "", sleeve, "B sleeve", link="crank")
 
     def _directions(self) -> None:
@@ -144,18 +131,17 @@ class _Views(ViewsPen):
 
     def _slides(self) -> None:
         """Draw what the directions tell: axis c and the lengths that close the loop."""
-        places = self.places
-        self.draw("c.axis", "guide", "", self._line(places.at["C"], places.c, -AXIS, AXIS), "c")
-        slide, unit = self.scene.motion.slide, self.scene.unit
+        places, at = self.places, self.at
+        self.draw("c.axis", "guide", "", self._line(at["C"], places.c, -AXIS, AXIS), "c")
         values: dict[str, Any] = {
-            letter: Figure(float(slide(f"slide_{letter}").position), unit) for letter in "bcd"
+            letter: Figure(slide, self.scene.unit) for letter, slide in places.slides.items()
         }
         for letter, start, end, key in (
-            ("B", places.at["B"], places.coupler_b, "axis"),
-            ("C", places.rocker_c, places.at["C"], "rocker"),
-            ("D", places.at["D"], places.rocker_d, "rocker"),
+            ("B", at["B"], places.coupler_b, "axis"),
+            ("C", places.rocker_c, at["C"], "rocker"),
+            ("D", at["D"], places.rocker_d, "rocker"),
         ):
-            shape = Curve((complex(seen(start)), complex(seen(end))))
+            shape = Curve((start, end))
             name, label = f"{letter}.slide", f"s_{letter}"
             self.draw(name, "result", label, shape, f"slides {letter}", key, **values)
             if abs(values[letter.lower()].value) <= NOTHING * self.reach:
@@ -163,21 +149,19 @@ class _Views(ViewsPen):
 
     def _bodies(self) -> None:
         """Ink coupler and rocker, each with the shafts on which it slides."""
-        places, reach = self.places, self.reach
-        begin = _beyond(places.coupler_b, places.at["B"], places.b, SHAFT * reach)
-        coupler = [begin, places.coupler_b, places.at["C"]]
-        shape = Curve(tuple(complex(seen(at)) for at in coupler))
+        places, at, beyond = self.places, self.at, SHAFT * self.reach
+        begin = at["B"] + _signed(beyond, -places.slides["b"]) * places.b
+        shape = Curve((begin, places.coupler_b, at["C"]))
         size = self.length("coupler")
         self.draw("BC.coupler", "result", "", shape, "coupler", "axis", body=True, size=size)
-        sleeve = Block(self.at["C"], self._way(places.c))
+        sleeve = Block(at["C"], _way(places.c))
         self.draw("C.sleeve", "result", "", sleeve, "C sleeve", "axis")
         ends = (
-            _beyond(places.rocker_c, places.at["C"], places.c, SHAFT * reach),
-            _beyond(places.rocker_d, places.at["D"], places.d, SHAFT * reach),
+            at["C"] + _signed(beyond, places.slides["c"]) * places.c,
+            at["D"] + _signed(beyond, -places.slides["d"]) * places.d,
         )
-        rocker = [ends[0], places.rocker_c, places.rocker_d, ends[1]]
         theta = Figure(float(self.scene.motion.link("rocker").angle), "°")
-        shape = Curve(tuple(complex(seen(at)) for at in rocker))
+        shape = Curve((ends[0], places.rocker_c, places.rocker_d, ends[1]))
         self.draw(
             "DC.rocker",
             "result",
@@ -194,9 +178,9 @@ class _Views(ViewsPen):
 
     def _screw(self) -> None:
         """Draw the axis I through H."""
-        places = self.places
+        places, at = self.places, self.at
         height = Figure(float(self.rates.height), self.scene.unit)
-        axis = self._line(places.at["H"], places.i, -AXIS, AXIS)
+        axis = self._line(at["H"], places.i, -AXIS, AXIS)
         self.draw("I.axis", "construction", "I", axis, "screw", "axis")
         self.draw(
             "H.found", "intersection", "H", Dot(self.at["H"]), "H", reveals=("axis",), height=height
@@ -225,10 +209,10 @@ class _Views(ViewsPen):
         )
 
 
-_CIRCLE = tuple(cmath.exp(1j * math.tau * k / 72) for k in range(73))
+def _way(vector: complex) -> complex:
+    return vector / abs(vector) if abs(vector) > NOTHING else 1j
 
 
-def _beyond(foot: Any, sleeve: Any, way: Any, by: float) -> Any:
-    """Return where a shaft ends that goes from a foot through its sleeve."""
-    slid = float(np.dot(sleeve - foot, way))
-    return sleeve + math.copysign(by, slid) * way
+def _signed(size: float, slid: float) -> float:
+    """Return how far a shaft goes on past its sleeve, the way that it has slid to there."""
+    return math.copysign(size, slid + 0.0)

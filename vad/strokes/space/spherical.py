@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 from typing import Any
 
 from vad.strokes.diagram import Diagram, Drawing
 from vad.strokes.sheet import Cell, Row
 from vad.strokes.space import spherical_views
 from vad.strokes.space.body_polygon import Bodies, polygon_of_bodies
-from vad.strokes.space.body_rates import rates_on_sphere
+from vad.strokes.space.body_rates import BodyRates, rates_on_sphere
 from vad.strokes.space.body_words import BodyWords
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.written import subscript
@@ -45,13 +46,17 @@ class SphericalScene(SceneInSpace):
         """Return the view of the sphere, or a polygon."""
         if diagram.name in _ORDERS:
             return polygon_of_bodies(self._bodies(_ORDERS[diagram.name]))
-        return spherical_views.views(self)
+        return spherical_views.views(self, self.rates)
+
+    @cached_property
+    def rates(self) -> BodyRates:
+        """How its bodies turn."""
+        return rates_on_sphere(self.motion)
 
     def _bodies(self, order: int) -> Bodies:
-        rates = rates_on_sphere(self.motion)
-        words = BodyWords(self, order, rates)
+        words = BodyWords(self, order, self.rates)
         remark = self.say("bodies remark")
-        return Bodies(rates, words, _AXES, _ROWS, _MEASURED, True, remark, centre=0j)
+        return Bodies(self.rates, words, _AXES, _ROWS, _MEASURED, True, remark, centre=0j)
 
     def unit_of(self, diagram: Diagram) -> str:
         """Return the unit of a diagram's coordinates: none on the sphere, whose radius is 1."""
@@ -60,8 +65,8 @@ class SphericalScene(SceneInSpace):
     def tracks(self, diagram: Diagram) -> Mapping[str, Any]:
         """Return where the lettered points of a diagram are."""
         if diagram.name in _ORDERS:
-            return rates_on_sphere(self.motion).vertices(_ORDERS[diagram.name])
-        return spherical_views.tracks(self)
+            return self.rates.vertices(_ORDERS[diagram.name])
+        return spherical_views.tracks(self.rates)
 
     def cells(self, diagram: Diagram, key: str) -> tuple[Cell, ...]:
         """Return the angle, ω or α of a row."""

@@ -8,18 +8,16 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Mapping
-from itertools import groupby
+from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
-
+from vad.kinematics.space.vector3 import Vector3, cross, difference, dot, over, scaled
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure
-from vad.strokes.sheet import Arc, Arrow, Bearing, Curve, Dot, Equation, Kind, Note, Term
-from vad.strokes.space.body_rates import rates_on_sphere
+from vad.strokes.sheet import Arc, Arrow, Bearing, Curve, Dot, Ellipse, Equation, Kind, Note, Term
+from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.space.scene_in_space import SceneInSpace
-from vad.strokes.space.views_pen import ViewsPen
+from vad.strokes.space.views_pen import ViewsPen, circle
 from vad.written import subscript
 
 #: Where the roses are and what is said of them, how large they are, and how far their line of
@@ -31,28 +29,27 @@ ROSE, REFERENCE, ANGLE = 0.22, 0.31, 0.12
 END, BEARING = 1.3, 1.16
 #: A compass arc goes so far on either side of the point that it is after, in degrees.
 COMPASS = 25.0
-#: Degrees between the points of a curve.
-STEP = 5.0
+#: As good as in the paper; so short is no stretch behind it, in degrees.
+LEVEL, SHORT = 1e-9, 1e-6
 
 
-def tracks(scene: SceneInSpace) -> Mapping[str, Any]:
+def tracks(rates: BodyRates) -> Mapping[str, Any]:
     """Return where the lettered points are."""
-    rates = rates_on_sphere(scene.motion)
     return {letter: rates.seen(getattr(rates, letter.lower())) for letter in "ABCDI"}
 
 
-def views(scene: SceneInSpace) -> Drawing:
+def views(scene: SceneInSpace, rates: BodyRates) -> Drawing:
     """Return the construction of a pose."""
-    return _Views(scene).drawing()
+    return _Views(scene, rates).drawing()
 
 
 class _Views(ViewsPen):
     topic = "spherical"
 
-    def __init__(self, scene: SceneInSpace) -> None:
+    def __init__(self, scene: SceneInSpace, rates: BodyRates) -> None:
         super().__init__(scene)
-        self.rates = rates_on_sphere(scene.motion)
-        self.at = {letter: complex(z) for letter, z in tracks(scene).items()}
+        self.rates = rates
+        self.at = {letter: complex(z) for letter, z in tracks(rates).items()}
         self.theta2, self.theta4 = (
             float(scene.motion.link(name).angle) for name in ("crank", "rocker")
         )
@@ -77,8 +74,7 @@ class _Views(ViewsPen):
     def _frame(self) -> None:
         """Draw the sphere's outline, A and D with their shafts, and the arc between them."""
         a, d = self.at["A"], self.at["D"]
-        outline = tuple(cmath.exp(1j * math.radians(90.0 + STEP * k)) for k in range(73))
-        self.draw("outline", "fixed", "", Curve(outline), "outline")
+        self.draw("outline", "fixed", "", circle(0j, 1.0, 90.0), "outline")
         axes = Curve((0j, a, 0j, d), breaks=(2,))
         self.draw("axes", "guide", "", axes, "axes")
         self.draw("O.fixed", "fixed", "O", Dot(0j), "O")
@@ -106,14 +102,9 @@ class _Views(ViewsPen):
     def _find_c(self) -> None:
         """Draw the circles about B and D on which C lies."""
         b, c = self.rates.b, self.rates.c
-        turned = np.cross(b, c)
-
-        def about_b(degrees: float) -> Any:
-            angle, along = math.radians(degrees), float(np.dot(b, c))
-            foot = along * b
-            return foot + math.cos(angle) * (c - foot) + math.sin(angle) * turned
-
-        arc = self._curve(about_b, -COMPASS, COMPASS)
+        foot = scaled(dot(b, c), b)
+        first = difference(c, foot)
+        arc = self._seen(first, cross(b, c), -COMPASS, 2 * COMPASS, foot)
         size = self.angle("coupler")
         self.draw("BC.compass", "construction", "", arc, "about B", "B", size=size)
         edge, size = self._edge("D", "rocker"), self.angle("rocker")
@@ -134,17 +125,11 @@ class _Views(ViewsPen):
     def _axis(self) -> None:
         """Follow the coupler's great circle to I, where it meets the frame's."""
         rates = self.rates
-        at_b = float(rates.at_b)
-        begin = at_b if at_b > 0.0 else min(0.0, float(rates.at_c))
-
-        def coupler(degrees: float) -> Any:
-            angle = math.radians(degrees)
-            return math.cos(angle) * rates.i + math.sin(angle) * rates.j
-
-        circle = self._curve(coupler, begin, 0.0)
-        self.draw("BC.circle", "construction", "", circle, "great circle", link="B")
+        begin = rates.at_b if rates.at_b > 0.0 else min(0.0, rates.at_c)
+        great = self._seen(rates.i, rates.j, begin, -begin)
+        self.draw("BC.circle", "construction", "", great, "great circle", link="B")
         self.draw("I.found", "intersection", "I", Dot(self.at["I"]), "I")
-        line = Curve((0j, self.at["I"]), far=((0, 1),))
+        line = Curve((0j, self.at["I"]), far=True)
         self.draw("OI.line", "construction", "", line, "OI", link="B")
 
     def _rose(
@@ -159,8 +144,7 @@ class _Views(ViewsPen):
         """Draw an angle as it is seen along its axis."""
         at, bar = ROSES[letter], {"A": "AB", "D": "DC"}[letter]
         known: Kind = "known" if letter == "A" else "construction"
-        rim = tuple(at + ROSE * cmath.exp(1j * math.radians(10.0 * k)) for k in range(37))
-        rose, axis = Curve(rim), "O" + letter
+        rose, axis = circle(at, ROSE), "O" + letter
         self.draw(f"{letter}.rose", known, "", rose, "rose", link=link, axis=axis)
         reference = Curve((at, at + REFERENCE))
         self.draw(f"{letter}.reference", "guide", "", reference, f"reference {letter}")
@@ -180,26 +164,23 @@ class _Views(ViewsPen):
         self,
         name: str,
         kind: Kind,
-        start: Any,
-        end: Any,
+        start: Vector3,
+        end: Vector3,
         phrase: str,
         link: str | None = None,
         reveals: tuple[str, ...] = (),
         **parts: object,
     ) -> None:
         """Draw a link: the arc of a great circle between two axes."""
-        whole = math.atan2(float(np.linalg.norm(np.cross(start, end))), float(np.dot(start, end)))
-
-        def on_arc(share: float) -> Any:
-            weights = math.sin((1.0 - share) * whole), math.sin(share * whole)
-            return (weights[0] * start + weights[1] * end) / math.sin(whole)
-
-        curve = self._curve(on_arc, 0.0, 1.0, max(2, round(math.degrees(whole) / STEP)))
+        cosine = dot(start, end)
+        across = difference(end, scaled(cosine, start))
+        sine = math.sqrt(dot(across, across))
+        whole = math.degrees(math.atan2(sine, cosine))
         self.draw(
             name,
             kind,
             "",
-            curve,
+            self._seen(start, over(across, sine), 0.0, whole),
             phrase,
             link=link,
             body=link is not None,
@@ -207,17 +188,23 @@ class _Views(ViewsPen):
             **parts,
         )
 
-    def _curve(
-        self, place: Callable[[float], Any], start: float, end: float, steps: int | None = None
-    ) -> Curve:
-        """Return a line on the sphere; what lies behind the paper is far."""
-        count = steps or max(2, math.ceil(abs(end - start) / STEP))
-        spots = [place(start + (end - start) * k / count) for k in range(count + 1)]
-        behind = [spots[k][0] + spots[k + 1][0] < -1e-9 for k in range(count)]
-        far, first = [], 0
-        for hidden, group in groupby(behind):
-            last = first + len(list(group))
-            if hidden:
-                far.append((first, last))
-            first = last
-        return Curve(tuple(complex(self.rates.seen(spot)) for spot in spots), tuple(far))
+    def _seen(
+        self,
+        first: Vector3,
+        second: Vector3,
+        start: float,
+        sweep: float,
+        centre: Vector3 = (0.0, 0.0, 0.0),
+    ) -> Ellipse:
+        """Return a circle on the sphere, or an arc of it, by its centre and two of its radii."""
+        low, high = sorted((start, start + sweep))
+        nearest = math.degrees(math.atan2(second[0], first[0]))
+        rise = max(math.hypot(first[0], second[0]), LEVEL**2)
+        level = (centre[0] + LEVEL) / rise
+        ahead = math.degrees(math.acos(min(max(-level, -1.0), 1.0)))
+        begin = low + (nearest + ahead - low) % 360.0
+        turns = ((begin + by, begin + by + 360.0 - 2.0 * ahead) for by in (-360.0, 0.0))
+        stretches = ((max(low, begun), min(high, ended)) for begun, ended in turns)
+        far = tuple(each for each in stretches if each[1] - each[0] > SHORT)
+        at, one, other = (complex(self.rates.seen(way)) for way in (centre, first, second))
+        return Ellipse(at, one, other, start, sweep, far)

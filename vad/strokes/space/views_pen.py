@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure, Unit
-from vad.strokes.sheet import Component, Equation, Kind, Note, Shape, Stroke
+from vad.strokes.sheet import Component, Ellipse, Equation, Kind, Note, Shape, Stroke
 from vad.written import with_unit
 
 if TYPE_CHECKING:
@@ -77,3 +77,8 @@ class ViewsPen:
     def degrees(self, angle: Figure) -> str:
         """Write an angle beside its arc."""
         return with_unit(self.scene.figures.place(angle), "°")
+
+
+def circle(centre: complex, radius: float, start: float = 0.0, sweep: float = 360.0) -> Ellipse:
+    """Return a circle that is seen along its axis, or an arc of it from ``start`` on."""
+    return Ellipse(centre, complex(radius), 1j * radius, start, sweep)

@@ -1,0 +1,68 @@
+"""What labels keep clear of: one centre and many are told the same, and by the slab method, too."""
+
+from __future__ import annotations
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vad.plan.geometry import Rect
+from vad.plan.labels.obstacles import Obstacles
+
+EDGE = Rect(0.0, 0.0, 1.0, 1.0)
+SHARES = st.integers(0, 64).map(lambda part: part / 64)  # so that some touch
+POINTS = st.builds(complex, SHARES, SHARES)
+LINES = st.tuples(POINTS, POINTS, st.sampled_from([0.0, 1 / 64, 0.05]))
+BOXES = st.builds(
+    lambda at, by: Rect(at.real, at.imag, at.real + by, at.imag + by / 2), POINTS, SHARES
+)
+SIZES = st.tuples(SHARES, SHARES)
+GROWN = st.sampled_from([0.0, 1 / 128, 0.006])
+APART = st.sampled_from([0j, 0.02 + 0.01j])
+
+
+def obstacles(lines, boxes):
+    found = Obstacles(EDGE)
+    for start, end, half in lines:
+        found.line([start, end], half)
+    for box in boxes:
+        found.box(box)
+    return found
+
+
+@given(st.lists(LINES), st.lists(BOXES), st.lists(POINTS, min_size=1), SIZES, GROWN, APART)
+def test_one_centre_is_told_the_same_as_many(lines, boxes, centres, size, grow, apart):
+    all_ = obstacles(lines, boxes)
+    alone = [all_.has_room(centre, *size, grow, apart) for centre in centres]
+    assert all_.free(centres, *size, grow, apart).tolist() == alone
+
+
+@given(LINES, POINTS, SIZES)
+def test_a_box_is_free_where_no_part_of_a_stroke_is_clipped_by_it(line, centre, size):
+    """By `Rect.clipped`, which goes along the stroke; what merely touches may go either way."""
+    start, end, half = line
+    wide, high = size[0] / 2 + half, size[1] / 2 + half
+    grown = Rect(centre.real - wide, centre.imag - high, centre.real + wide, centre.imag + high)
+    whole, less = (bool(_clipped(grown.inside(by), start, end)) for by in (-1e-9, 1e-9))
+    if whole != less:
+        return
+    page = Obstacles(Rect(-9.0, -9.0, 9.0, 9.0))
+    page.line([start, end], half)
+    assert page.has_room(centre, *size, 0.0, 0j) is not whole
+
+
+def _clipped(box, start, end):
+    if box.width <= 0.0 or box.height <= 0.0:
+        return None
+    return box.holds(start) or box.holds(end) or box.clipped(start, end)
+
+
+@given(BOXES, POINTS, SIZES)
+def test_a_box_keeps_apart_from_another(box, centre, size):
+    page = Obstacles(Rect(-9.0, -9.0, 9.0, 9.0))
+    page.box(box)
+    off = centre - box.centre
+    aside = abs(off.real) - (box.width + size[0]) / 2
+    above = abs(off.imag) - (box.height + size[1]) / 2
+    if min(abs(aside), abs(above), abs(aside - 0.02), abs(above - 0.01)) > 1e-9:
+        assert page.has_room(centre, *size, 0.0, 0j) is (aside > 0.0 or above > 0.0)
+        assert page.has_room(centre, *size, 0.0, 0.02 + 0.01j) is (aside > 0.02 or above > 0.01)
