@@ -8,7 +8,7 @@ function choose(mechanism, given = {}) {
   const places = Object.fromEntries(assemblies.map(([point, , choices]) =>
     [point, (choices.find(([name]) => name === given.places?.[point]) ?? choices[0])[0]]));
   set = { mechanism, parameters: values(parameters), inputs: values(inputs), places, length_unit: given.unit ?? unit };
-  [scales, ways, stands, step] = [{}, {}, null, given.step ?? null];
+  [scales, ways, stands, grip, step] = [{}, {}, null, null, given.step ?? null];
   root.classList.add("moving");
   find("#mechanism").value = mechanism;
   fields.clear();

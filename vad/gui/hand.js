@@ -7,9 +7,10 @@ const picture = () => find(".panels").children[names.indexOf("position")]?.query
 
 let view = null; // from the drawing's pixels to the window's, where there is something to hold
 
-// Where the drawing is, is read here alone: after an answer and when the window changes, not at each
-// move of a pointer, for it makes the browser lay out the page at once.
+// Where the drawing is, is read here alone, after an answer and when the window changes: the browser
+// lays out the page for it at once.
 function hold() {
+  if (grip) write();
   view = grip && picture()?.getScreenCTM();
   handle.hidden = !view;
   if (!view) return;
@@ -17,15 +18,15 @@ function hold() {
   const ring = `${RING * view.a}px`;
   if (handle.style.getPropertyValue("--ring") !== ring) handle.style.setProperty("--ring", ring);
   handle.style.transform = `translate(${at.x - stage.left}px, ${at.y - stage.top}px)`;
-  say();
 }
 
-function say() {
+function write() {
   const [low, high] = [ranges[0]?.[0] ?? 0, ranges[ranges.length - 1]?.[1] ?? 360], now = set.inputs[grip.name];
   const { label, unit } = settable().find((each) => each.name === grip.name);
   const says = { "aria-valuemin": low, "aria-valuemax": high, "aria-valuenow": now,
     "aria-valuetext": `${written(now)} ${unit}`, "aria-label": filled(words.handle, { name: label }) };
   for (const [key, value] of Object.entries(says)) handle.setAttribute(key, value);
+  if (document.activeElement !== fields.get(grip.name).box) show(grip.name, now);
 }
 
 function measured({ clientX, clientY }) {
@@ -60,25 +61,19 @@ function turn(value) {
   changed();
 }
 
-function write() {
-  show(grip.name, set.inputs[grip.name]);
-  say();
-}
-
 handle.addEventListener("pointerdown", (event) => {
   if (event.button) return;
   handle.setPointerCapture(event.pointerId);
   handle.focus({ preventScroll: true });
   event.preventDefault();
 });
-// A "pointermove" waits for the next frame, and then is the time to write; a question need not wait.
-for (const kind of ["pointerrawupdate", "pointermove"]) handle.addEventListener(kind, (event) => {
-  if (!view || !handle.hasPointerCapture(event.pointerId)) return;
-  turn(measured(event));
-  if (kind === "pointermove") write();
+// A "pointermove" waits for the next frame; a question need not. What it asks is written with its answer.
+const moves = "onpointerrawupdate" in handle ? "pointerrawupdate" : "pointermove";
+handle.addEventListener(moves, (event) => {
+  if (grip && view && handle.hasPointerCapture(event.pointerId)) turn(measured(event));
 });
 handle.addEventListener("keydown", (event) => {
-  if (!view || event.ctrlKey || event.altKey || event.metaKey) return;
+  if (!grip || !view || event.ctrlKey || event.altKey || event.metaKey) return;
   const [low, high] = [ranges[0][0], ranges[ranges.length - 1][1]], angle = grip.kind === "angle";
   const fine = angle ? 1 : (high - low) / 100, now = set.inputs[grip.name], by = event.shiftKey ? fine / 10 : fine;
   const to = { ArrowUp: now + by, ArrowRight: now + by, ArrowDown: now - by, ArrowLeft: now - by,
@@ -86,6 +81,7 @@ handle.addEventListener("keydown", (event) => {
   if (to === undefined) return;
   event.preventDefault();
   turn(angle ? (to + 360) % 360 : to);
+  write();
   write();
 });
 const sized = new ResizeObserver(hold);
