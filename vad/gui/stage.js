@@ -64,6 +64,8 @@ function rules(looks) {
   if (fresh.length) document.getElementById("looks").append(`${fresh.join("\n")}\n`);
 }
 
+const classes = () => [...known].map((rule) => rule.slice(1, rule.indexOf("{")));
+
 // A polygon whose scale has changed comes from the size that it had.
 function glide(name, old, fresh) {
   if (!old || !fresh || String(old) === String(fresh) || matchMedia("(prefers-reduced-motion: reduce)").matches) return;

@@ -7,6 +7,7 @@ the whole page shares begin with it.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from functools import lru_cache
 from zlib import crc32
 
@@ -28,10 +29,11 @@ class Classes:
         self._rules[name] = says
         return name
 
-    def sheet(self) -> str:
-        """Return all classes."""
+    def sheet(self, known: Collection[str] = ()) -> str:
+        """Return all classes but the known ones."""
         within = f"#{self.scope} " if self.scope else ""
-        return "".join(f"{within}.{name}{{{says}}}\n" for name, says in self._rules.items())
+        fresh = ((name, says) for name, says in self._rules.items() if name not in known)
+        return "".join(f"{within}.{name}{{{says}}}\n" for name, says in fresh)
 
     def shared(self, name: str) -> str:
         """Return a name that no other picture on the page has: of an element, or of a font."""
