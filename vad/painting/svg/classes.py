@@ -7,6 +7,7 @@ the whole page shares begin with it.
 
 from __future__ import annotations
 
+from base64 import urlsafe_b64encode
 from collections.abc import Collection
 from functools import lru_cache
 from zlib import crc32
@@ -47,9 +48,10 @@ def named(initial: str, content: str) -> str:
     Examples
     --------
     >>> named("c", "fill:#000000"), named("c", "fill:#000001")
-    ('c73f985', 'c74c913')
+    ('cc_mF', 'cdMkT')
     """
-    return f"{initial}{crc32(content.encode()) & 0xFFFFFF:06x}"
+    digest = crc32(content.encode()).to_bytes(4, "big")[1:]
+    return initial + urlsafe_b64encode(digest).decode()
 
 
 @lru_cache(maxsize=256)
