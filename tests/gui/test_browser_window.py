@@ -6,7 +6,7 @@ import math
 import re
 import time
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import av
 import pytest
@@ -20,7 +20,7 @@ from vad.mechanisms import MECHANISMS
 from vad.strokes.language import languages
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Page
+    from playwright.sync_api import Browser, JSHandle, Page
 
 START = ExportQuestion("slider-crank", size=(320, 240), fps=2)
 
@@ -112,6 +112,59 @@ def test_the_crank_follows_the_hand(window: Page, mechanism, moves):
     until(window, lambda: middle(window)[1] == pytest.approx(centre[1], abs=3))
     assert middle(window)[0] < centre[0] - 20
     assert "180" in cell(window, 0, 0)
+
+
+def test_the_crank_follows_where_the_page_is_scrolled(window: Page):
+    window.set_viewport_size({"width": 700, "height": 600})
+    load(window, "slider-crank")
+    window.mouse.move(*middle(window))
+    window.mouse.down()
+    window.mouse.wheel(0, 60)
+    until(window, lambda: window.evaluate("scrollY") == 60)
+    window.mouse.move(*about(pivot(window, "slider-crank"), 130, 90))
+    until(window, lambda: value(window, "angle") == pytest.approx(130, abs=1))
+    window.mouse.up()
+    window.set_viewport_size({"width": 1280, "height": 800})
+    still(window)
+
+
+def test_from_pose_to_pose_the_page_is_patched(window: Page):
+    load(window, "hooke-joint")
+    window.evaluate(
+        "() => { own = setTimeout; setTimeout = (what, wait) => own(what, 50 * wait); }"
+    )
+    drawn: list[JSHandle] = []
+    for key in ("PageUp", "PageUp", "PageUp", "ArrowRight"):  # with no rest between them
+        with window.expect_response("**/api/pose") as asked:
+            window.locator(".handle").press(key)
+        answer = asked.value.json()
+        until(window, lambda answer=answer: shows(window, answer))
+        drawn.append(window.evaluate_handle("[...document.querySelectorAll('.drawing *')]"))
+    window.evaluate("() => { setTimeout = own; }")
+    kept = "([old, now]) => now.filter((each) => old.includes(each)).length / now.length"
+    assert window.evaluate(kept, drawn[-2:]) > 0.8
+    window.locator(".handle").press("Home")
+    still(window)
+
+
+def shows(page: Page, answer: dict[str, Any]) -> bool:
+    """Tell whether drawings, scales and cells are those of an answer, whatever was there before."""
+    panels, rows = zip(*(each[1:] for each in answer["panels"]), strict=True), answer["rows"]
+    html = ["".join(each) for each in (*panels, *rows)]
+    return page.evaluate(
+        """(html) => {
+          const all = (selector) => [...document.querySelectorAll(selector)];
+          const rows = all(".results tbody tr").map((row) => [...row.cells].slice(1));
+          const there = [all(".scale"), all(".drawing"), ...rows];
+          return html.every((text, i) => {
+            const made = document.createElement(i < 2 ? "div" : "tr");
+            made.innerHTML = text;
+            return made.childElementCount === there[i].length
+              && there[i].every((each, k) => each.isEqualNode(made.children[k]));
+          });
+        }""",
+        html,
+    )
 
 
 def test_a_finger_turns_it_too(window: Page):

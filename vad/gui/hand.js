@@ -5,14 +5,22 @@ const RING = 34; // its width on a page 1280 wide: so far labels keep clear of i
 
 const picture = () => find(".panels").children[names.indexOf("position")]?.querySelector("svg");
 
+let view = null; // from the drawing's pixels to the window's, where there is something to hold
+
+// Where the drawing is, is read here alone: after an answer and when the window changes, not at each
+// move of a pointer, for it makes the browser lay out the page at once.
 function hold() {
-  const svg = picture(), matrix = svg?.getScreenCTM();
-  handle.hidden = !grip || !matrix;
-  if (handle.hidden) return;
-  const at = new DOMPoint(...grip.at).matrixTransform(matrix), stage = find(".stage").getBoundingClientRect();
-  handle.style.setProperty("--ring", `${RING * matrix.a}px`);
-  handle.style.left = `${at.x - stage.left}px`;
-  handle.style.top = `${at.y - stage.top}px`;
+  view = grip && picture()?.getScreenCTM();
+  handle.hidden = !view;
+  if (!view) return;
+  const at = new DOMPoint(...grip.at).matrixTransform(view), stage = find(".stage").getBoundingClientRect();
+  const ring = `${RING * view.a}px`;
+  if (handle.style.getPropertyValue("--ring") !== ring) handle.style.setProperty("--ring", ring);
+  handle.style.transform = `translate(${at.x - stage.left}px, ${at.y - stage.top}px)`;
+  say();
+}
+
+function say() {
   const [low, high] = [ranges[0]?.[0] ?? 0, ranges[ranges.length - 1]?.[1] ?? 360], now = set.inputs[grip.name];
   const { label, unit } = settable().find((each) => each.name === grip.name);
   const says = { "aria-valuemin": low, "aria-valuemax": high, "aria-valuenow": now,
@@ -21,7 +29,7 @@ function hold() {
 }
 
 function measured({ clientX, clientY }) {
-  const at = new DOMPoint(clientX, clientY).matrixTransform(picture().getScreenCTM().inverse());
+  const at = new DOMPoint(clientX, clientY).matrixTransform(view.inverse());
   const x = at.x - grip.about[0], y = at.y - grip.about[1];
   if (grip.kind === "angle") return (Math.atan2(-y, x) * 180 / Math.PI + 360) % 360;
   if (grip.kind === "length") return Math.hypot(x, y) / grip.factor;
@@ -46,9 +54,15 @@ function within(value) {
 function turn(value) {
   const size = Math.max(...ranges.flat().map(Math.abs), 1e-9);
   const digits = grip.kind === "angle" ? 1 : Math.max(0, 3 - Math.floor(Math.log10(size)));
-  put(grip.name, +within(value).toFixed(digits));
+  const to = +within(value).toFixed(digits);
+  if (to === set.inputs[grip.name]) return;
+  set.inputs[grip.name] = to;
   changed();
-  hold();
+}
+
+function write() {
+  show(grip.name, set.inputs[grip.name]);
+  say();
 }
 
 handle.addEventListener("pointerdown", (event) => {
@@ -57,11 +71,14 @@ handle.addEventListener("pointerdown", (event) => {
   handle.focus({ preventScroll: true });
   event.preventDefault();
 });
-handle.addEventListener("pointermove", (event) => {
-  if (handle.hasPointerCapture(event.pointerId) && grip) turn(measured(event));
+// A "pointermove" waits for the next frame, and then is the time to write; a question need not wait.
+for (const kind of ["pointerrawupdate", "pointermove"]) handle.addEventListener(kind, (event) => {
+  if (!view || !handle.hasPointerCapture(event.pointerId)) return;
+  turn(measured(event));
+  if (kind === "pointermove") write();
 });
 handle.addEventListener("keydown", (event) => {
-  if (!grip || event.ctrlKey || event.altKey || event.metaKey) return;
+  if (!view || event.ctrlKey || event.altKey || event.metaKey) return;
   const [low, high] = [ranges[0][0], ranges[ranges.length - 1][1]], angle = grip.kind === "angle";
   const fine = angle ? 1 : (high - low) / 100, now = set.inputs[grip.name], by = event.shiftKey ? fine / 10 : fine;
   const to = { ArrowUp: now + by, ArrowRight: now + by, ArrowDown: now - by, ArrowLeft: now - by,
@@ -69,5 +86,8 @@ handle.addEventListener("keydown", (event) => {
   if (to === undefined) return;
   event.preventDefault();
   turn(angle ? (to + 360) % 360 : to);
+  write();
 });
-new ResizeObserver(hold).observe(find(".board"));
+const sized = new ResizeObserver(hold);
+for (const place of [".stage", ".board"]) sized.observe(find(place));
+addEventListener("scroll", hold, { capture: true, passive: true });

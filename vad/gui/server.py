@@ -64,7 +64,7 @@ def served(start: ExportQuestion, port: int = 0) -> Iterator[str]:
 
 
 def _listening(port: int) -> socket.socket:
-    listener = socket.socket()
+    listener = socket.socket(proto=socket.IPPROTO_TCP)  # or else asyncio leaves Nagle's delay on
     try:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         listener.bind((_HOST, port))

@@ -10,21 +10,43 @@ function move({ panels, rows, looks, scales: fresh, ways: sides }) {
   for (const [name, scale, drawing] of panels) {
     const section = sections[names.indexOf(name)];
     if (!section) continue;
-    section.querySelector(".scale")?.remove();
-    section.querySelector(".top").insertAdjacentHTML("beforeend", scale);
-    section.querySelector(".drawing").outerHTML = drawing;
+    become(section.querySelector(".top"), 1, scale);
+    become(section, 1, drawing);
     glide(name, scales[name], fresh[name]);
   }
   if (lines.length === rows.length)
-    rows.forEach((cells, i) => cells.forEach((html, j) =>
-      lines[i].children[1 + names.indexOf(panels[j][0])]?.replaceWith(cell(html))));
+    rows.forEach((cells, i) => cells.forEach((html, j) => become(lines[i], 1 + names.indexOf(panels[j][0]), html)));
   [scales, ways] = [{ ...scales, ...fresh }, { ...ways, ...sides }];
 }
 
-function cell(html) {
-  const row = document.createElement("tr");
-  row.innerHTML = html;
-  return row.firstElementChild;
+const said = new WeakMap();
+
+// A child becomes what HTML says. From pose to pose it is patched, and what is so already is left
+// alone: a browser lays out and paints what is touched. What a lesson has made belongs to its player.
+function become(place, index, html) {
+  const old = place.children[index], made = document.createElement(place.localName);
+  if (old && said.get(old) === html) return;
+  made.innerHTML = html;
+  const fresh = made.firstElementChild;
+  if (!fresh) return old?.remove();
+  if (said.has(old)) match(old, fresh);
+  else if (old) old.replaceWith(fresh);
+  else place.append(fresh);
+  said.set(place.children[index], html);
+}
+
+function match(old, fresh) {
+  for (const { name, value } of fresh.attributes) if (old.getAttribute(name) !== value) old.setAttribute(name, value);
+  for (const name of old.getAttributeNames()) if (!fresh.hasAttribute(name)) old.removeAttribute(name);
+  const before = [...old.childNodes], after = [...fresh.childNodes];
+  after.forEach((node, i) => {
+    const present = before[i];
+    if (!present) old.append(node);
+    else if (present.nodeName !== node.nodeName) present.replaceWith(node);
+    else if (node.nodeType === Node.ELEMENT_NODE) match(present, node);
+    else if (present.data !== node.data) present.data = node.data;
+  });
+  before.slice(after.length).forEach((node) => node.remove());
 }
 
 // Nothing is left of another mechanism.
@@ -61,7 +83,8 @@ const known = new Set();
 function rules(looks) {
   const fresh = looks.split("\n").filter((rule) => rule && !known.has(rule));
   fresh.forEach((rule) => known.add(rule));
-  if (fresh.length) document.getElementById("looks").append(`${fresh.join("\n")}\n`);
+  const { sheet } = document.getElementById("looks");
+  fresh.forEach((rule) => sheet.insertRule(rule, sheet.cssRules.length));
 }
 
 const classes = () => [...known].map((rule) => rule.slice(1, rule.indexOf("{")));

@@ -6,6 +6,7 @@ one before.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from itertools import pairwise
 
 from vad.plan.lettering.glyphs import Letter, typeset
@@ -14,12 +15,13 @@ from vad.plan.lettering.runs import Runs
 Stretch = tuple[Letter, ...]
 
 
-def stretches(runs: Runs) -> list[Stretch]:
+@lru_cache(maxsize=1024)
+def stretches(runs: Runs) -> tuple[Stretch, ...]:
     """Return the letters of a line, broken wherever the face, the size or the way changes."""
     letters = typeset(runs).letters
     breaks = [number for number, pair in enumerate(pairwise(letters), 1) if not _follows(*pair)]
     ends = [0, *breaks, len(letters)]
-    return [letters[start:end] for start, end in pairwise(ends) if end > start]
+    return tuple(letters[start:end] for start, end in pairwise(ends) if end > start)
 
 
 def _follows(before: Letter, letter: Letter) -> bool:

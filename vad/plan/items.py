@@ -8,7 +8,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import IntEnum
 
-from vad.plan.growth import Wandering
 from vad.plan.marks import Mark
 
 FOREVER = 1_000_000
@@ -60,11 +59,6 @@ class Item:
     def grows(self) -> bool:
         """Whether any of the marks comes about while the stroke is drawn."""
         return any(mark.growth for mark in self.marks)
-
-    @property
-    def wanders(self) -> bool:
-        """Whether any of the marks is elsewhere, or larger, while the stroke is drawn."""
-        return any(isinstance(mark.growth, Wandering) for mark in self.marks)
 
     def at(self, share: float) -> list[Mark]:
         """Return the marks that show when ``share`` of the stroke is drawn."""

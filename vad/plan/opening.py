@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from vad.plan.geometry import Rect
+from vad.plan.growth import Wandering
 from vad.plan.items import FOREVER, Item
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Bow, Disc, Lettering, Outline, Polygon, Polyline
@@ -21,7 +22,7 @@ STAYING = ("title", "caption")
 LARGEST = 1.7
 USUAL = 0.87 + 0.62j
 MARGIN = 0.02
-#: How far strokes are drawn where their reach is measured.
+#: How far strokes are drawn where their reach is measured, if they are elsewhere meanwhile.
 SHARES = [part / 8 for part in range(9)]
 
 
@@ -79,13 +80,11 @@ def _mapped(item: Item, factor: float, shift: complex) -> Item:
 
 def reach(items: Iterable[Item]) -> Rect:
     """Return how far items reach, while they are drawn, too."""
-    points = [
-        point
-        for item in items
-        for share in (SHARES if item.wanders else SHARES[-1:])
-        for mark in item.at(share)
-        for point in _outermost(mark.shape)
-    ]
+    points: list[complex] = []
+    for mark in (mark for item in items for mark in item.marks):
+        shares = SHARES if isinstance(mark.growth, Wandering) else SHARES[-1:]
+        for grown in (mark.at(share) for share in shares):
+            points += _outermost(grown.shape) if grown else ()
     xs, ys = [point.real for point in points], [point.imag for point in points]
     return Rect(min(xs), min(ys), max(xs), max(ys))
 

@@ -9,13 +9,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import fields
 from functools import cache
 from math import copysign
-from operator import attrgetter, is_not
+from operator import is_not
 from types import NoneType
 from typing import Any
 
-#: What is left alone: truth values and whole numbers, too.
-_NO_NUMBERS = (str, int, NoneType)
-_USUAL = {str, bool, NoneType}
+#: How fields without numbers are declared; truth values and whole numbers are left alone.
+_WORDS = {"str", "str | None", "bool", "int", "tuple[str, ...]"}
 
 
 def canonical(value: Any) -> Any:
@@ -34,7 +33,7 @@ def canonical(value: Any) -> Any:
 @cache
 def _way(cls: Any) -> Callable[[Any], Any]:
     """Return how data of a type become canonical."""
-    if issubclass(cls, _NO_NUMBERS):
+    if issubclass(cls, str | int | NoneType):
         return lambda value: value
     if issubclass(cls, complex):
         return _complex
@@ -48,28 +47,36 @@ def _way(cls: Any) -> Callable[[Any], Any]:
 
 
 def _float(value: float) -> float:
-    return value if type(value) is float and value else float(value) + 0.0
+    return value if type(value) is float and _positive(value) else float(value) + 0.0
 
 
 def _complex(value: complex) -> complex:
     x, y = value.real, value.imag
-    if type(value) is complex and (x or copysign(1.0, x) > 0.0) and (y or copysign(1.0, y) > 0.0):
+    if type(value) is complex and _positive(x) and _positive(y):
         return value
-    return complex(_float(x), _float(y))
+    return complex(x + 0.0, y + 0.0)
+
+
+def _positive(number: float) -> bool:
+    """Tell whether a number is no negative zero."""
+    return bool(number) or copysign(1.0, number) > 0.0
 
 
 def _tuple(value: tuple[Any, ...]) -> tuple[Any, ...]:
-    new = tuple([x if x.__class__ in _USUAL else _way(x.__class__)(x) for x in value])
+    new = tuple([_way(each.__class__)(each) for each in value])
     return new if any(map(is_not, new, value)) else value
 
 
 def _record(cls: Any) -> Callable[[Any], Any]:
-    names = [field.name for field in fields(cls)]
-    held = attrgetter(*names) if len(names) > 1 else lambda value: (getattr(value, names[0]),)
+    """Return how a dataclass becomes canonical: made anew if a number differs."""
+    every = [field.name for field in fields(cls)]
+    names = [field.name for field in fields(cls) if field.type not in _WORDS]
 
     def record(value: Any) -> Any:
-        old = held(value)
-        new = _tuple(old)
-        return value if new is old else cls(*new)
+        for name in names:
+            held = getattr(value, name)
+            if _way(held.__class__)(held) is not held:
+                return cls(*[canonical(getattr(value, name)) for name in every])
+        return value
 
     return record

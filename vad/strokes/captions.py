@@ -18,6 +18,7 @@ class Captions:
         self._panel = "velocity" if order == 1 else "acceleration"
         self._say = scene.say
         self._unit = scene.rate_unit(order)
+        self._written_unit = Unit(self._unit)
 
     def pole(self, letters: list[str]) -> str:
         """Say which points lie at the pole."""
@@ -58,7 +59,7 @@ class Captions:
             rate=rate,
             size=size,
             value=value,
-            unit=Unit(self._unit),
+            unit=self._written_unit,
             head=head,
             tail=tail,
             whose=self._whose(bar),
@@ -66,7 +67,7 @@ class Captions:
 
     def _known_slide(self, label: str, part: Part[StepVector], slide: Slide) -> str:
         scene, value = self._scene, self._size(part)
-        common = {"label": label, "unit": Unit(self._unit)}
+        common = {"label": label, "unit": self._written_unit}
         if part.name != "coriolis":
             given = scene.figure(length_of(slide.name), value.value, value.unit)
             line, way = scene.line(slide), self._way(part.vector)
@@ -119,7 +120,7 @@ class Captions:
     def absolute(self, label: str, point: str, size: float) -> str:
         """Measure the vector of a point from the pole."""
         value, whose = Figure(size, self._unit), self._say(f"{self._panel} of", head=point)
-        return self._say("whole", label=label, value=value, unit=Unit(self._unit), whose=whose)
+        return self._say("whole", label=label, value=value, unit=self._written_unit, whose=whose)
 
     def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[StepVector], str]]) -> str:
         """Say what lies where the two lines cross, and which results are zero there."""
@@ -134,7 +135,7 @@ class Captions:
     def measured(self, label: str, part: Part[StepVector]) -> str:
         """Measure a result off the polygon."""
         scene, step, value = self._scene, part.of.step, self._size(part)
-        common = {"label": label, "value": value, "unit": Unit(self._unit)}
+        common = {"label": label, "value": value, "unit": self._written_unit}
         if isinstance(step, Slide):
             return self._say(
                 f"measured sliding {self._panel}",
@@ -170,7 +171,7 @@ class Captions:
             "whole",
             label=label,
             value=Figure(size, self._unit),
-            unit=Unit(self._unit),
+            unit=self._written_unit,
             whose=self._whose(vector.step),
         )
 
@@ -187,7 +188,7 @@ class Captions:
             "".join(image_letter(letter, self._order) for letter in (each.tail, each.head))
             for each in (bar, base)
         )
-        common = {"value": found, "unit": Unit(self._unit), "label": label}
+        common = {"value": found, "unit": self._written_unit, "label": label}
         also = "" if part == label else self._say("image other", **common)
         if not scene.against(bar):  # else it would take three lines
             whose = self._say(f"{self._panel} of", head=bar.head)
@@ -205,7 +206,7 @@ class Captions:
             size=size,
             length=length,
             own=own,
-            unit=Unit(self._unit),
+            unit=self._written_unit,
             also=also,
         )
 

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import cast
+from functools import lru_cache
+from typing import Any, cast
 
-from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, scalar_of
+from vad.kinematics.linkage import Bar, Scalar, Slide, Step, scalar_of
+from vad.strokes.language import Language
+from vad.strokes.members import Members
 from vad.strokes.scene import Scene, image_letter
 from vad.strokes.sheet import Component
 from vad.strokes.vector_equations import Chain, Part, Vector, VectorEquation
@@ -20,22 +24,37 @@ class StepVector(Vector):
     step: Step
 
 
-def equation_of(
-    scene: Scene, loop: Loop, unknowns: tuple[Scalar, ...], order: int
-) -> VectorEquation[StepVector]:
-    """Return a loop's equation of an order."""
-    first, second = (chain_of(scene, steps, unknowns, order) for steps in (loop.first, loop.second))
-    return VectorEquation(first, second, loop.first[-1].end)
+@dataclass(frozen=True, eq=False)
+class _Outline:
+    """One side of a loop equation as it is in all poses.
+
+    ``forms`` holds what all `Part` of a vector have from ``unknown`` on, by the component's name;
+    ``late`` are the vectors whose Coriolis part comes last.
+    """
+
+    start: str
+    end: str
+    forms: Mapping[StepVector, Mapping[str, tuple[Any, ...]]]
+    late: tuple[StepVector, ...]
 
 
-def chain_of(
-    scene: Scene, steps: tuple[Step, ...], unknowns: tuple[Scalar, ...], order: int
-) -> Chain[StepVector]:
-    """Return one side of a loop equation."""
-    vectors = tuple(_vector(scene, step, order) for step in steps)
-    parts = [part for vector in vectors for part in _parts(scene, vector, unknowns, order)]
-    start, end = (image_letter(each, order) for each in (steps[0].start, steps[-1].end))
-    return Chain(start, end, vectors, tuple(_coriolis_last(parts)))
+def equations_of(scene: Scene, order: int) -> list[VectorEquation[StepVector]]:
+    """Return the equations of all loops of an order."""
+    found = []
+    for loop, sides in zip(
+        scene.members.linkage.loops,
+        _outlines(scene.members, scene.language.code, order),
+        strict=True,
+    ):
+        first, second = (_chain(scene, side, order) for side in sides)
+        found.append(VectorEquation(first, second, loop.first[-1].end))
+    return found
+
+
+def chain_of(scene: Scene, step: Step, order: int) -> Chain[StepVector]:
+    """Return the chain of a step that is wholly known."""
+    outline = _outline(scene.members, scene.language, (step,), (), order)
+    return _chain(scene, outline, order)
 
 
 def owner(step: Step) -> str:
@@ -43,10 +62,50 @@ def owner(step: Step) -> str:
     return scalar_of(step).name
 
 
-def _vector(scene: Scene, step: Step, order: int) -> StepVector:
+def _chain(scene: Scene, outline: _Outline, order: int) -> Chain[StepVector]:
+    """Return one side of a loop equation in a pose."""
+    frame, pose, rates = scene.members.frame, scene.pose, scene.orders(order)
+    parts = []
+    for vector, forms in outline.forms.items():
+        for name, line, amount in frame.components(vector.step, pose, rates):
+            direction = scene.heading(line)
+            size = float(cast(float, amount)) * frame.scale
+            parts.append(Part(vector, name, size * direction, direction, *forms[name]))
+    if outline.late:
+        parts.sort(key=lambda part: part.name == "coriolis" and part.of in outline.late)
+    return Chain(outline.start, outline.end, tuple(outline.forms), tuple(parts))
+
+
+@lru_cache(maxsize=256)
+def _outlines(members: Members, code: str, order: int) -> list[tuple[_Outline, _Outline]]:
+    """Return both sides of the equation of every loop in a language."""
+    language = Language(code)
+    return [
+        (
+            _outline(members, language, loop.first, unknowns, order),
+            _outline(members, language, loop.second, unknowns, order),
+        )
+        for loop, unknowns in zip(members.linkage.loops, members.linkage.unknowns, strict=True)
+    ]
+
+
+def _outline(
+    members: Members,
+    language: Language,
+    steps: tuple[Step, ...],
+    unknowns: tuple[Scalar, ...],
+    order: int,
+) -> _Outline:
+    start, end = (image_letter(each, order) for each in (steps[0].start, steps[-1].end))
+    vectors = [_vector(members, step, order) for step in steps]
+    forms = {vector: _forms(members, language, vector, unknowns, order) for vector in vectors}
+    return _Outline(start, end, forms, _coriolis_last(vectors))
+
+
+def _vector(members: Members, step: Step, order: int) -> StepVector:
     tail, head = (image_letter(each, order) for each in (step.tail, step.head))
-    measured = order > 1 and isinstance(step, Bar) and not _is_driving_strut(scene, step)
-    still = step.tail in scene.members.fixed
+    measured = order > 1 and isinstance(step, Bar) and not _is_driving_strut(members, step)
+    still = step.tail in members.fixed
     whole: Component | None = ("absolute" if still else "relative") if measured else None
     return StepVector(
         step.ends,
@@ -55,50 +114,45 @@ def _vector(scene: Scene, step: Step, order: int) -> StepVector:
         owner(step),
         step.reverse,
         arrives=not _on_link(step),
-        lettered=step.head in scene.members.points,
+        lettered=step.head in members.points,
         whole=whole,
         step=step,
     )
 
 
-def _parts(
-    scene: Scene, vector: StepVector, unknowns: tuple[Scalar, ...], order: int
-) -> list[Part[StepVector]]:
-    """Return the components of a step."""
-    step, frame = vector.step, scene.members.frame
-    found = scalar_of(step) in unknowns
-    label, square_to = _line(scene, step) if found else ("", None)
-    parts = []
-    for component in frame.components(step, scene.pose, scene.orders(order)):
-        direction = scene.heading(component.direction)
-        amount = float(cast(float, component.amount)) * frame.scale
-        coriolis = component.name == "coriolis"
-        part = Part(
-            vector,
-            component.name,
-            amount * direction,
-            direction,
-            unknown=found and component.name in ("tangential", "sliding"),
-            component="absolute" if scene.members.is_guide(step) else component.name,
-            stage="z" if coriolis else _stage(scene, vector, found, order),
-            dictated=scene.members.drives(step)
-            and not coriolis,  # Coriolis needs a link that is found
-            label=label,
-            square_to=square_to,
+def _forms(
+    members: Members,
+    language: Language,
+    vector: StepVector,
+    unknowns: tuple[Scalar, ...],
+    order: int,
+) -> dict[str, tuple[Any, ...]]:
+    """Return what parts of a step have but for their values, by the names of their components."""
+    step, found = vector.step, scalar_of(vector.step) in unknowns
+    label, square_to = _line(members, language, step) if found else ("", None)
+    forms = {}
+    for name in ("normal", "tangential", "coriolis", "sliding"):
+        coriolis = name == "coriolis"
+        forms[name] = (
+            found and name in ("tangential", "sliding"),
+            "absolute" if members.is_guide(step) else name,
+            "z" if coriolis else _stage(members, vector, found),
+            members.drives(step) and not coriolis,  # Coriolis needs a link that is found
+            label,
+            square_to,
         )
-        parts.append(part)
-    return parts
+    return forms
 
 
-def _line(scene: Scene, step: Step) -> tuple[str, str | None]:
+def _line(members: Members, language: Language, step: Step) -> tuple[str, str | None]:
     """Return the label of a step's construction line, and what that is perpendicular to."""
     if isinstance(step, Slide):
-        return scene.say("parallel", line=scene.line(step)), None
-    square_to = scene.members.letters(step)
+        return language.say("parallel", line=members.line(step, language)), None
+    square_to = members.letters(step)
     return f"⟂ {square_to}", square_to
 
 
-def _stage(scene: Scene, vector: StepVector, found: bool, order: int) -> str:
+def _stage(members: Members, vector: StepVector, found: bool) -> str:
     """Name the vertex between the components of a step: b′ₙ, cₙ; a slide has but its head."""
     step = vector.step
     if isinstance(step, Slide):
@@ -106,7 +160,7 @@ def _stage(scene: Scene, vector: StepVector, found: bool, order: int) -> str:
     if not found:
         return vector.head + SUBSCRIPT_N
     # That of a strut stands where its part is before it turns.
-    point = step.tail if _is_driving_strut(scene, step) else step.head
+    point = step.tail if _is_driving_strut(members, step) else step.head
     return point.lower() + SUBSCRIPT_N
 
 
@@ -115,16 +169,14 @@ def _on_link(step: Step) -> bool:
     return isinstance(step, Slide) and isinstance(step.along, str)
 
 
-def _is_driving_strut(scene: Scene, step: Bar) -> bool:
+def _is_driving_strut(members: Members, step: Bar) -> bool:
     """Tell whether a bar is a strut that the driver makes longer."""
-    return step.length == scene.driver.name
+    return step.length == members.driver.name
 
 
-def _coriolis_last(parts: list[Part[StepVector]]) -> list[Part[StepVector]]:
-    """Put the Coriolis part of a strut behind the normal part of the bar that has its length."""
-    late = [part for part in parts if part.name == "coriolis" and not part.reverse]
-    struts = {part.of.owner for part in late}
-    bars = (part.of.step for part in parts if isinstance(part.of.step, Bar))
-    if not any(bar.length in struts for bar in bars):
-        return parts
-    return [part for part in parts if part not in late] + late
+def _coriolis_last(vectors: Sequence[StepVector]) -> tuple[StepVector, ...]:
+    """Return the vectors whose Coriolis part comes behind the normal part of their strut's bar."""
+    late = tuple(each for each in vectors if _on_link(each.step) and not each.reverse)
+    struts = {each.owner for each in late}
+    bars = (each.step for each in vectors if isinstance(each.step, Bar))
+    return late if any(bar.length in struts for bar in bars) else ()

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import partial
 
 from vad.errors import InputError, UsageError, one_of, shown
 from vad.kinematics.linkage import points_of
 from vad.kinematics.motion import Motion
 from vad.strokes.canonical import canonical
 from vad.strokes.diagrams import DIAGRAMS
+from vad.strokes.figures import Writer
 from vad.strokes.language import Language
 from vad.strokes.notation import Notation, in_metres
 from vad.strokes.scenes import AnyScene, scene_of
@@ -62,13 +62,13 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     largest = _largest(rows, drawn)
     rates = [size for unit, size in largest.items() if unit.startswith(f"{scene.unit}/s")]
     notation = scene.figures.settled(Notation(scene.language.point, in_metres(rates)))
-    fill = partial(scene.figures.fill, notation=notation)
+    fill = Writer(notation).fill
     mechanism = motion.mechanism
     return Sheet(
         mechanism=mechanism.name,
         title=scene.language.name(mechanism.title),
         parameters=canonical(_parameters(scene)),
-        rows=canonical(_without_noise(rows, largest)),
+        rows=_without_noise(rows, largest),
         panels=tuple(_finished(panel, fill) for panel in drawn),
         language=language,
         notation=notation,
@@ -132,8 +132,12 @@ def _finished(panel: Panel, fill: Callable[[str], str]) -> Panel:
     def strokes(raw: tuple[Stroke, ...]) -> tuple[Stroke, ...]:
         return tuple([_finished_stroke(stroke, fill) for stroke in raw])
 
+    def term(raw: Term) -> Term:
+        label = fill(raw.label)
+        return raw if label is raw.label else replace(raw, label=label)
+
     def terms(raw: tuple[Term, ...]) -> tuple[Term, ...]:
-        return tuple([Term(fill(term.label), term.link, term.stroke) for term in raw])
+        return tuple(map(term, raw))
 
     return replace(
         panel,
@@ -176,9 +180,14 @@ def _without_noise(rows: list[Row], largest: dict[str, float]) -> tuple[Row, ...
 
     def cleaned(cell: Cell) -> Cell:
         noise = abs(cell.value) < NOTHING * largest[cell.unit]
-        return replace(cell, value=0.0) if noise and not cell.given else cell
+        return replace(cell, value=0.0) if noise and not cell.given else canonical(cell)
 
     return tuple(
-        replace(row, cells={name: tuple(map(cleaned, cells)) for name, cells in row.cells.items()})
+        Row(
+            row.key,
+            row.title,
+            row.letters,
+            {name: tuple([cleaned(cell) for cell in cells]) for name, cells in row.cells.items()},
+        )
         for row in rows
     )

@@ -15,22 +15,23 @@ from decimal import Context, Decimal
 from functools import reduce
 
 from vad.strokes.notation import Notation, key
-from vad.written import GIVEN, MEASURED, squared
+from vad.written import GIVEN, MEASURED, plain, squared
 
 #: A factor has at most so many digits more than the result; then the result gets one more.
 MORE = 2
 #: What double precision holds.
 _ALL = 15
-_BEGINS, _ENDS = "\x02", "\x03"
-_PLACE = re.compile(rf"{_BEGINS}(\d+){_ENDS}")
+#: In a place stands what is to be written there: a number in full, or a unit alone.
+_BEGINS, _PARTS, _ENDS = "\x02", "\x1f", "\x03"
+_PLACE = re.compile(f"{_BEGINS}[^{_ENDS}]*{_ENDS}")
 _EXACT = Context(prec=50)
 #: What is made of the numbers that a reader types in.
 Calculation = Callable[[list[Decimal]], Decimal]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)  # a frozen one takes several times as long to make
 class Figure:
-    """A number in a caption, or one whose unit alone is written.
+    """A number in a caption; as text, what keeps its place.
 
     Attributes
     ----------
@@ -50,38 +51,54 @@ class Figure:
     given: bool = False
     power: int = 1
 
-    def written(self, notation: Notation) -> str:
-        """Return it in print."""
-        text = notation.number(self.value, self.unit, self.given)
-        return squared(text) if self.power == 2 else text
+    def __str__(self) -> str:
+        parts = f"{self.value:.17g}", self.unit, "given" if self.given else "", str(self.power)
+        return f"{_BEGINS}{_PARTS.join(parts)}{_ENDS}"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Unit:
-    """A unit in a caption."""
+    """A unit in a caption; as text, what keeps its place."""
 
     name: str
 
-    def written(self, notation: Notation) -> str:
-        """Return the unit in which numbers of it are written."""
-        return notation.unit(self.name)
+    def __str__(self) -> str:
+        return f"{_BEGINS}{self.name}{_ENDS}"
 
 
-#: What has a place in a caption.
-PLACED = Figure, Unit
+class Writer(dict[str, str]):
+    """What stands in the places of captions in a notation, each written once."""
+
+    def __init__(self, notation: Notation) -> None:
+        self._notation = notation
+
+    def __missing__(self, place: str) -> str:
+        parts = place[1:-1].split(_PARTS)
+        if len(parts) == 1:
+            text = self._notation.unit(parts[0])
+        else:
+            value, unit, given, power = parts
+            text = self._notation.number(float(value), unit, bool(given))
+            text = squared(text) if power == "2" else text
+        self[place] = text
+        return text
+
+    def fill(self, caption: str) -> str:
+        """Return a caption with its numbers and units."""
+        if _BEGINS not in caption:
+            return caption
+        return _PLACE.sub(lambda found: self[found[0]], caption)
 
 
 class Figures:
-    """The numbers and units of one sheet, and the products among them."""
+    """The products and sums among the numbers of one sheet."""
 
     def __init__(self) -> None:
-        self._placed: list[Figure | Unit] = []
         self._calculated: list[tuple[Figure, tuple[Figure, ...], Calculation]] = []
 
     def place(self, entry: Figure | Unit) -> str:
         """Return what keeps the place of a number or unit in a caption."""
-        self._placed.append(entry)
-        return f"{_BEGINS}{len(self._placed) - 1}{_ENDS}"
+        return str(entry)
 
     def product(self, result: Figure, *factors: Figure) -> None:
         """Note down that a result is the product of factors."""
@@ -100,33 +117,35 @@ class Figures:
         squares = hypotenuse, other
         self._calculated.append((result, squares, lambda found: _root(_EXACT.subtract(*found))))
 
-    def fill(self, caption: str, notation: Notation) -> str:
-        """Return a caption with its numbers and units."""
-        if _BEGINS not in caption:
-            return caption
-        return _PLACE.sub(lambda found: self._placed[int(found[1])].written(notation), caption)
-
     def settled(self, notation: Notation) -> Notation:
         """Return the notation in which every product and sum holds as it is printed.
 
         What is measured last is settled first: its factors are the results of what came before.
         """
-        calculator = _Calculator(notation)
+        alike: dict[str, list[_Typed]] = defaultdict(list)
+
+        def typed(figure: Figure) -> _Typed:
+            number = _Typed(figure, notation)
+            alike[number.key].append(number)
+            return number
+
         calculations = [
-            (calculator.typed(result), list(map(calculator.typed, factors)), calculation)
+            (typed(result), [typed(each) for each in factors], calculation)
             for result, factors, calculation in reversed(self._calculated)
         ]
-        refined = True
-        while refined:
-            refined = False
+        digits: dict[str, int] = {}
+        before = -1
+        while before != len(digits) + sum(digits.values()):
+            before = len(digits) + sum(digits.values())
             for result, factors, calculation in calculations:
                 while not result.agrees(calculation([each.factor for each in factors])):
                     finer = _to_refine(result, factors)
                     if finer is None:
                         break
-                    calculator.refine(finer)
-                    refined = True
-        return calculator.notation
+                    digits[finer.key] = finer.count + 1
+                    for each in alike[finer.key]:  # wherever it stands
+                        each.read(digits[finer.key])
+        return replace(notation, digits=digits)
 
 
 def _product(factors: list[Decimal]) -> Decimal:
@@ -146,39 +165,43 @@ class _Typed:
 
     Attributes
     ----------
-    number, count
-        The printed number and its significant digits.
-    factor
-        Its power that a product has.
+    key
+        By what the notation finds it again.
+    number, factor
+        What is printed, and its power that a product has.
     """
 
     def __init__(self, figure: Figure, notation: Notation) -> None:
         self.key = key(figure.value)
-        self._figure = figure
-        self._notation = notation
-        self.read()
+        self._value = notation.scaled(figure.value, figure.unit)
+        self._unit = notation.unit(figure.unit)
+        self._given, self._power = figure.given, figure.power
+        self.read(0)
 
-    def read(self) -> None:
-        """Read what is printed."""
-        figure, notation = self._figure, self._notation
-        self.number = Decimal(notation.plain(figure.value, figure.unit, figure.given))
-        _, digits, exponent = self.number.as_tuple()
-        self._last = Decimal((0, (1,), int(exponent)))
-        self.count = max(MEASURED, len(digits))
-        if figure.given:
-            self.count = max(GIVEN, notation.digits.get(self.key, 0))
-        power = figure.power
-        self.factor = self.number if power == 1 else _EXACT.power(self.number, power)
+    def read(self, digits: int) -> None:
+        """Read what is printed with so many digits at least."""
+        self._digits = digits
+        self.number = Decimal(plain(self._value, self._unit, self._given, digits))
+        self.factor = self.number
+        if self._power != 1:
+            self.factor = _EXACT.power(self.number, self._power)
+
+    @property
+    def count(self) -> int:
+        """The significant digits of the number as it is written."""
+        if self._given:
+            return max(GIVEN, self._digits)
+        return max(MEASURED, len(self.number.as_tuple().digits))
 
     @property
     def exact(self) -> bool:
         """Whether nothing of it is rounded off."""
-        figure = self._figure
-        return float(self.number) == self._notation.scaled(figure.value, figure.unit)
+        return float(self.number) == self._value
 
     def agrees(self, calculated: Decimal) -> bool:
         """Tell whether a calculation gives what is printed, and that clearly: no tie."""
-        return 2 * abs(_EXACT.subtract(calculated, self.number)) < self._last
+        last = Decimal((0, (1,), int(self.number.as_tuple().exponent)))
+        return 2 * abs(_EXACT.subtract(calculated, self.number)) < last
 
 
 def _to_refine(result: _Typed, factors: list[_Typed]) -> _Typed | None:
@@ -187,24 +210,3 @@ def _to_refine(result: _Typed, factors: list[_Typed]) -> _Typed | None:
     rough = [each for each in factors if each.count < most and not each.exact]
     coarsest = min(rough, key=lambda each: each.count, default=result)
     return coarsest if coarsest.count < _ALL else None
-
-
-class _Calculator:
-    """The numbers of all calculations, while their digits are settled."""
-
-    def __init__(self, notation: Notation) -> None:
-        self._digits: dict[str, int] = {}
-        self.notation = replace(notation, digits=self._digits)
-        self._alike: dict[str, list[_Typed]] = defaultdict(list)
-
-    def typed(self, figure: Figure) -> _Typed:
-        """Return a number as it is printed."""
-        number = _Typed(figure, self.notation)
-        self._alike[number.key].append(number)
-        return number
-
-    def refine(self, number: _Typed) -> None:
-        """Give a number a further digit, wherever it stands."""
-        self._digits[number.key] = number.count + 1
-        for each in self._alike[number.key]:
-            each.read()

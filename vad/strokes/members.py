@@ -6,6 +6,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, TypeGuard
 
 from vad.kinematics.linkage import Bar, Slide, Step, points_of, scalar_of
+from vad.strokes.language import Language, Noun
 from vad.written import subscript
 
 if TYPE_CHECKING:
@@ -105,6 +106,15 @@ class Members:
     def slider(self, slide: Slide) -> str:
         """Name what slides: in a link whose length changes, its piston."""
         return "piston" if slide.name in self.links else slide.name.split("_")[0]
+
+    def line(self, slide: Slide, language: Language) -> Noun:
+        """Name the line of a slide: lever, slot, guide, or guide of A where there are several."""
+        if isinstance(slide.along, str):
+            return language.noun(slide.along)
+        if not self.is_guide(slide):
+            return language.noun("slot")
+        several = len({guide.ends for guide in self.guides}) > 1
+        return language.noun("guide", language.say("of point", head=slide.head) if several else "")
 
     def symbol(self, letter: str, name: str) -> str:
         """Return a quantity with its body's number: ω₃."""

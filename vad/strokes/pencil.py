@@ -147,8 +147,7 @@ class Pencil(Generic[V]):
         """Ink the part that the crossing has found."""
         arrow = _arrow(part, tip.name, tip.at, end, self.vertices[end])
         caption = self.words.measured(arrow.tail + arrow.head, part)
-        stroke = _stroke("result", part, arrow, caption)
-        return self.add(replace(stroke, reveals=part.of.reveals))
+        return self.add(_stroke("result", part, arrow, caption, part.of.reveals))
 
     def whole(self, vector: V, several: bool) -> None:
         """Ink the sum of a vector's parts; without ``several`` to be seen, it is left out."""
@@ -173,8 +172,10 @@ def _arrow(part: Part[V], tip: str, tip_at: complex, name: str, at: complex) -> 
     return Arrow(at, tip_at, name, tip) if part.reverse else Arrow(tip_at, at, tip, name)
 
 
-def _stroke(kind: Kind, part: Part[V], arrow: Arrow, caption: str = "") -> Stroke:
+def _stroke(
+    kind: Kind, part: Part[V], arrow: Arrow, caption: str = "", reveals: tuple[str, ...] = ()
+) -> Stroke:
     """Return the stroke of a part."""
     label = part.symbol or arrow.tail + arrow.head
     row, name = part.of.owner, part.stroke_name
-    return Stroke(kind, label, arrow, caption, row, part.component, name=name)
+    return Stroke(kind, label, arrow, caption, row, part.component, reveals=reveals, name=name)

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from vad.kinematics.linkage import Bar
-from vad.strokes.chains import StepVector, chain_of, equation_of
+from vad.strokes.chains import StepVector, chain_of, equations_of
 from vad.strokes.diagram import Drawing
 from vad.strokes.equations import equation
 from vad.strokes.images import Images
@@ -47,8 +47,7 @@ class _Polygon(Player[StepVector]):
         self.scene = scene
         self.order = order
         self.linkage = scene.members.linkage
-        loops = zip(self.linkage.loops, self.linkage.unknowns, strict=True)
-        self.equations = [equation_of(scene, loop, unknowns, order) for loop, unknowns in loops]
+        self.equations = equations_of(scene, order)
         longest = max(each.longest for each in self.equations)
         begin = self.linkage.loops[0].first[0].start, self.linkage.loops[0].second[0].start
         from_pole = all(point in scene.members.fixed for point in begin)
@@ -111,5 +110,5 @@ class _Polygon(Player[StepVector]):
                 continue
             tail, head = self.pencil.letter(step.tail), self.pencil.letter(step.head)
             if tail in vertices and head not in vertices:
-                chain = chain_of(self.scene, (replace(step, reverse=False),), (), self.order)
+                chain = chain_of(self.scene, replace(step, reverse=False), self.order)
                 self.lay(self.begin(chain), chain.known)

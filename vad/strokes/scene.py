@@ -17,7 +17,6 @@ from vad.kinematics.linkage import (
 from vad.strokes.figures import Figure, Figures
 from vad.strokes.language import Language, Noun
 from vad.strokes.members import Members, members_of
-from vad.strokes.said import filled
 from vad.strokes.sheet import Cell, Row
 from vad.written import PRIME, per_second
 
@@ -172,7 +171,7 @@ class Scene:
 
     def say(self, phrase: str, **parts: object) -> str:
         """Fill in a phrase, in which the places of numbers and units are kept."""
-        return filled(self.language, self.figures, phrase, parts)
+        return self.language.say(phrase, **parts)
 
     def figure(self, scalar: Scalar, value: float, unit: str = "", power: int = 1) -> Figure:
         """Return a number of a scalar or its rates, which is given for the driver."""
@@ -213,15 +212,8 @@ class Scene:
         return float(self.orders(order)[-1].sliding[name]) * self.members.frame.scale
 
     def line(self, slide: Slide) -> Noun:
-        """Name the line of a slide: lever, slot, guide, or guide of A where there are several."""
-        noun = self.language.noun
-        if isinstance(slide.along, str):
-            return noun(slide.along)
-        if not self.members.is_guide(slide):
-            return noun("slot")
-        guides = {guide.ends for guide in self.members.guides}
-        of = self.language.say("of point", head=slide.head) if len(guides) > 1 else ""
-        return noun("guide", of)
+        """Name the line of a slide."""
+        return self.members.line(slide, self.language)
 
     def rate_unit(self, order: int) -> str:
         """Return the unit of a velocity (1) or acceleration (2)."""

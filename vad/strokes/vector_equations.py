@@ -6,8 +6,7 @@ them needs to know neither: every vector and every part of it bears its own lett
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, field
 from typing import Generic, TypeVar
 
 from vad.strokes.sheet import Component
@@ -62,7 +61,7 @@ class Vector:
 V = TypeVar("V", bound=Vector)
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, slots=True)  # a frozen one takes several times as long to make
 class Part(Generic[V]):
     """One component of a vector.
 
@@ -116,27 +115,27 @@ class Part(Generic[V]):
         return self.of.reverse
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, slots=True)
 class Chain(Generic[V]):
     """One side of an equation, from the vertex ``start`` to the vertex ``end``.
 
-    ``parts`` are those of its vectors in the order in which they are laid tip to tail.
+    ``parts`` are those of its vectors in the order in which they are laid tip to tail; ``unknown``
+    is the one that the crossing finds, if any.
     """
 
     start: str
     end: str
     vectors: tuple[V, ...]
     parts: tuple[Part[V], ...]
+    unknown: Part[V] | None = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.unknown = next((part for part in self.parts if part.unknown), None)
 
     @property
     def known(self) -> list[Part[V]]:
         """The parts that are laid before the crossing."""
         return [part for part in self.parts if not part.unknown]
-
-    @cached_property
-    def unknown(self) -> Part[V] | None:
-        """The part that the crossing finds, if any."""
-        return next((part for part in self.parts if part.unknown), None)
 
     @property
     def longest(self) -> float:
@@ -148,7 +147,7 @@ class Chain(Generic[V]):
         return self.unknown is None or self.unknown.of is not vector
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, slots=True)
 class VectorEquation(Generic[V]):
     """Two chains that end at the same vertex, the image of ``point``.
 

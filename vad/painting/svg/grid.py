@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Sequence
-from functools import lru_cache
+from collections.abc import Callable, Iterable, Sequence
+from functools import cache, lru_cache
 from itertools import pairwise
 
 from vad.plan.format import Format
@@ -28,8 +28,9 @@ class Grid:
             (side + 2.0 * form.edge) * form.unit for side in (form.width, form.height)
         )
         self._corner = complex(-form.edge, form.height + form.edge)
-        self._digits = max(0, math.ceil(math.log10(_STEPS / form.unit)))
-        self.fine = 10**self._digits
+        self.fine = 10 ** max(0, math.ceil(math.log10(_STEPS / form.unit)))
+        self._length = _lengths(self.fine)
+        self._scale = self.unit * self.fine
 
     def at(self, z: complex) -> tuple[str, str]:
         """Return x and y of a point."""
@@ -47,7 +48,7 @@ class Grid:
                 return self._arc(shape) if shape.narrow == 1.0 else self._curve(shape)
 
     def _line(self, points: Sequence[complex]) -> str:
-        places = [self.steps(z) for z in points]
+        places = list(map(self.steps, points))
         ways = [each for (x, y), (u, v) in pairwise(places) for each in (u - x, v - y)]
         return f"M{self._listed(places[0])}" + (f"l{self._listed(ways)}" if ways else "")
 
@@ -75,20 +76,27 @@ class Grid:
 
     def steps(self, z: complex) -> tuple[int, int]:
         """Return x and y of a point in steps of the grid."""
-        away = (z - self._corner) * (self.unit * self.fine)
+        away = (z - self._corner) * self._scale
         return round(away.real), -round(away.imag)
-
-    def _length(self, steps: int) -> str:
-        return _decimal(steps, self._digits)
 
     def _listed(self, steps: Iterable[int]) -> str:
         """Return lengths one after the other; a minus sign parts them as well as a blank."""
-        return " ".join([_decimal(step, self._digits) for step in steps]).replace(" -", "-")
+        return " ".join(map(self._length, steps)).replace(" -", "-")
 
 
-@lru_cache(maxsize=1 << 15)  # the same lengths come in every picture: a tenth of the time
-def _decimal(steps: int, digits: int) -> str:
-    return number(steps / 10**digits, digits)
+@cache
+def _lengths(fine: int) -> Callable[[int], str]:
+    """Return what writes steps of the grid as `number` writes them.
+
+    What was written is kept: a picture has hundreds of them, again and again.
+    """
+
+    @lru_cache(maxsize=1 << 15)
+    def length(steps: int) -> str:
+        text = f"{steps / fine:.12g}"
+        return text.replace("0.", ".", 1) if text.startswith(("0.", "-0.")) else text
+
+    return length
 
 
 def number(value: float, digits: int = 2) -> str:

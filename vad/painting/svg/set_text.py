@@ -6,6 +6,7 @@ board has it, whatever a browser thinks of kerning.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from html import escape
 
 from vad.painting.stretches import Stretch, stretches
@@ -66,7 +67,7 @@ class SetText:
         """Return the rules that bring the fonts."""
         return self._faces.rules()
 
-    def _spans(self, line: list[Stretch], text: Lettering, grid: Grid) -> str:
+    def _spans(self, line: Sequence[Stretch], text: Lettering, grid: Grid) -> str:
         """Return the stretches of a line, each where the board has it."""
         spans: list[str] = []
         level = grid.at(text.at + text.size * line[0][0].at)[1]

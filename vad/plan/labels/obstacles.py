@@ -116,13 +116,12 @@ class Obstacles:
                 return False
         for start, end, half, _ in self.lines:
             way, away = (end - start) / 2, centre - (start + end) / 2
-            long, tall = abs(way.real), abs(way.imag)
-            wider, higher = half_x + half, half_y + half
-            if (
-                abs(away.real) <= wider + long
-                and abs(away.imag) <= higher + tall
-                and abs(away.real * way.imag - away.imag * way.real) <= wider * tall + higher * long
-            ):
+            long, wider = abs(way.real), half_x + half
+            if abs(away.real) > wider + long:
+                continue
+            tall, higher = abs(way.imag), half_y + half
+            across = abs(away.real * way.imag - away.imag * way.real)
+            if abs(away.imag) <= higher + tall and across <= wider * tall + higher * long:
                 return False
         return True
 

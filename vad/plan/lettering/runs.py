@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from string import ascii_uppercase
 from typing import Literal
@@ -137,4 +137,4 @@ def plain(runs: Runs) -> str:
 
 def bold(runs: Runs) -> Runs:
     """Return the same runs in bold."""
-    return tuple(replace(r, face=_BOLD.get(r.face, r.face)) for r in runs)
+    return tuple(Run(r.text, _BOLD.get(r.face, r.face), r.script, r.shown) for r in runs)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
-from functools import cache
+from collections.abc import Callable, Iterable, Mapping
+from functools import cache, lru_cache
 from importlib import import_module
+from operator import itemgetter
+from string import Formatter
 from typing import Any
 
 from vad.errors import one_of
@@ -13,6 +15,8 @@ from vad.found import names_in
 
 #: The parts of a phrase that are names, and what each is where a language knows no more of it.
 _GENERIC = {"link": "link", "slide": "slider"}
+#: A part as it stands in a pattern, its name and its form.
+_Formed = tuple[str, str, str]
 #: Where the words for mechanisms in space are.
 _SPACE = ("strokes", "space", "words")
 
@@ -43,6 +47,28 @@ def _merged(name: str, code: str) -> Mapping[str, str]:
     return {key: value for table in _tables(code) for key, value in getattr(table, name).items()}
 
 
+@cache
+def _pattern(
+    phrase: str,
+) -> tuple[str, Callable[[Mapping[str, Any]], tuple[Any, ...]], list[_Formed]]:
+    """Return a phrase as a pattern, what picks its parts, and those that are put in a form first.
+
+    Filling in a pattern takes a fraction of what `str.format` takes.
+    """
+    pattern, names, formed = "", [], []
+    for text, name, form, _ in Formatter().parse(phrase):
+        pattern += text.replace("%", "%%")
+        if name is None:
+            continue
+        pattern += "%s"
+        plain = not form and name not in _GENERIC
+        names.append(name if plain else f"{name}:{form}")
+        if not plain:
+            formed.append((names[-1], name, form or ""))
+    wanted = itemgetter(*names) if len(names) > 1 else lambda parts: tuple(parts[n] for n in names)
+    return pattern, wanted, formed
+
+
 def _short(phrases: Iterable[str]) -> str:
     """Return the pattern of the short words of a language, where they name no vector."""
     bare = " ".join(re.sub(r"{.*?}", "", phrase) for phrase in phrases)
@@ -71,6 +97,24 @@ class Noun:
         text = text[0].upper() + text[1:] if form[:1].isupper() else text
         return f"{text} {self._of}" if self._of else text
 
+    def __str__(self) -> str:
+        return format(self)
+
+
+@lru_cache(maxsize=256)
+def _name(code: str, name: str) -> str:
+    return _merged("NAMES", code).get(name, name.replace("_", " "))
+
+
+@lru_cache(maxsize=256)
+def _noun(code: str, name: str, of: str, generic: str) -> Noun:
+    genders = _merged("GENDERS", code)
+    articles: Mapping[str, Mapping[str, str]] = _tables(code)[0].ARTICLES
+    if name in genders or not articles:
+        return Noun(_name(code, name), articles.get(genders.get(name, ""), {}), of)
+    of = f"{_name(code, name)} {of}".rstrip()
+    return Noun(_name(code, generic), articles[genders[generic]], of)
+
 
 class Language:
     """The phrases of one language.
@@ -90,32 +134,23 @@ class Language:
         table = _tables(one_of("language", code, languages()))[0]
         self.code = code
         self._phrases = _merged("PHRASES", code)
-        self._names = _merged("NAMES", code)
-        self._genders = _merged("GENDERS", code)
-        self._articles: dict[str, dict[str, str]] = table.ARTICLES
         self.point: str = table.POINT
         self.upright: str = _upright(code)
 
     def say(self, phrase: str, **parts: Any) -> str:
         """Fill in one phrase; the names of links and slides are translated."""
-        return self.filled(phrase, parts)
-
-    def filled(self, phrase: str, parts: Mapping[str, Any]) -> str:
-        """Fill in one phrase with parts by name, as `say` does."""
-        nouns = {
-            key: self.noun(parts[key], generic=generic)
-            for key, generic in _GENERIC.items()
-            if key in parts
-        }
-        return self._phrases[phrase].format_map({**parts, **nouns} if nouns else parts)
+        pattern, wanted, formed = _pattern(self._phrases[phrase])
+        for key, name, form in formed:
+            part = parts[name]
+            if name in _GENERIC:
+                part = self.noun(part, generic=_GENERIC[name])
+            parts[key] = format(part, form)
+        return pattern % wanted(parts)
 
     def name(self, name: str) -> str:
         """Return a name or title in this language; one that it does not translate stays itself."""
-        return self._names.get(name, name.replace("_", " "))
+        return _name(self.code, name)
 
     def noun(self, name: str, of: str = "", generic: str = "link") -> Noun:
         """Return a name as sentences have it; one of unknown gender stands behind what it is."""
-        if name in self._genders or not self._articles:
-            return Noun(self.name(name), self._articles.get(self._genders.get(name, ""), {}), of)
-        what = self.name(generic), self._articles[self._genders[generic]]
-        return Noun(*what, f"{self.name(name)} {of}".rstrip())
+        return _noun(self.code, name, of, generic)

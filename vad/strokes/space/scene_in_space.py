@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 from vad.kinematics.linkage import Scalar
 from vad.strokes.figures import Figures
 from vad.strokes.language import Language
-from vad.strokes.said import filled
 from vad.strokes.sheet import Cell, Row
 
 if TYPE_CHECKING:
@@ -64,7 +63,7 @@ class SceneInSpace(ABC):
 
     def say(self, phrase: str, **parts: object) -> str:
         """Fill in a phrase, in which the places of numbers and units are kept."""
-        return filled(self.language, self.figures, phrase, parts)
+        return self.language.say(phrase, **parts)
 
     def rows(self, diagrams: Sequence[Diagram]) -> list[Row]:
         """Return the rows of the results."""
