@@ -53,10 +53,11 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
     -------
     dict
         HTML in its places on a page: ``panels`` with name, scale bar and drawing, ``rows`` with
-        the cells of the table, and their ``looks``.  For the next question, ``scales`` and
-        ``ways``; for the hand, the ``ranges`` of the driver that close and the ``handle`` (see
-        `vad.gui.grip`).  The ``results`` of ``vad solve --json``, and the milliseconds that it
-        took, ``ms``.  At a dead centre there is the position alone, and an ``error``.
+        the cells of the table, and their ``looks``, less those that the page knows.  For the next
+        question, ``scales`` and ``ways``; for the hand, the ``ranges`` of the driver that close and
+        the ``handle`` (see `vad.gui.grip`).  The ``results`` of ``vad solve --json``, and the
+        milliseconds that it took, ``ms``.  At a dead centre there is the position alone, and an
+        ``error``.
 
     Raises
     ------
@@ -100,7 +101,7 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
     return {
         "panels": drawn,
         "rows": rows,
-        "looks": inker.classes.sheet(),
+        "looks": inker.classes.sheet(question.known),
         "scales": listed(shown.scales),
         "ways": {
             name: {label: round(way, 1) for label, way in ways.items()}
