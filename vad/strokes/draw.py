@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
+from typing import TYPE_CHECKING
 
 from vad.errors import InputError, UsageError, one_of, shown
 from vad.kinematics.linkage import points_of
-from vad.kinematics.motion import Motion
+from vad.kinematics.motion import Motion, solve
 from vad.strokes.canonical import canonical
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.figures import Writer
 from vad.strokes.finishing import finished, without_noise
 from vad.strokes.language import Language
 from vad.strokes.notation import Notation, in_metres
-from vad.strokes.scenes import AnyScene, scene_of
+from vad.strokes.scenes import scene_of
 from vad.strokes.sheet import TWIST, Arrow, Panel, Row, Sheet
+
+if TYPE_CHECKING:
+    from vad.mechanisms.mechanism import Mechanism
 
 #: Ends the name of the angle between two axes, whose distance bears the name before it.
 _TWIST = "_twist"
@@ -80,7 +85,7 @@ def _sheet(
     return Sheet(
         mechanism=mechanism.name,
         title=scene.language.name(mechanism.title),
-        parameters=canonical(_parameters(scene)),
+        parameters=_parameters(mechanism, language),
         rows=without_noise(rows, largest),
         panels=tuple(finished(panel, fill, captioned) for panel in drawn),
         language=language,
@@ -108,46 +113,49 @@ def chosen(panels: Sequence[str] | str | None) -> tuple[str, ...]:
     return tuple(name for name in DIAGRAMS if name in names)
 
 
-def _parameters(scene: AnyScene) -> tuple[tuple[str, float, str], ...]:
+@lru_cache(maxsize=64)
+def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, str], ...]:
     """Return all lengths and arcs, and other angles but for 0 and a mechanism's own along axes.
 
     Where they are too many for a line, coordinates are left out first, and then the last.
     """
-    mechanism = scene.motion.mechanism
-    plain = type(mechanism)
+    plain, unit, called = type(mechanism), mechanism.length_unit, Language(language).name
     shown, values = [], mechanism.parameters()
     for name, value in values.items():
         metadata = plain.__dataclass_fields__[name].metadata
         if name.endswith(_TWIST):
             continue  # behind its length
         if metadata["quantity"] != "angle":
-            unit = scene.unit if metadata["quantity"] == "length" else ""
-            shown.append((scene.language.name(name), value, unit))
+            shown.append((called(name), value, unit if metadata["quantity"] == "length" else ""))
             if name + _TWIST in values:
                 shown.append((TWIST, values[name + _TWIST], "°"))
             continue
         usual = value == plain.__dataclass_fields__[name].default and not value % 90.0
         if "between" in metadata or (value and not usual):
-            shown.append((scene.language.name(name), value, "°"))
+            shown.append((called(name), value, "°"))
     for name, (link, distance, *angle) in mechanism.points.items():
         tail, head = points_of(mechanism.links[link])
-        shown.append((tail + name, distance, scene.unit))
+        shown.append((tail + name, distance, unit))
         shown += [(head + tail + name, each, "°") for each in angle if each]
     if len(shown) > MOST:
-        coordinates = {point + axis for point in scene.motion.points for axis in "xy"}
+        coordinates = {point + axis for point in solve(mechanism).points for axis in "xy"}
         shown = [each for each in shown if each[0] not in coordinates]
-    return tuple(shown[:MOST])
+    found: tuple[tuple[str, float, str], ...] = canonical(tuple(shown[:MOST]))
+    return found
 
 
 def _largest(rows: list[Row], panels: tuple[Panel, ...]) -> dict[str, float]:
     """Return the largest size of each unit, in the table and of the vectors."""
     largest: dict[str, float] = {}
     for row in rows:
-        for cell in (cell for cells in row.cells.values() for cell in cells):
-            largest[cell.unit] = max(abs(cell.value), largest.get(cell.unit, 0.0))
+        for cells in row.cells.values():
+            for cell in cells:
+                largest[cell.unit] = max(abs(cell.value), largest.get(cell.unit, 0.0))
     for half in (half for panel in panels for half in panel.halves):
-        arrows = [stroke.shape for stroke in half.strokes if isinstance(stroke.shape, Arrow)]
-        sizes = (abs(arrow.end - arrow.start) for arrow in arrows)
-        largest[half.unit] = max(largest.get(half.unit, 0.0), *sizes, 0.0)
+        size = largest.get(half.unit, 0.0)
+        for stroke in half.strokes:
+            if isinstance(stroke.shape, Arrow):
+                size = max(size, abs(stroke.shape.end - stroke.shape.start))
+        largest[half.unit] = size
     largest["rad/s²"] = max(largest.get("rad/s²", 0.0), largest.get("rad/s", 0.0) ** 2)
     return largest
