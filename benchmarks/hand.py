@@ -13,6 +13,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -21,20 +22,30 @@ import vad
 from benchmarks.common import RESULTS, three, write_csv
 from tests.browser import launched, opened, until
 
-MOVES, REST = 60, 40  # milliseconds between two moves, so that each has its own answer
-#: From the time stamp of a pointer's move to the end of the frame in which its answer is painted.
+MOVES, FIRST, REST = 60, 10, 0.04  # the first ones load what is kept; seconds between two
+#: Of each answer, in milliseconds: when the newest move that it knows was made, when it was asked
+#: for, when it was read, and when the frame ended that shows it.
 _WATCH = """() => {
+  window.answers = [];
   let moved = 0;
-  window.spans = [];
-  addEventListener("pointermove", (event) => { moved ||= event.timeStamp; }, true);
-  new MutationObserver(() => requestAnimationFrame(() => {
-    const channel = new MessageChannel();
-    channel.port1.onmessage = () => {
-      if (moved) spans.push(performance.now() - moved);
-      moved = 0;
+  addEventListener("pointerrawupdate", (event) => { moved = event.timeStamp; }, true);
+  const ask = fetch;
+  window.fetch = async (path, options) => {
+    const times = [moved, performance.now()], answer = await ask(path, options);
+    if (!path.endsWith("/pose")) return answer;
+    const read = answer.json.bind(answer);
+    answer.json = async () => {
+      const said = await read();
+      times.push(performance.now());
+      requestAnimationFrame(() => {
+        const { port1, port2 } = new MessageChannel();
+        port1.onmessage = () => answers.push([...times, performance.now()]);
+        port2.postMessage(0);
+      });
+      return said;
     };
-    channel.port2.postMessage(0);
-  })).observe(document.querySelector(".panels"), { childList: true, subtree: true });
+    return answer;
+  };
 }"""
 
 
@@ -43,19 +54,20 @@ def main() -> None:
     rows = []
     with launched() as browser:
         for name in vad.MECHANISMS:
-            spans, served, painted = measured(browser, name)
+            times, served, worked = measured(browser, name)
             load = os.getloadavg()[0] / (os.cpu_count() or 1)
-            median, most = np.percentile(spans, [50, 95])
-            cost = three(served), three(painted)
-            rows.append([name, len(spans), three(median), three(most), *cost, f"{load:.1f}"])
+            median, most = np.percentile(times[:, 3] - times[:, 0], [50, 95])
+            legs = np.median(np.diff(times), axis=0)
+            found = [*map(three, (median, most, *legs, served, worked)), f"{load:.1f}"]
+            rows.append([name, len(times), *found])
             print(*rows[-1], flush=True)
-    head = ["mechanism", "moves", "median ms", "p95 ms", "server cpu ms", "page cpu ms"]
-    head += ["processes per core"]
+    head = ["mechanism", "answers", "median ms", "p95 ms", "to ask ms", "to answer ms"]
+    head += ["to paint ms", "server cpu ms", "page cpu ms", "processes per core"]
     write_csv(RESULTS / "hand.csv", head, rows, ("starlette", "uvicorn", "playwright"))
 
 
-def measured(browser: object, name: str) -> tuple[list[float], float, float]:
-    """Return the milliseconds of each move that was answered, and those of both processors."""
+def measured(browser: object, name: str) -> tuple[np.ndarray, float, float]:
+    """Return the times of each answer, and the milliseconds of both processors for one."""
     command = [sys.executable, "-m", "vad", "gui", name, "--no-browser"]
     server = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     address = server.stdout.readline().strip()
@@ -65,21 +77,23 @@ def measured(browser: object, name: str) -> tuple[list[float], float, float]:
             until(page, lambda: page.locator(".control:not([hidden])").count(), 30)
             box = page.locator(".handle").bounding_box()
             x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-            page.mouse.move(x, y)
-            page.mouse.down()
             page.evaluate(_WATCH)
             metrics = page.context.new_cdp_session(page)
             metrics.send("Performance.enable", {"timeDomain": "threadTicks"})
-            before = spent(server.pid), painting(metrics)
-            for number in range(MOVES):
+            page.mouse.move(x, y)
+            page.mouse.down()
+            before = 0, 0.0, 0.0
+            for number in range(FIRST + MOVES):
+                if number == FIRST:
+                    before = page.evaluate("answers.length"), spent(server.pid), painting(metrics)
                 turn = math.tau * number / MOVES
                 page.mouse.move(x + 12 * math.sin(turn), y + 12 * math.cos(turn) - 12)
-                page.wait_for_timeout(REST)
-            after = spent(server.pid), painting(metrics)
+                time.sleep(REST)  # in Python, not in the page
+            after = page.evaluate("answers.length"), spent(server.pid), painting(metrics)
+            count, served, worked = (b - a for a, b in zip(before, after, strict=True))
+            times = np.array(page.evaluate("answers"))[before[0] : after[0]]
             page.mouse.up()
-            found: list[float] = page.evaluate("spans")
-            each = [1e3 * (b - a) / len(found) for a, b in zip(before, after, strict=True)]
-            return found[3:], each[0], each[1]  # the first ones load what is kept
+            return times, 1e3 * served / count, 1e3 * worked / count
     finally:
         server.send_signal(signal.SIGINT)
         server.wait()
