@@ -211,7 +211,8 @@ class Quarter:
         cells = [row.cells[name][0] for row in group if row.cells.get(name)]
         if not cells:
             return ()
-        quantities = list(dict.fromkeys(numbered(cell.symbol)[0] for cell in cells))
+        bare = (numbered(cell.symbol)[0].partition("_")[0] for cell in cells)  # ψ of ψ_P
+        quantities = list(dict.fromkeys(bare))
         return symbols(" / ".join(quantities)) + roman(", " + self._entries.unit(cells[0]))
 
 
