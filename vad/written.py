@@ -24,6 +24,7 @@ WRITTEN_OUT = (-4, 6)
 _PARTED = 5
 _THOUSANDS = re.compile(r"(?<=\d)(?=(?:\d{3})+$)")
 _DEGREE = "°"
+_DEGREES = (_DEGREE, "deg")
 _FULL_TURN = 360.0
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _LEVEL = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
@@ -152,8 +153,8 @@ def typed(value: float, unit: str = "", digits: int = GIVEN) -> str:
     ('-490.02810237', '0', '1e-17')
     """
     text = f"{value + 0.0:.{digits}g}"
-    is_angle = sign(unit) == _DEGREE
-    return "0" if is_angle and abs(value) < _FULL_TURN <= abs(float(text)) else text
+    full = unit in _DEGREES and abs(value) < _FULL_TURN <= abs(float(text))
+    return "0" if full else text
 
 
 @lru_cache(maxsize=1024)

@@ -59,7 +59,7 @@ class Captions(Calculations):
             unit=self._written_unit,
             head=head,
             tail=tail,
-            whose=self._whose(bar),
+            whose=self._whose(bar) if whole else "",
         )
 
     def _known_slide(self, label: str, part: Part[StepVector], slide: Slide) -> str:

@@ -22,8 +22,7 @@ MORE = 2
 #: What double precision holds.
 _ALL = 15
 #: In a place stands what is to be written there: a number in full, or a unit alone.
-_BEGINS, _PARTS, _ENDS = "\x02", "\x1f", "\x03"
-_PLACE = re.compile(f"{_BEGINS}[^{_ENDS}]*{_ENDS}")
+_PLACE = re.compile("\x02[^\x03]*\x03")
 _EXACT = Context(prec=50)
 #: What is made of the numbers that a reader types in.
 Calculation = Callable[[list[Decimal]], Decimal]
@@ -52,8 +51,8 @@ class Figure:
     power: int = 1
 
     def __str__(self) -> str:
-        parts = f"{self.value:.17g}", self.unit, "given" if self.given else "", str(self.power)
-        return f"{_BEGINS}{_PARTS.join(parts)}{_ENDS}"
+        given = "given" if self.given else ""
+        return f"\x02{self.value:.17g}\x1f{self.unit}\x1f{given}\x1f{self.power}\x03"
 
 
 @dataclass(slots=True)
@@ -63,7 +62,7 @@ class Unit:
     name: str
 
     def __str__(self) -> str:
-        return f"{_BEGINS}{self.name}{_ENDS}"
+        return f"\x02{self.name}\x03"
 
 
 class Writer(dict[str, str]):
@@ -73,7 +72,7 @@ class Writer(dict[str, str]):
         self._notation = notation
 
     def __missing__(self, place: str) -> str:
-        parts = place[1:-1].split(_PARTS)
+        parts = place[1:-1].split("\x1f")
         if len(parts) == 1:
             text = self._notation.unit(parts[0])
         else:
@@ -85,7 +84,7 @@ class Writer(dict[str, str]):
 
     def fill(self, caption: str) -> str:
         """Return a caption with its numbers and units."""
-        if _BEGINS not in caption:
+        if "\x02" not in caption:
             return caption
         return _PLACE.sub(lambda found: self[found[0]], caption)
 
