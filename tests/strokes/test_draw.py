@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ import vad
 from vad.kinematics.any_solver import AnySolver
 from vad.kinematics.solver import Solver, solver_of
 from vad.kinematics.space.space_solver import SpaceSolver
+from vad.strokes.draw import sketch
 
 PANELS = ("position", "velocity", "acceleration")
 
@@ -60,6 +62,17 @@ def test_nothing_is_computed_before_it_is_asked_for(calls: Counter[str]) -> None
     assert calls == {"position": 1, "velocity": 1}
     assert motion.point("C").acceleration.shape == (100,)
     assert calls == {"position": 1, "velocity": 1, "acceleration": 1}
+
+
+@pytest.mark.parametrize("name", list(vad.MECHANISMS))
+def test_a_sketch_is_a_sheet_without_captions(name: str) -> None:
+    motion = vad.solve(vad.MECHANISMS[name]())
+    sheet, bare = vad.draw(motion, language="de"), sketch(motion, None, "de")
+    for half, other in zip(sheet.halves, bare.halves, strict=True):
+        assert all(stroke.caption for stroke in half.strokes)
+        assert other.strokes == tuple(replace(stroke, caption="") for stroke in half.strokes)
+        assert replace(other, strokes=half.strokes, below=half.below) == half
+    assert replace(bare, panels=sheet.panels) == sheet
 
 
 def test_panels_come_in_their_own_order() -> None:

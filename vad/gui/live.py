@@ -31,10 +31,7 @@ from vad.painting.svg.font_subset import Faces
 from vad.plan.format import screen
 from vad.plan.live.live_board import LiveBoard
 from vad.plan.scale import Scale
-from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.draw import chosen
-from vad.strokes.language import Language
-from vad.strokes.scenes import scene_of
+from vad.strokes.draw import chosen, sketch
 from vad.strokes.sheet import Panel, Sheet
 from vad.style import load_style
 
@@ -56,10 +53,11 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
     -------
     dict
         HTML in its places on a page: ``panels`` with name, scale bar and drawing, ``rows`` with
-        the cells of the table, and their ``looks``.  For the next question, ``scales`` and
-        ``ways``; for the hand, the ``ranges`` of the driver that close and the ``handle`` (see
-        `vad.gui.grip`).  The ``results`` of ``vad solve --json``, and the milliseconds that it
-        took, ``ms``.  At a dead centre there is the position alone, and an ``error``.
+        the cells of the table, and their ``looks``, less those that the page knows.  For the next
+        question, ``scales`` and ``ways``; for the hand, the ``ranges`` of the driver that close and
+        the ``handle`` (see `vad.gui.grip`).  The ``results`` of ``vad solve --json``, and the
+        milliseconds that it took, ``ms``.  At a dead centre there is the position alone, and an
+        ``error``.
 
     Raises
     ------
@@ -72,12 +70,12 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
     panels = chosen(question.panels or None)
     trouble: dict[str, Any] = {}
     try:
-        sheet = vad.draw(motion, panels, question.language)
+        sheet = sketch(motion, panels, question.language)
         trouble = {"results": motion.to_dict()}
     except DeadCentreError as error:
         if POSITION not in panels:
             raise
-        sheet = vad.draw(motion, POSITION, question.language)
+        sheet = sketch(motion, POSITION, question.language)
         trouble = {"error": problem(error, question.fields)}
     scales = {name: scale_of(values) for name, values in question.scales.items()}
     rested = question.rested(mechanism)
@@ -103,7 +101,7 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
     return {
         "panels": drawn,
         "rows": rows,
-        "looks": inker.classes.sheet(),
+        "looks": inker.classes.sheet(question.known),
         "scales": listed(shown.scales),
         "ways": {
             name: {label: round(way, 1) for label, way in ways.items()}
@@ -147,8 +145,8 @@ def _over(mechanism: Mechanism) -> Iterable[Motion]:
 
 
 def _pictured(motion: Motion) -> Panel:
-    """Return the mechanism in one pose; the numbers in its captions, which nobody reads, lack."""
-    return DIAGRAMS[POSITION].panel(scene_of(motion, Language("en")))
+    """Return the mechanism in one pose."""
+    return sketch(motion, POSITION, "en").panel(POSITION)
 
 
 @lru_cache(maxsize=8)

@@ -135,11 +135,14 @@ class PoseQuestion(Question):
     stands
         The parameters of the fair copy before, of which supports and the like are kept; None
         for those that are asked for.
+    known
+        The classes whose rules the page has.
     """
 
     scales: Scales = field(default_factory=dict)
     ways: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     stands: Mapping[str, Value] | None = None
+    known: tuple[str, ...] = ()
 
     def rested(self, mechanism: Mechanism) -> Mechanism:
         """Return that of the fair copy before, which may be the ``mechanism`` asked for."""
@@ -283,6 +286,7 @@ _CHECKS = {
     "scales": _scales,
     "ways": _ways,
     "stands": _values,
+    "known": _texts,
     "style": _text,
     "size": _size,
     "fps": _fps,

@@ -5,7 +5,7 @@ function question(kind) {
   const asked = { mechanism: set.mechanism, parameters: present(set.parameters), inputs: present(set.inputs),
     assembly: "" in set.places ? set.places[""] : set.places, points: set.mechanism === start.mechanism ? start.points : {},
     length_unit: set.length_unit, panels: start.panels, language: start.language, style: start.style };
-  if (kind === "pose") return { ...asked, scales, ways, ...(stands && { stands }) };
+  if (kind === "pose") return { ...asked, scales, ways, known: classes(), ...(stands && { stands }) };
   if (kind === "beside") return { ...asked, inputs: { ...asked.inputs, ...aside } };
   if (kind === "lesson") return { ...asked, scales: find("#lock").checked ? scales : {} };
   const style = root.dataset.theme, speed = +find(".speed").value;

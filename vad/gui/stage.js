@@ -87,6 +87,8 @@ function rules(looks) {
   fresh.forEach((rule) => sheet.insertRule(rule, sheet.cssRules.length));
 }
 
+const classes = () => [...known].map((rule) => rule.slice(1, rule.indexOf("{")));
+
 // A polygon whose scale has changed comes from the size that it had.
 function glide(name, old, fresh) {
   if (!old || !fresh || String(old) === String(fresh) || matchMedia("(prefers-reduced-motion: reduce)").matches) return;

@@ -11,7 +11,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 from vad.errors import InputError
@@ -186,11 +186,13 @@ class Scalar(NamedTuple):
         return f"the {self.kind} of {self.name}"
 
 
+@lru_cache(maxsize=256)
 def angle_of(link: str) -> Scalar:
     """Name the angle of a link."""
     return Scalar("angle", link)
 
 
+@lru_cache(maxsize=256)
 def length_of(slide: str) -> Scalar:
     """Name the length of a slide."""
     return Scalar("length", slide)

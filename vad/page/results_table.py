@@ -5,7 +5,8 @@ In come the sheet and the sketches of its panels, out goes HTML.
 
 from __future__ import annotations
 
-from itertools import pairwise
+from collections.abc import Sequence
+from itertools import islice, pairwise, repeat
 
 from vad.page.ink import Inker, when
 from vad.page.wording import Words
@@ -16,12 +17,14 @@ from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.marks import line
 from vad.plan.page.changing import measuring
-from vad.plan.page.columns import EQUALS, VALUES, Columns
+from vad.plan.page.columns import CLEAR, EQUALS, VALUES, Columns, alike
 from vad.plan.page.entries import SIZE
 from vad.plan.page.table import table as laid_out
 from vad.strokes.language import Language
 from vad.strokes.sheet import Cell, Panel, Row
 from vad.written import with_unit
+
+PADDING = 0.25 * SIZE  # behind a symbol
 
 
 def table(plan: Plan, key: float, inker: Inker, words: Words) -> str:
@@ -62,32 +65,50 @@ def values_of(plan: Plan, key: float) -> float:
 
 
 def measured_cells(plan: Plan, panel: Panel, row: Row, words: Words, values: float) -> str:
-    """Return what a panel measures of a row, as one cell of the table."""
+    """Return what a panel measures of a row, as one cell of the table.
+
+    Where it has not the room, it leaves out units that the column has above, then it shrinks.
+    """
     cells = row.cells.get(panel.name, ())
     room = plan.page.panels[panel.name].drawing.width
     room -= values if panel is plan.sheet.panels[0] else 0.0
-    need = sum(width(_reading(plan, cell), SIZE) + EQUALS for cell in cells)
+    readings = [_reading(plan, cell) for cell in cells]
+    need = _need(cells, readings)
+    if need > room and alike(cells, panel.name, plan.sheet.rows):
+        readings = [_reading(plan, cell, bare=True) for cell in cells]
+        need = _need(cells, readings)
     small = f' style="font-size:{100 * room / need:.0f}%"' if need > room else ""
+    written = map(_cell, cells, readings, repeat(words))
     halves = []
     for half, measured in panel.measures(row):
         _, since = measuring(plan.sketches[half.name].setting, row, measured)
-        written = "".join(_cell(plan, cell, words) for cell in measured)
-        halves.append(f"<div{when([(since, FOREVER)])}{small}>{written}</div>")
+        own = "".join(islice(written, len(measured)))
+        halves.append(f"<div{when([(since, FOREVER)])}{small}>{own}</div>")
     whole = "".join(halves)
     return f'<td role="cell">{whole if len(halves) == 1 else f"<div>{whole}</div>"}</td>'
 
 
-def _cell(plan: Plan, cell: Cell, words: Words) -> str:
-    symbol = words.of(symbols(cell.symbol))
-    value = words.of(_reading(plan, cell), heavy=not cell.given)
+def _need(cells: Sequence[Cell], readings: Sequence[Runs]) -> float:
+    """Return the width of cells side by side, as the style sheet sets them."""
+    signs = [width(symbols(cell.symbol), SIZE) + PADDING for cell in cells]
+    wide = sum(
+        width(reading, SIZE) + max(EQUALS, sign)
+        for reading, sign in zip(readings, signs, strict=True)
+    )
+    return wide + CLEAR * (len(cells) - 1)
+
+
+def _cell(cell: Cell, reading: Runs, words: Words) -> str:
+    symbol, value = words.of(symbols(cell.symbol)), words.of(reading, heavy=not cell.given)
     given = " given" if cell.given else ""
     return f'<span class="cell{given}"><span class="symbol">{symbol}</span>{value}</span>'
 
 
-def _reading(plan: Plan, cell: Cell) -> Runs:
+def _reading(plan: Plan, cell: Cell, bare: bool = False) -> Runs:
     notation = plan.sheet.notation
     number = notation.number(cell.value, cell.unit, cell.given)
-    return roman("= " + with_unit(number, notation.unit(cell.unit)).replace(" ", "\u00a0"))
+    unit = "" if bare else notation.unit(cell.unit)
+    return roman("= " + with_unit(number, unit).replace(" ", "\u00a0"))
 
 
 def _has_given(rows: tuple[Row, ...]) -> bool:

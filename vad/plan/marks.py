@@ -115,9 +115,9 @@ class Bow:
         """The length of the arc, as long as it is on the circle."""
         return abs(math.radians(self.sweep)) * self.radius
 
-    def line(self) -> list[complex]:
-        """Return points along the arc, close enough for keeping clear of it."""
-        count = max(2, math.ceil(abs(self.sweep) / 8.0) + 1)
+    def line(self, step: float = 8.0) -> list[complex]:
+        """Return points along the arc, ``step`` degrees apart at most: to keep clear of it."""
+        count = max(2, math.ceil(abs(self.sweep) / step) + 1)
         angles = (math.radians(self.start + self.sweep * i / (count - 1)) for i in range(count))
         return [self.centre + self._seen(cmath.rect(self.radius, angle)) for angle in angles]
 

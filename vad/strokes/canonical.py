@@ -47,19 +47,16 @@ def _way(cls: Any) -> Callable[[Any], Any]:
 
 
 def _float(value: float) -> float:
-    return value if type(value) is float and _positive(value) else float(value) + 0.0
+    if type(value) is float and (value or copysign(1.0, value) > 0.0):
+        return value
+    return float(value) + 0.0
 
 
 def _complex(value: complex) -> complex:
     x, y = value.real, value.imag
-    if type(value) is complex and _positive(x) and _positive(y):
+    if type(value) is complex and (x or copysign(1.0, x) > 0.0) and (y or copysign(1.0, y) > 0.0):
         return value
     return complex(x + 0.0, y + 0.0)
-
-
-def _positive(number: float) -> bool:
-    """Tell whether a number is no negative zero."""
-    return bool(number) or copysign(1.0, number) > 0.0
 
 
 def _tuple(value: tuple[Any, ...]) -> tuple[Any, ...]:
@@ -75,7 +72,7 @@ def _record(cls: Any) -> Callable[[Any], Any]:
     def record(value: Any) -> Any:
         for name in names:
             held = getattr(value, name)
-            if _way(held.__class__)(held) is not held:
+            if held is not None and _way(held.__class__)(held) is not held:
                 return cls(*[canonical(getattr(value, name)) for name in every])
         return value
 

@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 from vad.kinematics.linkage import Bar, Slide, Step, length_of
+from vad.strokes.calculations import Calculations
 from vad.strokes.chains import StepVector
 from vad.strokes.figures import Figure, Unit
 from vad.strokes.scene import Scene, image_letter, point_of
 from vad.strokes.vector_equations import Part
 
 
-class Captions:
+class Captions(Calculations):
     """The captions of the velocity (order 1) or acceleration (order 2) panel."""
 
     def __init__(self, scene: Scene, order: int) -> None:
-        self._scene = scene
-        self._order = order
+        super().__init__(scene, order)
         self._panel = "velocity" if order == 1 else "acceleration"
         self._say = scene.say
-        self._unit = scene.rate_unit(order)
         self._written_unit = Unit(self._unit)
 
     def pole(self, letters: list[str]) -> str:
@@ -45,9 +44,7 @@ class Captions:
             return self._known_slide(label, part, part.of.step)
         scene, bar = self._scene, part.of.step
         normal = part.name == "normal"
-        rate = scene.spin(bar.link, 1 if normal else self._order, power=2 if normal else 1)
-        size, value = scene.length(bar, self._unit), self._size(part)
-        scene.figures.product(value, rate, size)
+        value, rate, size = self.turned(part, bar)
         tail, head = scene.members.ends(bar)
         whole = label == "".join(image_letter(end, self._order) for end in (bar.tail, bar.head))
         return self._say(
@@ -66,18 +63,14 @@ class Captions:
         )
 
     def _known_slide(self, label: str, part: Part[StepVector], slide: Slide) -> str:
-        scene, value = self._scene, self._size(part)
+        scene = self._scene
         common = {"label": label, "unit": self._written_unit}
         if part.name != "coriolis":
-            given = scene.figure(length_of(slide.name), value.value, value.unit)
+            given = scene.figure(length_of(slide.name), abs(part.vector), self._unit)
             line, way = scene.line(slide), self._way(part.vector)
             return self._say(f"sliding {self._panel}", line=line, way=way, value=given, **common)
-        link = str(slide.along)
-        rate = scene.spin(link, 1)
-        sliding = abs(scene.speed(slide.name, 1))
-        speed = scene.figure(length_of(slide.name), sliding, scene.rate_unit(1))
-        scene.figures.product(value, Figure(2.0, given=True), rate, speed)
-        omega = scene.members.symbol("ω", link)
+        value, rate, speed = self.twisted(part, slide)
+        omega = scene.members.symbol("ω", str(slide.along))
         return self._say("coriolis", omega=omega, rate=rate, speed=speed, value=value, **common)
 
     def line(self, part: Part[StepVector], point: str, meeting: str) -> str:
@@ -134,8 +127,8 @@ class Captions:
 
     def measured(self, label: str, part: Part[StepVector]) -> str:
         """Measure a result off the polygon."""
-        scene, step, value = self._scene, part.of.step, self._size(part)
-        common = {"label": label, "value": value, "unit": self._written_unit}
+        scene, step = self._scene, part.of.step
+        common = {"label": label, "unit": self._written_unit}
         if isinstance(step, Slide):
             return self._say(
                 f"measured sliding {self._panel}",
@@ -145,10 +138,10 @@ class Captions:
                 way=self._way(part.vector),
                 symbol=self._rate_symbol(step),
                 rate=Figure(scene.speed(step.name, self._order), self._unit),
+                value=self._size(part),
                 **common,
             )
-        rate, size = scene.spin(step.link, self._order), scene.length(step, self._unit, power=-1)
-        scene.figures.product(rate, value, size)
+        value, rate, size = self.divided(part, step)
         tail, head = scene.members.ends(step)
         turning = scene.rate(step.link, self._order)
         return self._say(
@@ -158,6 +151,7 @@ class Captions:
             bar=tail + head,
             tail=tail,
             head=head,
+            value=value,
             size=size,
             rate=rate,
             sense=self._say("counter-clockwise" if turning > 0 else "clockwise"),
@@ -176,14 +170,9 @@ class Captions:
         )
 
     def image(self, bar: Bar, base: Bar, label: str, sizes: tuple[float, float, float]) -> str:
-        """Find a further point of a link by proportion.
-
-        ``sizes`` are those of the vectors of ``base``, of ``bar`` and from the pole.
-        """
-        scene = self._scene
-        known, own, found = (Figure(size, self._unit) for size in sizes)
-        size, length = scene.length(bar, self._unit), scene.length(base, self._unit, power=-1)
-        scene.figures.product(own, known, size, length)
+        """Find a further point of a link by proportion."""
+        scene, found = self._scene, Figure(sizes[2], self._unit)
+        own, known, size, length = self.proportion(bar, base, *sizes[:2])
         part, whole = (
             "".join(image_letter(letter, self._order) for letter in (each.tail, each.head))
             for each in (bar, base)
@@ -215,9 +204,6 @@ class Captions:
         if isinstance(step, Slide):
             return "va"[self._order - 1]
         return self._scene.members.symbol("ωα"[self._order - 1], step.link)
-
-    def _size(self, part: Part[StepVector]) -> Figure:
-        return Figure(abs(part.vector), self._unit)
 
     def _whose(self, bar: Step) -> str:
         """Say whose velocity or acceleration the whole vector of a bar is."""

@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import TYPE_CHECKING
 
 from vad.errors import InputError, UsageError, one_of, shown
 from vad.kinematics.linkage import points_of
-from vad.kinematics.motion import Motion
+from vad.kinematics.motion import Motion, solve
 from vad.strokes.canonical import canonical
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.figures import Writer
+from vad.strokes.finishing import finished, without_noise
 from vad.strokes.language import Language
 from vad.strokes.notation import Notation, in_metres
-from vad.strokes.scenes import AnyScene, scene_of
-from vad.strokes.sheet import TWIST, Arrow, Cell, Equation, Panel, Row, Sheet, Stroke, Term
-from vad.strokes.vector_equations import NOTHING
+from vad.strokes.scenes import scene_of
+from vad.strokes.sheet import TWIST, Arrow, Panel, Row, Sheet
+
+if TYPE_CHECKING:
+    from vad.mechanisms.mechanism import Mechanism
 
 #: Ends the name of the angle between two axes, whose distance bears the name before it.
 _TWIST = "_twist"
@@ -51,12 +55,26 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     >>> [stroke.label for stroke in sheet.panel("velocity").strokes]
     ['a,d', 'ab', '⟂ BC', '⟂ DC', 'c', 'bc', 'dc']
     """
+    return _sheet(motion, panels, language, captioned=True)
+
+
+def sketch(motion: Motion, panels: Sequence[str] | str | None, language: str) -> Sheet:
+    """Draw one pose as `draw` does, but for its captions, which are empty: in less time.
+
+    While something moves, nobody reads them.
+    """
+    return _sheet(motion, panels, language, captioned=False)
+
+
+def _sheet(
+    motion: Motion, panels: Sequence[str] | str | None, language: str, captioned: bool
+) -> Sheet:
     if not isinstance(motion, Motion):
         raise InputError(f"motion: must be what vad.solve returns, got {shown(motion)}")
     if motion.many:
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
     diagrams = [DIAGRAMS[name] for name in chosen(panels)]
-    scene = scene_of(motion, Language(language))
+    scene = scene_of(motion, Language(language), captioned)
     drawn = tuple(diagram.panel(scene) for diagram in diagrams)
     rows = scene.rows(diagrams)
     largest = _largest(rows, drawn)
@@ -67,9 +85,9 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     return Sheet(
         mechanism=mechanism.name,
         title=scene.language.name(mechanism.title),
-        parameters=canonical(_parameters(scene)),
-        rows=_without_noise(rows, largest),
-        panels=tuple(_finished(panel, fill) for panel in drawn),
+        parameters=_parameters(mechanism, language),
+        rows=without_noise(rows, largest),
+        panels=tuple(finished(panel, fill, captioned) for panel in drawn),
         language=language,
         notation=notation,
     )
@@ -95,99 +113,49 @@ def chosen(panels: Sequence[str] | str | None) -> tuple[str, ...]:
     return tuple(name for name in DIAGRAMS if name in names)
 
 
-def _parameters(scene: AnyScene) -> tuple[tuple[str, float, str], ...]:
+@lru_cache(maxsize=64)
+def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, str], ...]:
     """Return all lengths and arcs, and other angles but for 0 and a mechanism's own along axes.
 
     Where they are too many for a line, coordinates are left out first, and then the last.
     """
-    mechanism = scene.motion.mechanism
-    plain = type(mechanism)
+    plain, unit, called = type(mechanism), mechanism.length_unit, Language(language).name
     shown, values = [], mechanism.parameters()
     for name, value in values.items():
         metadata = plain.__dataclass_fields__[name].metadata
         if name.endswith(_TWIST):
             continue  # behind its length
         if metadata["quantity"] != "angle":
-            unit = scene.unit if metadata["quantity"] == "length" else ""
-            shown.append((scene.language.name(name), value, unit))
+            shown.append((called(name), value, unit if metadata["quantity"] == "length" else ""))
             if name + _TWIST in values:
                 shown.append((TWIST, values[name + _TWIST], "°"))
             continue
         usual = value == plain.__dataclass_fields__[name].default and not value % 90.0
         if "between" in metadata or (value and not usual):
-            shown.append((scene.language.name(name), value, "°"))
+            shown.append((called(name), value, "°"))
     for name, (link, distance, *angle) in mechanism.points.items():
         tail, head = points_of(mechanism.links[link])
-        shown.append((tail + name, distance, scene.unit))
+        shown.append((tail + name, distance, unit))
         shown += [(head + tail + name, each, "°") for each in angle if each]
     if len(shown) > MOST:
-        coordinates = {point + axis for point in scene.motion.points for axis in "xy"}
+        coordinates = {point + axis for point in solve(mechanism).points for axis in "xy"}
         shown = [each for each in shown if each[0] not in coordinates]
-    return tuple(shown[:MOST])
-
-
-def _finished(panel: Panel, fill: Callable[[str], str]) -> Panel:
-    """Return a panel with the numbers in its captions, labels and equations, and all canonical."""
-
-    def strokes(raw: tuple[Stroke, ...]) -> tuple[Stroke, ...]:
-        return tuple([_finished_stroke(stroke, fill) for stroke in raw])
-
-    def term(raw: Term) -> Term:
-        label = fill(raw.label)
-        return raw if label is raw.label else replace(raw, label=label)
-
-    def terms(raw: tuple[Term, ...]) -> tuple[Term, ...]:
-        return tuple(map(term, raw))
-
-    return replace(
-        panel,
-        strokes=strokes(panel.strokes),
-        zeros=strokes(panel.zeros),
-        equations=tuple(
-            [Equation(terms(each.left), terms(each.right)) for each in panel.equations]
-        ),
-        inset=canonical(panel.inset),
-        triangles=canonical(panel.triangles),
-        notes=canonical(panel.notes),
-        below=panel.below and _finished(panel.below, fill),
-    )
-
-
-def _finished_stroke(raw: Stroke, fill: Callable[[str], str]) -> Stroke:
-    label, caption, shape = fill(raw.label), fill(raw.caption), canonical(raw.shape)
-    if label is raw.label and caption is raw.caption and shape is raw.shape:
-        return raw
-    more = raw.link, raw.component, raw.image, raw.reveals, raw.name
-    return Stroke(raw.kind, label, shape, caption, *more)
+    found: tuple[tuple[str, float, str], ...] = canonical(tuple(shown[:MOST]))
+    return found
 
 
 def _largest(rows: list[Row], panels: tuple[Panel, ...]) -> dict[str, float]:
     """Return the largest size of each unit, in the table and of the vectors."""
     largest: dict[str, float] = {}
     for row in rows:
-        for cell in (cell for cells in row.cells.values() for cell in cells):
-            largest[cell.unit] = max(abs(cell.value), largest.get(cell.unit, 0.0))
+        for cells in row.cells.values():
+            for cell in cells:
+                largest[cell.unit] = max(abs(cell.value), largest.get(cell.unit, 0.0))
     for half in (half for panel in panels for half in panel.halves):
-        arrows = [stroke.shape for stroke in half.strokes if isinstance(stroke.shape, Arrow)]
-        sizes = (abs(arrow.end - arrow.start) for arrow in arrows)
-        largest[half.unit] = max(largest.get(half.unit, 0.0), *sizes, 0.0)
+        size = largest.get(half.unit, 0.0)
+        for stroke in half.strokes:
+            if isinstance(stroke.shape, Arrow):
+                size = max(size, abs(stroke.shape.end - stroke.shape.start))
+        largest[half.unit] = size
     largest["rad/s²"] = max(largest.get("rad/s²", 0.0), largest.get("rad/s", 0.0) ** 2)
     return largest
-
-
-def _without_noise(rows: list[Row], largest: dict[str, float]) -> tuple[Row, ...]:
-    """Write as zero what is zero but for rounding, against the largest of its kind."""
-
-    def cleaned(cell: Cell) -> Cell:
-        noise = abs(cell.value) < NOTHING * largest[cell.unit]
-        return replace(cell, value=0.0) if noise and not cell.given else canonical(cell)
-
-    return tuple(
-        Row(
-            row.key,
-            row.title,
-            row.letters,
-            {name: tuple([cleaned(cell) for cell in cells]) for name, cells in row.cells.items()},
-        )
-        for row in rows
-    )

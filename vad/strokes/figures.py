@@ -134,9 +134,9 @@ class Figures:
             for result, factors, calculation in reversed(self._calculated)
         ]
         digits: dict[str, int] = {}
-        before = -1
-        while before != len(digits) + sum(digits.values()):
-            before = len(digits) + sum(digits.values())
+        before = None
+        while before != digits:
+            before = dict(digits)
             for result, factors, calculation in calculations:
                 while not result.agrees(calculation([each.factor for each in factors])):
                     finer = _to_refine(result, factors)

@@ -78,7 +78,7 @@ class Images:
             label, square, caption = f"⟂ {side}", side, pencil.say.across(near, bar.head)
         else:
             label, square = f"∠ {corner}", None
-            caption = scene.say(
+            caption = scene.caption(
                 "image line",
                 point=pencil.letter(near),
                 corner=corner,
@@ -114,10 +114,10 @@ class Images:
         def image(*points: str) -> str:
             return "".join(image_letter(point, self._order) for point in points)
 
-        return scene.say(
+        return scene.caption(
             "image similar",
             letter=image(bar.head),
-            image=scene.say(f"image {'velocity' if self._order == 1 else 'acceleration'}"),
+            image=scene.caption(f"image {'velocity' if self._order == 1 else 'acceleration'}"),
             link=bar.link,
             triangle=image(base.tail, base.head, bar.head),
             corners=base.ends + bar.head,
@@ -135,4 +135,4 @@ class Images:
     def _alike(self, bar: Bar, letters: list[str]) -> str:
         """Say that all points of the link move alike."""
         phrase = f"image alike {'velocity' if self._order == 1 else 'acceleration'}"
-        return self._scene.say(phrase, letter=letters[2], point=letters[0], link=bar.link)
+        return self._scene.caption(phrase, letter=letters[2], point=letters[0], link=bar.link)

@@ -28,7 +28,7 @@ class Ink:
         **more: object,
     ) -> None:
         """Add a stroke with the caption that a phrase makes of its parts."""
-        caption = self.scene.say(phrase, **parts)
+        caption = self.scene.caption(phrase, **parts)
         stroke = Stroke(kind, label, shape, caption, name=name, **more)  # type: ignore[arg-type]
         self.strokes.append(stroke)
 
@@ -38,17 +38,7 @@ class Ink:
         arrow = Arrow(
             self.scene.at(tail), self.scene.at(head), tail, head, self.scene.cylinder(bar)
         )
-        angle = self.scene.motion.link(bar.link).angle
         driven = angle_of(bar.link) == self.scene.driver
-        parts: dict[str, object] = {"link": bar.link, "bar": letters}
-        if bar.turn != 1.0 or self.scene.backward(bar):
-            parts["bar"] = self.scene.motion.mechanism.links[bar.link]
-        parts |= {"size": self.scene.length(bar, self.scene.unit), "unit": Unit(self.scene.unit)}
-        parts |= {
-            "angle": Figure(angle, "°", driven),
-            "symbol": self.scene.members.symbol("θ", bar.link),
-        }
-        parts |= {"letter": head, "tail": tail}
         reveals = () if driven or image else (bar.link,)
         self.draw(
             f"{bar.ends}.bar",
@@ -56,12 +46,28 @@ class Ink:
             letters,
             arrow,
             phrase,
-            parts,
+            self._said_of(bar) if self.scene.captioned else {},
             link=bar.link,
             component="link",
             image=image,
             reveals=reveals,
         )
+
+    def _said_of(self, bar: Bar) -> Mapping[str, object]:
+        """Return what a phrase says of a bar."""
+        scene, (tail, head) = self.scene, self.scene.members.ends(bar)
+        driven = angle_of(bar.link) == scene.driver
+        whole = bar.turn != 1.0 or scene.backward(bar)
+        return {
+            "link": bar.link,
+            "bar": scene.motion.mechanism.links[bar.link] if whole else scene.members.letters(bar),
+            "size": scene.length(bar, scene.unit),
+            "unit": Unit(scene.unit),
+            "angle": Figure(scene.motion.link(bar.link).angle, "°", driven),
+            "symbol": scene.members.symbol("θ", bar.link),
+            "letter": head,
+            "tail": tail,
+        }
 
     def plate(self, link: str) -> None:
         """Draw a link of three points or more as a plate, from whose corners its points are."""

@@ -164,7 +164,8 @@ class Pencil(Generic[V]):
 
     def leave_out(self, stroke: Stroke) -> None:
         """Keep what is not drawn in this pose."""
-        self.zeros.append(replace(stroke, caption="", reveals=()))
+        said = stroke.caption or stroke.reveals
+        self.zeros.append(replace(stroke, caption="", reveals=()) if said else stroke)
 
 
 def _arrow(part: Part[V], tip: str, tip_at: complex, name: str, at: complex) -> Arrow:

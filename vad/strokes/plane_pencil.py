@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from vad.kinematics.linkage import Slide
+from vad.strokes.calculations import Calculations
 from vad.strokes.captions import Captions
 from vad.strokes.chains import StepVector
 from vad.strokes.pencil import Pencil, Tip
@@ -17,7 +18,7 @@ class PlanePencil(Pencil[StepVector]):
     def __init__(self, scene: Scene, order: int, longest: float, from_pole: bool) -> None:
         self.scene = scene
         self.order = order
-        self.say = Captions(scene, order)
+        self.say = (Captions if scene.captioned else Calculations)(scene, order)
         #: The point of each vertex.
         self._points = {self.letter(point): point for point in scene.motion.plane.routes.letters}
         fixed = [self.letter(point) for point in scene.members.fixed]

@@ -37,6 +37,7 @@ class Scene:
 
     motion: Motion
     language: Language
+    captioned: bool = True
     figures: Figures = field(default_factory=Figures)
     # What was read already.
     _places: dict[str, complex] = field(default_factory=dict, init=False, compare=False)
@@ -172,6 +173,10 @@ class Scene:
     def say(self, phrase: str, **parts: object) -> str:
         """Fill in a phrase, in which the places of numbers and units are kept."""
         return self.language.say(phrase, **parts)
+
+    def caption(self, phrase: str, **parts: object) -> str:
+        """Return the sentence that goes with a stroke; none where captions are not wanted."""
+        return self.language.say(phrase, **parts) if self.captioned else ""
 
     def figure(self, scalar: Scalar, value: float, unit: str = "", power: int = 1) -> Figure:
         """Return a number of a scalar or its rates, which is given for the driver."""

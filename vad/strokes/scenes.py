@@ -30,9 +30,9 @@ IN_SPACE: Mapping[tuple[type, bool], type[SceneInSpace]] = {
 }
 
 
-def scene_of(motion: Motion, language: Language) -> AnyScene:
+def scene_of(motion: Motion, language: Language, captioned: bool = True) -> AnyScene:
     """Return the scene of a motion, whose solver tells the plane from space."""
     solver = motion.solver
     kind: Any = IN_SPACE.get((type(solver), bool(solver.slides)), Scene)
-    scene: AnyScene = kind(motion, language)
+    scene: AnyScene = kind(motion, language, captioned)
     return scene

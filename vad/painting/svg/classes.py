@@ -7,6 +7,8 @@ the whole page shares begin with it.
 
 from __future__ import annotations
 
+from base64 import urlsafe_b64encode
+from collections.abc import Collection
 from functools import lru_cache
 from zlib import crc32
 
@@ -28,10 +30,11 @@ class Classes:
         self._rules[name] = says
         return name
 
-    def sheet(self) -> str:
-        """Return all classes."""
+    def sheet(self, known: Collection[str] = ()) -> str:
+        """Return all classes but the known ones."""
         within = f"#{self.scope} " if self.scope else ""
-        return "".join(f"{within}.{name}{{{says}}}\n" for name, says in self._rules.items())
+        fresh = ((name, says) for name, says in self._rules.items() if name not in known)
+        return "".join(f"{within}.{name}{{{says}}}\n" for name, says in fresh)
 
     def shared(self, name: str) -> str:
         """Return a name that no other picture on the page has: of an element, or of a font."""
@@ -45,9 +48,10 @@ def named(initial: str, content: str) -> str:
     Examples
     --------
     >>> named("c", "fill:#000000"), named("c", "fill:#000001")
-    ('c73f985', 'c74c913')
+    ('cc_mF', 'cdMkT')
     """
-    return f"{initial}{crc32(content.encode()) & 0xFFFFFF:06x}"
+    digest = crc32(content.encode()).to_bytes(4, "big")[1:]
+    return initial + urlsafe_b64encode(digest).decode()
 
 
 @lru_cache(maxsize=256)

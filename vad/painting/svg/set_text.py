@@ -24,7 +24,8 @@ class SetText:
     """The text of one picture.
 
     ``faces`` collects the letters that its fonts need; ``setting`` is what no style sheet around it
-    says of all text.
+    says of all text.  Where there is nothing to say it stands in a page: every browser can paint
+    the outline of a line of one face before its letters, which is their halo.
     """
 
     def __init__(
@@ -43,17 +44,20 @@ class SetText:
         if not line:
             return ""
         whole = len(line) == 1 and line[0][0].size == 1.0
+        halo = drawn(look.under, grid.unit)
+        outlined = bool(halo) and whole and not self._setting
         name = self._classes.name(
             self._setting,
             f"font-size:{number(text.size * grid.unit)}px",
             *(_says(line[0]) if whole else ()),
             filled(look),
             drawn(look.pen, grid.unit, look.alpha),
+            f"{halo};paint-order:stroke" if outlined else "",
         )
         x, y = grid.at(text.at + text.size * line[0][0].at)
         words = self._words(line[0]) if whole else self._spans(line, text, grid)
         element = f'<text class="{name}" x="{x}" y="{y}">{words}</text>\n'
-        return self._haloed(element, look, grid) if look.under else element
+        return self._haloed(element, halo) if halo and not outlined else element
 
     def definitions(self) -> str:
         """Return nothing: letters are in the fonts."""
@@ -82,15 +86,14 @@ class SetText:
         self._faces.add(stretch[0].face, words)
         return escape(words)
 
-    def _haloed(self, element: str, look: Look, grid: Grid) -> str:
+    def _haloed(self, element: str, halo: str) -> str:
         """Return a line of text on its halo.
 
         The halo lies beneath the whole line: painted with each stretch, it would cover the end of
         the one before.
         """
-        halo = self._classes.name(drawn(look.under, grid.unit))
         home = self._classes.shared(named("t", element))
-        use = f'<use href="#{home}" class="{halo}"/>\n'
+        use = f'<use href="#{home}" class="{self._classes.name(halo)}"/>\n'
         if home in self._beneath:
             return use + element
         self._beneath.add(home)

@@ -84,7 +84,7 @@ class Columns:
         baseline, dressed = self._page.rows[index], self._entries.dressed
         cells = row.cells.get(panel, ())
         tight = len(cells) > 1 and self._need(cells, new) > right - left
-        bare = tight and self._alike(cells, panel)
+        bare = tight and alike(cells, panel, self._entries.sheet.rows)
         values = [dressed(cell, new, self._reading(cell, bare)) for cell in cells]
         signs = [dressed(cell, new, _sign(cell)) for cell in cells]
         need = self._need(cells, new, bare)
@@ -150,15 +150,6 @@ class Columns:
             left += need * stretch
         return places
 
-    def _alike(self, cells: Sequence[Cell], panel: str) -> bool:
-        """Tell whether cells have the unit that stands behind the first number of their column.
-
-        A degree sign is part of its number.
-        """
-        firsts = [row.cells[panel][0] for row in self._entries.sheet.rows if row.cells.get(panel)]
-        units = {cell.unit for cell in cells}
-        return units == {firsts[0].unit} and "°" not in units and cells[0] is not firsts[0]
-
     def _need(self, cells: Sequence[Cell], new: bool = True, bare: bool = False) -> float:
         """Return the width of cells at full size; ``bare`` ones are without their units."""
         signs = [self._entries.dressed(cell, new, _sign(cell)) for cell in cells[1:]]
@@ -171,6 +162,16 @@ class Columns:
     def _reading(self, cell: Cell, bare: bool) -> Runs:
         unit = with_unit("", self._entries.unit(cell))
         return self._entries.figures(cell) + (() if bare else roman(unit))
+
+
+def alike(cells: Sequence[Cell], panel: str, rows: Sequence[Row]) -> bool:
+    """Tell whether cells have the unit that stands behind the first number of their column.
+
+    A degree sign is part of its number.
+    """
+    firsts = [row.cells[panel][0] for row in rows if row.cells.get(panel)]
+    units = {cell.unit for cell in cells}
+    return units == {firsts[0].unit} and "°" not in units and cells[0] is not firsts[0]
 
 
 def _sign(cell: Cell) -> Runs:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TypeGuard
@@ -63,7 +63,12 @@ class PlacedCurve:
     def block(self, obstacles: Obstacles, width: float, span: Span) -> None:
         """Add it to what labels keep clear of."""
         shape = self.shape
-        for piece in shape.pieces if isinstance(shape, Polyline) else [shape.line()]:
+        if isinstance(shape, Polyline):
+            pieces: Iterable[Sequence[complex]] = shape.pieces
+        else:  # chords leave the arc by half a pixel
+            half = math.acos(1.0 - PIXEL / 2 / max(shape.radius, PIXEL))
+            pieces = [shape.line(math.degrees(2.0 * half))]
+        for piece in pieces:
             obstacles.line(piece, width / 2, span)
 
     def _part(self, start: float, end: float) -> Polyline | Bow:

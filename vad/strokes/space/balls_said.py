@@ -37,7 +37,7 @@ class BallWords:
     """The captions of the velocity (order 1) or acceleration (order 2) polygon."""
 
     def __init__(self, scene: SceneInSpace, seen: Seen, order: int) -> None:
-        self._scene, self._say = scene, scene.say
+        self._scene, self._say = scene, scene.caption
         self._order = order
         self._panel = _PANELS[order - 1]
         self._unit = per_second(scene.unit, order)

@@ -68,7 +68,7 @@ _QUANTITIES = {
 
 def _cross_position(scene: HookeScene) -> tuple[Cell, ...]:
     at_p, at_q = swings(scene)
-    return Cell("ψ", at_p, "°"), Cell("ψ", at_q, "°")
+    return Cell("ψ_P", at_p, "°"), Cell("ψ_Q", at_q, "°")
 
 
 def _cross_velocity(scene: HookeScene) -> tuple[Cell, ...]:

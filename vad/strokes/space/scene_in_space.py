@@ -23,6 +23,7 @@ class SceneInSpace(ABC):
 
     motion: MotionInSpace[Any, Any]
     language: Language
+    captioned: bool = True
     figures: Figures = field(default_factory=Figures)
 
     @property
@@ -64,6 +65,10 @@ class SceneInSpace(ABC):
     def say(self, phrase: str, **parts: object) -> str:
         """Fill in a phrase, in which the places of numbers and units are kept."""
         return self.language.say(phrase, **parts)
+
+    def caption(self, phrase: str, **parts: object) -> str:
+        """Return the sentence that goes with a stroke; none where captions are not wanted."""
+        return self.language.say(phrase, **parts) if self.captioned else ""
 
     def rows(self, diagrams: Sequence[Diagram]) -> list[Row]:
         """Return the rows of the results."""

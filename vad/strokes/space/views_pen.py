@@ -47,7 +47,7 @@ class ViewsPen:
         **parts: object,
     ) -> None:
         """Draw a stroke, a ``body`` as thick as links are; ``parts`` fill in its phrase."""
-        caption = self.scene.say(f"{self.topic} {phrase}", unit=Unit(self.scene.unit), **parts)
+        caption = self.scene.caption(f"{self.topic} {phrase}", unit=Unit(self.scene.unit), **parts)
         component: Component | None = "link" if body else None
         self.strokes.append(
             Stroke(kind, label, shape, caption, link, component, reveals=reveals, name=name)
