@@ -82,7 +82,6 @@ handle.addEventListener("keydown", (event) => {
   event.preventDefault();
   turn(angle ? (to + 360) % 360 : to);
   write();
-  write();
 });
 const sized = new ResizeObserver(hold);
 for (const place of [".stage", ".board"]) sized.observe(find(place));
