@@ -51,8 +51,8 @@ class Figure:
     power: int = 1
 
     def __str__(self) -> str:
-        given = "given" if self.given else ""
-        return f"\x02{self.value:.17g}\x1f{self.unit}\x1f{given}\x1f{self.power}\x03"
+        given, square = "given" if self.given else "", "²" if self.power == 2 else ""
+        return f"\x02{self.value:.17g}\x1f{self.unit}\x1f{given}\x1f{square}\x03"
 
 
 @dataclass(slots=True)
@@ -76,9 +76,9 @@ class Writer(dict[str, str]):
         if len(parts) == 1:
             text = self._notation.unit(parts[0])
         else:
-            value, unit, given, power = parts
+            value, unit, given, square = parts
             text = self._notation.number(float(value), unit, bool(given))
-            text = squared(text) if power == "2" else text
+            text = squared(text) if square else text
         self[place] = text
         return text
 

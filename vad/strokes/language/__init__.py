@@ -48,9 +48,7 @@ def _merged(name: str, code: str) -> Mapping[str, str]:
 
 
 @cache
-def _pattern(
-    phrase: str,
-) -> tuple[str, Callable[[Mapping[str, Any]], tuple[Any, ...]], list[_Formed]]:
+def _pattern(phrase: str) -> tuple[str, Callable[[Mapping[str, Any]], object], list[_Formed]]:
     """Return a phrase as a pattern, what picks its parts, and those that are put in a form first.
 
     Filling in a pattern takes a fraction of what `str.format` takes.
@@ -65,8 +63,7 @@ def _pattern(
         names.append(name if plain else f"{name}:{form}")
         if not plain:
             formed.append((names[-1], name, form or ""))
-    wanted = itemgetter(*names) if len(names) > 1 else lambda parts: tuple(parts[n] for n in names)
-    return pattern, wanted, formed
+    return pattern, itemgetter(*names) if names else lambda parts: (), formed
 
 
 def _short(phrases: Iterable[str]) -> str:
