@@ -20,11 +20,11 @@ from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion
 from vad.gui.server import served
 
 #: Of the processor time of solving and drawing a pose, what a move takes at most.
-TIME = 9.0
+TIME = 7.0
 #: Of its function calls, what the next pose, one with another length, and the fair copy make at
 #: most.  They are counted, and so the same on every machine; the limits lie 1.3 times above what
 #: is needed, so that work done twice is noticed.
-MOVE, SIZE, LESSON = 6.7, 9.2, 31.0
+MOVE, SIZE, LESSON = 5.1, 7.6, 26.0
 MOVES = 15
 SET = [("slider-crank", {}), ("crank-slotted-lever", {"rod": 100.0, "ram_height": 180.0})]
 
