@@ -95,10 +95,13 @@ function glide(name, old, fresh) {
   if (scales[`${name}.below`]) return; // two polygons, each at its scale
   const unit = 720, most = 3, place = ([x, y]) => [x * unit, (1 - y) * unit], factor = old[2] / fresh[2];
   if (factor > most || factor < 1 / most) return; // it would flash across the page
-  const [from, to] = [place(old), place(fresh)], shift = [0, 1].map((i) => from[i] - factor * to[i]);
-  const groups = find(".panels").children[names.indexOf(name)]?.querySelectorAll("svg > g") ?? [];
-  const transform = [`matrix(${factor}, 0, 0, ${factor}, ${shift[0]}, ${shift[1]})`, "none"];
-  for (const each of groups) each.animate({ transform }, { duration: GLIDE, easing: "ease-out" });
+  const svg = find(".panels").children[names.indexOf(name)]?.querySelector("svg");
+  if (!svg) return;
+  const [from, to] = [place(old), place(fresh)], { x, y, width, height } = svg.viewBox.baseVal;
+  const part = (corner, i, size) => `${100 * (from[i] - factor * to[i] + (factor - 1) * corner) / size}%`;
+  const transform = [`translate(${part(x, 0, width)}, ${part(y, 1, height)}) scale(${factor})`, "none"];
+  // The drawing as a whole is moved without painting it anew; the handle follows at its end.
+  svg.animate({ transform }, { duration: GLIDE, easing: "ease-out" }).onfinish = hold;
 }
 
 function complain(error) {
