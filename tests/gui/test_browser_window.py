@@ -302,8 +302,13 @@ def test_a_dead_centre_says_what_has_no_rates(window: Page):
     stale = window.locator(".panel").evaluate_all("all => all.map(e => e.matches('.stale'))")
     assert stale == [False, True, True]
     assert middle(window)[0] > pivot(window, "double-slider")[0] + 100
+    # Nothing is left of what the lesson before it said of rates.
+    assert cell(window, 0, 0) == "θ3= 180.0°"
+    assert not window.locator(".results td").nth(2).is_visible()
+    assert not window.locator(".caption").is_visible()
     load(window, "double-slider")
     assert window.locator(".stale").count() == 0
+    assert window.locator(".caption").is_visible()
 
 
 def test_a_window_opened_at_a_dead_centre_shows_the_position_alone(window: Page):

@@ -106,8 +106,9 @@ function glide(name, old, fresh) {
 
 function complain(error) {
   broken = Boolean(error);
-  root.classList.toggle("stale", broken && error.kind !== "dead-centre");
-  find(".results").classList.toggle("stale", error?.kind === "dead-centre");
+  const dead = error?.kind === "dead-centre";
+  root.classList.toggle("stale", broken && !dead);
+  root.classList.toggle("dead", dead);
   message.classList.toggle("wrong", broken);
   for (const [name, { box }] of fields) box.setAttribute("aria-invalid", error?.field === name);
   const text = error ? error.message : catalogue[set.mechanism].title;

@@ -198,7 +198,7 @@ class _Polygon:
         arms = tuple(centre + rates.laid(arm, self.side) for arm in (rates.b, rates.c))
         rim = Ellipse(centre, axis, rates.seen(rates.j))
         shape = Fold(centre, axis, turn, arms, rim)
-        caption = self.scene.say(f"{self.bodies.words.topic} fold")
+        caption = self.scene.caption(f"{self.bodies.words.topic} fold")
         return Stroke("construction", "", shape, caption, self.bodies.rows["23"], name="fold")
 
     def _sums(self, pencil: Pencil[BodyVector]) -> tuple[Equation, ...]:

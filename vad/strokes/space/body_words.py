@@ -49,18 +49,18 @@ class BodyWords:
 
     def still(self) -> str:
         """Say that nothing moves."""
-        return self.scene.say("still")
+        return self.scene.caption("still")
 
     def pole(self) -> str:
         """Say that the frame is at the pole."""
-        return self.scene.say(f"bodies pole {self.panel}")
+        return self.scene.caption(f"bodies pole {self.panel}")
 
     def known(self, label: str, part: Part[BodyVector]) -> str:
         """Work out a known component."""
         vector, common = part.of, {"label": label, "unit": Unit(self.unit)}
         if part.name != "normal":
             value = Figure(vector.value, self.unit, given=True)
-            return self.scene.say(
+            return self.scene.caption(
                 "bodies given", symbol=vector.symbol, axis=vector.axis, value=value, **common
             )
         solver, motion = self.scene.motion.solver, self.scene.motion
@@ -74,7 +74,7 @@ class BodyWords:
         self.scene.figures.product(value, omega, tau)
         phrase = f"{self.topic} turned {'coupler' if vector.reverse else 'frame'}"
         symbol = "ω" + subscript(42)
-        return self.scene.say(
+        return self.scene.caption(
             phrase, symbol=symbol, term=part.symbol, omega=omega, tau=tau, value=value, **common
         )
 
@@ -86,14 +86,14 @@ class BodyWords:
         arc = Figure(abs(arcs.get(vector.name, 0.0)), "°")
         panel = f" {self.panel}" if vector.name == "24" else ""
         parts = {"point": place, "axis": vector.axis, "meeting": meeting, "arc": arc}
-        return self.scene.say(f"{self.topic} line {vector.name}{panel}", **parts)
+        return self.scene.caption(f"{self.topic} line {vector.name}{panel}", **parts)
 
     def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[BodyVector], str]]) -> str:
         """Say what lies where the lines cross."""
         found = "; ".join(
             self.scene.say("zero", point=vertex, symbol=part.symbol) for part, vertex in zeros
         )
-        return self.scene.say("crossing zero" if found else "crossing", letter=letter, found=found)
+        return self.scene.caption("crossing zero" if found else "crossing", letter=letter, found=found)
 
     def measured(self, label: str, part: Part[BodyVector]) -> str:
         """Measure a result."""
@@ -101,17 +101,17 @@ class BodyWords:
         value = Figure(abs(part.vector) if vector.name == "24" else vector.value, self.unit)
         parts = {"label": label, "symbol": part.symbol, "value": value, "unit": Unit(self.unit)}
         if vector.name != "14" or self.order > 1 or not self.sines:
-            return self.scene.say("turning measured", **parts)
+            return self.scene.caption("turning measured", **parts)
         assert isinstance(motion.solver, SphereSolver)
         from_a = motion.solver.axis(motion.pose).tau
         from_d = fold(from_a - motion.mechanism.parameters()["ground"])
         sign = -1.0 if from_a <= 0.0 and from_d <= 0.0 else 1.0
         arcs = {"ai": Figure(sign * from_a, "°"), "di": Figure(sign * from_d, "°")}
-        return self.scene.say("bodies sines", **parts, **arcs)
+        return self.scene.caption("bodies sines", **parts, **arcs)
 
     def whole(self, label: str, size: float, vector: BodyVector) -> str:
         """Measure a whole vector."""
         value = Figure(size, self.unit)
-        return self.scene.say(
+        return self.scene.caption(
             "turning measured", label=label, symbol=vector.symbol, value=value, unit=Unit(self.unit)
         )

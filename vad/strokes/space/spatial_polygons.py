@@ -67,7 +67,7 @@ class _Half(ABC):
         at_pole = list(self.spots) if resting else fixed
         pencil: Pencil[Vector] = Pencil(self, place, self.longest, at_pole)
         rows = tuple(self.scene.headings) if resting else ()
-        pencil.begin(self.scene.say("still" if resting else f"{pole} {self.panel}"), rows)
+        pencil.begin(self.scene.caption("still" if resting else f"{pole} {self.panel}"), rows)
         first, second = Player(pencil).play(equation)
         sums = () if resting else (of_chains(first.side, second.side),)
         return Drawing(tuple(pencil.strokes), tuple(pencil.zeros), sums)
@@ -99,16 +99,16 @@ class _Half(ABC):
         letter, pole = part.of.name, next(iter(self.spots))
         place = self.scene.say("the pole") if part.of.tail == pole else point
         phrase = self.lines[letter].format(self.panel)
-        return self.scene.say(phrase, point=place, meeting=meeting, axis="O" + letter)
+        return self.scene.caption(phrase, point=place, meeting=meeting, axis="O" + letter)
 
     def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[Vector], str]]) -> str:
         """Say what lies where the two lines cross."""
-        return self.scene.say("crossing", letter=letter)
+        return self.scene.caption("crossing", letter=letter)
 
     def measured(self, label: str, part: Part[Vector]) -> str:
         """Measure a result off the polygon."""
         value, unit = self.figure(self.found[part.of.owner]), Unit(self.unit)
-        return self.scene.say(
+        return self.scene.caption(
             "turning measured", label=label, symbol=part.symbol, value=value, unit=unit
         )
 
@@ -150,7 +150,7 @@ class _Turning(_Half):
             return self._turned(label)
         value = self.figure(self.rates.of_crank(self.order), given=True)
         parts = {"label": label, "symbol": part.symbol, "value": value, "unit": Unit(self.unit)}
-        return self.scene.say("bodies given", axis="OA", **parts)
+        return self.scene.caption("bodies given", axis="OA", **parts)
 
     def _turned(self, label: str) -> str:
         """Say how ω₄₂ turns with OI."""
@@ -158,7 +158,7 @@ class _Turning(_Half):
         factors = self.figure(omega, "rad/s"), self.figure(tau, "rad/s")
         value = self.figure(abs(float(self.rates.about_i(self.order)[1])))
         self.scene.figures.product(value, *factors)
-        return self.scene.say(
+        return self.scene.caption(
             "bodies turned frame",
             label=label,
             symbol=RELATIVE[1],
@@ -208,7 +208,7 @@ class _Sliding(_Half):
         self.scene.figures.product(value, turn, lever)
         symbol = "ωα"[self.order - 1] + subscript(4)
         parts = {"label": label, "symbol": symbol, "turn": turn, "lever": lever, "value": value}
-        return self.scene.say("spatial about D", unit=Unit(self.unit), **parts)
+        return self.scene.caption("spatial about D", unit=Unit(self.unit), **parts)
 
     def _about_i(self, label: str) -> str:
         """Say how A turns about I, as a point of the rocker that is seen from the crank."""
@@ -218,12 +218,12 @@ class _Sliding(_Half):
         if self.order == 1:
             turn, lever = self.figure(abs(omega), "rad/s"), self.figure(abs(self.rates.height))
             self.scene.figures.product(across, turn, lever)
-            return self.scene.say("spatial about I velocity", turn=turn, lever=lever, **parts)
+            return self.scene.caption("spatial about I velocity", turn=turn, lever=lever, **parts)
         sums = self.rates.grown[0] * self.rates.height, omega * rising, sliding * tau
         sign = 1.0 if sum(map(float, sums)) >= 0.0 else -1.0
         addends = [self.figure(sign * float(each)) for each in sums]
         self.scene.figures.sum(across, *addends)
-        return self.scene.say("spatial about I acceleration", sum=self._sum(addends), **parts)
+        return self.scene.caption("spatial about I acceleration", sum=self._sum(addends), **parts)
 
     def _sum(self, addends: Sequence[Figure]) -> str:
         """Write a sum, in which what is negative is taken away."""
