@@ -93,7 +93,9 @@ class BodyWords:
         found = "; ".join(
             self.scene.say("zero", point=vertex, symbol=part.symbol) for part, vertex in zeros
         )
-        return self.scene.caption("crossing zero" if found else "crossing", letter=letter, found=found)
+        return self.scene.caption(
+            "crossing zero" if found else "crossing", letter=letter, found=found
+        )
 
     def measured(self, label: str, part: Part[BodyVector]) -> str:
         """Measure a result."""
