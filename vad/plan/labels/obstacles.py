@@ -114,7 +114,7 @@ class Obstacles:
                 and y + above > box.bottom
             ):
                 return False
-        for start, end, half, _ in self.lines:
+        for start, end, half, _ in reversed(self.lines):  # dots come last, and are nearest
             way, away = (end - start) / 2, centre - (start + end) / 2
             long, wider = abs(way.real), half_x + half
             if abs(away.real) > wider + long:

@@ -37,7 +37,7 @@ THIN = 0.15  # what parts thousands; the fonts have no such letter
 _EM = 100.0
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(slots=True, eq=False)  # a frozen one takes several times as long to make
 class Letter:
     """One letter of a line: its outline and advance, and where it stands, all in ems.
 

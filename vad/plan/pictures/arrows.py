@@ -110,8 +110,9 @@ def place_vectors(sketch: Sketch) -> dict[int, PlacedVector]:
         for index, vector in placed.items()
         if vector.seen is not None
     }
-    beside = lanes(pens)
-    return {i: replace(vector, lane=beside.get(i, ALONE)) for i, vector in placed.items()}
+    for index, lane in lanes(pens).items():
+        placed[index] = replace(placed[index], lane=lane)
+    return placed
 
 
 def vector_of(sketch: Sketch, index: int) -> PlacedVector:
