@@ -134,7 +134,7 @@ def test_every_figure_of_a_result_agrees_with_its_cell_and_its_vector(
     read: set[str] = set()
     for sheet in sheets(mechanism, steps=2, language=code):
         for panel in sheet.halves:
-            known: dict[str, list[float]] = {}  # of the cross, ψ is two
+            known: dict[str, list[float]] = {}
             for cell in (cell for row in sheet.rows for cell in row.cells.get(panel.column, ())):
                 known.setdefault(cell.symbol, []).append(cell.value)
             for stroke in panel.strokes:

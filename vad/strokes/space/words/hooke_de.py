@@ -32,7 +32,7 @@ PHRASES = {
     "hooke projectors": "P und Q im Grundriss: senkrecht darunter.",
     "hooke P plan": "Der Arm von P im Grundriss.",
     "hooke Q plan": (
-        "Der Arm von Q im Grundriss: Kreuz 3 schwenkt um ψ = {at_p}° um P und {at_q}° um Q."
+        "Der Arm von Q im Grundriss: Kreuz 3 schwenkt um ψ_P = {at_p}° um P, um ψ_Q = {at_q}° um Q."
     ),
     "hooke yoke": "Gabel {shaft} hält den Zapfen {pin}.",
     "hooke fork": "Gabel {shaft}, längs Welle 2 gesehen.",

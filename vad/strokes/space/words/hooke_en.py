@@ -28,7 +28,8 @@ PHRASES = {
     "hooke projectors": "P and Q in the plan: straight below.",
     "hooke P plan": "The arm of P in the plan.",
     "hooke Q plan": (
-        "The arm of Q in the plan: cross 3 swings by ψ = {at_p}° about P and {at_q}° about Q."
+        "The arm of Q in the plan: cross 3 swings by ψ_P = {at_p}° about P, "
+        "by ψ_Q = {at_q}° about Q."
     ),
     "hooke yoke": "Yoke {shaft} holds the pin {pin}.",
     "hooke fork": "Yoke {shaft} as seen along shaft 2.",

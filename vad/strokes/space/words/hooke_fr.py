@@ -33,8 +33,8 @@ PHRASES = {
     "hooke projectors": "P et Q dans le plan : à l’aplomb.",
     "hooke P plan": "Le bras de P dans le plan.",
     "hooke Q plan": (
-        "Le bras de Q dans le plan : le croisillon 3 pivote de ψ = {at_p}° autour de P et "
-        "{at_q}° autour de Q."
+        "Le bras de Q dans le plan : le croisillon 3 pivote de ψ_P = {at_p}° autour de P, "
+        "de ψ_Q = {at_q}° autour de Q."
     ),
     "hooke yoke": "La fourche {shaft} tient le tourillon {pin}.",
     "hooke fork": "La fourche {shaft}, vue suivant l’arbre 2.",
