@@ -11,9 +11,10 @@ from hypothesis import given
 
 import vad
 from tests.invariants.test_motion import drawn, in_the_plane, motions
+from tests.strokes.crossings import crossings_lie_on_lines, size
 from vad.errors import DeadCentreError
 from vad.kinematics.linkage import Bar, Slide
-from vad.strokes.sheet import Arrow, Dot, Line, Panel, Sheet, Stroke
+from vad.strokes.sheet import Arrow, Dot, Panel, Sheet, Stroke
 
 ORDERS = {"velocity": 1, "acceleration": 2}
 
@@ -38,11 +39,6 @@ def rates(sheet: Sheet) -> Iterator[Panel]:
 
 def arrows(panel: Panel) -> Iterator[tuple[Stroke, Arrow]]:
     return ((s, s.shape) for s in panel.strokes if isinstance(s.shape, Arrow))
-
-
-def size(panel: Panel) -> float:
-    """Return the length of the longest vector of a panel."""
-    return max((abs(arrow.end - arrow.start) for _, arrow in arrows(panel)), default=0.0)
 
 
 def every_vertex_has_one_place(motion: vad.Motion, sheet: Sheet) -> None:
@@ -78,18 +74,7 @@ def the_equation_under_a_panel_holds(motion: vad.Motion, sheet: Sheet) -> None:
 
 def crossings_lie_on_their_lines(motion: vad.Motion, sheet: Sheet) -> None:
     for panel in rates(sheet):
-        lines: list[Line] = []
-        for stroke in panel.strokes:
-            if isinstance(stroke.shape, Line):
-                lines.append(stroke.shape)
-                assert abs(abs(stroke.shape.direction) - 1) < 1e-12
-            elif stroke.kind == "intersection" and isinstance(stroke.shape, Dot):
-                assert len(lines) == 2
-                for line in lines:
-                    off = (line.direction.conjugate() * (stroke.shape.at - line.through)).imag
-                    assert abs(off) <= 1e-9 * size(panel)
-                    assert line.until == stroke.shape.at
-                lines = []
+        crossings_lie_on_lines(panel)
 
 
 def images_of_links_are_similar(motion: vad.Motion, sheet: Sheet) -> None:

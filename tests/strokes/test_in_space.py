@@ -11,10 +11,11 @@ import pytest
 import vad
 from tests.kinds import SPACE
 from tests.strokes.calculations import FIGURE, FLOATS, Figure, chains
+from tests.strokes.crossings import crossings_lie_on_lines, size
 from tests.strokes.poses import IN_SPACE, sheets
 from tests.strokes.wording import WORDING
 from vad.strokes.language import languages
-from vad.strokes.sheet import Arrow, Cell, Dot, Line, Panel, Row, Sheet, Stroke
+from vad.strokes.sheet import Arrow, Cell, Dot, Panel, Row, Sheet, Stroke
 
 everything = pytest.mark.parametrize("mechanism", IN_SPACE.values(), ids=list(IN_SPACE))
 each_kind = pytest.mark.parametrize("kind", SPACE.values(), ids=list(SPACE))
@@ -32,11 +33,6 @@ def polygons(mechanism: Any) -> Iterator[tuple[Sheet, Panel]]:
 def vector(stroke: Stroke) -> complex:
     assert isinstance(stroke.shape, Arrow), stroke
     return stroke.shape.end - stroke.shape.start
-
-
-def size(panel: Panel) -> float:
-    """Return the length of the longest vector of a polygon."""
-    return max((abs(vector(s)) for s in panel.strokes if isinstance(s.shape, Arrow)), default=0.0)
 
 
 # --- geometry ---------------------------------------------------------------------------------
@@ -74,19 +70,7 @@ def test_the_equations_under_a_polygon_hold(mechanism: Any) -> None:
 @everything
 def test_crossings_lie_on_their_lines(mechanism: Any) -> None:
     for _, panel in polygons(mechanism):
-        lines: list[Line] = []
-        for stroke in panel.strokes:
-            if isinstance(stroke.shape, Line):
-                lines.append(stroke.shape)
-                assert abs(abs(stroke.shape.direction) - 1) < 1e-12
-            elif stroke.kind == "intersection" and isinstance(stroke.shape, Dot):
-                assert len(lines) == 2
-                for line in lines:
-                    off = line.direction.conjugate() * (stroke.shape.at - line.through)
-                    assert abs(off.imag) <= 1e-9 * size(panel)
-                    assert line.until == stroke.shape.at
-                lines = []
-        assert not lines
+        assert not crossings_lie_on_lines(panel)
 
 
 # --- what is said -----------------------------------------------------------------------------
@@ -164,8 +148,8 @@ def test_roots_and_sums_come_out_as_on_a_pocket_calculator(code: str) -> None:
     for mechanism in IN_SPACE.values():
         for sheet in sheets(mechanism, steps=2, language=code):
             for caption in (s.caption for panel in sheet.halves for s in panel.strokes):
-                for size, sign, off, root in ROOT.findall(caption):
-                    sides = [Figure(text).value ** 2 for text in (size, off)]
+                for long, sign, off, root in ROOT.findall(caption):
+                    sides = [Figure(text).value ** 2 for text in (long, off)]
                     squares = sides[0] + (1 if sign == "+" else -1) * sides[1]
                     near(squares**0.5, Figure(root), caption)
                     found["root"] += 1
