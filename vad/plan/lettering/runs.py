@@ -46,20 +46,17 @@ class Run:
 Runs = tuple[Run, ...]
 
 
-def _upright(token: str) -> bool:
-    return False
-
-
 @lru_cache(maxsize=1024)
-def roman(text: str, italic: Callable[[str], bool] = _upright) -> Runs:
-    """Return ``text`` upright, but for Greek letters and what ``italic`` picks out.
+def roman(text: str) -> Runs:
+    """Return ``text`` upright, but for Greek letters."""
+    return slanted(text, lambda _: False)
+
+
+def slanted(text: str, italic: Callable[[str], bool]) -> Runs:
+    """Return ``text`` with Greek letters italic, and what ``italic`` picks out.
 
     A capital stands low behind ``_``, which there is no sign for: s_D.
     """
-    return _set(text, italic)
-
-
-def _set(text: str, italic: Callable[[str], bool]) -> Runs:
     runs: list[Run] = []
     apart = _DOTTED.sub(lambda found: normalize("NFD", found.group()), text)
     for token in _TOKEN.findall(apart):
@@ -96,8 +93,8 @@ def symbols(text: str) -> Runs:
     A word has three letters or more, or small letters behind a sign: "of" in "∥ guide of A".
     """
     if text[:1] in "∥⟂∠":
-        return roman(text, str.isupper)
-    return roman(text, lambda token: len(token) <= 2)
+        return slanted(text, str.isupper)
+    return slanted(text, lambda token: len(token) <= 2)
 
 
 def sentence(text: str, names: Iterable[str], words: str = "") -> Runs:
@@ -113,10 +110,10 @@ def sentence(text: str, names: Iterable[str], words: str = "") -> Runs:
     pieces: list[Run] = []
     start = 0
     for found in re.finditer(upright, text):
-        pieces += _set(text[start : found.start()], known.__contains__)
+        pieces += slanted(text[start : found.start()], known.__contains__)
         pieces.append(Run(found.group()))
         start = found.end()
-    pieces += _set(text[start:], known.__contains__)
+    pieces += slanted(text[start:], known.__contains__)
     return tuple(pieces)
 
 

@@ -16,7 +16,7 @@ from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import APART, Placed, beside
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import ink_size
-from vad.plan.lettering.runs import Runs, roman, symbols
+from vad.plan.lettering.runs import Runs, slanted, symbols
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Mark, area, disc, line
 from vad.plan.pictures import polar
@@ -79,7 +79,7 @@ def draw_inset(inset: Drawn, setting: Setting, size: float, room: float) -> Inse
 
 
 def _set(text: str) -> Runs:
-    return roman(text, lambda token: token == "v")
+    return slanted(text, lambda token: token == "v")
 
 
 def find_corner(obstacles: Obstacles, drawing: Rect, inset: Inset) -> Corner | None:

@@ -13,7 +13,7 @@ from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import APART, CLEARANCE, Placed
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import ink_size
-from vad.plan.lettering.runs import Runs, roman
+from vad.plan.lettering.runs import Runs, slanted
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Mark
 from vad.plan.sketch import Sketch, Tag
@@ -41,7 +41,7 @@ def add_notes(sketch: Sketch) -> None:
 
 
 def _set(text: str) -> Runs:
-    return roman(text, lambda token: token.isupper() and len(token) <= 2)
+    return slanted(text, lambda token: token.isupper() and len(token) <= 2)
 
 
 def _rows(rows: Sequence[Runs], centre: complex) -> list[Mark]:
