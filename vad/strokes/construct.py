@@ -110,7 +110,7 @@ class _Construction:
                 sweep = self.motion.link(step.link).angle
                 arc = Arc(tail, abs(head - tail), 0.0, sweep)
                 angle = Figure(sweep, "°", given=True)
-                label = with_unit(self.scene.figures.place(angle), "°")
+                label = with_unit(str(angle), "°")
                 name, parts = f"{step.ends}.angle", {"link": step.link}
                 self.ink.draw(name, "angle", label, arc, "angle", parts, link=step.link)
                 self.found.update((step.tail, step.head))

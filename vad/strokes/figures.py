@@ -95,10 +95,6 @@ class Figures:
     def __init__(self) -> None:
         self._calculated: list[tuple[Figure, tuple[Figure, ...], Calculation]] = []
 
-    def place(self, entry: Figure | Unit) -> str:
-        """Return what keeps the place of a number or unit in a caption."""
-        return str(entry)
-
     def product(self, result: Figure, *factors: Figure) -> None:
         """Note down that a result is the product of factors."""
         self._calculated.append((result, factors, _product))

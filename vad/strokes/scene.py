@@ -14,9 +14,10 @@ from vad.kinematics.linkage import (
     angle_of,
     length_of,
 )
-from vad.strokes.figures import Figure, Figures
-from vad.strokes.language import Language, Noun
+from vad.strokes.figures import Figure
+from vad.strokes.language import Noun
 from vad.strokes.members import Members, members_of
+from vad.strokes.saying import Saying
 from vad.strokes.sheet import Cell, Row
 from vad.written import PRIME, per_second
 
@@ -32,13 +33,10 @@ STILL = 1e-9
 
 
 @dataclass(frozen=True)
-class Scene:
+class Scene(Saying):
     """A motion, the language of its captions, and the names of everything in it."""
 
     motion: Motion
-    language: Language
-    captioned: bool = True
-    figures: Figures = field(default_factory=Figures)
     # What was read already.
     _places: dict[str, complex] = field(default_factory=dict, init=False, compare=False)
     _images: dict[tuple[str, int], complex] = field(default_factory=dict, init=False, compare=False)
@@ -169,14 +167,6 @@ class Scene:
     def driver(self) -> Scalar:
         """The scalar that drives the mechanism."""
         return self.members.driver
-
-    def say(self, phrase: str, **parts: object) -> str:
-        """Fill in a phrase, in which the places of numbers and units are kept."""
-        return self.language.say(phrase, **parts)
-
-    def caption(self, phrase: str, **parts: object) -> str:
-        """Return the sentence that goes with a stroke; none where captions are not wanted."""
-        return self.language.say(phrase, **parts) if self.captioned else ""
 
     def figure(self, scalar: Scalar, value: float, unit: str = "", power: int = 1) -> Figure:
         """Return a number of a scalar or its rates, which is given for the driver."""

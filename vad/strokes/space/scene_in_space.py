@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.linkage import Scalar
-from vad.strokes.figures import Figures
-from vad.strokes.language import Language
+from vad.strokes.saying import Saying
 from vad.strokes.sheet import Cell, Row
 
 if TYPE_CHECKING:
@@ -18,13 +17,10 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class SceneInSpace(ABC):
+class SceneInSpace(Saying, ABC):
     """A motion in space, the language of its captions, and what its mechanism draws of it."""
 
     motion: MotionInSpace[Any, Any]
-    language: Language
-    captioned: bool = True
-    figures: Figures = field(default_factory=Figures)
 
     @property
     def unit(self) -> str:
@@ -61,14 +57,6 @@ class SceneInSpace(ABC):
     @abstractmethod
     def tracks(self, diagram: Diagram) -> Mapping[str, Any]:
         """Return where the lettered points of a diagram are."""
-
-    def say(self, phrase: str, **parts: object) -> str:
-        """Fill in a phrase, in which the places of numbers and units are kept."""
-        return self.language.say(phrase, **parts)
-
-    def caption(self, phrase: str, **parts: object) -> str:
-        """Return the sentence that goes with a stroke; none where captions are not wanted."""
-        return self.language.say(phrase, **parts) if self.captioned else ""
 
     def rows(self, diagrams: Sequence[Diagram]) -> list[Row]:
         """Return the rows of the results."""

@@ -228,10 +228,10 @@ class _Sliding(_Half):
     def _sum(self, addends: Sequence[Figure]) -> str:
         """Write a sum, in which what is negative is taken away."""
         first, *others = addends
-        text = self.scene.figures.place(first)
+        text = str(first)
         for each in others:
             sign = MINUS if each.value < 0.0 else "+"
-            text += f" {sign} {self.scene.figures.place(replace(each, value=abs(each.value)))}"
+            text += f" {sign} {replace(each, value=abs(each.value))}"
         return text
 
 

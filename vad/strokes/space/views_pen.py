@@ -76,7 +76,7 @@ class ViewsPen:
 
     def degrees(self, angle: Figure) -> str:
         """Write an angle beside its arc."""
-        return with_unit(self.scene.figures.place(angle), "°")
+        return with_unit(str(angle), "°")
 
 
 def circle(centre: complex, radius: float, start: float = 0.0, sweep: float = 360.0) -> Ellipse:
