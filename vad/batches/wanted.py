@@ -13,6 +13,7 @@ from vad.batches.job import Recipe
 from vad.batches.place import written_at
 from vad.errors import InputError, one_of, shown, unknown
 from vad.export import FOLDER, FORMATS
+from vad.found import one_of_all
 from vad.lecture.lesson import Lesson
 from vad.lecture.timeline import checked
 from vad.mechanisms.link_points import link_points
@@ -20,7 +21,7 @@ from vad.plan.format import paper_names
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.language import languages
 from vad.strokes.sheet import Sheet
-from vad.style import style_names
+from vad.style import GROUP, style_names
 from vad.units import check_length_unit
 
 #: The files of a sheet whose name begins so are left to be filled in; all others are keys.
@@ -88,7 +89,7 @@ WORDS: dict[str, Callable[[object], Any]] = {
     "blank": _panels,
     "panels": _panels,
     "language": lambda value: one_of("language", value, languages()),
-    "style": lambda value: one_of("style", value, style_names()),
+    "style": lambda value: one_of_all("style", value, style_names(), GROUP),
     "paper": lambda value: one_of("paper", value, paper_names()),
     "fps": lambda value: _film(fps=value)[0],
     "size": lambda value: _film(size=value)[1],

@@ -10,7 +10,7 @@ import click
 from vad import __version__
 from vad.cli import actions, batch_command, catalogue, check, compare, completion, values
 from vad.cli.groups import HelpfulCommand, MechanismGroup
-from vad.cli.options import named_option
+from vad.cli.options import NamedOption
 from vad.errors import unknown
 from vad.export import FOLDER, FORMATS
 from vad.files.examples import example_names, example_path
@@ -20,6 +20,7 @@ from vad.plan.format import paper_names
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.language import languages
 from vad.strokes.sheet import Sheet
+from vad.style import GROUP as STYLES
 from vad.style import style_names
 
 CARD = """\
@@ -116,13 +117,13 @@ _SHEET = [
         metavar="NAME,NAME",
         help=f"some of {', '.join(DIAGRAMS)}  [all]",
     ),
-    named_option("style", "style", style_names(), "how it looks  [paper]"),
-    named_option("language", "language", languages(), "of titles and captions  [en]"),
+    NamedOption("style", "style", style_names(), "how it looks  [paper]", STYLES),
+    NamedOption("language", "language", languages(), "of titles and captions  [en]"),
 ]
 _SIZE = click.Option(
     ["--size"], callback=values.size(), metavar="WxH", help="in pixels  [1280x720]"
 )
-_PAPER = named_option("paper", "paper", paper_names(), "a PDF in true scale, to be measured")
+_PAPER = NamedOption("paper", "paper", paper_names(), "a PDF in true scale, to be measured")
 _POSITIONS = click.Option(
     ["--turn"], is_flag=True, help="a full turn: the ways of all points, in twelve positions"
 )

@@ -11,9 +11,11 @@ from collections.abc import Collection, Mapping
 from typing import Any, cast
 
 import click
+from click.shell_completion import CompletionItem
 
 from vad.cli import completion, values
 from vad.files.places import WORDS
+from vad.found import all_names
 from vad.mechanisms import Mechanism
 from vad.mechanisms.mechanism import NUMBERS
 from vad.units import LENGTH_UNITS, scene_unit
@@ -103,16 +105,30 @@ def flag(name: str) -> str:
     return "--" + name.replace("_", "-")
 
 
-def named_option(name: str, what: str, names: Collection[str], text: str) -> click.Option:
-    """Return an option that takes one of a few names."""
-    read, metavar = values.one_of(what, names), "|".join(names)
-    return click.Option(
-        [flag(name), name],
-        callback=read,
-        shell_complete=completion.one_of(names),
-        metavar=metavar,
-        help=text,
-    )
+class NamedOption(click.Option):
+    """An option that takes one of a few names; its help lists them.
+
+    With a ``group`` of entry points, other packages may bring further names.
+    """
+
+    def __init__(
+        self, name: str, what: str, names: Collection[str], text: str, group: str = ""
+    ) -> None:
+        super().__init__([flag(name), name], callback=values.one_of(what, names, group), help=text)
+        self._own, self._group = names, group
+
+    @property
+    def names(self) -> Collection[str]:
+        """Return all names that there are."""
+        return all_names(self._own, self._group) if self._group else self._own
+
+    def make_metavar(self, ctx: click.Context | None = None) -> str:
+        """Return the names as the help shows them."""
+        return "|".join(self.names)
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
+        """Return the names that begin so."""
+        return completion.one_of(self.names)(ctx, self, incomplete)
 
 
 def _field_option(field: dataclasses.Field[Any], unit: str) -> click.Option:
@@ -130,7 +146,7 @@ def _field_option(field: dataclasses.Field[Any], unit: str) -> click.Option:
             help=f"{text}: {', '.join(WORDS)}  [{shown or 'one place'}]",
         )
     if quantity == "choice":
-        return named_option(name, name, field.metadata["choices"], f"{text}  [{default}]")
+        return NamedOption(name, name, field.metadata["choices"], f"{text}  [{default}]")
     if quantity == "unit":
         # Read before all others, because lengths are converted to it.
         return click.Option(

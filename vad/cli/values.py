@@ -14,6 +14,7 @@ import click
 from vad import errors, units
 from vad.cli.naming import kind_of
 from vad.errors import UsageError, shown
+from vad.found import one_of_all
 
 Callback = Callable[[click.Context, click.Parameter, Any], Any]
 
@@ -91,8 +92,13 @@ def length_unit() -> Callback:
     return _callback(lambda word, _: units.check_length_unit(word))
 
 
-def one_of(what: str, names: Collection[str]) -> Callback:
-    """Read one of a few names; a misspelt one is answered with the nearest."""
+def one_of(what: str, names: Collection[str], group: str = "") -> Callback:
+    """Read one of a few names; a misspelt one is answered with the nearest.
+
+    With a ``group`` of entry points, other packages may bring further names.
+    """
+    if group:
+        return _callback(lambda word, _: one_of_all(what, word, names, group))
     return _callback(lambda word, _: errors.one_of(what, word, names))
 
 

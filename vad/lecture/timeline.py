@@ -9,8 +9,8 @@ import contextlib
 from itertools import accumulate, pairwise
 from numbers import Real
 
-from vad.errors import UsageError, one_of, shown
-from vad.found import names_in
+from vad.errors import UsageError, shown
+from vad.found import names_in, one_of_all
 from vad.lecture.lesson import Lesson, Step
 from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke
 
@@ -150,7 +150,7 @@ def checked(
     vad.errors.UsageError
         For a film that cannot be, or an unknown style.
     """
-    one_of("style", style, names_in("style"))
+    one_of_all("style", style, names_in("style"), "vad.styles")
     return (
         _number("fps", fps, FPS, "try --fps 30"),
         check_size(size),

@@ -9,10 +9,12 @@ import importlib
 from dataclasses import dataclass
 from typing import Literal
 
-from vad.errors import one_of
-from vad.found import names_in
+from vad.errors import InputError, shown
+from vad.found import from_packages, names_in, one_of_all
 from vad.plan.roles import ROLES, Ink
 
+#: The entry points under which other packages bring their styles.
+GROUP = "vad.styles"
 #: How much ink is in the tint of a block, and in the words of a panel that is not begun.
 TINT, PALE = 0.12, 0.55
 #: The lines of rows beyond those that have an ink or a dash of their own.
@@ -130,18 +132,25 @@ def mix(colour: str, ground: str, share: float) -> str:
 
 
 def style_names() -> tuple[str, ...]:
-    """Return the names of the styles: every file in this folder is one."""
+    """Return the names of this package's own styles: every file in this folder is one."""
     return names_in("style")
 
 
 def load_style(name: str) -> Style:
-    """Return the style called ``name``.
+    """Return the style called ``name``: one of this folder, or one that another package brings.
 
     Raises
     ------
     vad.errors.UsageError
         If there is none of that name.
+    vad.errors.InputError
+        If what another package has under that name is no style.
     """
-    style = importlib.import_module(f"vad.style.{one_of('style', name, style_names())}").STYLE
-    assert isinstance(style, Style)
+    if one_of_all("style", name, style_names(), GROUP) in style_names():
+        style = importlib.import_module(f"vad.style.{name}").STYLE
+    else:
+        style = from_packages(GROUP)[name]
+        style = getattr(style, "STYLE", style)  # a module that is made as those of this folder
+    if not isinstance(style, Style):
+        raise InputError(f"style '{name}': must be a Style, got {shown(style)}")
     return style
