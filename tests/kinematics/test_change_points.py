@@ -9,8 +9,8 @@ import pytest
 
 import vad
 from tests.kinematics.hand_built import BUILT, HandBuilt, turn
-from vad.kinematics.change_points import change_points
 from vad.kinematics.linkage import Bar, Linkage, Loop, angle_of
+from vad.kinematics.reach import change_points
 
 
 def locomotive(parallel: bool, slope: float) -> HandBuilt:

@@ -17,14 +17,10 @@ import vad
 from tests.invariants.test_motion import defaults, factors, optional
 from tests.kinds import PLANE
 from vad.kinematics import any_solver, program
-from vad.kinematics.blocks import Blocks
-from vad.kinematics.compiled import Compiled
-from vad.kinematics.evaluation import Evaluation
-from vad.kinematics.operations import OPERATIONS, function_of
-from vad.kinematics.program import Program
-from vad.kinematics.recording import Tape
-from vad.kinematics.results.formulas import Result, evaluate, guide_of
-from vad.kinematics.solver import Solver, solver_of
+from vad.kinematics.any_solver import Evaluation, Result
+from vad.kinematics.program import Blocks, Compiled, Program
+from vad.kinematics.recording import OPERATIONS, Tape, function_of
+from vad.kinematics.solver import Solver, guide_of, solver_of
 
 numba = pytest.mark.skipif(
     importlib.util.find_spec("numba") is None, reason="numba, the extra 'fast', is not installed"
@@ -76,7 +72,7 @@ def direct(mechanism: Any, inputs: tuple[float, ...], result: Result) -> Any:
     try:
         evaluation = Evaluation(solver_of(mechanism), inputs)
         evaluation.pose  # noqa: B018  # of a pose that does not close nothing is known
-        value = evaluate(result, evaluation)
+        value = evaluation.solver.evaluate(result, evaluation)
     except vad.AssemblyError:
         return math.nan
     return value if np.isfinite(value) else math.nan

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from vad.errors import InputError, UsageError, shown, unknown
 from vad.kinematics.motion import Motion, MotionInSpace, solve
-from vad.kinematics.results.readings import Point
+from vad.kinematics.results import Point
 from vad.kinematics.solver import Solver
 from vad.mechanisms import Mechanism
 

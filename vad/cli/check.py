@@ -39,7 +39,7 @@ def command(file: str | None, as_json: bool) -> None:
 
 
 def _text(examined: Examination) -> str:
-    from vad.kinematics.results.report import place_unit
+    from vad.kinematics.results import place_unit
 
     unit = place_unit(examined.mechanism)
     written = examined.mechanism.written

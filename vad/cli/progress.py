@@ -53,8 +53,8 @@ def written(path: str, details: str = "") -> None:
 
 def passed(mechanism: Mechanism, low: float = -math.inf, high: float = math.inf) -> None:
     """Say on stderr which change points lie in a range of the driver: there, two motions go on."""
-    from vad.kinematics.change_points import change_points
-    from vad.kinematics.results.report import place_unit
+    from vad.kinematics.reach import change_points
+    from vad.kinematics.results import place_unit
 
     turns = "angle" in mechanism.inputs
     for change in change_points(mechanism):

@@ -17,9 +17,8 @@ from vad.files.dyads import Dyad
 from vad.files.linking import linkage_of
 from vad.files.places import PARALLEL, SAME, Place, ahead, words_for
 from vad.files.shape import fixed_points
-from vad.kinematics.closing.closures import OpenLoopError
-from vad.kinematics.evaluation import Evaluation
-from vad.kinematics.results.formulas import evaluate
+from vad.kinematics.any_solver import Evaluation
+from vad.kinematics.closed_forms import OpenLoopError
 from vad.kinematics.solver import Solver
 
 
@@ -153,7 +152,8 @@ class _Assembling:
             hint = self._other_way(count, sides)
             raise UnplacedError(dyad.point, f"{message}: it misses by {miss}", hint) from None
         return {
-            point: complex(evaluate(("point", point, "position"), motion)) for point in dyad.points
+            point: complex(solver.evaluate(("point", point, "position"), motion))
+            for point in dyad.points
         }
 
     def _solver(self, count: int, sides: Mapping[str, float]) -> Solver:

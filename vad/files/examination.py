@@ -14,9 +14,8 @@ import numpy as np
 
 from vad.files.dyads import Dyad
 from vad.files.written_mechanism import Written, WrittenMechanism
-from vad.kinematics.change_points import ChangePoint, change_points
 from vad.kinematics.linkage import Loop
-from vad.kinematics.reach import closing_range
+from vad.kinematics.reach import ChangePoint, change_points, closing_range
 from vad.kinematics.solver import solver_of
 
 #: Poses in which every range is looked at.

@@ -1,31 +1,54 @@
-"""What the solvers of plane and space have in common: programs that play what they do once."""
+"""What the solvers of the plane and of space have in common.
+
+A solver finds a pose, then its velocities, then its accelerations.  It is recorded once, as
+programs that find any result for one pose or for many.
+"""
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections import Counter
-from collections.abc import Callable, Iterable, Set
+from collections.abc import Callable, Iterable, Iterator, Set
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.kinematics.evaluation import Evaluation
 from vad.kinematics.linkage import Scalar
-from vad.kinematics.numbers import Number, fold, positive
-from vad.kinematics.recorded_solver import RecordedSolver
-from vad.kinematics.results.formulas import Result, order_of
+from vad.kinematics.numbers import Number, direction, fold, positive
+from vad.kinematics.program import Program
+from vad.kinematics.recording import Recorded, RecordedVector, Tape
 from vad.kinematics.state import Pose, Rates
 
 if TYPE_CHECKING:
     from vad.kinematics.solver import Solver
 
-# The order of a result, and what it is of all that is known in this order.
-Player = tuple[int, Callable[..., tuple[float, ...]]]
+# A result: its kind (link, joint, point or slide), its name, and which quantity of it.
+Result = tuple[str, str, str]
 
-# Making a program costs about as much as a pose that many times without it.
+
+# The order of a result, and the function that finds it from all numbers up to that order.
+Reader = tuple[int, Callable[..., tuple[float, ...]]]
+
+# To record a program takes about as long as to solve so many poses without one.
 OFTEN = 50
+
+# How many derivatives a quantity needs.
+_ORDERS = {
+    "angle": 0,
+    "omega": 1,
+    "alpha": 2,
+    "position": 0,
+    "velocity": 1,
+    "acceleration": 2,
+    "coriolis": 1,
+}
+
+
+def order_of(result: Result) -> int:
+    """Return how many derivatives a result needs."""
+    return _ORDERS[result[2]]
 
 
 class AnySolver(ABC):
@@ -56,7 +79,7 @@ class AnySolver(ABC):
 
     def __init__(self) -> None:
         self._asked: Counter[Result] = Counter()
-        self._players: dict[Result, Player] = {}
+        self._readers: dict[Result, Reader] = {}
 
     @property
     def plane(self) -> Solver:
@@ -72,40 +95,40 @@ class AnySolver(ABC):
     @property
     @abstractmethod
     def letters(self) -> Set[str]:
-        """Every point that it knows."""
+        """The letters of all points whose motion it can find."""
 
     @abstractmethod
     def positions(self, value: Number) -> Pose:
-        """Solve for the driver's angle (degrees) or length.
+        """Return the pose for the driver's angle (degrees) or length.
 
         Raises
         ------
-        vad.kinematics.closing.closures.OpenLoopError
+        vad.kinematics.closed_forms.OpenLoopError
             For a pose that does not close; in a recording it is NaN.
         """
 
     @abstractmethod
     def rates(self, pose: Pose, lower: tuple[Rates, ...], value: Number) -> Rates:
-        """Solve for the driver's rate, of the order after those in ``lower``.
+        """Return the rates for the driver's rate, of the order after those in ``lower``.
 
-        What has no rate at a dead centre is NaN.
+        A rate that does not exist is NaN: at a dead centre.
         """
 
     @abstractmethod
     def evaluate(self, result: Result, evaluation: Evaluation) -> Number:
-        """Return a result, in space perhaps as x, y, z; NaN where it is undetermined."""
+        """Return a result: a number or a vector (in space x, y, z); NaN where it does not exist."""
 
     def on_turning_link(self, slide: str) -> bool:
-        """Tell whether a slide is on a link that turns, and so has a Coriolis component."""
+        """Tell whether a slide is on a turning link: only then it has a Coriolis component."""
         return False
 
     def is_dead(self, pose: Pose) -> bool:
-        """Tell whether something has no rates in a single pose."""
+        """Tell whether any rate of a single pose does not exist."""
         return 0.0 in pose.sine
 
     @abstractmethod
     def why_dead(self, pose: Pose) -> str:
-        """Say why a result is undetermined in a single pose."""
+        """Say why a rate of a single pose does not exist."""
 
     @abstractmethod
     def miss_in_words(self, miss: float, length_unit: str) -> str:
@@ -113,12 +136,12 @@ class AnySolver(ABC):
 
     @abstractmethod
     def limits(self) -> NDArray[np.float64]:
-        """Return all limits in closed form, of an angle within [0, 360], sorted."""
+        """Return the limits that have a closed form, sorted; those of an angle within [0, 360]."""
 
     @property
     @abstractmethod
     def dyads(self) -> list[str]:
-        """What each loop finds, by name, in the order of the sines."""
+        """The names of what each loop finds, in the order of the sines."""
 
     @property
     @abstractmethod
@@ -127,18 +150,18 @@ class AnySolver(ABC):
 
     @cached_property
     def recorded(self) -> RecordedSolver:
-        """The programs that play what this solver does."""
+        """The solver as programs."""
         return RecordedSolver(self)
 
-    def player(self, result: Result) -> Player | None:
-        """Return the order and the function of a result that is asked for often."""
-        player = self._players.get(result)
-        if player is None:
+    def reader(self, result: Result) -> Reader | None:
+        """Return the order and the function of a result that is asked for often, else None."""
+        reader = self._readers.get(result)
+        if reader is None:
             self._asked[result] += 1
             if self._asked[result] > OFTEN:
-                player = order_of(result), self.recorded.result(result).one
-                self._players[result] = player
-        return player
+                reader = order_of(result), self.recorded.result(result).one
+                self._readers[result] = reader
+        return reader
 
     def closes(self, places: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Tell for many places of the driver whether the links close."""
@@ -152,7 +175,133 @@ class AnySolver(ABC):
         return found
 
 
+class Evaluation:
+    """Pose, velocities and accelerations in the solver's unit and frame.
+
+    Each is found when it is first asked for, on floats or on recorded numbers.
+
+    Parameters
+    ----------
+    solver
+        The solver.
+    inputs
+        The driver's angle in degrees or its length, and its two rates.
+    """
+
+    def __init__(self, solver: AnySolver, inputs: tuple[Number, ...]) -> None:
+        self.solver = solver
+        self.inputs = inputs
+        # Not functools.cached_property: its lock takes a tenth of the time of a pose.
+        self._pose: Pose | None = None
+        self._found: tuple[Rates, ...] = ()
+
+    @property
+    def pose(self) -> Pose:
+        """The position.
+
+        Raises
+        ------
+        vad.kinematics.closed_forms.OpenLoopError
+            If the links do not close.
+        """
+        if self._pose is None:
+            self._pose = self.solver.positions(self.inputs[0])
+        return self._pose
+
+    def rates(self, orders: int) -> tuple[Rates, ...]:
+        """Return the first so many orders of rates; NaN for those that do not exist."""
+        while len(self._found) < orders:
+            value = self.inputs[len(self._found) + 1]
+            self._found = *self._found, self.solver.rates(self.pose, self._found, value)
+        return self._found[:orders]
+
+    @property
+    def driver_angle(self) -> Number:
+        """The angle of the driven crank in the user's axes, within ±180°, without any rounding."""
+        return fold(self.inputs[0])
+
+    @property
+    def driver_direction(self) -> Number:
+        """The driven crank's unit vector in the user's axes."""
+        return direction(self.driver_angle)
+
+
 def round_the_turn(angles: Iterable[float]) -> NDArray[np.float64]:
-    """Return angles in degrees within [0, 360], sorted; 0 has 360 beside it."""
+    """Return angles in degrees within [0, 360], sorted; with 0 goes 360."""
     within = {positive(fold(angle)) for angle in angles}
     return np.array(sorted(within | ({360.0} if 0.0 in within else set())))
+
+
+class RecordedSolver:
+    """A solver as programs, each of which is made when it is first asked for.
+
+    There are three orders: the pose, the velocities and the accelerations.  All numbers of an
+    order are kept.  A result is calculated from them, and not from the driver's motion again.
+    """
+
+    def __init__(self, solver: AnySolver) -> None:
+        tape = Tape()
+        self._solver = solver
+        self._inputs = tuple(map(tape.input, ("place", "rate", "second_rate")))
+        self._evaluation = Evaluation(solver, self._inputs)
+        self._orders: list[Program] = []
+        self._results: dict[Result, Program] = {}
+
+    def order(self, order: int) -> Program:
+        """Return the program from one input, and all numbers of the orders below, to an order.
+
+        Its first output in order 0 tells whether the links close.
+        """
+        while len(self._orders) <= order:
+            below = len(self._orders)
+            given = (*self._known(below - 1), self._inputs[below])
+            names = {number.name for number in given}
+            new = {
+                x.name: x
+                for x in _parts(self._numbers(below))
+                if isinstance(x, Recorded) and x.name not in names
+            }
+            self._orders.append(Program(given, tuple(new.values())))
+        return self._orders[order]
+
+    def result(self, result: Result) -> Program:
+        """Return the program from all numbers up to its order to a result, or to its x, y and z."""
+        if result not in self._results:
+            value = self._solver.evaluate(result, self._evaluation)
+            outputs = [_without_sign(x) for x in _parts([value])]
+            self._results[result] = Program(self._known(order_of(result)), outputs)
+        return self._results[result]
+
+    @cached_property
+    def sines(self) -> Program:
+        """The program from the driver's place to the sine of each loop."""
+        return Program(self._inputs[:1], self._evaluation.pose.sine)
+
+    def _known(self, order: int) -> tuple[Recorded, ...]:
+        """Return the inputs and all numbers of an order and of the orders below it."""
+        if order < 0:
+            return ()
+        program = self.order(order)
+        return (*program.inputs, *program.outputs)
+
+    def _numbers(self, order: int) -> list[Number]:
+        if order:
+            return self._evaluation.rates(order)[-1].all()
+        pose = self._evaluation.pose
+        sum_of_all = self._inputs[0] + sum(pose.sine)  # NaN where the links do not close
+        return [sum_of_all == sum_of_all, *pose.all()]
+
+
+def _parts(values: Iterable[Number]) -> Iterator[Number]:
+    for value in values:
+        if isinstance(value, tuple):
+            yield from value
+        elif isinstance(value, complex | RecordedVector):
+            yield from (value.real, value.imag)
+        else:
+            yield value
+
+
+def _without_sign(number: Number) -> Number:
+    """Return a number of which no zero is negative."""
+    return number.tape.note("add", number, 0.0) if isinstance(number, Recorded) else number + 0.0

@@ -13,8 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vad.kinematics.operations import OPERATIONS
-from vad.kinematics.recording import Recorded, RecordedVector
+from vad.kinematics.recording import OPERATIONS, Recorded, RecordedVector
 
 # A real or complex number, or a recorded one.
 Number = Any

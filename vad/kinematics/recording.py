@@ -1,31 +1,126 @@
-"""Numbers that remember how they came about.
+"""Numbers that remember how they were calculated, and the operations that they remember.
 
-The solver's code runs on them once, as it runs on floats; what it did is then known operation by
-operation, and a `vad.kinematics.program.Program` does it again, for one pose or for many.
+The code of a solver runs once on such numbers, as it runs on floats.  Then every operation is
+known, and a `vad.kinematics.program.Program` can repeat them for one pose or for many.  Each
+operation has three forms: as Python writes it, on floats, and on blocks of some thousand poses.
+All three give the same bits.
 """
 
 from __future__ import annotations
 
-from typing import Any
+import math
+import operator
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
 
-from vad.kinematics.operations import OPERATIONS
+import numpy as np
+
+
+class Operation(NamedTuple):
+    """One operation: its text in Python, and its functions for floats and for blocks of poses.
+
+    A function for blocks writes to the array ``out``.  ``kind`` is the type of the result.
+    """
+
+    text: str
+    on_floats: Callable[..., Any]
+    on_blocks: Callable[..., Any]
+    kind: type = float
+
+
+def _select(condition: Any, rare: Any, usual: Any, out: Any) -> None:
+    if out is not usual:
+        np.copyto(out, usual)
+    if np.count_nonzero(condition):
+        np.putmask(out, condition, rare)
+
+
+def _fold(degrees: Any, out: Any) -> None:
+    degrees = np.asarray(degrees)  # the angle may be one number, where only the rates are many
+    # Beyond 1e15, 360·k is no longer exact, but fmod is; with 720 it can still be told which of
+    # +180 and -180 is meant.
+    if not (degrees.min() >= -1e15 and degrees.max() <= 1e15):
+        degrees = np.where(np.abs(degrees) > 1e15, np.fmod(degrees, 720.0), degrees)
+    np.divide(degrees, 360.0, out=out)
+    np.rint(out, out=out)
+    np.multiply(out, 360.0, out=out)
+    np.subtract(degrees, out, out=out)
+    if not (out.min() >= -180.0 and out.max() <= 180.0):  # a quotient was rounded onto one half
+        beyond = np.abs(out) > 180.0
+        out[beyond] -= np.copysign(360.0, out[beyond])
+
+
+def _place(number: Any, out: Any) -> None:
+    np.copyto(out, number, casting="unsafe")
+
+
+def _choose(place: Any, constants: Any, out: Any) -> None:
+    constants.take(place, None, out, "clip")  # five times as fast as numpy.where
+
+
+def _either(condition: bool, rare: float, usual: float) -> float:
+    return rare if condition else usual
+
+
+OPERATIONS = {
+    "fold": Operation("remainder({}, 360.0)", lambda x: math.remainder(x, 360.0), _fold),
+    "add": Operation("{} + {}", operator.add, np.add),
+    "subtract": Operation("{} - {}", operator.sub, np.subtract),
+    "multiply": Operation("{} * {}", operator.mul, np.multiply),
+    "divide": Operation("{} / {}", operator.truediv, np.divide),
+    "negative": Operation("-{}", operator.neg, np.negative),
+    "absolute": Operation("abs({})", abs, np.absolute),
+    "copy": Operation("{}", float, np.positive),
+    "minimum": Operation("{0} if {0} < {1} else {1}", min, np.minimum),
+    "maximum": Operation("{0} if {0} > {1} else {1}", lambda x, y: x if x > y else y, np.fmax),
+    "sqrt": Operation("sqrt({})", math.sqrt, np.sqrt),
+    "copysign": Operation("copysign({}, {})", math.copysign, np.copysign),
+    # numpy's for one pose too: its last bit is not always that of the C library.
+    "arctan2": Operation(
+        "float(arctan2({}, {}))", lambda y, x: float(np.arctan2(y, x)), np.arctan2
+    ),
+    "round": Operation(  # of a number within ±1
+        "1.0 if {0} > 0.5 else -1.0 if {0} < -0.5 else 0.0", lambda x: float(round(x)), np.rint
+    ),
+    "place": Operation("{}", int, _place, np.intp),
+    "choose": Operation(
+        "{1[0]} if {0} < 0.5 else {1[2]} if {0} > 1.5 else {1[1]}", lambda i, of: of[i], _choose
+    ),
+    "less": Operation("{} < {}", operator.lt, np.less, bool),
+    "greater": Operation("{} > {}", operator.gt, np.greater, bool),
+    "equal": Operation("{} == {}", operator.eq, np.equal, bool),
+    "both": Operation("{} & {}", operator.and_, np.logical_and, bool),
+    "either": Operation("{} | {}", operator.or_, np.logical_or, bool),
+    "select": Operation("{1} if {0} else {2}", _either, _select),
+}
+
+
+def function_of(
+    arguments: list[str], lines: list[str], names: Mapping[str, Any]
+) -> Callable[..., Any]:
+    """Return the function with this text; every word of the text is written by this program."""
+    space = dict(names)
+    exec("\n    ".join([f"def program({', '.join(arguments)}):", *lines]), space)
+    function: Callable[..., Any] = space["program"]
+    return function
+
 
 # A recorded number, or a float that is the same in every pose.
 Operand = Any
 
 
 class Tape:
-    """All that is recorded of a solver, each operation once."""
+    """The record of a solver, with each operation once."""
 
     def __init__(self) -> None:
         self._numbers: dict[tuple[str | float, ...], Recorded] = {}
 
     def input(self, name: str) -> Recorded:
-        """Return the number that is given under a name."""
+        """Return an input with a name: a recorded number that no operation makes."""
         return Recorded(self, name, "", ())
 
     def note(self, operation: str, *operands: Operand) -> Operand:
-        """Return what an operation makes of its operands: a float, if they all are floats."""
+        """Record an operation and return its result; of floats alone it is a float."""
         if not any(isinstance(operand, Recorded) for operand in operands):
             return OPERATIONS[operation].on_floats(*operands)
         key = (operation, *(x.name if isinstance(x, Recorded) else x for x in operands))
@@ -36,12 +131,12 @@ class Tape:
 
 
 class Recorded:
-    """A real number, or a truth, made by an operation on others; an input is made by none.
+    """A real number or a truth value that an operation makes of others, or an input.
 
-    It stands where a float can stand.  Code that decides by it must use `select`.
+    It can stand wherever a float can stand.  Code that decides by it must use `select`.
     """
 
-    __array_ufunc__ = None  # numpy's numbers leave their operations to this class
+    __array_ufunc__ = None  # numpy leaves operations with its own numbers to this class
     __slots__ = ("name", "operands", "operation", "tape")
 
     def __init__(
@@ -58,7 +153,7 @@ class Recorded:
     def __bool__(self) -> bool:
         raise TypeError("a recorded number is not known yet: use select")
 
-    # A minus is carried outward, until a sum takes it in: that changes no bit.
+    # A minus sign moves outward until a sum or a difference takes it up: this changes no bit.
 
     def __add__(self, other: Operand) -> Operand:
         if not isinstance(other, _REAL):
@@ -142,12 +237,12 @@ class Recorded:
     __hash__ = None  # type: ignore[assignment]
 
 
-# What its arithmetic knows; vectors and dual numbers, made of several, have their own.
+# The operands that this arithmetic knows; vectors and dual numbers have their own.
 _REAL = (float, int, Recorded)
 
 
 class RecordedVector:
-    """A plane vector of recorded numbers; it stands where a complex number can stand."""
+    """A plane vector of recorded numbers; it can stand wherever a complex number can stand."""
 
     __array_ufunc__ = None
     __slots__ = ("imag", "real")

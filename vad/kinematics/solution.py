@@ -11,15 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.errors import AssemblyError, DeadCentreError, InputError
-from vad.kinematics.any_solver import AnySolver
-from vad.kinematics.closing.closures import OpenLoopError
-from vad.kinematics.evaluation import Evaluation
+from vad.kinematics.any_solver import AnySolver, Evaluation, Result, order_of
+from vad.kinematics.closed_forms import OpenLoopError
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Linkage
 from vad.kinematics.numbers import NAN_VECTOR, Number, Truth, is_array
 from vad.kinematics.reach import closing_range
-from vad.kinematics.results.formulas import Result, order_of
-from vad.kinematics.results.report import place_unit
+from vad.kinematics.results import place_unit
 from vad.kinematics.solver import Solver, solver_of
 from vad.kinematics.state import Pose, Rates
 
@@ -153,9 +151,9 @@ class Solution(Generic[Truth]):
         return self._read_many(result) if self.many else self._read_one(result)
 
     def _read_one(self, result: Result) -> Number:
-        player = self.solver.player(result)
-        if player:
-            order, function = player
+        reader = self.solver.reader(result)
+        if reader:
+            order, function = reader
             known = self._find(order)
             parts = function(*known)
             if known[_CLOSES]:

@@ -1,30 +1,40 @@
-"""Positions, velocities and accelerations of any linkage, order by order."""
+"""The solver of linkages in the plane, and the formula of each result that a user can read.
+
+The formulas take an `Evaluation`, on floats or on recorded numbers, and return a number or a plane
+vector in the units and axes of the user.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Set
+from collections.abc import Callable, Set
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.kinematics.any_solver import AnySolver, round_the_turn
-from vad.kinematics.closing.closures import OpenLoopError
-from vad.kinematics.closing.loop import LoopSolver
-from vad.kinematics.closing.loops import loop_solver
-from vad.kinematics.evaluation import Evaluation
-from vad.kinematics.frame import ReferenceFrame
-from vad.kinematics.linkage import Linkage
-from vad.kinematics.numbers import Number, difference, direction, fold
-from vad.kinematics.results.formulas import Result, evaluate, guide_of
-from vad.kinematics.routes import Routes
-from vad.kinematics.space.solvers import space_solver
+from vad.kinematics.any_solver import AnySolver, Evaluation, Result, order_of, round_the_turn
+from vad.kinematics.closed_forms import OpenLoopError
+from vad.kinematics.frame import ReferenceFrame, Routes
+from vad.kinematics.linkage import Linkage, Slide, angle_of
+from vad.kinematics.loop import LoopSolver
+from vad.kinematics.loops import loop_solver
+from vad.kinematics.numbers import (
+    Number,
+    degrees_of,
+    difference,
+    direction,
+    fold,
+    positive,
+    times,
+    turned,
+)
 from vad.kinematics.state import GROUND, Pose, Rates
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
+
 
 # The square of a smaller sine would leave the range, and with it ω at a change point.
 LEAST_SINE = 1e-100
@@ -34,7 +44,11 @@ LEAST_SINE = 1e-100
 def solver_of(mechanism: Mechanism) -> AnySolver:
     """Return the solver of a mechanism, of the plane or of space, made once."""
     linkage, side = mechanism.marked(), -1.0 if mechanism.assembly == "crossed" else 1.0
-    return Solver(linkage, side) if isinstance(linkage, Linkage) else space_solver(linkage, side)
+    if isinstance(linkage, Linkage):
+        return Solver(linkage, side)
+    from vad.kinematics.space.solvers import space_solver  # not loaded for the plane
+
+    return space_solver(linkage, side)
 
 
 class Solver(AnySolver):
@@ -112,7 +126,8 @@ class Solver(AnySolver):
 
     def evaluate(self, result: Result, evaluation: Evaluation) -> Number:
         """Return a result, of a point as a plane vector; NaN where it is undetermined."""
-        return evaluate(result, evaluation)
+        kind, name, quantity = result
+        return _FORMULAS[kind, quantity](evaluation, name, order_of(result))
 
     def positions(self, value: Number) -> Pose:
         """Solve all loops for the driver's angle (degrees) or length."""
@@ -160,3 +175,93 @@ class Solver(AnySolver):
     def miss_in_words(self, miss: float, length_unit: str) -> str:
         """Say by how much the links of a pose miss each other."""
         return f"{miss * self.scale:.4g} {length_unit}"
+
+
+def guide_of(linkage: Linkage, slide: str) -> str | None:
+    """Return the name of the turning link on which a slide slides, if it does."""
+    steps = (step for loop in linkage.loops for _, step in loop.steps())
+    lines = [step.along for step in steps if isinstance(step, Slide) and step.name == slide]
+    return next((line for line in lines if isinstance(line, str)), None)
+
+
+def heading(guide: Slide) -> complex:
+    """Return the direction of a guide in the user's axes, where turning there and back is exact."""
+    return complex(direction(fold(float(guide.along))))
+
+
+def _angle(evaluation: Evaluation, name: str, order: int) -> Number:
+    """Return a link's direction: as it was given, or as seen along its guide where it has one."""
+    frame, pose = evaluation.solver.plane.frame, evaluation.pose
+    if angle_of(name) == frame.linkage.driver:
+        return positive(evaluation.driver_angle)
+    if name in pose.leaning:
+        leaning = turned(pose.leaning[name], frame.found_along[name].conjugate())
+        return degrees_of(leaning, frame.guides[name])
+    return degrees_of(_turned(evaluation, frame.unit(name, pose)))
+
+
+def _turning(evaluation: Evaluation, name: str, order: int) -> Number:
+    return evaluation.rates(order)[-1].turning[name]
+
+
+def _position(evaluation: Evaluation, letter: str, order: int) -> Number:
+    """Return where a point is: on its guide, on the driven crank, or at the end of its route."""
+    plane = evaluation.solver.plane
+    routes, frame = plane.routes, plane.frame
+    start = routes.start(letter)
+    guide, pin = routes.guide(letter), routes.pin(letter)
+    if guide:
+        return guide.origin + _sliding(evaluation, guide.name, order) * heading(guide)
+    if pin:
+        along = turned(evaluation.driver_direction, pin.turn) * float(pin.length)
+        return frame.places[start] + along
+    from_start = routes.position(letter, evaluation.pose)
+    if start in frame.places:
+        return frame.places[start] + _outward(evaluation, from_start)
+    return frame.linkage.place + _outward(evaluation, frame.fixed[start] + from_start)
+
+
+def _motion(evaluation: Evaluation, letter: str, order: int) -> Number:
+    """Return the velocity or acceleration of a point."""
+    routes = evaluation.solver.plane.routes
+    guide = routes.guide(letter)
+    if guide:
+        return _sliding(evaluation, guide.name, order) * heading(guide)
+    return _outward(evaluation, routes.rate(letter, evaluation.pose, evaluation.rates(order)))
+
+
+def _outward(evaluation: Evaluation, value: Number) -> Number:
+    return _turned(evaluation, value) * evaluation.solver.plane.frame.scale
+
+
+def _turned(evaluation: Evaluation, value: Number) -> Number:
+    """Return a vector in the user's axes."""
+    turn = evaluation.solver.plane.frame.turn
+    return value if turn == 1 else times(value, turn)
+
+
+def _sliding(evaluation: Evaluation, name: str, order: int) -> Number:
+    """Return the position, velocity or acceleration of a slide along its line."""
+    lengths = evaluation.rates(order)[-1].sliding if order else evaluation.pose.length
+    return lengths[name] * evaluation.solver.plane.frame.scale
+
+
+def _coriolis(evaluation: Evaluation, name: str, order: int) -> Number:
+    """Return the magnitude of 2·ω·v of a slide on a turning link."""
+    velocity, link = evaluation.rates(order)[0], guide_of(evaluation.solver.plane.linkage, name)
+    twist = abs(2.0 * velocity.turning[str(link)] * velocity.sliding[name])
+    return twist * evaluation.solver.plane.frame.scale
+
+
+_FORMULAS: dict[tuple[str, str], Callable[[Evaluation, str, int], Number]] = {
+    ("link", "angle"): _angle,
+    ("link", "omega"): _turning,
+    ("link", "alpha"): _turning,
+    ("point", "position"): _position,
+    ("point", "velocity"): _motion,
+    ("point", "acceleration"): _motion,
+    ("slide", "position"): _sliding,
+    ("slide", "velocity"): _sliding,
+    ("slide", "acceleration"): _sliding,
+    ("slide", "coriolis"): _coriolis,
+}

@@ -12,9 +12,8 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from vad.errors import AssemblyError
-from vad.kinematics.change_points import change_points
 from vad.kinematics.motion import Motion
-from vad.kinematics.reach import closing_range
+from vad.kinematics.reach import change_points, closing_range
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism

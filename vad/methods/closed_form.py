@@ -7,7 +7,7 @@ import math
 import vad
 from vad.kinematics.linkage import Scalar
 from vad.kinematics.motion import MotionInSpace
-from vad.kinematics.results.readings import Joint, Link
+from vad.kinematics.results import Joint, Link
 from vad.methods.problem import Driven, Found, Jet
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.kinematics.motion import MotionInSpace, Motions
-from vad.kinematics.results.readings import Joint
+from vad.kinematics.results import Joint
 from vad.units import scene_unit
 
 _LINK = ("angle", "omega", "alpha")

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from vad.kinematics.closing.closures import TwoAngles
+from vad.kinematics.closed_forms import TwoAngles
 from vad.kinematics.numbers import Number, direction, fold, nonzero, select, sqrt, vector
 from vad.kinematics.space.dual import numbers_in
 from vad.kinematics.space.space_linkage import BallJointed

@@ -10,12 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.errors import UsageError
-from vad.kinematics.any_solver import AnySolver
-from vad.kinematics.closing.closures import OpenLoopError
-from vad.kinematics.evaluation import Evaluation
+from vad.kinematics.any_solver import AnySolver, Evaluation, Result, order_of
+from vad.kinematics.closed_forms import OpenLoopError
 from vad.kinematics.linkage import Scalar
 from vad.kinematics.numbers import Number, degrees_of, fold, positive
-from vad.kinematics.results.formulas import Result, order_of
 from vad.kinematics.space.vector3 import Vector3, added, cross, scaled
 from vad.kinematics.state import Pose, Rates
 

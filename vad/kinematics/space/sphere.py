@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vad.kinematics.closing.closures import root_of_factors
+from vad.kinematics.closed_forms import root_of_factors
 from vad.kinematics.numbers import Number, direction, fold, select
 from vad.kinematics.space.dual import Dual, dual, nonzero, numbers_in, real, root
 from vad.kinematics.space.space_linkage import Arc, FourAxes

@@ -1,8 +1,10 @@
-"""The four closed forms of a loop with two unknowns; no iteration, no guess, no jump.
+"""The closed forms of a loop with two unknowns: no iteration, no guess, no jump.
 
 Each takes the gap E, the known vector from the end of the first chain to the end of the second,
 and returns the two unknowns with ``sine``, the sine of the angle at which the construction lines
 of its polygons cross: zero at a dead centre, NaN where the links do not reach.
+
+At the end are the limits between which a loop closes, as far as its driver alone moves it.
 """
 
 from __future__ import annotations
@@ -257,3 +259,98 @@ def crossing(target: Number, p: Number, q: Number, sine: Number) -> tuple[Number
     (3.0, -4.0)
     """
     return cross(target, q) / sine, cross(target, p) / sine
+
+
+class Strut:
+    """A driven length r and a bar q over a fixed gap: the triangle and the angle against r.
+
+    Heron's factors lose nothing where the two sides that may be long are subtracted first.
+    """
+
+    def __init__(self, gap: complex, q: float) -> None:
+        self.gap = gap
+        self.q = q
+        self.length = abs(gap)
+        self._short_bar = self.length > 2.0 * q
+        self.short_gap = q > 2.0 * self.length
+        self._power = (q - self.length) * (q + self.length)
+
+    def triangle(self, r: Number) -> Triangle:
+        """Return the triangle."""
+        f, q = self.length, self.q
+        if self._short_bar:
+            e = r - f
+            factors = (q + e), (q - e), (f - q) + r
+        elif self.short_gap:
+            e = r - q
+            factors = (q - f) + r, (f - e), (f + e)
+        else:
+            e = q - f
+            factors = (r + e), (q + f) - r, (r - e)
+        side, near, far = factors
+        return Triangle(self.gap, f * f, side * (r + (q + f)), near * far, r, q)
+
+    def projections(self, r: Number) -> tuple[Number, Number]:
+        """Return the projections of q and of the gap on r."""
+        f, q, twice = self.length, self.q, nonzero(2.0 * r)
+        if self._short_bar:
+            at_arm = (q * q + (r - f) * (r + f)) / twice
+            return at_arm, r - at_arm
+        return (r * r + self._power) / twice, ((r - q) * (r + q) + f * f) / twice
+
+
+def triangle_limits(crank: GroundedCrank, r: float, q: float) -> list[float]:
+    """Return the crank angles (degrees, in the frame) at which bars r and q are in line.
+
+    The gap is |c + t·u|, and there it is r + q or |r - q|.
+
+    Examples
+    --------
+    >>> triangle_limits(GroundedCrank(4 + 0j, -3.0), 2.0, 3.0)
+    [90.0, -90.0, 0.0, -0.0]
+    """
+    c, t, first, second = map(Fraction, (crank.c.real, crank.t, r, q))
+    found: list[float] = []
+    if not c * t:  # beside the other links nothing turns
+        return found
+    for gap in (first + second, first - second):
+        half_sine = ((c + t) ** 2 - gap**2) / (4 * c * t)
+        half_cosine = (gap**2 - (c - t) ** 2) / (4 * c * t)
+        found += [angle - crank.lead for angle in _both_ways(half_sine, half_cosine)]
+    return found
+
+
+def guide_limits(height: float, t: float, r: float) -> list[float]:
+    """Return the angles (degrees, from the guide) at which a bar r stands across its guide.
+
+    Its other end is ``height`` above the guide, plus t times the sine of the angle.
+    """
+    h, radius, reach = map(Fraction, (height, t, r))
+    found: list[float] = []
+    if not radius:
+        return found
+    for foot in (reach - h, -reach - h):
+        from_normal = _both_ways((radius - foot) / (2 * radius), (radius + foot) / (2 * radius))
+        found += [90.0 - angle for angle in from_normal]
+    return found
+
+
+def strut_limits(gap: float, q: float) -> list[float]:
+    """Return the lengths at which a strut over a fixed gap is in line with its bar q."""
+    return [abs(gap - q), gap + q]
+
+
+def push_limits(height: float, slope: float, r: float) -> list[float]:
+    """Return the positions of a driven slide at which a bar r stands across its other guide.
+
+    The slide is ``height`` above that guide, plus ``slope`` times its position.
+    """
+    return [(r - height) / slope, (-r - height) / slope] if slope else []
+
+
+def _both_ways(half_sine: Fraction, half_cosine: Fraction) -> list[float]:
+    """Return the two angles in degrees of which these are the squares, where there are any."""
+    if half_sine < 0 or half_cosine < 0:
+        return []
+    angle = 2.0 * math.degrees(math.atan2(math.sqrt(half_sine), math.sqrt(half_cosine)))
+    return [angle, -angle]

@@ -1,0 +1,400 @@
+"""The kinds of loops, by their unknowns: two angles, an angle and a length, or two lengths."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import cast
+
+from vad.errors import InputError
+from vad.kinematics.closed_forms import (
+    AngleAndLength,
+    Strut,
+    Triangle,
+    TwoAngles,
+    crossing,
+    guide_limits,
+    offset_slot,
+    push_limits,
+    slot,
+    strut_limits,
+    triangle_limits,
+)
+from vad.kinematics.frame import ReferenceFrame
+from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, length_of, scalar_of
+from vad.kinematics.loop import LoopSolver, equal_bars, equal_rod
+from vad.kinematics.numbers import (
+    Number,
+    across,
+    cross,
+    fold,
+    nonzero,
+    over,
+    select,
+    times,
+    turned,
+    vector,
+)
+from vad.kinematics.state import GROUND, Pose, Rates
+
+
+def loop_solver(
+    frame: ReferenceFrame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]
+) -> LoopSolver:
+    """Return the solver of a loop, by what is unknown in it."""
+    steps = {scalar_of(step): step for _, step in loop.steps() if scalar_of(step) in unknowns}
+    bars = [step for step in steps.values() if isinstance(step, Bar)]
+    lengths = {length_of(bar.length) for bar in bars if isinstance(bar.length, str)}
+    kind: type[LoopSolver]
+    if len(bars) == 2:
+        strut = frame.linkage.driver in lengths
+        kind = StrutLoop if strut else ParallelLoop if loop.parallel else TwoAnglesLoop
+    elif not bars:
+        kind = TwoLengthsLoop
+    else:
+        kind = SlotLoop if lengths & set(unknowns) else AngleAndLengthLoop
+    return kind(frame, side, loop, unknowns)
+
+
+class TwoAnglesLoop(LoopSolver):
+    """Two bars of known length, two unknown angles."""
+
+    two_ways = True
+
+    step: Bar
+    other: Bar
+
+    def prepare(self) -> None:
+        """Form the triangle's constants."""
+        self.check_ends()
+        bars = self.step, self.other
+        if not all(isinstance(bar.length, float) for bar in bars):
+            self.crank = None
+        sizes = (self.frame.size(self.step), self.frame.size(self.other)) if self.crank else None
+        self._closure = TwoAngles(self.side, self.crank, sizes)
+        self._longest: Bar | None = None
+        if self.crank and sizes:
+            self.equal = equal_bars(
+                self.crank, self.turns, self.side, dict(zip(bars, sizes, strict=True))
+            )
+        if self.crank and sizes and max(sizes) > max(abs(self.crank.c), abs(self.crank.t)):
+            self._see_from(self.step if sizes[0] > sizes[1] else self.other)
+
+    def own_axes(self, grounded: bool) -> tuple[complex, complex]:
+        """See the gap along the ground."""
+        return self.along_ground() if grounded else super().own_axes(grounded)
+
+    def limits(self) -> list[float]:
+        """Return the crank angles at which both bars are in line."""
+        if self.crank is None or self.crank.c == 0.0:
+            return []
+        return triangle_limits(self.crank, self.frame.size(self.step), self.frame.size(self.other))
+
+    def _see_from(self, longest: Bar) -> None:
+        """Choose the bar from which `cross` sees the loop."""
+        self._longest = longest
+        first = longest is self.step
+        self._shorter = self.other if first else self.step
+        self._sense = -1 if first else 1
+        self.moving = self.moving[0], [self.ground, *self.known, (-self._sense, self._shorter)]
+
+    def triangle(self, pose: Pose) -> Triangle:
+        """Return the triangle of both bars over the gap."""
+        frame = self.frame
+        if self.crank is not None:
+            return self._closure.over_crank(self.pin(pose))
+        sizes = frame.size(self.step, pose), frame.size(self.other, pose)
+        return self._closure.over_gap(self.gap(pose), *sizes)
+
+    def close(self, pose: Pose) -> None:
+        """Close the triangle over the gap."""
+        first, second, sine = self._closure.close(self.triangle(pose))
+        self.lay(pose, self.step, first)
+        self.lay(pose, self.other, second)
+        pose.sine.append(sine)
+
+    def miss(self, pose: Pose) -> float:
+        """Return by how much the gap is too long or too short for both bars."""
+        return self._closure.miss(self.triangle(pose))
+
+    def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
+        """Find ω or α of both bars: seen from the longer one, if no link is longer.
+
+        There the gap turns as a whole, against it the shorter bar.  Of two long bars side by side
+        the rates' difference is then found by itself, not as a small difference of large ones.
+        """
+        if self._longest is None:
+            super().cross(pose, rates, sine)
+            return
+        frame, driver = self.frame, self.frame.linkage.driver.name
+        long, short, found = self._longest, self._shorter, rates[-1].turning
+        spin = found.get(driver, 0.0)
+        driven = {GROUND: -spin} if self.inverted else {driver: spin}
+        seen = *(rate.seen_from(long.link) for rate in rates[:-1]), Rates(driven, rates[-1].sliding)
+        total = self.motion(self.moving[len(seen) - 1], pose, seen)
+        gap = sum(way * frame.displacement(bar, pose) for way, bar in (self.ground, *self.known))
+        p, q = -across(gap), self._sense * frame.unknown_direction(short, pose)
+        x, y = crossing(-total, p, q, sine * (-self._sense * frame.size(long, pose)))
+        found[long.link] = x + spin if self.inverted else x
+        found[short.link] = found[long.link] + y / frame.size(short)
+
+
+class StrutLoop(TwoAnglesLoop):
+    """A strut whose length is driven, and a bar, over a fixed gap."""
+
+    def prepare(self) -> None:
+        """Form the triangle's constants."""
+        super().prepare()
+        strut = self.step.length == self.frame.linkage.driver.name
+        if not all(isinstance(s, Slide) and s.along == self.step.link for _, s in self.known):
+            strut = False
+        if not strut or self.step.offset:
+            raise InputError(
+                "a strut must lead from one fixed point, in the first chain, its bar from another"
+            )
+        self._strut = Strut(self.offset, self.frame.size(self.other))
+        if self._strut.short_gap:
+            self._see_from(self.step)
+
+    def own_axes(self, grounded: bool) -> tuple[complex, complex]:
+        """See the gap along the ground, whatever moves."""
+        return self.along_ground()
+
+    def limits(self) -> list[float]:
+        """Return the lengths at which strut and bar are in line."""
+        return strut_limits(abs(self.offset), self.frame.size(self.other))
+
+    def triangle(self, pose: Pose) -> Triangle:
+        """Return the triangle of strut, bar and gap."""
+        return self._strut.triangle(self.frame.size(self.step, pose))
+
+    def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
+        """Find ω or α of both, in the axes of the strut.
+
+        There the angles of the triangle are all that counts, and they come from lengths alone.
+        """
+        strut, arm = self.frame.size(self.step, pose), self.frame.size(self.other)
+        at_arm, at_ground = self._strut.projections(strut)
+        arm_axis = vector(at_arm / arm, sine)
+        ground_axis = over(vector(at_ground, -arm * sine), self.offset.real)
+        seen = Pose({GROUND: turned(ground_axis, self.axis.conjugate())}, pose.length, pose.sine)
+        seen.unit |= {self.step.link: 1.0 + 0j, self.other.link: arm_axis}
+        super().cross(seen, rates, sine)
+
+
+# Opposite sides whose lengths differ by a larger part are not equal.
+_ALIKE = 1e-12
+
+
+class ParallelLoop(LoopSolver):
+    """Two unknown bars, each as long as the known vector of the other chain, and parallel to it.
+
+    It runs through its change points: nothing is divided there, and the rates are copies.
+    """
+
+    two_ways = True
+
+    step: Bar
+    other: Bar
+
+    def prepare(self) -> None:
+        """Find what each bar copies: a link, and how the bar lies in that link's axes."""
+        self.check_ends()
+        if len(self.known) != (1 if self.offset else 2):
+            raise InputError("parallel: a parallelogram has two known sides and two unknown ones")
+        opposite = {self.step: (self.loop.second, 1.0), self.other: (self.loop.first, -1.0)}
+        self._copies = {bar: self._copied(bar, *chain) for bar, chain in opposite.items()}
+
+    def _copied(self, bar: Bar, chain: tuple[Step, ...], ground: float) -> tuple[str, complex]:
+        known = [step for _, step in self.known if step in chain]
+        if not known and self.offset:
+            link, vector = GROUND, ground * self.offset
+        elif len(known) == 1 and isinstance(known[0], Bar):
+            link, size = known[0].link, self.frame.size(known[0])
+            along = self.frame.found_along.get(link, 1.0 + 0j)
+            vector = (-size if known[0].reverse else size) * known[0].turn * along.conjugate()
+        else:
+            raise InputError(f"parallel: {bar.ends} has no bar opposite")
+        length, size = abs(vector), self.frame.size(bar)
+        if not abs(length - size) <= _ALIKE * length:
+            raise InputError(
+                f"parallel: {bar.ends} and the side opposite it differ by "
+                f"{abs(length - size) * self.frame.scale:.4g}",
+                hint="a parallelogram has equal opposite sides",
+            )
+        return link, vector / length
+
+    def close(self, pose: Pose) -> None:
+        """Lay each bar along what it copies."""
+        for bar, (source, turn) in self._copies.items():
+            pose.unit[bar.link] = turned(pose.unit[source], turn)
+        pose.sine.append(cross(pose.unit[self.step.link], pose.unit[self.other.link]))
+
+    def move(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
+        """Copy the rates, at the change points too."""
+        for bar, (source, _) in self._copies.items():
+            turning = rates[-1].turning
+            turning[bar.link] = 0.0 if source == GROUND else turning[source]
+
+
+class AngleAndLengthLoop(LoopSolver):
+    """A bar that ends on a line."""
+
+    two_ways = True
+
+    step: Bar
+    other: Slide
+
+    def own_axes(self, grounded: bool) -> tuple[complex, complex]:
+        """See a grounded crank's gap along the guide."""
+        if not grounded or isinstance(self.other.along, str):
+            return super().own_axes(grounded)
+        line = self._guide(None)
+        return line, self.offset if line == 1.0 else self.offset * line.conjugate()
+
+    def _guide(self, pose: Pose | None) -> Number:
+        """Return the direction of the line as the bar sees it, in the frame."""
+        return -self.way * self.other_way * self.frame.line(self.other, pose)
+
+    def prepare(self) -> None:
+        """Turn the loop so that the bar leads from the gap to the line."""
+        frame, way = self.frame, -self.way
+        self._moving = isinstance(self.other.along, str)
+        if self._moving:
+            self.crank = None
+            self._see_from_slot()
+        crank = self.crank and replace(self.crank, c=way * self.crank.c, t=way * self.crank.t)
+        size = frame.size(self.step)
+        rounded = any(scalar_of(step) != frame.linkage.driver for _, step in self.known)
+        self._closure = AngleAndLength(self.side, crank, size, rounded)
+        self._advance = frame.advance(self.other) if self.other.through_tail else 0.0
+        if not self._moving:
+            frame.guides[self.step.link] = fold(float(self.other.along))
+        if crank:
+            self.equal = equal_rod(crank, self.turns, self.side, self.step, size, self.other.name)
+
+    def _see_from_slot(self) -> None:
+        """See a bar that is longer than its gap from the link with the slot.
+
+        There it hardly turns, and nothing large has to cancel; seen from the ground it goes round
+        nearly as that link does.
+        """
+        bars = [(way, bar) for way, bar in self.known if isinstance(bar, Bar)]
+        rest = [(way, bar) for way, bar in bars if bar.link != self.other.along]
+        if len(bars) < len(self.known) or not all(isinstance(bar.length, float) for _, bar in rest):
+            return
+        ground = abs(self.offset)
+        gap = ground + sum(float(self.frame.size(bar)) for _, bar in rest)
+        if not 0.0 < gap < self.frame.size(self.step):
+            return
+        self.viewpoint = str(self.other.along)
+        if ground:
+            way = self.offset / ground
+            length = ground * self.frame.scale
+            rest.append((1, replace(self.ground[1], length=length, turn=way)))
+        self.moving = rest, [*rest, (self.way, self.step), (self.other_way, self.other)]
+
+    def limits(self) -> list[float]:
+        """Return where the bar stands across its guide."""
+        frame, size = self.frame, self.frame.size(self.step)
+        if self.crank:
+            height = -self.way * self.offset.imag
+            angles = guide_limits(height, -self.way * self.crank.t, size)
+            return [angle - self.crank.lead for angle in angles]
+        line = self._guide(None)
+        height = cross(line, -self.way * self.offset)
+        if len(self.known) != 1 or self._moving:
+            return []
+        ((way, pushed),) = self.known
+        if length_of(getattr(pushed, "name", "")) != frame.linkage.driver:
+            return []
+        slope = cross(line, -self.way * way * frame.line(cast(Slide, pushed), None))
+        return push_limits(height, slope, size)
+
+    def close(self, pose: Pose) -> None:
+        """Let the bar end on the line."""
+        gap, guide, pin = self._approach(pose)
+        lean, length, sine = self._closure.close(gap, guide, pin)
+        self.lay(pose, self.step, lean if guide == 1.0 else times(guide, lean))
+        if self.frame.angle and not self._moving:
+            pose.leaning[self.step.link] = (-self.way * self.other_way) * lean
+        pose.length[self.other.name] = length + self._advance
+        pose.sine.append(sine)
+
+    def miss(self, pose: Pose) -> float:
+        """Return by how much the guide is out of the bar's reach."""
+        return self._closure.miss(*self._approach(pose))
+
+    def _approach(self, pose: Pose) -> tuple[Number, Number, Number]:
+        """Return the gap as the bar sees it, the line, and the grounded crank's pin if any."""
+        gap = -self.way * self.gap(pose)
+        if self.crank:
+            return gap, 1.0, self.pin(pose)
+        return gap, self._guide(pose), None
+
+
+class SlotLoop(LoopSolver):
+    """A bar whose length is that of its slide: angle and length are the gap's own.
+
+    A slot through the bar's tail leaves one place, from which `Loop.side` alone counts its length
+    forward or backward; a slot aside of it leaves two.
+    """
+
+    step: Bar
+    other: Slide
+
+    def own_axes(self, grounded: bool) -> tuple[complex, complex]:
+        """See the gap along the ground."""
+        return self.along_ground() if grounded else super().own_axes(grounded)
+
+    def prepare(self) -> None:
+        """Measure the slot."""
+        offset = self.step.offset / self.frame.scale
+        self._ahead, self._aside = offset.real, offset.imag
+        self.two_ways = self._aside != 0.0
+
+    def limits(self) -> list[float]:
+        """Return the crank angles at which a slot aside only just reaches its pin."""
+        if self.crank is None or self.crank.c == 0.0 or not self._aside:
+            return []
+        return triangle_limits(self.crank, abs(self._aside), 0.0)
+
+    def close(self, pose: Pose) -> None:
+        """Lay the bar along the gap."""
+        pin, crossed = -self.way * self.gap(pose), float(self.way * self.other_way)
+        if self._aside:
+            unit, along, cosine = offset_slot(pin, self._aside, self.side)
+            pose.sine.append(crossed * cosine)
+        else:
+            unit, length = slot(pin)
+            unit, along = self.loop.side * unit, self.loop.side * length
+            # The lines always cross at right angles; what can vanish is the length.
+            pose.sine.append(select(length > 0.0, crossed, 0.0))
+        self.lay(pose, self.step, unit)
+        pose.length[self.other.name] = along - self._ahead
+
+    def miss(self, pose: Pose) -> float:
+        """Return by how much the slot passes its pin."""
+        return abs(self._aside) - abs(self.gap(pose))
+
+    def why_dead(self) -> str:
+        """Say that the pin stands on the pivot."""
+        if self._aside:
+            return super().why_dead()
+        link, pivot, pin = self.step.link, self.step.tail, self.step.head
+        return f"{link}: {pin} stands on the pivot {pivot}, where the {link} may point anywhere"
+
+
+class TwoLengthsLoop(LoopSolver):
+    """Two slides along known lines."""
+
+    step: Slide
+    other: Slide
+
+    def close(self, pose: Pose) -> None:
+        """Let the two lines cross."""
+        p = self.way * self.frame.line(self.step, pose)
+        q = -self.other_way * self.frame.line(self.other, pose)
+        sine = cross(p, q)
+        found = crossing(-self.gap(pose), p, q, nonzero(sine))
+        pose.length[self.step.name], pose.length[self.other.name] = found
+        pose.sine.append(sine)
