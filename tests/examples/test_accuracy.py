@@ -17,7 +17,7 @@ from tests.kinematics.worst_cases import BOUNDS
 from vad.files.examples import example_names
 from vad.files.written_mechanism import WrittenMechanism
 from vad.methods.high_precision import solve
-from vad.methods.loop_equations import problem_of
+from vad.methods.problem import problem_of
 
 EPSILON = 2.0**-52
 STEP = 1e-6

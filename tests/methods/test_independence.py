@@ -49,4 +49,4 @@ def test_mpmath_is_loaded_by_the_reference_alone():
     users = {
         path.name for path in PACKAGE.rglob("*.py") if any("mpmath" in n for n in imports(path))
     }
-    assert users == {"high_precision.py", "high_precision_in_space.py", "comparison.py"}
+    assert users == {"high_precision.py", "comparison.py"}

@@ -17,9 +17,8 @@ from vad.kinematics.linkage import Scalar
 from vad.kinematics.solver import solver_of
 from vad.kinematics.space.space_linkage import Arc
 from vad.methods import closed_form, loops_in_space
-from vad.methods.loops_in_space import SpaceProblem
-from vad.methods.problem import Jet
-from vad.methods.walk import Arithmetic
+from vad.methods.loops_in_space import Arithmetic
+from vad.methods.problem import Jet, SpaceProblem
 
 DIGITS = 60
 STEP = mpf(10) ** -22

@@ -16,11 +16,9 @@ from vad.methods import (
     finite_differences,
     loop_closure,
     newton,
-    newton_in_space,
     unit_vectors,
 )
-from vad.methods.loop_equations import problem_of
-from vad.methods.problem import Found, Jet, Problem
+from vad.methods.problem import Found, Jet, Problem, problem_of
 
 Method = Callable[[Any], Found]
 
@@ -36,7 +34,7 @@ METHODS: dict[str, Method] = {
 #: Those that know space, too.
 METHODS_IN_SPACE: dict[str, Method] = {
     "closed form": closed_form.solve,
-    "Newton": newton_in_space.solve,
+    "Newton": newton.solve_in_space,
     "finite differences": finite_differences.solve,
 }
 

@@ -22,11 +22,9 @@ from vad.methods import (
     Found,
     Method,
     high_precision,
-    high_precision_in_space,
     problem_of,
 )
-from vad.methods.loops_in_space import SpaceProblem
-from vad.methods.problem import Driven
+from vad.methods.problem import Driven, SpaceProblem
 
 
 @dataclass(frozen=True)
@@ -77,7 +75,7 @@ def compare(
     precise: Method = high_precision.solve
     if isinstance(problem, SpaceProblem):
         methods = {name: METHODS_IN_SPACE.get(name, _in_the_plane) for name in methods}
-        precise = high_precision_in_space.solve
+        precise = high_precision.solve_in_space
     try:
         truth = precise(problem)
     except ArithmeticError as error:

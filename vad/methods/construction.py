@@ -11,11 +11,11 @@ import math
 
 from vad.kinematics.linkage import Scalar
 from vad.methods.problem import (
+    ByScalar,
     Found,
     LoopEquation,
+    LoopVector,
     Problem,
-    Values,
-    Vector,
     loop_by_loop,
     polar,
 )
@@ -58,7 +58,7 @@ def measured(start: complex, end: complex, along: complex) -> float:
 # --- the drawing --------------------------------------------------------------------------------
 
 
-def position(equation: LoopEquation, values: Values, side: int) -> dict[Scalar, float]:
+def position(equation: LoopEquation, values: ByScalar, side: int) -> dict[Scalar, float]:
     """Draw both chains as far as they are known, and find the point at which they meet."""
     tips = {-1: 0j, 1: equation.constant}
     for vector in equation.known:
@@ -83,13 +83,13 @@ def position(equation: LoopEquation, values: Values, side: int) -> dict[Scalar, 
     return {own.length: measured(here, point, along), other.length: measured(there, point, guide)}
 
 
-def _guide(vector: Vector, values: Values) -> complex:
+def _guide(vector: LoopVector, values: ByScalar) -> complex:
     """Return the direction of the line along which a vector grows."""
     return cmath.rect(1.0, polar(vector, {**values, vector.length: 0.0})[1])
 
 
 def rates(
-    equation: LoopEquation, values: Values, rate: Values, second: Values | None
+    equation: LoopEquation, values: ByScalar, rate: ByScalar, second: ByScalar | None
 ) -> dict[Scalar, float]:
     """Draw the velocity polygon, or the acceleration polygon if ``second`` is given.
 

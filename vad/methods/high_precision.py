@@ -1,9 +1,9 @@
-"""The reference: the loop equations solved with fifty digits.
+"""The reference: the equations of the loops solved with fifty digits.
 
-In comes a problem, whose numbers are taken as they stand, out go its results as numbers of
-mpmath.  Each loop is started with the roots of its equation and its conjugate, which choose the
-assembly, and polished by Newton's method, which shows that it closes; the rates follow from the
-derivatives of the equation.
+The numbers of the problem are taken as they stand; the results are numbers of mpmath.  In the plane
+each loop starts with the roots of its equation and its conjugate, which choose the assembly; in
+space the closed form is the start.  Newton’s method polishes the start and shows that the loops
+close; the rates follow from the derivatives of the equations.
 """
 
 from __future__ import annotations
@@ -13,7 +13,19 @@ from typing import Any
 from mpmath import mp, mpc, mpf  # type: ignore[import-untyped]
 
 from vad.kinematics.linkage import Scalar
-from vad.methods.problem import Found, Jet, LoopEquation, Problem, Values, Vector, found, side_of
+from vad.methods import closed_form, loops_in_space
+from vad.methods.loops_in_space import Arithmetic, Matrix
+from vad.methods.problem import (
+    ByScalar,
+    Found,
+    Jet,
+    LoopEquation,
+    LoopVector,
+    Problem,
+    SpaceProblem,
+    found,
+    side_of,
+)
 
 DIGITS = 50
 # Next to a dead centre half the digits are lost, and half of those left again.
@@ -52,7 +64,7 @@ def _rounded(problem: Problem, scalar: Scalar, jet: Jet) -> Jet:
     return Jet(*(x if abs(x) > least * pace**order else mpf(0) for order, x in enumerate(jet)))
 
 
-def _polar(vector: Vector, values: Values) -> tuple[Any, Any]:
+def _polar(vector: LoopVector, values: ByScalar) -> tuple[Any, Any]:
     """Return a vector's signed length and its direction exp(iθ)."""
     length, angle = vector.length, vector.angle
     return (
@@ -63,7 +75,7 @@ def _polar(vector: Vector, values: Values) -> tuple[Any, Any]:
     )
 
 
-def _sum(equation: LoopEquation, vectors: tuple[Vector, ...], values: Values) -> Any:
+def _sum(equation: LoopEquation, vectors: tuple[LoopVector, ...], values: ByScalar) -> Any:
     total = mpc(equation.constant)
     for vector in vectors:
         size, direction = _polar(vector, values)
@@ -71,7 +83,7 @@ def _sum(equation: LoopEquation, vectors: tuple[Vector, ...], values: Values) ->
     return total
 
 
-def _start(equation: LoopEquation, values: Values, side: int) -> dict[Scalar, Any]:
+def _start(equation: LoopEquation, values: ByScalar, side: int) -> dict[Scalar, Any]:
     known = _sum(equation, equation.known, values)
     seen = {**values, **dict.fromkeys(equation.unknowns, mpf(1))}
     (one, (a, p)), *others = ((vector, _polar(vector, seen)) for vector in equation.carriers)
@@ -97,7 +109,7 @@ def _root(square: Any) -> Any:
 
 
 def _polished(
-    equation: LoopEquation, values: Values, start: dict[Scalar, Any]
+    equation: LoopEquation, values: ByScalar, start: dict[Scalar, Any]
 ) -> dict[Scalar, Any]:
     """Return the root of the loop equation next to ``start`` by Newton's method."""
     place = start
@@ -108,7 +120,7 @@ def _polished(
     return place
 
 
-def _columns(equation: LoopEquation, values: Values) -> dict[Scalar, Any]:
+def _columns(equation: LoopEquation, values: ByScalar) -> dict[Scalar, Any]:
     """Return the derivatives of the equation by its unknowns."""
     columns = dict.fromkeys(equation.unknowns, mpc(0))
     for vector in equation.vectors:
@@ -133,7 +145,7 @@ def _two_unknowns(columns: dict[Scalar, Any], known: Any) -> dict[Scalar, Any]:
 
 
 def _rates(
-    equation: LoopEquation, values: Values, rates: Values, seconds: Values | None
+    equation: LoopEquation, values: ByScalar, rates: ByScalar, seconds: ByScalar | None
 ) -> dict[Scalar, Any]:
     """Return the unknown first derivatives, or the second ones if ``seconds`` is given."""
     given = rates if seconds is None else seconds
@@ -146,3 +158,38 @@ def _rates(
         known += vector.sign * given.get(vector.length, 0) * direction
         known += 1j * given.get(vector.angle, 0) * size * direction
     return _two_unknowns(_columns(equation, values), known)
+
+
+def solve_in_space(problem: SpaceProblem) -> Found:
+    """Solve one pose of a mechanism in space.
+
+    Raises
+    ------
+    ArithmeticError
+        If the equations have no real root, or its rates do not exist.
+    """
+    start = closed_form.positions(problem)
+    with mp.workdps(DIGITS + GUARD):
+        results = loops_in_space.solve(
+            problem, _ARITHMETIC, start, mpf(10) ** -(DIGITS + GUARD // 2)
+        )
+        return {
+            each: _rounded_in_space(problem, problem.unit(each), jet)
+            for each, jet in results.items()
+        }
+
+
+def _rounded_in_space(problem: SpaceProblem, unit: float, jet: Jet) -> Jet:
+    """Return a result with zero for what is nothing but the rounding of the last digits."""
+    least, pace = unit * mpf(10) ** -DIGITS, mpf(problem.pace)
+    return Jet(*(x if abs(x) > least * pace**order else mpf(0) for order, x in enumerate(jet)))
+
+
+def _solved(columns: Matrix, right: list[Any]) -> list[Any]:
+    try:
+        return list(mp.lu_solve(mp.matrix(columns).T, mp.matrix(right)))
+    except ZeroDivisionError:
+        raise ArithmeticError("dead centre") from None
+
+
+_ARITHMETIC = Arithmetic(mpf, mp.cos, mp.sin, mp.pi, _solved)

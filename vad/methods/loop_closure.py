@@ -9,7 +9,7 @@ from __future__ import annotations
 import cmath
 
 from vad.kinematics.linkage import Scalar
-from vad.methods.problem import Found, LoopEquation, Problem, Values, loop_by_loop, polar
+from vad.methods.problem import ByScalar, Found, LoopEquation, Problem, loop_by_loop, polar
 
 
 def solve(problem: Problem) -> Found:
@@ -31,7 +31,7 @@ def real_pair(p: complex, q: complex, known: complex) -> tuple[float, float]:
     return x.real, y.real
 
 
-def position(equation: LoopEquation, values: Values, side: int) -> dict[Scalar, float]:
+def position(equation: LoopEquation, values: ByScalar, side: int) -> dict[Scalar, float]:
     """Solve K + a·z + … = 0, K being the sum of all that is known and z = exp(iθ) unknown."""
     known = equation.constant + sum(cmath.rect(*polar(v, values)) for v in equation.known)
     # The unknowns themselves are set to 1 to read what stands beside them.
@@ -65,7 +65,7 @@ def _on_circle(z: complex) -> float:
 
 
 def rates(
-    equation: LoopEquation, values: Values, rate: Values, second: Values | None
+    equation: LoopEquation, values: ByScalar, rate: ByScalar, second: ByScalar | None
 ) -> dict[Scalar, float]:
     """Solve the first derivative of the equation, or the second if ``second`` is given.
 

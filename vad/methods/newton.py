@@ -1,8 +1,8 @@
-"""Newton's iteration on all loop equations at once; the rates by one linear system each.
+"""Newton’s iteration on all loop equations at once; the rates by one linear system each.
 
-In comes a problem, out go its results.  The iteration has no rule for the assembly: it begins
-with the drawing, read off as a drawing is (whole degrees, hundredths of the largest length), and
-refuses to answer if it has run over to the other side.
+The iteration has no rule for the assembly.  It begins with a drawing (in space, with the closed
+form) as far as a drawing can be read: whole degrees, hundredths of the largest length.  It refuses
+to answer if it has converged to the other assembly.
 """
 
 from __future__ import annotations
@@ -14,14 +14,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.kinematics.linkage import Scalar
-from vad.methods import construction
-from vad.methods.problem import Found, Problem, Values, Vector, driven, found, polar, side_of
+from vad.methods import closed_form, construction, loops_in_space
+from vad.methods.loops_in_space import Arithmetic, Matrix
+from vad.methods.problem import (
+    ByScalar,
+    Found,
+    LoopVector,
+    Problem,
+    SpaceProblem,
+    driven,
+    found,
+    polar,
+    side_of,
+)
 
 TOLERANCE = 1e-10
 _MOST_STEPS = 50
 
 
-def solve(problem: Problem, tolerance: float = TOLERANCE, start: Values | None = None) -> Found:
+def solve(problem: Problem, tolerance: float = TOLERANCE, start: ByScalar | None = None) -> Found:
     """Solve one pose by iteration.
 
     Parameters
@@ -65,7 +76,7 @@ def sketch(problem: Problem) -> dict[Scalar, float]:
 
 
 def _positions(
-    problem: Problem, driver: Values, tolerance: float, start: Values
+    problem: Problem, driver: ByScalar, tolerance: float, start: ByScalar
 ) -> dict[Scalar, float]:
     unknowns = problem.unknowns
     grains = np.array([1.0 if scalar.kind == "angle" else problem.size for scalar in unknowns])
@@ -92,7 +103,7 @@ def _parts(value: complex) -> list[float]:
     return [value.real, value.imag]
 
 
-def _residual(problem: Problem, value: Values) -> NDArray[np.float64]:
+def _residual(problem: Problem, value: ByScalar) -> NDArray[np.float64]:
     """Return by how much the loops do not close."""
     gaps = []
     for equation in problem.equations:
@@ -104,7 +115,7 @@ def _residual(problem: Problem, value: Values) -> NDArray[np.float64]:
     return np.array(gaps)
 
 
-def _jacobian(problem: Problem, value: Values) -> NDArray[np.float64]:
+def _jacobian(problem: Problem, value: ByScalar) -> NDArray[np.float64]:
     """Return the derivatives of the equations by the unknowns."""
     unknowns = problem.unknowns
     columns = []
@@ -115,7 +126,7 @@ def _jacobian(problem: Problem, value: Values) -> NDArray[np.float64]:
 
 
 def _derivative(
-    problem: Problem, value: Values, rate: Values, second: Values | None
+    problem: Problem, value: ByScalar, rate: ByScalar, second: ByScalar | None
 ) -> NDArray[np.float64]:
     """Return the equations' first derivative in time, or the second if ``second`` is given."""
     rows = []
@@ -135,12 +146,12 @@ def _derivative(
     return np.array(rows)
 
 
-def _rates(vector: Vector, rates: Values) -> tuple[float, float]:
+def _rates(vector: LoopVector, rates: ByScalar) -> tuple[float, float]:
     """Return how fast a vector turns and how fast its signed length grows."""
     return rates.get(vector.angle, 0.0), vector.sign * rates.get(vector.length, 0.0)
 
 
-def _on_its_side(problem: Problem, value: Values) -> bool:
+def _on_its_side(problem: Problem, value: ByScalar) -> bool:
     """Tell on which side the loops have closed, by the angle between their unknown vectors."""
     for equation in problem.equations:
         if len(equation.carriers) == 1 or equation.unknowns[0].kind == "length":
@@ -154,3 +165,36 @@ def _on_its_side(problem: Problem, value: Values) -> bool:
         if area * side_of(equation, value) < 0.0:
             return False
     return True
+
+
+# Farther than this from where it began it is another assembly, in radians or of the largest length.
+_FAR = 0.1
+
+
+def solve_in_space(problem: SpaceProblem) -> Found:
+    """Solve one pose of a mechanism in space by iteration.
+
+    Raises
+    ------
+    ArithmeticError
+        If the iteration does not converge, or converges to the other assembly.
+    """
+    near = closed_form.positions(problem)
+    grains = {s: problem.size / 100 if s.kind == "length" else math.pi / 180 for s in near}
+    start = {scalar: grain * round(near[scalar] / grain) for scalar, grain in grains.items()}
+    found = loops_in_space.solve(problem, _FLOATS, start, TOLERANCE)
+    for scalar, jet in found.items():
+        miss = jet.value - near[scalar]
+        if scalar.kind != "length":
+            miss = math.remainder(miss, math.tau)
+        if abs(miss) > _FAR * problem.unit(scalar):
+            raise ArithmeticError("the iteration has found the other assembly")
+    return found
+
+
+def _solved(columns: Matrix, right: list[Any]) -> list[float]:
+    found: list[float] = np.linalg.solve(np.array(columns, dtype=float).T, right).tolist()
+    return found
+
+
+_FLOATS = Arithmetic(float, math.cos, math.sin, math.pi, _solved)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.kinematics.linkage import Scalar
-from vad.methods.problem import Found, LoopEquation, Problem, Values, loop_by_loop, polar
+from vad.methods.problem import ByScalar, Found, LoopEquation, Problem, loop_by_loop, polar
 
 Components = NDArray[np.float64]
 
@@ -32,7 +32,7 @@ def _k_cross(vector: Components) -> Components:
     return np.array([-vector[1], vector[0]])
 
 
-def position(equation: LoopEquation, values: Values, side: int) -> dict[Scalar, float]:
+def position(equation: LoopEquation, values: ByScalar, side: int) -> dict[Scalar, float]:
     """Solve K + Σ ± length·(cos θ i + sin θ j) = 0, K being the sum of all that is known."""
     known = np.array([equation.constant.real, equation.constant.imag])
     for vector in equation.known:
@@ -65,7 +65,7 @@ def position(equation: LoopEquation, values: Values, side: int) -> dict[Scalar, 
 
 
 def rates(
-    equation: LoopEquation, values: Values, rate: Values, second: Values | None
+    equation: LoopEquation, values: ByScalar, rate: ByScalar, second: ByScalar | None
 ) -> dict[Scalar, float]:
     """Solve Σ ω k × r + ṙ = 0, or its derivative if ``second`` is given, for the two unknowns."""
     right = np.zeros(2)
