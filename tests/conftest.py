@@ -1,12 +1,19 @@
-"""What holds for all tests."""
+"""What holds for all tests.
+
+A test that is marked ``exhaustive`` looks at many mechanisms or poses alike.  Usually a fixed share
+of its cases runs, and hypothesis tries the same examples each time.  With ``--exhaustive``, as in
+``.ci/nightly``, all of its cases run, and hypothesis tries new examples.
+"""
 
 from __future__ import annotations
 
 import signal
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
+from zlib import crc32
 
 import pytest
+from hypothesis import settings
 
 from tests.browser import launched, opened
 
@@ -16,6 +23,39 @@ if TYPE_CHECKING:
 # A shell lets what it starts in the background ignore an interrupt, and that is inherited.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+#: Of the cases of an exhaustive test one in so many runs usually, and always the first.
+ONE_IN = 4
+
+settings.register_profile("the same each time", derandomize=True)
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Let the command line ask for all cases."""
+    parser.addoption("--exhaustive", action="store_true", help="run all cases of every test")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Choose the examples of hypothesis."""
+    if not config.getoption("--exhaustive"):
+        settings.load_profile("the same each time")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out most cases of exhaustive tests: by their names, so that a run repeats another."""
+    if config.getoption("--exhaustive"):
+        return
+    begun: set[str] = set()
+    kept, left = [], []
+    for item in items:
+        test, _, case = item.nodeid.partition("[")
+        first = test not in begun
+        begun.add(test)
+        many = case and item.get_closest_marker("exhaustive")
+        usual = first or not many or crc32(item.nodeid.encode()) % ONE_IN == 0
+        (kept if usual else left).append(item)
+    config.hook.pytest_deselected(items=left)
+    items[:] = kept
 
 
 @pytest.fixture(scope="session")
