@@ -40,7 +40,9 @@ def test_axe_finds_nothing(lesson: Page, theme: str) -> None:
     """At the middle with the list open; VAD_FULL=1 looks at more."""
     if theme == "chalk":
         press(lesson, "t")
-    expect(lesson.locator(".vad")).to_have_attribute("data-theme", theme)
+    expect(lesson.locator(".vad")).to_have_css(  # which takes a moment to get there
+        "background-color", rgb(load_style(theme).background)
+    )
     press(lesson, "s")
     for x in (0, 11, STROKES) if os.environ.get("VAD_FULL") else (11,):
         scrub(lesson, x)
