@@ -16,6 +16,7 @@ from vad.strokes.sheet import (
     Cell,
     Curve,
     Dot,
+    Driver,
     Ellipse,
     Line,
     Note,
@@ -23,6 +24,7 @@ from vad.strokes.sheet import (
     Row,
     Sheet,
     Stroke,
+    StrokePart,
 )
 
 #: Behind the ball for 0° to 180°.
@@ -35,11 +37,19 @@ def sheet_of_views(degrees: float = 60.0) -> Sheet:
     p = cmath.exp(1j * math.radians(degrees))
     down = complex(p.real) + ABOVE
     strokes = (
-        Stroke("fixed", "", Ellipse(0j, 1.0 + 0j, 1j), "The ball.", name="ball"),
-        Stroke("fixed", "O", Dot(0j), "O is its centre.", name="O.fixed"),
-        Stroke("guide", "", Curve((ABOVE - 0.9j, ABOVE + 0.3j)), "The shaft's axis.", name="axis"),
-        Stroke("fixed", "", Bearing(ABOVE - 0.6j, 1j), "Its bearing.", name="bearing"),
-        Stroke("known", "", ELLIPSE, "A circle.", "driving", name="circle"),
+        Stroke("fixed", "", Ellipse(0j, 1.0 + 0j, 1j), "The ball.", part=StrokePart.named("ball")),
+        Stroke("fixed", "O", Dot(0j), "O is its centre.", part=StrokePart.named("O.fixed")),
+        Stroke(
+            "guide",
+            "",
+            Curve((ABOVE - 0.9j, ABOVE + 0.3j)),
+            "The shaft's axis.",
+            part=StrokePart.named("axis"),
+        ),
+        Stroke(
+            "fixed", "", Bearing(ABOVE - 0.6j, 1j), "Its bearing.", part=StrokePart.named("bearing")
+        ),
+        Stroke("known", "", ELLIPSE, "A circle.", "driving", part=StrokePart.named("circle")),
         Stroke(
             "known",
             "",
@@ -48,7 +58,7 @@ def sheet_of_views(degrees: float = 60.0) -> Sheet:
             "driving",
             "link",
             reveals=("driving",),
-            name="OP.bar",
+            part=StrokePart.named("OP.bar"),
         ),
         Stroke(
             "angle",
@@ -56,7 +66,7 @@ def sheet_of_views(degrees: float = 60.0) -> Sheet:
             Arc(0j, 0.4, 0.0, degrees),
             "That is 60°.",
             "driving",
-            name="OP.angle",
+            part=StrokePart.named("OP.angle"),
         ),
         Stroke(
             "construction",
@@ -64,7 +74,7 @@ def sheet_of_views(degrees: float = 60.0) -> Sheet:
             Arc(0j, 0.7, 100.0, 80.0, 0.7j),
             "The compass.",
             "driven",
-            name="Q.compass",
+            part=StrokePart.named("Q.compass"),
         ),
         Stroke(
             "construction",
@@ -72,15 +82,22 @@ def sheet_of_views(degrees: float = 60.0) -> Sheet:
             Line(0j, -1j * p, -0.7j * p),
             "OQ is square to OP.",
             "driven",
-            name="OQ.line",
+            part=StrokePart.named("OQ.line"),
         ),
-        Stroke("intersection", "Q", Dot(-0.7j * p), "They meet at Q.", "driven", name="Q.found"),
+        Stroke(
+            "intersection",
+            "Q",
+            Dot(-0.7j * p),
+            "They meet at Q.",
+            "driven",
+            part=StrokePart.named("Q.found"),
+        ),
         Stroke(
             "construction",
             "",
             Curve((p, down, 0.7j, -2j), breaks=(2,)),
             "P from above.",
-            name="P.projector",
+            part=StrokePart.named("P.projector"),
         ),
         Stroke(
             "result",
@@ -89,10 +106,12 @@ def sheet_of_views(degrees: float = 60.0) -> Sheet:
             "The yoke.",
             "driving",
             "link",
-            name="yoke",
+            part=StrokePart.named("yoke"),
         ),
-        Stroke("result", "P", Dot(down), "P.", "driving", name="P.above"),
-        Stroke("intersection", "T", Dot(ABOVE + 1.2), "T is a point.", name="T.found"),
+        Stroke("result", "P", Dot(down), "P.", "driving", part=StrokePart.named("P.above")),
+        Stroke(
+            "intersection", "T", Dot(ABOVE + 1.2), "T is a point.", part=StrokePart.named("T.found")
+        ),
         Stroke(
             "result",
             "",
@@ -100,7 +119,7 @@ def sheet_of_views(degrees: float = 60.0) -> Sheet:
             "A sleeve.",
             "driven",
             reveals=("driven",),
-            name="sleeve",
+            part=StrokePart.named("sleeve"),
         ),
     )
     position = Panel(
@@ -115,7 +134,7 @@ def sheet_of_views(degrees: float = 60.0) -> Sheet:
         "velocity",
         "rad/s",
         (
-            Stroke("pole", "1", Dot(0j), "The pole.", name="pole"),
+            Stroke("pole", "1", Dot(0j), "The pole.", part=StrokePart.named("pole")),
             Stroke(
                 "known",
                 "ω₂",
@@ -124,7 +143,7 @@ def sheet_of_views(degrees: float = 60.0) -> Sheet:
                 "driving",
                 "absolute",
                 reveals=("driving",),
-                name="2.whole",
+                part=StrokePart.named("2.whole"),
             ),
         ),
         title="Velocity",
@@ -141,4 +160,6 @@ def sheet_of_views(degrees: float = 60.0) -> Sheet:
         ),
         Row("driven", "driven shaft", "4", {"position": (Cell("θ", degrees - 90.0, "°"),)}),
     )
-    return Sheet("ball", "Ball", (("shaft angle", 30.0, "°"),), rows, (position, velocity))
+    driver = Driver("driving", rate=10.0, angle="OP.angle")
+    parameters = (("shaft angle", 30.0, "°"),)
+    return Sheet("ball", "Ball", parameters, rows, (position, velocity), driver=driver)

@@ -9,15 +9,19 @@ from vad.strokes.sheet import (
     Arc,
     Arrow,
     Block,
+    Body,
     Cell,
     Dot,
+    Driver,
     Equation,
     Guide,
     Line,
     Panel,
+    Ride,
     Row,
     Sheet,
     Stroke,
+    StrokePart,
     Term,
 )
 
@@ -46,7 +50,11 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
         "mm",
         (
             Stroke(
-                "fixed", "A", Dot(0j), "A is the crank's pivot, fixed in the frame.", name="A.fixed"
+                "fixed",
+                "A",
+                Dot(0j),
+                "A is the crank's pivot, fixed in the frame.",
+                part=StrokePart.named("A.fixed"),
             ),
             Stroke(
                 "guide",
@@ -54,7 +62,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 Guide(0j, 1 + 0j, -1j),
                 "C slides on the guide.",
                 "slider",
-                name="DC.guide",
+                part=StrokePart.named("DC.guide"),
             ),
             Stroke(
                 "known",
@@ -63,14 +71,14 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "AB, the crank, is 60 mm long.",
                 "crank",
                 "link",
-                name="AB.bar",
+                part=StrokePart.named("AB.bar"),
             ),
             Stroke(
                 "angle",
                 f"{degrees:g}°",
                 Arc(0j, crank, 0.0, degrees),
                 "It stands at 60°.",
-                name="AB.angle",
+                part=StrokePart.named("AB.angle"),
             ),
             Stroke(
                 "construction",
@@ -78,7 +86,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 Arc(b, rod, math.degrees(cmath.phase(way)) - 14, 28.0, through=c),
                 "C lies on a circle of 140 mm about B.",
                 "rod",
-                name="BC.compass",
+                part=StrokePart.named("BC.compass"),
             ),
             Stroke(
                 "construction",
@@ -86,9 +94,11 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 Line(0j, 1 + 0j, c),
                 "C lies on the guide.",
                 "slider",
-                name="DC.line",
+                part=StrokePart.named("DC.line"),
             ),
-            Stroke("intersection", "C", Dot(c), "They meet at C.", name="C.found"),
+            Stroke(
+                "intersection", "C", Dot(c), "They meet at C.", part=StrokePart.named("C.found")
+            ),
             Stroke(
                 "result",
                 "BC",
@@ -97,7 +107,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "rod",
                 "link",
                 reveals=("rod",),
-                name="BC.bar",
+                part=StrokePart.named("BC.bar"),
             ),
             Stroke(
                 "result",
@@ -106,7 +116,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "C is the slider: x = 160.0 mm.",
                 "slider",
                 reveals=("slider",),
-                name="DC.block",
+                part=StrokePart.named("DC.block"),
             ),
         ),
         (
@@ -117,13 +127,23 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
         ),
         title="Position",
         picture="skeleton",
+        bodies=(
+            Body(None, ("A",), (Ride("DC.block", "DC.guide"),)),
+            Body("crank", ("A", "B")),
+            Body("rod", ("B", "C")),
+            Body("slider", ("C",)),
+        ),
     )
     velocity = Panel(
         "velocity",
         "mm/s",
         (
             Stroke(
-                "pole", "a, d", Dot(0j), "The fixed points a and d are at the pole.", name="pole"
+                "pole",
+                "a, d",
+                Dot(0j),
+                "The fixed points a and d are at the pole.",
+                part=StrokePart.named("pole"),
             ),
             Stroke(
                 "known",
@@ -132,7 +152,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "ab = ω₂·AB = 10 × 60 = 600.0 mm/s, ⟂ AB",
                 "crank",
                 "tangential",
-                name="AB.tangential",
+                part=StrokePart.named("AB.tangential"),
             ),
             Stroke(
                 "construction",
@@ -140,7 +160,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 Line(vb, unit(vc - vb), vc, "BC"),
                 "Through b, perpendicular to BC: C moves about B in a circle.",
                 "rod",
-                name="BC.line",
+                part=StrokePart.named("BC.line"),
             ),
             Stroke(
                 "construction",
@@ -149,9 +169,15 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "Through the pole, parallel to the guide: the slider can move no other way, "
                 "so c lies on this line.",
                 "slider",
-                name="DC.line",
+                part=StrokePart.named("DC.line"),
             ),
-            Stroke("intersection", "c", Dot(vc), "The lines cross at c.", name="C.crossing"),
+            Stroke(
+                "intersection",
+                "c",
+                Dot(vc),
+                "The lines cross at c.",
+                part=StrokePart.named("C.crossing"),
+            ),
             Stroke(
                 "result",
                 "bc",
@@ -160,7 +186,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "rod",
                 "tangential",
                 reveals=("rod",),
-                name="BC.tangential",
+                part=StrokePart.named("BC.tangential"),
             ),
             Stroke(
                 "result",
@@ -170,7 +196,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "slider",
                 "absolute",
                 reveals=("slider",),
-                name="DC.sliding",
+                part=StrokePart.named("DC.sliding"),
             ),
         ),
         (
@@ -190,7 +216,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "a′, d′",
                 Dot(0j),
                 "The fixed points a′ and d′ are at the pole.",
-                name="pole",
+                part=StrokePart.named("pole"),
             ),
             Stroke(
                 "known",
@@ -199,7 +225,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "a′b′ₙ = ω₂²·AB = 10² × 60 = 6000 mm/s², from B towards A",
                 "crank",
                 "normal",
-                name="AB.normal",
+                part=StrokePart.named("AB.normal"),
             ),
             Stroke(
                 "known",
@@ -208,7 +234,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "b′ₙb′ = α₂·AB = 20 × 60 = 1200 mm/s², ⟂ AB",
                 "crank",
                 "tangential",
-                name="AB.tangential",
+                part=StrokePart.named("AB.tangential"),
             ),
             Stroke(
                 "result",
@@ -217,7 +243,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "a′b′ = 6119 mm/s² is the acceleration of B.",
                 "crank",
                 "relative",
-                name="AB.whole",
+                part=StrokePart.named("AB.whole"),
             ),
             Stroke(
                 "known",
@@ -226,7 +252,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "b′cₙ = ω₃²·BC = 746.0 mm/s², from C towards B",
                 "rod",
                 "normal",
-                name="BC.normal",
+                part=StrokePart.named("BC.normal"),
             ),
             Stroke(
                 "construction",
@@ -234,7 +260,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 Line(cn, unit(ac - cn), ac, "BC"),
                 "Through cₙ, perpendicular to BC.",
                 "rod",
-                name="BC.line",
+                part=StrokePart.named("BC.line"),
             ),
             Stroke(
                 "construction",
@@ -242,9 +268,15 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 Line(0j, unit(ac), ac),
                 "Through the pole, parallel to the guide.",
                 "slider",
-                name="DC.line",
+                part=StrokePart.named("DC.line"),
             ),
-            Stroke("intersection", "c′", Dot(ac), "The lines cross at c′.", name="C.crossing"),
+            Stroke(
+                "intersection",
+                "c′",
+                Dot(ac),
+                "The lines cross at c′.",
+                part=StrokePart.named("C.crossing"),
+            ),
             Stroke(
                 "result",
                 "cₙc′",
@@ -253,7 +285,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "rod",
                 "tangential",
                 reveals=("rod",),
-                name="BC.tangential",
+                part=StrokePart.named("BC.tangential"),
             ),
             Stroke(
                 "result",
@@ -262,7 +294,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "b′c′ is the whole acceleration of C relative to B.",
                 "rod",
                 "relative",
-                name="BC.whole",
+                part=StrokePart.named("BC.whole"),
             ),
             Stroke(
                 "result",
@@ -272,7 +304,7 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
                 "slider",
                 "absolute",
                 reveals=("slider",),
-                name="DC.sliding",
+                part=StrokePart.named("DC.sliding"),
             ),
         ),
         (
@@ -326,4 +358,5 @@ def slider_crank(degrees: float = 60.0, omega: float = 10.0, alpha: float = 20.0
         (("crank", crank, "mm"), ("rod", rod, "mm"), ("offset", 0.0, "mm")),
         rows,
         (position, velocity, acceleration),
+        driver=Driver("crank", rate=omega, stroke="AB.bar", angle="AB.angle"),
     )

@@ -19,6 +19,7 @@ from vad.strokes.sheet import (
     Row,
     Sheet,
     Stroke,
+    StrokePart,
     Term,
 )
 
@@ -35,19 +36,35 @@ A4 = Y - 386.9 * I
 
 def _line(name: str, label: str, through: complex, way: complex, until: complex, link: str):
     shape = Line(through, way, until)
-    return Stroke("construction", label, shape, f"{label}: a line.", link, name=name)
+    return Stroke(
+        "construction", label, shape, f"{label}: a line.", link, part=StrokePart.named(name)
+    )
 
 
 def _arrow(kind, name, label, ends, letters, caption, link, **more):
-    return Stroke(kind, label, Arrow(*ends, *letters), caption, link, name=name, **more)
+    return Stroke(
+        kind, label, Arrow(*ends, *letters), caption, link, part=StrokePart.named(name), **more
+    )
 
 
 UPPER = (
-    Stroke("pole", "1", Dot(0j), "The pole: the frame, 1, does not turn.", name="pole"),
+    Stroke(
+        "pole",
+        "1",
+        Dot(0j),
+        "The pole: the frame, 1, does not turn.",
+        part=StrokePart.named("pole"),
+    ),
     _arrow("known", "2.known", "ω₂", (0j, TWO), "12", "12 = ω₂ = 10 rad/s.", "crank"),
     _line("I.line", "∥ OI", TWO, -I, FOUR, "axis"),
     _line("D.line", "∥ OD", 0j, D, FOUR, "rocker"),
-    Stroke("intersection", "4", Dot(FOUR), "4 is where the two lines cross.", name="4.crossing"),
+    Stroke(
+        "intersection",
+        "4",
+        Dot(FOUR),
+        "4 is where the two lines cross.",
+        part=StrokePart.named("4.crossing"),
+    ),
     _arrow(
         "result", "42", "ω₄₂", (TWO, FOUR), "24", "ω₄₂ = 8.877 rad/s.", "axis", reveals=("axis",)
     ),
@@ -56,12 +73,20 @@ UPPER = (
     ),
 )
 LOWER = (
-    Stroke("pole", "a,d", Dot(0j), "A and D of the frame stand still.", name="pole"),
+    Stroke(
+        "pole", "a,d", Dot(0j), "A and D of the frame stand still.", part=StrokePart.named("pole")
+    ),
     _arrow("known", "y.known", "", (0j, Y), ("a", "y"), "ay = 8.877 × 37.16 mm/s.", "axis"),
     _line("I.line", "∥ OI", Y, -I, A4, "axis"),
     _arrow("known", "z.known", "", (0j, Z), ("d", "z"), "dz = 3.050 × 100 mm/s.", "rocker"),
     _line("D.line", "∥ OD", Z, -D, A4, "rocker"),
-    Stroke("intersection", "a₄", Dot(A4), "a₄ is where the two lines cross.", name="a4.crossing"),
+    Stroke(
+        "intersection",
+        "a₄",
+        Dot(A4),
+        "a₄ is where the two lines cross.",
+        part=StrokePart.named("a4.crossing"),
+    ),
     _arrow(
         "result",
         "v42",

@@ -10,13 +10,12 @@ from typing import Any
 import vad
 from vad.kinematics.motion import Motion
 from vad.plan.format import Format
-from vad.plan.live.live_skeleton import held
 from vad.plan.live.live_views import held_arc, tip_of
 from vad.plan.scale import Scale
-from vad.strokes.sheet import Arrow, Block, Panel
+from vad.strokes.sheet import Arrow, Block, Sheet
 
 
-def grip(motion: Motion, panel: Panel, scale: Scale, form: Format) -> dict[str, Any] | None:
+def grip(motion: Motion, sheet: Sheet, scale: Scale, form: Format) -> dict[str, Any] | None:
     """Return the handle on the pin, strut or block that is driven; None where none is drawn.
 
     In views it is at the end of the driven angle's arc, where that is seen in true size from the
@@ -34,16 +33,17 @@ def grip(motion: Motion, panel: Panel, scale: Scale, form: Format) -> dict[str, 
         return [round(z.real * form.unit, 2), round((form.height - z.imag) * form.unit, 2)]
 
     name, factor = next(iter(motion.mechanism.inputs)), scale.factor * form.unit
-    arc = held_arc(panel, motion.solver.driver.name)
+    panel, driver = sheet.panel("position"), sheet.driver
+    arc = held_arc(panel, driver)
     if arc:
         spots = {"at": place(scale(tip_of(arc))), "about": place(scale(arc.centre))}
         return {"kind": "angle", "name": name, **spots, "factor": factor}
-    index = held(panel, motion.solver.driver.name)
+    index = panel.find(driver.stroke)
     if index is None:
         return None
     shape = panel.strokes[index].shape
     if isinstance(shape, Arrow):
-        kind = "angle" if motion.solver.driver.kind == "angle" else "length"
+        kind = "angle" if driver.turns else "length"
         about, at = scale(shape.start), scale(shape.end)
         return {
             "kind": kind,

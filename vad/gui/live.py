@@ -175,7 +175,7 @@ def grips(motion: Motion, sheet: Sheet, scales: Mapping[str, Scale]) -> dict[str
     """Return what the hand needs: the ranges of the driver, and its handle."""
     found: dict[str, Any] = {"ranges": reach(motion.mechanism), "handle": None}
     if POSITION in scales:
-        found["handle"] = grip(motion, sheet.panel(POSITION), scales[POSITION], FORM)
+        found["handle"] = grip(motion, sheet, scales[POSITION], FORM)
     return found
 
 

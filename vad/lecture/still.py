@@ -74,7 +74,9 @@ def part(sheet: Sheet, strokes: Mapping[str, tuple[Stroke, ...]]) -> Sheet:
         }
         if any(cells.values()):
             rows.append(replace(row, cells=cells))
-    return replace(sheet, panels=panels, rows=tuple(rows))
+    rate = sheet.driver.rate if any(panel.name == "velocity" for panel in panels) else 0.0
+    driver = replace(sheet.driver, rate=rate)
+    return replace(sheet, panels=panels, rows=tuple(rows), driver=driver)
 
 
 def _part(panel: Panel | None, strokes: Mapping[str, tuple[Stroke, ...]]) -> Panel | None:

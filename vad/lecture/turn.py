@@ -101,7 +101,7 @@ class Turn(Displayed):
             )
             for row in sheet.rows
         )
-        return replace(sheet, rows=rows)
+        return replace(sheet, rows=rows, driver=replace(sheet.driver, rate=0.0))
 
 
 def turn(

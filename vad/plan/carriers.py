@@ -6,39 +6,36 @@ poses.
 
 from __future__ import annotations
 
-from vad.strokes.sheet import Arrow, Block, Guide, Panel, Stroke
+from vad.strokes.sheet import Block, Guide, Panel, Stroke
 
 
 def carries_block(panel: Panel, stroke: Stroke) -> bool:
     """Tell whether a block slides on the link of a bar, which then lies beneath it."""
-    return any(
-        isinstance(other.shape, Block) and other.shape.on == stroke.link for other in panel.strokes
-    )
+    return stroke.link is not None and bool(panel.body(stroke.link).carries)
 
 
 def block_on(panel: Panel, bar: Stroke) -> Block | None:
     """Return the block that slides on a bar, which ends there, if its way is known."""
-    lever = bar.shape
-    assert isinstance(lever, Arrow)
-    close = 1e-9 * abs(lever.end - lever.start)
-    blocks = (stroke.shape for stroke in panel.strokes if isinstance(stroke.shape, Block))
-    riding = (block for block in blocks if block.on == bar.link and any(block.travel))
-    return next((block for block in riding if abs(block.at - lever.end) <= close), None)
+    block = _block_along(panel, bar)
+    return block if block and any(block.travel) else None
 
 
 def is_yoke(panel: Panel, link: str | None) -> bool:
     """Tell whether what slides on a guide has a slot for another block."""
-    return any(
-        isinstance(other.shape, Guide) and other.shape.side is None and other.link == link
-        for other in panel.strokes
-    )
+    return link is not None and any(ride.slot for ride in panel.body(link).carries)
 
 
-def block_in(panel: Panel, slot: str) -> Block | None:
-    """Return the block of a slot by its stroke's name: ``CB.block`` in ``CB.slot``."""
-    name = slot.replace(".slot", ".block")
-    blocks = (s.shape for s in panel.strokes if s.name == name and isinstance(s.shape, Block))
-    return next(blocks, None)
+def block_in(panel: Panel, slot: Stroke) -> Block | None:
+    """Return the block of a slot."""
+    return _block_along(panel, slot)
+
+
+def _block_along(panel: Panel, bearer: Stroke) -> Block | None:
+    """Return the block that slides along a bar or a slot, if it is drawn."""
+    rides = (ride for ride in panel.body(bearer.link).carries if ride.along == bearer.name)
+    numbers = (panel.find(ride.block) for ride in rides)
+    shapes = (panel.strokes[number].shape for number in numbers if number is not None)
+    return next((shape for shape in shapes if isinstance(shape, Block)), None)
 
 
 def ends_of_travel(block: Block) -> tuple[complex, complex]:
@@ -61,6 +58,6 @@ def reached(panel: Panel) -> list[complex]:
                 back, ahead = ends_of_travel(stroke.shape)
                 points += [back, 2 * ahead - back]
             case Guide(side=None):
-                block = block_in(panel, stroke.name)
+                block = block_in(panel, stroke)
                 points += ends_of_travel(block) if block else ()
     return points

@@ -14,7 +14,7 @@ from vad.errors import UsageError, one_of, shown
 from vad.plan.board import Plan
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.page.table import table
-from vad.strokes.sheet import Sheet, Stroke
+from vad.strokes.sheet import POLE, Sheet, Stroke
 
 #: What is left to be drawn: the panels by their names, each with the strokes that it shows.
 Blank = Mapping[str, tuple[Stroke, ...]]
@@ -42,7 +42,7 @@ def blank_panels(sheet: Sheet, names: Sequence[str] | str) -> Blank:
 
 
 def _is_given(stroke: Stroke) -> bool:
-    return stroke.kind in ("pole", "fixed") or stroke.name == "pole"
+    return stroke.kind in ("pole", "fixed") or stroke.part == POLE
 
 
 def problem(key: Plan, blank: Blank, line: float) -> Plan:

@@ -45,7 +45,13 @@ class _Construction:
         for bar in self.linkage.images:
             self.further.draw(bar)
         strokes = tuple(self.ink.strokes)
-        return Drawing(strokes, equations=tuple(equations), loops=tuple(begins))
+        return Drawing(
+            strokes,
+            equations=tuple(equations),
+            loops=tuple(begins),
+            bodies=self.ink.bodies,
+            coincident=self.ink.coincident,
+        )
 
     # --- what is given ------------------------------------------------------------------------
 
@@ -63,8 +69,9 @@ class _Construction:
                 pivot = letter in bars | ends
                 kind, phrase = ("fixed", "fixed") if pivot else ("pole", self._point(letter))
                 parts = {"letter": letter}
+                self.ink.join(None, letter)
                 self.ink.draw(
-                    f"{letter}.fixed", kind, letter, Dot(self.scene.at(letter)), phrase, parts
+                    letter, "fixed", kind, letter, Dot(self.scene.at(letter)), phrase, parts
                 )
         for slide in self.members.guides:
             self._guide(slide)
@@ -82,8 +89,7 @@ class _Construction:
         known = tail in self.members.points
         label, phrase = ("", "guide") if known else (tail, "guide point")
         parts = {"head": head, "tail": tail}
-        name = f"{slide.ends}.guide"
-        self.ink.draw(name, "guide", label, guide, phrase, parts, link=slide.name)
+        self.ink.draw(slide.ends, "guide", "guide", label, guide, phrase, parts, link=slide.name)
 
     def _away(self, letter: str, line: complex) -> complex:
         """Return the unit vector across a guide, on the side away from the rod."""
@@ -111,8 +117,10 @@ class _Construction:
                 arc = Arc(tail, abs(head - tail), 0.0, sweep)
                 angle = Figure(sweep, "°", given=True)
                 label = with_unit(str(angle), "°")
-                name, parts = f"{step.ends}.angle", {"link": step.link}
-                self.ink.draw(name, "angle", label, arc, "angle", parts, link=step.link)
+                parts = {"link": step.link}
+                self.ink.draw(
+                    step.ends, "angle", "angle", label, arc, "angle", parts, link=step.link
+                )
                 self.found.update((step.tail, step.head))
                 self._driver_points(step.link)
             elif isinstance(step.along, float):
@@ -155,7 +163,7 @@ class _Construction:
                     phrase = ("on guide", {"letter": end})
         if arcs > 1:
             phrase = ("arcs cross", {"letter": end})
-        self.ink.draw(f"{end}.found", "intersection", end, Dot(self.scene.at(end)), *phrase)
+        self.ink.draw(end, "found", "intersection", end, Dot(self.scene.at(end)), *phrase)
         self.found.add(end)
         for step in steps:
             if isinstance(step, Slide) and self._is_slot(step, unknowns):
@@ -167,8 +175,7 @@ class _Construction:
             self.found.add(slide.tail)
             at = Dot(self.scene.at(slide.tail))
             parts = {"letter": slide.tail, "link": slide.along, "pin": slide.head}
-            name = f"{slide.tail}.found"
-            self.ink.draw(name, "intersection", slide.tail, at, "on lever", parts)
+            self.ink.draw(slide.tail, "found", "intersection", slide.tail, at, "on lever", parts)
 
     def _is_slot(self, slide: Slide, unknowns: tuple[Scalar, ...]) -> bool:
         """Tell whether a block slides on a turning link that is known before."""
@@ -191,8 +198,10 @@ class _Construction:
             line = self.scene.heading(self.frame.heading(bar, self.scene.pose))
             shape = Line(self.scene.at(bar.tail), line, self.scene.at(end))
             parts: dict[str, object] = {"link": bar.link, "tail": bar.tail, "pin": pin}
-            name, label = f"{bar.ends}.line", bar.tail + pin
-            self.ink.draw(name, "construction", label, shape, "lever line", parts, link=bar.link)
+            label = bar.tail + pin
+            self.ink.draw(
+                bar.ends, "line", "construction", label, shape, "lever line", parts, link=bar.link
+            )
         return "on lever", {"letter": end, "link": bar.link, "pin": pin}
 
     def _slot_line(self, slide: Slide) -> None:
@@ -204,9 +213,10 @@ class _Construction:
             line = -line
         shape = Line(self.scene.at(head), line, self.scene.at(tail))
         parts: dict[str, object] = {"head": tail, "pin": head, "link": self.ink.owner(slide)}
-        name = f"{slide.ends}.line"
         label = self.scene.say("parallel", line=self.scene.line(slide))
-        self.ink.draw(name, "construction", label, shape, "slot line", parts, link=slide.name)
+        self.ink.draw(
+            slide.ends, "line", "construction", label, shape, "slot line", parts, link=slide.name
+        )
 
     def _link_slot_line(self, slide: Slide, end: str) -> None:
         """Draw the line of the slot in a known link, from where it is next to its first point."""
@@ -216,8 +226,9 @@ class _Construction:
         shape = Line(at - towards * line, line if towards > 0 else -line, at)
         label = self.scene.say("parallel", line=self.scene.line(slide))
         parts = {"head": end, "link": slide.along}
-        name = f"{slide.ends}.line"
-        self.ink.draw(name, "construction", label, shape, "in slot", parts, link=slide.name)
+        self.ink.draw(
+            slide.ends, "line", "construction", label, shape, "in slot", parts, link=slide.name
+        )
 
     def _ink(self, loop: Loop, unknowns: tuple[Scalar, ...]) -> None:
         for step in (*loop.first, *loop.second):

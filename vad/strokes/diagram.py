@@ -11,7 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 from vad.strokes.sheet import (
     BELOW,
+    Body,
     Cell,
+    Coincidence,
     Equation,
     ImageTriangle,
     Inset,
@@ -44,6 +46,8 @@ class Drawing:
     unit: str = ""
     below: Drawing | None = None
     picture: Picture | None = None
+    bodies: tuple[Body, ...] = ()
+    coincident: tuple[Coincidence, ...] = ()
 
 
 def no_cells(scene: Scene, name: str) -> tuple[Cell, ...]:
@@ -113,4 +117,6 @@ class Diagram:
             drawing.notes,
             drawing.remark,
             self._panel(scene, name + BELOW, drawing.below) if drawing.below else None,
+            drawing.bodies,
+            drawing.coincident,
         )

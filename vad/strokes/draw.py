@@ -16,7 +16,7 @@ from vad.strokes.finishing import finished, without_noise
 from vad.strokes.language import Language
 from vad.strokes.notation import Notation, in_metres
 from vad.strokes.scenes import scene_of
-from vad.strokes.sheet import TWIST, Arrow, Panel, Row, Sheet
+from vad.strokes.sheet import TWIST, Arrow, Panel, Row, Sheet, driver_of
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
@@ -81,15 +81,16 @@ def _sheet(
     rates = [size for unit, size in largest.items() if unit.startswith(f"{scene.unit}/s")]
     notation = scene.figures.settled(Notation(scene.language.point, in_metres(rates)))
     fill = Writer(notation).fill
-    mechanism = motion.mechanism
+    mechanism, clean = motion.mechanism, without_noise(rows, largest)
     return Sheet(
         mechanism=mechanism.name,
         title=scene.language.name(mechanism.title),
         parameters=_parameters(mechanism, language),
-        rows=without_noise(rows, largest),
+        rows=clean,
         panels=tuple(finished(panel, fill, captioned) for panel in drawn),
         language=language,
         notation=notation,
+        driver=driver_of(scene.driver.name, scene.driver.kind == "angle", clean, drawn),
     )
 
 

@@ -28,7 +28,7 @@ def finished(panel: Panel, fill: Callable[[str], str], captioned: bool) -> Panel
         shape = canonical(raw.shape)
         if label is raw.label and caption is raw.caption and shape is raw.shape:
             return raw
-        more = raw.link, raw.component, raw.image, raw.reveals, raw.name
+        more = raw.link, raw.component, raw.image, raw.reveals, raw.part
         return Stroke(raw.kind, label, shape, caption, *more)
 
     def term(raw: Term) -> Term:

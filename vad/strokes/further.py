@@ -70,7 +70,7 @@ class FurtherPoints:
             self.arc(Bar(centre + point, link, span), centre, point, size)
         parts = {"letter": point, "corners": base.ends + point}
         at = Dot(self.scene.at(point))
-        self.ink.draw(f"{point}.found", "intersection", point, at, "third point", parts)
+        self.ink.draw(point, "found", "intersection", point, at, "third point", parts)
         self.found.add(point)
 
     def arc(self, bar: Bar, centre: str, end: str, size: Figure, phrase: str = "compass") -> None:
@@ -81,5 +81,6 @@ class FurtherPoints:
         letters = self.scene.members.letters(bar)
         parts = {"head": end, "tail": centre, "bar": letters, "size": size, "link": bar.link}
         parts["unit"] = Unit(self.scene.unit)
-        name = f"{bar.ends}.compass"
-        self.ink.draw(name, "construction", letters, arc, phrase, parts, link=bar.link)
+        self.ink.draw(
+            bar.ends, "compass", "construction", letters, arc, phrase, parts, link=bar.link
+        )

@@ -14,7 +14,7 @@ from vad.kinematics.linkage import Bar
 from vad.strokes.figures import Figure, Unit
 from vad.strokes.plane_pencil import PlanePencil
 from vad.strokes.scene import Scene, image_letter
-from vad.strokes.sheet import Dot, ImageTriangle, Line, Stroke
+from vad.strokes.sheet import Dot, ImageTriangle, Line, Stroke, StrokePart
 
 
 class Images:
@@ -64,10 +64,10 @@ class Images:
             self._line(corners[near], corners[far], bar, turns)
         pencil.vertices[letters[2]] = places[2]
         caption = self._similar(bar, base) if turns else self._alike(bar, letters)
-        name = f"{bar.head}.crossing"
-        pencil.add(Stroke("intersection", letters[2], Dot(places[2]), caption, name=name))
+        part = StrokePart(bar.head, "crossing")
+        pencil.add(Stroke("intersection", letters[2], Dot(places[2]), caption, part=part))
         if turns and not pencil.resting:
-            self.triangles.append(ImageTriangle(bar.link, corners, tuple(places), name))
+            self.triangles.append(ImageTriangle(bar.link, corners, tuple(places), part.name))
 
     def _line(self, near: str, far: str, bar: Bar, turns: bool) -> None:
         """Draw the line from the image of a corner on which the point lies."""
@@ -88,7 +88,8 @@ class Images:
             )
         away = until - through
         line = Line(through, away / abs(away) if turns else 1.0, until, square)
-        stroke = Stroke("construction", label, line, caption, bar.link, name=f"{side}.line")
+        own = StrokePart(side, "line")
+        stroke = Stroke("construction", label, line, caption, bar.link, part=own)
         if turns:
             pencil.add(stroke)
         else:

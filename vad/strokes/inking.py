@@ -7,19 +7,52 @@ from collections.abc import Mapping
 from vad.kinematics.linkage import Bar, Slide, angle_of, scalar_of
 from vad.strokes.figures import Figure, Unit
 from vad.strokes.scene import Scene
-from vad.strokes.sheet import Arrow, Block, Guide, Plate, Shape, Stroke
+from vad.strokes.sheet import (
+    Arrow,
+    Block,
+    Body,
+    Coincidence,
+    Guide,
+    Plate,
+    Ride,
+    Shape,
+    Stroke,
+    StrokePart,
+)
 
 
 class Ink:
-    """The strokes of a pose so far, in the order in which they are drawn."""
+    """The strokes of a pose so far, in the order in which they are drawn, and its bodies."""
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self.strokes: list[Stroke] = []
+        #: The points of every body by its row, and the blocks that slide on it.
+        self._points: dict[str | None, list[str]] = {None: []}
+        self._rides: dict[str | None, list[Ride]] = {}
+        self._under: list[Coincidence] = []
+
+    @property
+    def bodies(self) -> tuple[Body, ...]:
+        """The bodies that are drawn, the frame first."""
+        return tuple(
+            Body(row, tuple(dict.fromkeys(points)), tuple(self._rides.get(row, ())))
+            for row, points in self._points.items()
+        )
+
+    @property
+    def coincident(self) -> tuple[Coincidence, ...]:
+        """The points of links that lie under the pins of blocks."""
+        return tuple(self._under)
+
+    def join(self, row: str | None, *letters: str) -> None:
+        """Give points to a body."""
+        self._points.setdefault(row, []).extend(letters)
 
     def draw(
         self,
-        name: str,
+        of: str,
+        which: str,
         kind: str,
         label: str,
         shape: Shape,
@@ -28,8 +61,8 @@ class Ink:
         **more: object,
     ) -> None:
         """Add a stroke with the caption that a phrase makes of its parts."""
-        caption = self.scene.caption(phrase, **parts)
-        stroke = Stroke(kind, label, shape, caption, name=name, **more)  # type: ignore[arg-type]
+        caption, part = self.scene.caption(phrase, **parts), StrokePart(of, which)
+        stroke = Stroke(kind, label, shape, caption, part=part, **more)  # type: ignore[arg-type]
         self.strokes.append(stroke)
 
     def bar(self, bar: Bar, kind: str, phrase: str, image: bool = False) -> None:
@@ -40,8 +73,10 @@ class Ink:
         )
         driven = angle_of(bar.link) == self.scene.driver
         reveals = () if driven or image else (bar.link,)
+        self.join(bar.link, tail, head)
         self.draw(
-            f"{bar.ends}.bar",
+            bar.ends,
+            "bar",
             kind,
             letters,
             arrow,
@@ -77,7 +112,8 @@ class Ink:
         shape = Plate(tuple(places[letter] for letter in letters), letters)
         label = "".join(letters)
         parts = {"link": link, "corners": label}
-        self.draw(f"{label}.plate", "result", label, shape, "plate", parts, link=link)
+        self.join(link, *letters)
+        self.draw(label, "plate", "result", label, shape, "plate", parts, link=link)
 
     def slot(self, slide: Slide) -> None:
         """Draw the slot of a moving link, in which a block slides."""
@@ -86,7 +122,7 @@ class Ink:
         moving = isinstance(slide.along, str)
         guide = Guide(self.scene.at(slide.head if moving else slide.tail), line)
         parts: dict[str, object] = {"head": slide.head, "link": owner}
-        self.draw(f"{slide.ends}.slot", "guide", "", guide, "slot", parts, link=owner)
+        self.draw(slide.ends, "slot", "guide", "", guide, "slot", parts, link=owner)
 
     def carrier(self, slide: Slide) -> Bar:
         """Return the bar of a turning link that reaches to the point under a block."""
@@ -120,8 +156,11 @@ class Ink:
         }
         if symbol == "s":
             phrase += " from"
+        self.join(slide.name, letter)
+        self._ride(slide)
         self.draw(
-            f"{slide.ends}.block",
+            slide.ends,
+            "block",
             kind,
             letter,
             Block(self.scene.at(letter), line, on, self.scene.travel(slide.name)),
@@ -131,6 +170,20 @@ class Ink:
             component="link",
             reveals=() if driven else (slide.name,),
         )
+
+    def _ride(self, slide: Slide) -> None:
+        """Note down on which body a block slides, and along what."""
+        on, block = (slide.along if isinstance(slide.along, str) else None), f"{slide.ends}.block"
+        if self.scene.members.is_guide(slide):
+            ride = Ride(block, f"{slide.ends}.guide")
+        elif self.has_slot(slide):
+            on, ride = self.owner(slide), Ride(block, f"{slide.ends}.slot", slot=True)
+        else:
+            bar = f"{self.carrier(slide).ends}.bar"
+            ride = Ride(block, bar if any(s.name == bar for s in self.strokes) else None)
+        self._rides.setdefault(on, []).append(ride)
+        if isinstance(slide.along, str) and slide.tail in self.scene.members.points:
+            self._under.append(Coincidence((slide.head, slide.tail), "under"))
 
     def _measured_from(self, slide: Slide) -> str:
         """Return the point from which a slide's position counts: a lever's pivot, a line's tail."""

@@ -6,11 +6,18 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Generic, Protocol
 
-from vad.strokes.sheet import Arrow, CoriolisInset, Dot, Kind, Line, Stroke
+from vad.strokes.sheet import (
+    POLE,
+    Arrow,
+    Coincidence,
+    CoriolisInset,
+    Dot,
+    Kind,
+    Line,
+    Stroke,
+    StrokePart,
+)
 from vad.strokes.vector_equations import NOTHING, Part, V
-
-#: The name of the point from which a polygon begins, or where a first crossing finds it.
-POLE = "pole"
 
 
 class Words(Protocol[V]):
@@ -94,7 +101,7 @@ class Pencil(Generic[V]):
 
     def begin(self, caption: str, rows: tuple[str, ...] = ()) -> None:
         """Draw the pole, where all fixed vertices are; ``rows`` are measured there already."""
-        pole = Stroke("pole", ",".join(self.fixed), Dot(0j), caption, reveals=rows, name=POLE)
+        pole = Stroke("pole", ",".join(self.fixed), Dot(0j), caption, reveals=rows, part=POLE)
         self.strokes.append(pole)
 
     def share_pole(self, letter: str) -> None:
@@ -125,8 +132,8 @@ class Pencil(Generic[V]):
         direction = -part.direction if away else part.direction
         caption = self.words.line(part, tip.name, end)
         line = Line(tip.at, direction, crossing, part.square_to)
-        name = f"{part.of.name}.line"
-        self.add(Stroke("construction", part.label, line, caption, part.of.owner, name=name))
+        own = StrokePart(part.of.name, "line")
+        self.add(Stroke("construction", part.label, line, caption, part.of.owner, part=own))
 
     def crossing(self, end: str, point: str, zeros: list[tuple[Part[V], str]]) -> None:
         """Mark the image of a point where two lines cross.
@@ -136,12 +143,12 @@ class Pencil(Generic[V]):
         at = self.place(end)
         self.vertices[end] = at
         fixed = end in self.fixed
-        name = POLE if fixed and not self.from_pole else f"{point}.crossing"
-        if self.resting and name == POLE:
+        part = POLE if fixed and not self.from_pole else StrokePart(point, "crossing")
+        if self.resting and part == POLE:
             return  # it is drawn already
         caption = self.words.crossing(end, fixed, zeros)
-        reveals = tuple(row for part, _ in zeros for row in part.of.reveals)
-        self.add(Stroke("intersection", end, Dot(at), caption, reveals=reveals, name=name))
+        reveals = tuple(row for zero, _ in zeros for row in zero.of.reveals)
+        self.add(Stroke("intersection", end, Dot(at), caption, reveals=reveals, part=part))
 
     def result(self, part: Part[V], tip: Tip, end: str) -> Stroke:
         """Ink the part that the crossing has found."""
@@ -155,12 +162,22 @@ class Pencil(Generic[V]):
         start, end = self.place(tail), self.place(head)
         label, arrow = tail + head, Arrow(start, end, tail, head)
         caption = self.words.whole(label, abs(end - start), vector) if several else ""
-        row, name = vector.owner, f"{vector.name}.whole"
-        stroke = Stroke("result", label, arrow, caption, row, vector.whole, name=name)
+        row, part = vector.owner, StrokePart(vector.name, "whole")
+        stroke = Stroke("result", label, arrow, caption, row, vector.whole, part=part)
         if several:
             self.add(stroke)
         else:
             self.leave_out(stroke)
+
+    @property
+    def coincident(self) -> tuple[Coincidence, ...]:
+        """The vertices that have one place: those at the pole, and the ends of zero vectors."""
+        found = [Coincidence(tuple(self.fixed), "fixed")] if len(self.fixed) > 1 else []
+        for stroke in self.zeros:
+            match stroke.shape:
+                case Arrow(tail=tail, head=head) if tail != head and stroke.kind != "construction":
+                    found.append(Coincidence((tail, head), "zero"))
+        return tuple(dict.fromkeys(found))
 
     def leave_out(self, stroke: Stroke) -> None:
         """Keep what is not drawn in this pose."""
@@ -178,5 +195,5 @@ def _stroke(
 ) -> Stroke:
     """Return the stroke of a part."""
     label = part.symbol or arrow.tail + arrow.head
-    row, name = part.of.owner, part.stroke_name
-    return Stroke(kind, label, arrow, caption, row, part.component, reveals=reveals, name=name)
+    row, own = part.of.owner, part.drawn
+    return Stroke(kind, label, arrow, caption, row, part.component, reveals=reveals, part=own)

@@ -8,7 +8,7 @@ from vad.strokes.captions import Captions
 from vad.strokes.chains import StepVector
 from vad.strokes.pencil import Pencil, Tip
 from vad.strokes.scene import Scene, image_letter
-from vad.strokes.sheet import Arrow, CoriolisInset, Stroke
+from vad.strokes.sheet import Arrow, CoriolisInset, Stroke, StrokePart
 from vad.strokes.vector_equations import Part
 
 
@@ -73,8 +73,8 @@ class PlanePencil(Pencil[StepVector]):
         label = self.label_from_pole(point, link)
         arrow = Arrow(0j, at, label.removesuffix(letter), letter)
         caption = caption or self.say.absolute(label, point, abs(at))
-        name = f"{point}.image" if image else f"{point}.absolute"
-        stroke = Stroke("result", label, arrow, caption, link, "absolute", image, name=name)
+        part = StrokePart(point, "image" if image else "absolute")
+        stroke = Stroke("result", label, arrow, caption, link, "absolute", image, part=part)
         if self.shows(at):
             return self.add(stroke)
         self.leave_out(stroke)

@@ -35,6 +35,7 @@ def polygon(scene: Scene, order: int) -> Drawing:
         pencil.inset,
         triangles,
         tuple(drawing.begins),
+        coincident=pencil.coincident,
     )
 
 

@@ -4,8 +4,9 @@ Nothing here knows colours, times or pixels; the shapes are those of `vad.stroke
 Coordinates are complex numbers in the panel's own unit (mm, mm/s, mm/s² …) with x to the right and
 y up; the pole of a polygon is the origin.
 
-Every stroke has a name, unique in its panel and the same in every pose: the ends of a step of the
-linkage and what is drawn of it, or a point's letter and how it is found.
+Every stroke has a name, unique in its panel and the same in every pose.  It is written from its
+`StrokePart`: the ends of a step of the linkage and what is drawn of it, or a point's letter and how
+it is found.
 
 =========================  ====================================================================
 position                   ``A.fixed``, ``C.found``; ``DC.guide``, ``CB.slot``, ``DC.block``,
@@ -20,9 +21,9 @@ Beyond its panel a stroke is called ``velocity:BC.line``.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from vad.displayed import Displayed
 from vad.strokes.insets import CoriolisInset, Inset, PolarInset
@@ -43,15 +44,19 @@ from vad.strokes.shapes import (
 )
 
 __all__ = [
+    "POLE",
     "Arc",
     "Arrow",
     "Bearing",
     "Block",
+    "Body",
     "Cell",
+    "Coincidence",
     "Component",
     "CoriolisInset",
     "Curve",
     "Dot",
+    "Driver",
     "Ellipse",
     "Equation",
     "Fold",
@@ -65,11 +70,14 @@ __all__ = [
     "Picture",
     "Plate",
     "PolarInset",
+    "Ride",
     "Row",
     "Shape",
     "Sheet",
     "Stroke",
+    "StrokePart",
     "Term",
+    "driver_of",
 ]
 
 Kind = Literal[
@@ -89,6 +97,46 @@ TWIST = "∠"
 BELOW = ".below"
 #: A mechanism in the plane, vectors from a pole, or a mechanism in space as it is seen.
 Picture = Literal["skeleton", "vectors", "views"]
+#: Why points have one place: all of them stand still, one lies under the pin of a block in every
+#: pose, or the vector between them has no length in this pose.
+Reason = Literal["fixed", "under", "zero"]
+
+
+class StrokePart(NamedTuple):
+    """Which part of what a stroke draws: the bar of step AB, the crossing at point C.
+
+    Attributes
+    ----------
+    of
+        The letters of the step, link or point; empty for what belongs to the whole panel.
+    which
+        The part: "bar", "block", "slot", "guide", "found", "line", "whole", "image" …
+    """
+
+    of: str
+    which: str
+
+    @property
+    def name(self) -> str:
+        """The name of the stroke: ``AB.bar``, ``pole``."""
+        return f"{self.of}.{self.which}" if self.of else self.which
+
+    @classmethod
+    def named(cls, name: str) -> StrokePart:
+        """Return the part that has a name.
+
+        Examples
+        --------
+        >>> StrokePart.named("AB.bar"), StrokePart.named("pole").of
+        (StrokePart(of='AB', which='bar'), '')
+        """
+        of, _, which = name.rpartition(".")
+        return cls(of, which)
+
+
+#: The point from which a polygon begins, or which a first crossing finds.
+POLE = StrokePart("", "pole")
+_UNNAMED = StrokePart("", "")
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,8 +161,8 @@ class Stroke:
         True for the vector to a point found by the velocity or acceleration image.
     reveals
         The rows of the results table whose cell in this panel is measured by this stroke.
-    name
-        What it is called in its panel, in every pose: ``BC.line``.
+    part
+        Which part of what it draws; this names it in its panel, in every pose.
     """
 
     kind: Kind
@@ -125,7 +173,12 @@ class Stroke:
     component: Component | None = None
     image: bool = False
     reveals: tuple[str, ...] = ()
-    name: str = ""
+    part: StrokePart = _UNNAMED
+
+    @property
+    def name(self) -> str:
+        """What it is called in its panel: ``BC.line``."""
+        return self.part.name
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,6 +220,80 @@ class Note:
 
 
 @dataclass(frozen=True, slots=True)
+class Ride:
+    """A block that slides on a body.
+
+    ``block`` is the name of the stroke that draws it, ``along`` that of the guide, slot or bar on
+    which it slides, None where it has none of its own.  ``slot`` tells a slot of a moving body.
+    """
+
+    block: str
+    along: str | None
+    slot: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """A body of a mechanism: a link, what slides, or the frame.
+
+    Attributes
+    ----------
+    row
+        The row of the results that it has; None for the frame.
+    points
+        The letters of its points that other bodies may share.
+    carries
+        The blocks that slide on it.
+    """
+
+    row: str | None
+    points: tuple[str, ...] = ()
+    carries: tuple[Ride, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Coincidence:
+    """Points of a panel, by their letters, that have one place, and the reason."""
+
+    letters: tuple[str, ...]
+    reason: Reason
+
+
+@dataclass(frozen=True, slots=True)
+class Driver:
+    """What drives the mechanism.
+
+    Attributes
+    ----------
+    row
+        The row of its link or slide.
+    turns
+        Whether a link is turned; otherwise something is slid.
+    rate
+        Its ω or its velocity as given; 0 where it rests, and where the sheet does not state it.
+    stroke, angle
+        The names of the strokes of the mechanism's panel that draw it, and its angle: None where
+        there are none.
+    """
+
+    row: str = ""
+    turns: bool = True
+    rate: float = 0.0
+    stroke: str | None = None
+    angle: str | None = None
+
+    @property
+    def omega(self) -> float:
+        """The given ω of a link, 0 for what slides."""
+        return self.rate if self.turns else 0.0
+
+    @property
+    def speed(self) -> float:
+        """The given velocity of what slides, 0 for a link."""
+        return 0.0 if self.turns else self.rate
+
+
+@dataclass(frozen=True, slots=True)
 class Panel:
     """One diagram of one pose: its strokes in drawing order.
 
@@ -177,7 +304,8 @@ class Panel:
     ``triangles`` are images of links, ``loops`` the numbers of the strokes that begin each loop.
     ``notes`` say from which sides a mechanism in space is seen, the ``remark`` stands under a
     polygon.  ``below`` is a second polygon under the first, drawn after it, in a unit of its own;
-    it is called ``velocity.below``.
+    it is called ``velocity.below``.  ``bodies`` are those of a mechanism, ``coincident`` the points
+    that have one place.
     """
 
     name: str
@@ -193,6 +321,8 @@ class Panel:
     notes: tuple[Note, ...] = ()
     remark: str = ""
     below: Panel | None = None
+    bodies: tuple[Body, ...] = ()
+    coincident: tuple[Coincidence, ...] = ()
 
     @property
     def halves(self) -> tuple[Panel, ...]:
@@ -230,6 +360,15 @@ class Panel:
                 return number
         raise KeyError(name)
 
+    def find(self, name: str | None) -> int | None:
+        """Return the place of a stroke in drawing order; None where it is not drawn."""
+        numbers = (number for number, stroke in enumerate(self.strokes) if stroke.name == name)
+        return next(numbers, None)
+
+    def body(self, row: str | None) -> Body:
+        """Return the body of a row of the results, or the frame; one without points if none is."""
+        return next((body for body in self.bodies if body.row == row), Body(row))
+
 
 @dataclass(frozen=True, slots=True)
 class Cell:
@@ -260,7 +399,7 @@ class Sheet(Displayed):
 
     ``parameters`` are (name, value, unit) in the title, where a `TWIST` joins the length before it;
     ``rows`` are the links, then the slides: their order gives inks.  ``notation`` says how numbers
-    are written that are not so already.
+    are written that are not so already.  ``driver`` is what drives the mechanism.
     """
 
     mechanism: str
@@ -270,6 +409,7 @@ class Sheet(Displayed):
     panels: tuple[Panel, ...]
     language: str = "en"
     notation: Notation = field(default_factory=Notation)
+    driver: Driver = Driver()
 
     @property
     def halves(self) -> tuple[Panel, ...]:
@@ -279,3 +419,19 @@ class Sheet(Displayed):
     def panel(self, name: str) -> Panel:
         """Return the panel called ``name``, which may stand below another."""
         return next(panel for panel in self.halves if panel.name == name)
+
+
+def driver_of(key: str, turns: bool, rows: Sequence[Row], panels: Sequence[Panel]) -> Driver:
+    """Return the driver of a row, with its rate where there is a panel of velocities.
+
+    What draws it is drawn in the panel of the mechanism.
+    """
+    cells = (c for row in rows if row.key == key for c in row.cells.get("velocity", ()) if c.given)
+    own = [s for p in panels if p.picture != "vectors" for s in p.strokes if s.link == key]
+    return Driver(
+        key,
+        turns,
+        next((cell.value for cell in cells), 0.0),
+        next((stroke.name for stroke in own if stroke.component == "link"), None),
+        next((stroke.name for stroke in own if stroke.kind == "angle"), None),
+    )

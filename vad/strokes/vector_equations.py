@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Generic, TypeVar
 
-from vad.strokes.sheet import Component
+from vad.strokes.sheet import Component, StrokePart
 
 #: Vectors shorter than this share of the longest one of a panel are zero.
 NOTHING = 1e-12
@@ -105,9 +105,9 @@ class Part(Generic[V]):
     called: str = ""
 
     @property
-    def stroke_name(self) -> str:
-        """What the stroke that draws it is called: ``AB.normal``."""
-        return self.called or f"{self.of.name}.{self.name}"
+    def drawn(self) -> StrokePart:
+        """Which part of what the stroke that draws it is: ``AB.normal``."""
+        return StrokePart("", self.called) if self.called else StrokePart(self.of.name, self.name)
 
     @property
     def reverse(self) -> bool:

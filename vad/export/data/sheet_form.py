@@ -35,11 +35,14 @@ from vad.strokes.sheet import (
     Arrow,
     Bearing,
     Block,
+    Body,
     Cell,
+    Coincidence,
     Component,
     CoriolisInset,
     Curve,
     Dot,
+    Driver,
     Ellipse,
     Equation,
     Fold,
@@ -52,9 +55,12 @@ from vad.strokes.sheet import (
     Picture,
     Plate,
     PolarInset,
+    Reason,
+    Ride,
     Row,
     Sheet,
     Stroke,
+    StrokePart,
     Term,
 )
 
@@ -63,6 +69,8 @@ UNIT = Form(
     lambda unit: unit.replace("²", "^2"),
     lambda value, place: TEXT.read(value, place).replace("^2", "²"),
 )
+#: The part of a stroke as its name: ``AB.bar``.
+NAME = Form(lambda part: part.name, lambda value, place: StrokePart.named(TEXT.read(value, place)))
 ELLIPSE = record(
     Ellipse,
     centre=POINT,
@@ -114,7 +122,7 @@ STROKE = record(
     link=optional(TEXT),
     shape=Key(SHAPE, beside=True),
     caption=TEXT,
-    name=TEXT,
+    part=Key(NAME, "name"),
     image=optional(FLAG, False),
     reveals=optional(many(TEXT), ()),
 )
@@ -144,6 +152,11 @@ POLAR = record(
 )
 INSET = variants("inset", "coriolis", coriolis=CORIOLIS, polar=POLAR)
 TRIANGLE = record(ImageTriangle, link=TEXT, points=many(TEXT), corners=many(POINT), stroke=TEXT)
+RIDE = record(Ride, block=TEXT, along=optional(TEXT), slot=optional(FLAG, False))
+BODY = record(
+    Body, row=optional(TEXT), points=optional(many(TEXT), ()), carries=optional(many(RIDE), ())
+)
+COINCIDENCE = record(Coincidence, letters=many(TEXT), reason=one_of(get_args(Reason)))
 _DRAWN: dict[str, Form | Key] = {
     "unit": UNIT,
     "title": TEXT,
@@ -153,9 +166,11 @@ _DRAWN: dict[str, Form | Key] = {
     "equations": optional(many(EQUATION), ()),
     "inset": optional(INSET),
     "triangles": optional(many(TRIANGLE), ()),
-    "loops": optional(many(COUNT), ()),
+    "loops": optional(many(INDEX), ()),
     "notes": optional(many(record(Note, at=POINT, text=TEXT)), ()),
     "remark": optional(TEXT, ""),
+    "bodies": optional(many(BODY), ()),
+    "coincident": optional(many(COINCIDENCE), ()),
 }
 LOWER = record(Panel, name=TEXT, **_DRAWN)
 PANEL = record(
@@ -171,6 +186,14 @@ NOTATION = record(
     metres=optional(FLAG, False),
     digits=optional(by_name(COUNT), {}),
 )
+DRIVER = record(
+    Driver,
+    row=TEXT,
+    turns=optional(FLAG, True),
+    rate=optional(NUMBER, 0.0),
+    stroke=optional(TEXT),
+    angle=optional(TEXT),
+)
 SHEET = record(
     Sheet,
     mechanism=TEXT,
@@ -179,5 +202,6 @@ SHEET = record(
     parameters=many(row(TEXT, NUMBER, UNIT)),
     rows=many(ROW),
     notation=optional(NOTATION, Notation()),
+    driver=optional(DRIVER),  # of an old file it is told from the strokes
     panels=by_attribute("name", PANEL),
 )

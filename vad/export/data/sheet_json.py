@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from vad.errors import InputError, shown
+from vad.export.data.old_sheets import with_facts
 from vad.export.data.records import within
 from vad.export.data.sheet_form import SHEET
 from vad.strokes.sheet import BELOW, Sheet
@@ -83,7 +84,7 @@ def sheet_from_json(source: str | os.PathLike[str] | Mapping[str, Any]) -> Sheet
         _check(sheet)
     except InputError as error:
         raise InputError(f"{name}: {error}", hint="as vad draw … -o sheet.json writes it") from None
-    return sheet
+    return sheet if "driver" in data else with_facts(sheet)
 
 
 def _loaded(source: str | os.PathLike[str] | Mapping[str, Any]) -> tuple[str, Any]:

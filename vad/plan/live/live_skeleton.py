@@ -30,13 +30,13 @@ from vad.plan.pictures.rotation import (
     sense_arrow,
     sense_letter,
 )
-from vad.plan.pictures.skeleton import NEAR, driven, given_rate
+from vad.plan.pictures.skeleton import NEAR
 from vad.plan.pictures.speed import add_speed
 from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.moving_skeleton import MovingSkeleton
 from vad.plan.turning.turn_scale import mechanism_scale
-from vad.strokes.sheet import Arc, Arrow, Block, Panel
+from vad.strokes.sheet import Arc, Arrow, Panel
 
 _TURNS = range(0, 360, 30)
 _CLEAR = 0.010  # about the arrow
@@ -92,13 +92,13 @@ class LiveSkeleton:
         labels.letter(vertices, self.moving.radius, NEAR)
         for index, shape in arcs:
             add_angle(sketch, index, angle_arc(sketch, shape), labels)
-        add_speed(sketch, *given_rate(setting.sheet, "v"), self.moving.size)
+        add_speed(sketch, setting.sheet.driver, self.moving.size)
         return sketch, labels.ways
 
     def _add_sense(self, sketch: Sketch) -> None:
         """Add the ω arrow of the driven link, about its pivot."""
-        panel, sense = sketch.setting.panel, given_rate(sketch.setting.sheet, "ω")[1]
-        index, arcs = driven(panel), _angles(panel)
+        panel, driver = sketch.setting.panel, sketch.setting.sheet.driver
+        sense, index, arcs = driver.omega, panel.find(driver.stroke), _angles(panel)
         if index is None or not sense or not arcs or self.sense is None:
             return
         radius, span, middle = self.sense
@@ -128,18 +128,10 @@ def _free_sector(moving: MovingSkeleton, poses: Sequence[Panel]) -> tuple[float,
     return places[int(met.argmin())]
 
 
-def held(panel: Panel, driver: str) -> int | None:
-    """Return the number of the stroke that draws the driven bar, strut or block."""
-    for index, stroke in enumerate(panel.strokes):
-        if stroke.link == driver and isinstance(stroke.shape, Arrow | Block):
-            return index
-    return None
-
-
 def _clear_grip(sketch: Sketch) -> None:
     """Keep labels clear of the handle on what is driven."""
     panel, sheet = sketch.setting.panel, sketch.setting.sheet
-    index = held(panel, given_rate(sheet, "ω")[0] or given_rate(sheet, "v")[0])
+    index = panel.find(sheet.driver.stroke)
     shape = None if index is None else panel.strokes[index].shape
     if isinstance(shape, Arrow):
         sketch.obstacles.disc(sketch.scale(shape.end), GRIP)

@@ -18,12 +18,11 @@ from vad.plan.live.calm_scale import calm_scale
 from vad.plan.live.live_labels import KeptLabels, Ways
 from vad.plan.live.live_skeleton import GRIP, add_angle
 from vad.plan.pictures.rotation import add_sense, block_arc
-from vad.plan.pictures.skeleton import given_rate
-from vad.plan.pictures.views import NEAR, RADIUS, angle_of, driven_angle, views_scale
+from vad.plan.pictures.views import NEAR, RADIUS, angle_of, views_scale
 from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.moving_views import MovingViews
-from vad.strokes.sheet import Arc, Panel
+from vad.strokes.sheet import Arc, Driver, Panel
 
 
 @dataclass(frozen=True)
@@ -45,7 +44,7 @@ class LiveViews:
     def over(cls, setting: Setting, poses: Sequence[Panel]) -> LiveViews:
         """Return the views of a mechanism whose ``poses`` are panels of its whole reach."""
         moving = MovingViews(setting, poses, views_scale(setting, poses))
-        index = driven_angle(setting.sheet, poses[0])
+        index = poses[0].find(setting.sheet.driver.angle)
         shape = poses[0].strokes[index].shape if index is not None else None
         return cls(moving, shape if isinstance(shape, Arc) else None)
 
@@ -73,7 +72,7 @@ class LiveViews:
         for arc in arcs.values():
             block_arc(sketch.obstacles, arc)
         self._add_turning(sketch)
-        held = held_arc(setting.panel, given_rate(setting.sheet, "ω")[0])
+        held = held_arc(setting.panel, setting.sheet.driver)
         if held:
             sketch.obstacles.disc(self.scale(tip_of(held)), GRIP)
         labels = KeptLabels(sketch, ways)
@@ -85,8 +84,7 @@ class LiveViews:
     def _add_turning(self, sketch: Sketch) -> None:
         """Add the arrow of ω, which stands where it meets no pose."""
         setting = sketch.setting
-        index = driven_angle(setting.sheet, setting.panel)
-        rate = given_rate(setting.sheet, "ω")[1]
+        index, rate = setting.panel.find(setting.sheet.driver.angle), setting.sheet.driver.omega
         if index is None or self.angle is None or not rate:
             return
         sense = math.copysign(1.0, rate)
@@ -107,13 +105,11 @@ class LiveViews:
         return {}
 
 
-def held_arc(panel: Panel, driver: str) -> Arc | None:
+def held_arc(panel: Panel, driver: Driver) -> Arc | None:
     """Return the arc of the driven angle, if the hand can hold it: it begins on the right."""
-    for stroke in panel.strokes:
-        shape = stroke.shape
-        if stroke.kind == "angle" and stroke.link == driver and isinstance(shape, Arc):
-            return shape if panel.picture == "views" and shape.start == 0.0 else None
-    return None
+    index = panel.find(driver.angle)
+    shape = panel.strokes[index].shape if index is not None and panel.picture == "views" else None
+    return shape if isinstance(shape, Arc) and shape.start == 0.0 else None
 
 
 def tip_of(arc: Arc) -> complex:

@@ -126,7 +126,7 @@ def slot_ends(sketch: Sketch, index: int, shape: Guide, size: float) -> tuple[co
     """Return both ends of a slot: half a block past all places of its block, in every pose."""
     panel, scale = sketch.setting.panel, sketch.scale
     through, way = scale(shape.through), shape.direction
-    block = block_in(panel, panel.strokes[index].name)
+    block = block_in(panel, panel.strokes[index])
     past = machine.BLOCK[0] / 2 * size + machine.PAST
     reach = [0.0]
     for spot in ends_of_travel(block) if block else ():

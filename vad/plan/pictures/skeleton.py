@@ -5,6 +5,7 @@ In come a panel's strokes and its place, out goes a `Sketch`.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 
 from vad.plan.carriers import carries_block, is_yoke
@@ -35,14 +36,14 @@ from vad.plan.pictures.yoke import yoke_of
 from vad.plan.roles import BLOCK_RIM, CONSTRUCTION
 from vad.plan.scale import fill
 from vad.plan.sketch import Setting, Sketch
-from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Plate, Sheet
+from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Plate
 
 NEAR = (0.014, 0.020, 0.028, 0.036)
 
 
 def draw(setting: Setting) -> Sketch:
     """Return the sketch of a mechanism."""
-    panel = setting.panel
+    panel, driver = setting.panel, setting.sheet.driver
     scale = setting.scale or fill(
         corners(panel), setting.room, position=True, centimetre=setting.centimetre
     )
@@ -70,8 +71,8 @@ def draw(setting: Setting) -> Sketch:
     label_vertices(sketch, vertices, machine.JOINT_REACH * size, NEAR)
     for index, shape in angles:
         add_angle(sketch, index, angle_arc(sketch, shape))
-        add_sense(sketch, driven(panel), shape, given_rate(setting.sheet, "ω")[1])
-    add_speed(sketch, *given_rate(setting.sheet, "v"), size)
+        add_sense(sketch, panel.find(driver.stroke), shape, driver.omega)
+    add_speed(sketch, driver, size)
     for index, stroke in enumerate(panel.strokes):
         if isinstance(stroke.shape, Line):
             add_square(sketch, index, line_of(sketch, index, {}))
@@ -99,34 +100,8 @@ def joints(vertices: Sequence[Vertex], panel: Panel, size: float) -> list[Mark]:
 
 def pins(panel: Panel) -> set[str]:
     """Return the letters of the points at which two bodies meet, of which the frame may be one."""
-    bodies: dict[str, set[str | None]] = {}
-    for stroke in panel.strokes:
-        shape = stroke.shape
-        letters: tuple[str, ...] = (stroke.label,)
-        if isinstance(shape, Arrow):
-            letters = shape.tail, shape.head
-        elif isinstance(shape, Plate):
-            letters = shape.letters
-        if isinstance(shape, Arrow | Block | Plate) or stroke.kind == "fixed":
-            for letter in letters:
-                bodies.setdefault(letter, set()).add(stroke.link)
-    return {letter for letter, met in bodies.items() if len(met) > 1}
-
-
-def given_rate(sheet: Sheet, symbol: str) -> tuple[str, float]:
-    """Return the link or slide with a given rate, and that rate: 0 where there is none."""
-    for row in sheet.rows:
-        for cells in row.cells.values():
-            for cell in cells:
-                if cell.given and cell.symbol[0] == symbol:
-                    return row.key, cell.value
-    return "", 0.0
-
-
-def driven(panel: Panel) -> int | None:
-    """Return the number of the stroke that draws what the driver dictates, if it is there."""
-    numbers = (i for i, stroke in enumerate(panel.strokes) if stroke.kind == "known")
-    return next(numbers, None)
+    letters = Counter(letter for body in panel.bodies for letter in body.points)
+    return {letter for letter, bodies in letters.items() if bodies > 1}
 
 
 def add_stroke(sketch: Sketch, index: int) -> None:

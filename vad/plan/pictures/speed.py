@@ -18,7 +18,7 @@ from vad.plan.pictures import machine
 from vad.plan.pictures.rotation import SIZE
 from vad.plan.pictures.straight import vector
 from vad.plan.sketch import Sketch, Tag
-from vad.strokes.sheet import Arrow, Block
+from vad.strokes.sheet import Arrow, Block, Driver
 
 LENGTH = 0.072
 CLEAR = 0.009  # to either side of the arrow
@@ -29,18 +29,14 @@ PLACES = sorted(
 )
 
 
-def add_speed(sketch: Sketch, key: str, speed: float, size: float) -> None:
-    """Add the arrow of ``speed`` beside the block or the actuator called ``key``, if it moves."""
-    numbers = [
-        number
-        for number, stroke in enumerate(sketch.setting.panel.strokes)
-        if stroke.link == key and isinstance(stroke.shape, Arrow | Block)
-    ]
-    if not numbers or not speed:
+def add_speed(sketch: Sketch, driver: Driver, size: float) -> None:
+    """Add the arrow of the given velocity beside the block or actuator that is driven."""
+    number = sketch.setting.panel.find(driver.stroke)
+    if number is None or not driver.speed:
         return
     setting, obstacles = sketch.setting, sketch.obstacles
-    stroke = setting.panel.strokes[numbers[0]]
-    shape, row, scale = stroke.shape, setting.row(key), sketch.scale
+    stroke = setting.panel.strokes[number]
+    shape, row, scale = stroke.shape, setting.row(driver.row), sketch.scale
     if isinstance(shape, Arrow):  # beside the rod of an actuator
         way, half = direction_of(shape.start, shape.end), machine.CYLINDER / 2 * size
         middle = scale((shape.start + shape.cylinder * way + shape.end) / 2)
@@ -50,7 +46,7 @@ def add_speed(sketch: Sketch, key: str, speed: float, size: float) -> None:
         middle = scale(shape.at)
     runs = symbols("v")
     wide, high = ink_size(runs, SIZE)
-    ahead = way if speed > 0 else -way
+    ahead = way if driver.speed > 0 else -way
     for (aside, along), side in product(PLACES, (1j * way, -1j * way)):
         at = middle + (half + aside) * side + along * ahead
         start, end = at - LENGTH / 2 * ahead, at + LENGTH / 2 * ahead
@@ -64,7 +60,7 @@ def add_speed(sketch: Sketch, key: str, speed: float, size: float) -> None:
             arrow = vector(start, end, row, "speed", whole=True)
             marks = [replace(mark, growth=None) for mark in arrow]
             marks.append(text_at(runs, runs, spot, SIZE, "tag", row))
-            sketch.add(stroke, Level.LABEL, setting.after(numbers[0]), marks)
+            sketch.add(stroke, Level.LABEL, setting.after(number), marks)
             placed = Placed(spot, wide, high)
             sketch.tags.append(Tag("v", placed.box))
             obstacles.box(placed.box)

@@ -25,7 +25,6 @@ from vad.plan.pictures.constructions import (
 from vad.plan.pictures.curves import add_curve, bearing_marks, block_bearing
 from vad.plan.pictures.notes import add_notes
 from vad.plan.pictures.rotation import add_angle, add_sense, block_arc
-from vad.plan.pictures.skeleton import given_rate
 from vad.plan.pictures.tools import compass
 from vad.plan.pictures.vectors import swelling
 from vad.plan.roles import BLOCK_RIM, CONSTRUCTION
@@ -41,7 +40,6 @@ from vad.strokes.sheet import (
     Ellipse,
     Line,
     Panel,
-    Sheet,
     Stroke,
 )
 
@@ -152,17 +150,11 @@ def angle_of(sketch: Sketch, index: int) -> Bow | None:
 def add_turning(sketch: Sketch) -> None:
     """Add the arrow of ω about the centre of the driven angle."""
     setting = sketch.setting
-    index = driven_angle(setting.sheet, setting.panel)
+    driver = setting.sheet.driver
+    index = setting.panel.find(driver.angle)
     shape = None if index is None else setting.panel.strokes[index].shape
     if isinstance(shape, Arc):
-        add_sense(sketch, index, shape, given_rate(setting.sheet, "ω")[1])
-
-
-def driven_angle(sheet: Sheet, panel: Panel) -> int | None:
-    """Return the number of the stroke that draws the angle of what turns at a given rate."""
-    link, _ = given_rate(sheet, "ω")
-    strokes = enumerate(panel.strokes)
-    return next((i for i, s in strokes if s.kind == "angle" and s.link == link), None)
+        add_sense(sketch, index, shape, driver.omega)
 
 
 def add_names(sketch: Sketch) -> None:

@@ -19,7 +19,7 @@ from vad.plan.roles import DOT_RIM, ROLES
 from vad.plan.scale import Scale
 from vad.plan.sharing import add_lower_bar
 from vad.plan.sketch import Setting, Sketch
-from vad.strokes.sheet import Arrow, Dot, Panel, Stroke
+from vad.strokes.sheet import Arrow, Dot, Panel, Stroke, StrokePart
 
 EDGE = 0.010  # from the panel's edge, a vector that leaves it ends
 _PARTS = ("normal", "tangential")
@@ -27,14 +27,13 @@ _PARTS = ("normal", "tangential")
 
 def principal(panel: Panel) -> Panel:
     """Return a polygon with whole vectors instead of their normal and tangential parts."""
-    wholes = [s for s in (*panel.strokes, *panel.zeros) if s.name.endswith(".whole")]
-    steps = {stroke.name.partition(".")[0] for stroke in wholes}
+    wholes = [s for s in (*panel.strokes, *panel.zeros) if s.part.which == "whole"]
+    steps = {stroke.part.of for stroke in wholes}
 
-    def given_up(name: str) -> bool:
-        step, _, part = name.partition(".")
-        return part == "whole" or (part in _PARTS and step in steps)
+    def given_up(part: StrokePart) -> bool:
+        return part.which == "whole" or (part.which in _PARTS and part.of in steps)
 
-    kept = [s for s in panel.strokes if isinstance(s.shape, Arrow | Dot) and not given_up(s.name)]
+    kept = [s for s in panel.strokes if isinstance(s.shape, Arrow | Dot) and not given_up(s.part)]
     # It stands alone, not beside its parts, and so it is drawn as any other vector.
     whole = [replace(stroke, component="absolute") for stroke in wholes]
     return replace(panel, strokes=(*whole, *kept), zeros=())

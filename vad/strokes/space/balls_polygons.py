@@ -52,6 +52,7 @@ def polygon(scene: SceneInSpace, seen: Seen, order: int) -> Drawing:
         () if pencil.resting else (of_chains(first.side, second.side),),
         loops=tuple(player.begins),
         remark=scene.language.say("balls remark"),
+        coincident=pencil.coincident,
     )
 
 

@@ -13,7 +13,7 @@ from typing import Any
 from vad.strokes.diagram import Drawing
 from vad.strokes.pencil import Pencil
 from vad.strokes.player import Player
-from vad.strokes.sheet import Component, Ellipse, Equation, Fold, Stroke, Term
+from vad.strokes.sheet import Component, Ellipse, Equation, Fold, Stroke, StrokePart, Term
 from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.space.body_words import TURNED, BodyVector, BodyWords
 from vad.strokes.vector_equations import Chain, Part, VectorEquation
@@ -88,6 +88,7 @@ class _Polygon:
             sums,
             loops=tuple(player.begins),
             remark="" if pencil.resting or self.order > 1 else self.bodies.remark,
+            coincident=pencil.coincident,
         )
 
     def _place(self, vertex: str) -> complex:
@@ -199,7 +200,8 @@ class _Polygon:
         rim = Ellipse(centre, axis, rates.seen(rates.j))
         shape = Fold(centre, axis, turn, arms, rim)
         caption = self.scene.caption(f"{self.bodies.words.topic} fold")
-        return Stroke("construction", "", shape, caption, self.bodies.rows["23"], name="fold")
+        part = StrokePart("", "fold")
+        return Stroke("construction", "", shape, caption, self.bodies.rows["23"], part=part)
 
     def _sums(self, pencil: Pencil[BodyVector]) -> tuple[Equation, ...]:
         """Return both equations, of the vectors that are drawn."""

@@ -70,7 +70,8 @@ class _Half(ABC):
         pencil.begin(self.scene.caption("still" if resting else f"{pole} {self.panel}"), rows)
         first, second = Player(pencil).play(equation)
         sums = () if resting else (of_chains(first.side, second.side),)
-        return Drawing(tuple(pencil.strokes), tuple(pencil.zeros), sums)
+        strokes, zeros = tuple(pencil.strokes), tuple(pencil.zeros)
+        return Drawing(strokes, zeros, sums, coincident=pencil.coincident)
 
     def figure(self, value: float, unit: str = "", given: bool = False) -> Figure:
         """Return a number in a caption."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure, Unit
-from vad.strokes.sheet import Component, Ellipse, Equation, Kind, Note, Shape, Stroke
+from vad.strokes.sheet import Component, Ellipse, Equation, Kind, Note, Shape, Stroke, StrokePart
 from vad.written import with_unit
 
 if TYPE_CHECKING:
@@ -49,8 +49,9 @@ class ViewsPen:
         """Draw a stroke, a ``body`` as thick as links are; ``parts`` fill in its phrase."""
         caption = self.scene.caption(f"{self.topic} {phrase}", unit=Unit(self.scene.unit), **parts)
         component: Component | None = "link" if body else None
+        part = StrokePart.named(name)
         self.strokes.append(
-            Stroke(kind, label, shape, caption, link, component, reveals=reveals, name=name)
+            Stroke(kind, label, shape, caption, link, component, reveals=reveals, part=part)
         )
 
     def leave_out(self) -> None:
