@@ -38,7 +38,7 @@ def test_the_methods_use_the_declared_loops_and_nothing_of_the_solver():
         allowed = (
             "vad.methods",
             "vad.kinematics.linkage.",
-            "vad.kinematics.space.space_linkage.",
+            "vad.kinematics.space.linkages.",
             "vad.mechanisms.Mechanism",
             "vad.errors",
         )

@@ -15,7 +15,7 @@ from mpmath import mp, mpf
 import vad
 from vad.kinematics.linkage import Scalar
 from vad.kinematics.solver import solver_of
-from vad.kinematics.space.space_linkage import Arc
+from vad.kinematics.space.linkages import Arc
 from vad.methods import closed_form, loops_in_space
 from vad.methods.loops_in_space import Arithmetic
 from vad.methods.problem import Jet, SpaceProblem

@@ -12,7 +12,7 @@ import pytest
 import vad
 from vad.kinematics.any_solver import AnySolver
 from vad.kinematics.solver import Solver, solver_of
-from vad.kinematics.space.space_solver import SpaceSolver
+from vad.kinematics.space.solver import SpaceSolver
 from vad.strokes.draw import sketch
 
 PANELS = ("position", "velocity", "acceleration")

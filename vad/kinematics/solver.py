@@ -46,9 +46,7 @@ def solver_of(mechanism: Mechanism) -> AnySolver:
     linkage, side = mechanism.marked(), -1.0 if mechanism.assembly == "crossed" else 1.0
     if isinstance(linkage, Linkage):
         return Solver(linkage, side)
-    from vad.kinematics.space.solvers import space_solver  # not loaded for the plane
-
-    return space_solver(linkage, side)
+    return linkage.solver(side)
 
 
 class Solver(AnySolver):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Literal, NamedTuple, Protocol
+from typing import Literal, NamedTuple
 
 from vad.kinematics.numbers import Number
 
@@ -26,13 +26,6 @@ class Component(NamedTuple):
     amount: Number | None
 
 
-class Closed(Protocol):
-    """What a closure in space has found."""
-
-    def numbers(self) -> list[Number]:
-        """Return all that it holds, as real numbers."""
-
-
 @dataclass(slots=True)
 class Pose:
     """Where everything is: unit vectors of links (and of the ground), lengths of slides.
@@ -41,14 +34,12 @@ class Pose:
     ``sine`` holds, loop by loop, the sine of the angle at which its construction lines cross.
     ``leaning`` holds the unit vectors of bars as seen along the guides on which they end, where
     those are turned against the frame: their angles lose no digit by turning there and back.
-    ``closed`` is what a closure in space has found beside them.
     """
 
     unit: dict[str, Number]
     length: dict[str, Number]
     sine: list[Number]
     leaning: dict[str, Number] = field(default_factory=dict)
-    closed: Closed | None = None
 
     def all(self) -> list[Number]:
         """Return all that it holds."""
@@ -57,7 +48,6 @@ class Pose:
             *self.length.values(),
             *self.leaning.values(),
             *self.sine,
-            *(self.closed.numbers() if self.closed else ()),
         ]
 
 

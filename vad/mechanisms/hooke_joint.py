@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from vad.kinematics.space.space_linkage import CrossedShafts
+from vad.kinematics.space.linkages import CrossedShafts
 from vad.mechanisms.mechanism import arc
 from vad.mechanisms.mechanism_in_space import MechanismInSpace
 

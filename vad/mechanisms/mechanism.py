@@ -10,7 +10,7 @@ from typing import Any, ClassVar, TypeVar
 
 from vad.errors import InputError, one_of, shown
 from vad.kinematics.linkage import Linkage
-from vad.kinematics.space.space_linkage import SpaceLinkage
+from vad.kinematics.space.linkages import SpaceLinkage
 from vad.mechanisms.link_points import LinkPoints, link_points, marked
 
 CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}

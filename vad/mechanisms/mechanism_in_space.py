@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from vad.kinematics.space.space_linkage import SpaceLinkage
+from vad.kinematics.space.linkages import SpaceLinkage
 from vad.mechanisms.mechanism import Mechanism
 
 

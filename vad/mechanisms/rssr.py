@@ -3,7 +3,7 @@
 import math
 from dataclasses import KW_ONLY, dataclass
 
-from vad.kinematics.space.space_linkage import BallJointed
+from vad.kinematics.space.linkages import BallJointed
 from vad.mechanisms.mechanism import angle, length
 from vad.mechanisms.mechanism_in_space import MechanismInSpace
 

@@ -2,7 +2,7 @@
 
 from dataclasses import KW_ONLY, dataclass
 
-from vad.kinematics.space.space_linkage import Arc, FourAxes
+from vad.kinematics.space.linkages import Arc, FourAxes
 from vad.mechanisms.mechanism import arc, length
 from vad.mechanisms.mechanism_in_space import MechanismInSpace
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 from vad.kinematics.linkage import Scalar
-from vad.kinematics.space.space_linkage import BallJointed, CrossedShafts, FourAxes
+from vad.kinematics.space.linkages import BallJointed, CrossedShafts, FourAxes
 from vad.methods.problem import FOUR_AXES, HOOKE, SLIDES, Found, Jet, SpaceProblem
 
 Triple = tuple[Any, Any, Any]

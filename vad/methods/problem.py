@@ -27,12 +27,7 @@ from vad.kinematics.linkage import (
     angle_of,
     length_of,
 )
-from vad.kinematics.space.space_linkage import (
-    BallJointed,
-    CrossedShafts,
-    FourAxes,
-    SpaceLinkage,
-)
+from vad.kinematics.space.linkages import BallJointed, CrossedShafts, FourAxes
 from vad.mechanisms import Mechanism
 
 #: A number, or a `Scalar`, of which the methods know or find the value.
@@ -169,7 +164,7 @@ class SpaceProblem(Driven):
         Its axes or balls, whose numbers are taken as they stand.
     """
 
-    linkage: SpaceLinkage
+    linkage: FourAxes | CrossedShafts | BallJointed
 
     @property
     def unknowns(self) -> tuple[Scalar, ...]:
@@ -269,8 +264,10 @@ def problem_of(mechanism: Mechanism, inputs: Mapping[str, float]) -> Problem | S
     """
     linkage = mechanism.marked()
     drive = Jet(*({**mechanism.inputs, **inputs}[name] for name in mechanism.inputs))
-    if not isinstance(linkage, Linkage):
+    if isinstance(linkage, FourAxes | CrossedShafts | BallJointed):
         return SpaceProblem(mechanism, linkage.driver, drive, _largest(linkage), linkage)
+    if not isinstance(linkage, Linkage):
+        raise InputError(f"{mechanism.name}: the other methods do not know its joints")
     crossed = mechanism.assembly == "crossed"
     reader = _Reader(linkage, -1 if crossed else 1)
     equations = tuple(
@@ -282,7 +279,7 @@ def problem_of(mechanism: Mechanism, inputs: Mapping[str, float]) -> Problem | S
     return Problem(mechanism, linkage.driver, drive, size, equations, reader.zeros)
 
 
-def _largest(linkage: SpaceLinkage) -> float:
+def _largest(linkage: FourAxes | CrossedShafts | BallJointed) -> float:
     """Return the largest length of a mechanism in space; 1 on a sphere."""
     if isinstance(linkage, BallJointed):
         return max(map(abs, (linkage.ground, linkage.crank, linkage.coupler, linkage.rocker)))

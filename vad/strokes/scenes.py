@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from vad.kinematics.space.ball_solver import BallSolver
-from vad.kinematics.space.sphere_solver import SphereSolver
-from vad.kinematics.space.universal_solver import UniversalSolver
+from vad.kinematics.space.balls import BallSolver
+from vad.kinematics.space.crossed_shafts import UniversalSolver
+from vad.kinematics.space.sphere import SphereSolver
 from vad.strokes.language import Language
 from vad.strokes.scene import Scene
 from vad.strokes.space.balls import BallScene

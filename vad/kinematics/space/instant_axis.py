@@ -10,16 +10,62 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from vad.kinematics.numbers import Number, degrees_of, fold
-from vad.kinematics.space.dual import dual, nonzero, real, root
-from vad.kinematics.space.sphere import SphereRates
-from vad.kinematics.space.vector3 import Vector3, added, carried, cross, dot, over, scaled
+from vad.kinematics.space.numbers import (
+    Vector3,
+    added,
+    carried,
+    cross,
+    dot,
+    dual,
+    nonzero,
+    over,
+    real,
+    root,
+    scaled,
+)
 
+#: The driven axis a.
+Z: Vector3 = (0.0, 0.0, 1.0)
 #: The normal of the frame's plane, a × d / sin α₁: the common normal from A to D.
 K: Vector3 = (1.0, 0.0, 0.0)
 
 
-class InstantAxis(NamedTuple):
-    """Where I is.
+class Turns(NamedTuple):
+    """ω or α about D, of the coupler against the crank about B, and against the rocker about C."""
+
+    at_d: Number
+    at_b: Number
+    at_c: Number
+
+
+class AxisVelocity(NamedTuple):
+    """How fast the rocker turns against the crank, and I along both circles.
+
+    Attributes
+    ----------
+    omega
+        ω₄₂, along i.
+    tau, tau3
+        τ̇ along the frame's circle and τ̇₃ along the coupler's.
+    """
+
+    omega: Number
+    tau: Number
+    tau3: Number
+
+
+class InstantAxis:
+    """Where I is, and what ω and α leave along it and across it.
+
+    Parameters
+    ----------
+    b, c, d
+        The axes at B, C and D.
+    sine
+        That of the arc from b to c.
+    i
+        The axis itself where it is known already, as for many poses in arrays.  Otherwise it is
+        found; where both planes are one it is undetermined: NaN.
 
     Attributes
     ----------
@@ -31,12 +77,16 @@ class InstantAxis(NamedTuple):
         Those of the angle δ between both planes; the sine is never negative.
     """
 
-    n: Vector3
-    i: Vector3
-    m: Vector3
-    j: Vector3
-    sine: Number
-    cosine: Number
+    def __init__(
+        self, b: Vector3, c: Vector3, d: Vector3, sine: Number, i: Vector3 | None = None
+    ) -> None:
+        self.b, self.c, self.d = b, c, d
+        self.n = over(cross(b, c), sine)
+        line = cross(K, self.n)
+        self.sine = root(dot(line, line)) if i is None else dot(line, i)
+        self.i = over(line, nonzero(self.sine)) if i is None else i
+        self.m, self.j = cross(K, self.i), cross(self.n, self.i)
+        self.cosine = self.n[0]
 
     @property
     def delta(self) -> float:
@@ -60,70 +110,43 @@ class InstantAxis(NamedTuple):
         """The cosine and the sine of τ: the parts of i along z, which is a, and along -y."""
         return self.i[2], -1.0 * self.i[1]
 
+    def relative(self, crank: Number, turns: Turns) -> tuple[Number, Number]:
+        """Return ω₄d - ω₂a along i, and across it in the plane of the frame; or that of α.
 
-class AxisVelocity(NamedTuple):
-    """How fast the rocker turns against the crank, and I along both circles.
+        Of ω it is ω₄₂ along i.  Of α it is α₄₂ₜ along i, and ω₄₂τ̇ along m.  In space the dual part
+        of α is α₄₂ₜ·AH + ω₄₂ḣ + v₄₂τ̇ along m and v̇₄₂ - ω₄₂τ̇·AH along i, with v̇₄₂ the dual part of
+        α₄₂ₜ: m and i pass through H.
+        """
+        vector = added(scaled(turns.at_d, self.d), scaled(-1.0 * crank, Z))
+        return dot(vector, self.i), dot(vector, self.m)
 
-    Attributes
-    ----------
-    omega
-        ω₄₂, along i.
-    p2, p3
-        The signed distances of 1 and 3 from the line 2 4: ω₄d·m and ω₃₂b·j.
-    tau, tau3
-        τ̇ along the frame's circle and τ̇₃ along the coupler's.
-    """
+    def in_coupler(self, turns: Turns) -> Number:
+        """Return the part of α₃₂b - α₃₄c across i, which is ω₄₂τ̇₃."""
+        return turns.at_b * dot(self.b, self.j) - turns.at_c * dot(self.c, self.j)
 
-    omega: Number
-    p2: Number
-    p3: Number
-    tau: Number
-    tau3: Number
+    def velocity(self, crank: Number, turns: Turns) -> AxisVelocity:
+        """Return ω₄₂ and how fast I itself moves.
 
+        τ̇ and τ̇₃ follow from the signed distances p₂ and p₃ of 1 and 3 from the line 2 4.
+        """
+        p2, p3 = turns.at_d * dot(self.d, self.m), turns.at_b * dot(self.b, self.j)
+        sine = nonzero(self.sine)
+        return AxisVelocity(
+            self.relative(crank, turns)[0],
+            (p3 + p2 * self.cosine) / sine,
+            (p2 + p3 * self.cosine) / sine,
+        )
 
-def instant_axis(b: Vector3, c: Vector3, sine: Number) -> InstantAxis:
-    """Return the instant axis of a pose from the coupler's axes; ``sine`` is that of its arc.
-
-    Where both planes are one it is undetermined: NaN.
-    """
-    n = over(cross(b, c), sine)
-    line = cross(K, n)
-    size = root(dot(line, line))
-    i = over(line, nonzero(size))
-    return InstantAxis(n, i, cross(K, i), cross(n, i), size, n[0])
-
-
-def axis_velocity(
-    axis: InstantAxis, b: Vector3, d: Vector3, omega: Number, rates: SphereRates
-) -> AxisVelocity:
-    """Return what ω₂a + ω₄₂i = ω₄d leaves along I and across it."""
-    along = rates.rocker * dot(d, axis.i) + -omega * axis.i[2]
-    p2, p3 = rates.rocker * dot(d, axis.m), rates.at_b * dot(b, axis.j)
-    sine = nonzero(axis.sine)
-    return AxisVelocity(
-        along, p2, p3, (p3 + p2 * axis.cosine) / sine, (p2 + p3 * axis.cosine) / sine
-    )
-
-
-def axis_motion(axis: InstantAxis, *spins: Vector3) -> Vector3:
-    """Return I on the sphere: its place, with ω₃ its velocity, with α₃ its acceleration."""
-    if not spins:
-        return axis.i
-    # The line K × n turns as i does, and grows from sin δ.
-    first = cross(K, carried(axis.n, spins[0]))
-    sine = nonzero(axis.sine)
-    tau = dot(first, axis.m) / sine
-    if len(spins) == 1:
-        return scaled(tau, axis.m)
-    second = dot(cross(K, carried(axis.n, *spins)), axis.m)
-    onward = (second - 2.0 * dot(first, axis.i) * tau) / sine
-    return added(scaled(onward, axis.m), scaled(-1.0 * tau * tau, axis.i))
-
-
-def axis_acceleration(axis: InstantAxis, d: Vector3, alpha: Number, seconds: SphereRates) -> Number:
-    """Return α₄₂ₜ, along i, of α₂a + ω₄₂τ̇ m + α₄₂ₜ i = α₄d.
-
-    In space the dual part of the whole sum is, in the frame's plane, α₄₂ₜ·AH + ω₄₂ḣ + v₄₂τ̇ along m
-    and v̇₄₂ - ω₄₂τ̇·AH along i, with v̇₄₂ the dual part of α₄₂ₜ: m and i pass through H.
-    """
-    return seconds.rocker * dot(d, axis.i) + -alpha * axis.i[2]
+    def motion(self, *spins: Vector3) -> Vector3:
+        """Return I on the sphere: its place, with ω₃ its velocity, with α₃ its acceleration."""
+        if not spins:
+            return self.i
+        # The line K × n turns as i does, and grows from sin δ.
+        first = cross(K, carried(self.n, spins[0]))
+        sine = nonzero(self.sine)
+        tau = dot(first, self.m) / sine
+        if len(spins) == 1:
+            return scaled(tau, self.m)
+        second = dot(cross(K, carried(self.n, *spins)), self.m)
+        onward = (second - 2.0 * dot(first, self.i) * tau) / sine
+        return added(scaled(onward, self.m), scaled(-1.0 * tau * tau, self.i))

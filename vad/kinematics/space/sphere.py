@@ -8,13 +8,35 @@ factors and all.  Over dual numbers the same lines solve the spatial four-bar (s
 from __future__ import annotations
 
 import math
+from collections.abc import Set
 from typing import NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
+from vad.kinematics.any_solver import round_the_turn
 from vad.kinematics.closed_forms import root_of_factors
-from vad.kinematics.numbers import Number, direction, fold, select
-from vad.kinematics.space.dual import Dual, dual, nonzero, numbers_in, real, root
-from vad.kinematics.space.space_linkage import Arc, FourAxes
-from vad.kinematics.space.vector3 import Vector3, added, cross, dot, scaled, triple
+from vad.kinematics.numbers import Number, direction, fold, select, vector
+from vad.kinematics.space.instant_axis import Turns
+from vad.kinematics.space.linkages import Arc, FourAxes
+from vad.kinematics.space.numbers import (
+    Dual,
+    Vector3,
+    added,
+    carried,
+    cross,
+    dot,
+    dual,
+    nonzero,
+    real,
+    root,
+    scaled,
+    triple,
+)
+from vad.kinematics.space.solver import AxesSolver, PoseInSpace, reals
+from vad.kinematics.state import Pose, Rates
+
+_ORIGIN: Vector3 = (0.0, 0.0, 0.0)
 
 
 class SpherePose(NamedTuple):
@@ -31,18 +53,6 @@ class SpherePose(NamedTuple):
     at_b: tuple[Number, Number]
     at_c: tuple[Number, Number]
     volume: Number
-
-    def numbers(self) -> list[Number]:
-        """Return all that it holds, as real numbers."""
-        return list(numbers_in(tuple(self)))
-
-
-class SphereRates(NamedTuple):
-    """ω or α about D, of the coupler against the crank about B, and against the rocker about C."""
-
-    rocker: Number
-    at_b: Number
-    at_c: Number
 
 
 class Sphere:
@@ -183,25 +193,23 @@ class Sphere:
         left = c[0] * u.real + c[1] * u.imag
         return _unit(dot(c, onward), left), _unit(along, -volume)
 
-    def velocity(self, pose: SpherePose, omega: Number) -> SphereRates:
+    def velocity(self, pose: SpherePose, omega: Number) -> Turns:
         """Return the rates of ω₂a + ω₃₂b = ω₄d + ω₃₄c, one determinant for all."""
         return self._solved(pose, scaled(omega, self.a))
 
-    def acceleration(
-        self, pose: SpherePose, omega: Number, rates: SphereRates, alpha: Number
-    ) -> SphereRates:
+    def acceleration(self, pose: SpherePose, omega: Number, turns: Turns, alpha: Number) -> Turns:
         """Return the rates of α₂a + ω₂×ω₃₂ + α₃₂b = α₄d + ω₄×ω₃₄ + α₃₄c."""
         known = added(
             scaled(alpha, self.a),
-            scaled(omega * rates.at_b, cross(self.a, pose.b)),
-            scaled(-1.0 * rates.rocker * rates.at_c, cross(self.d, pose.c)),
+            scaled(omega * turns.at_b, cross(self.a, pose.b)),
+            scaled(-1.0 * turns.at_d * turns.at_c, cross(self.d, pose.c)),
         )
         return self._solved(pose, known)
 
-    def _solved(self, pose: SpherePose, known: Vector3) -> SphereRates:
+    def _solved(self, pose: SpherePose, known: Vector3) -> Turns:
         """Return x, y, z with known + y·b = x·d + z·c (Cramer)."""
         b, c, d, volume = pose.b, pose.c, self.d, nonzero(pose.volume)
-        return SphereRates(
+        return Turns(
             -1.0 * triple(known, b, c) / volume,
             -1.0 * triple(known, d, c) / volume,
             triple(known, b, d) / volume,
@@ -224,3 +232,110 @@ def _unit(x: Number, y: Number) -> tuple[Number, Number]:
     """Return the direction of a vector in the plane, by its parts."""
     size = nonzero(root(x * x + y * y))
     return x / size, y / size
+
+
+class SphereSolver(AxesSolver):
+    """The closure of four axes.
+
+    Parameters
+    ----------
+    axes
+        Their angles and distances.
+    side
+        +1.0 for the open assembly, -1.0 for the crossed one.
+
+    Attributes
+    ----------
+    closure
+        The closed form.
+    slides
+        Those of the spatial four-bar; none on the sphere.
+    """
+
+    links: Set[str] = frozenset({"crank", "coupler", "rocker"})
+    joints: Set[str] = frozenset("BC")
+    bodies: Set[str] = frozenset({"coupler"})
+    turning = "rocker", "B", "C"
+
+    def __init__(self, axes: FourAxes, side: float) -> None:
+        super().__init__(axes.driver)
+        self.axes = axes
+        self.closure: Sphere = Sphere(side, axes)
+        self.sliding = ("slide_d", "slide_b", "slide_c") if axes.slides else ()
+        self.slides = frozenset(self.sliding)
+        self.points = "ABCD" if axes.slides else "ABCDI"
+
+    def limits(self) -> NDArray[np.float64]:
+        """Return the angles at which coupler and rocker are in line."""
+        return round_the_turn(self.closure.limits())
+
+    def miss(self, angle: float) -> float:
+        """Return by how much one pose fails to close, in degrees of arc."""
+        return self.closure.miss(angle)
+
+    def why_dead(self, pose: Pose) -> str:
+        """Say what is the matter at a dead centre."""
+        if self.slides:
+            return "dead centre: the axes at B, C and D are parallel to one plane"
+        return "dead centre: B, C and D lie on one great circle"
+
+    def closed(self, angle: Number) -> PoseInSpace:
+        """Return the position for a folded angle of the crank."""
+        found = self.closure.pose(angle)
+        turns = found.rocker, found.at_b, found.at_c
+        unit = {
+            name: vector(real(x), real(y)) for name, (x, y) in zip(self.turning, turns, strict=True)
+        }
+        length = {
+            name: real(x) * dual(y) - real(y) * dual(x)
+            for name, (x, y) in zip(self.sliding, turns, strict=False)
+        }
+        unit["crank"] = direction(angle)
+        return PoseInSpace(unit, length, [real(found.volume)], found=found)
+
+    def on_sphere(self, pose: Pose) -> SpherePose:
+        """Return the axes of a pose: of the spatial four-bar in dual numbers."""
+        axes: SpherePose = self.found(pose)
+        return axes
+
+    def moving_axes(self, pose: Pose) -> tuple[Vector3, Vector3, Number]:
+        """Return b and c, and the sine of the arc between them."""
+        axes = self.on_sphere(pose)
+        return axes.b, axes.c, self.closure.sines[2]
+
+    def point(self, letter: str, pose: Pose, rates: tuple[Rates, ...]) -> Vector3:
+        """Return a point's position, its velocity (one order in ``rates``) or acceleration."""
+        if self.slides:
+            return self._foot(letter, pose, rates)
+        axes = self.on_sphere(pose)
+        if letter == "I":
+            return self.axis(pose).motion(*self.spins("coupler", pose, rates))
+        if letter in "AD":
+            return _ORIGIN if rates else self.axis_of(letter, pose)
+        axis, body = (axes.b, "crank") if letter == "B" else (axes.c, "rocker")
+        return carried(axis, *self.spins(body, pose, rates))
+
+    def _foot(self, letter: str, pose: Pose, rates: tuple[Rates, ...]) -> Vector3:
+        """Return where a common normal meets its axis, of B the crank's and of C the coupler's."""
+        if letter == "A":
+            return _ORIGIN
+        if letter == "D":
+            return _ORIGIN if rates else (self.axes.ground.length, 0.0, 0.0)
+        crank = pose.unit["crank"]
+        foot = scaled(self.axes.crank.length, (crank.real, crank.imag, 0.0))
+        turning = self.spins("crank", pose, rates)
+        if letter == "B":
+            return carried(foot, *turning)
+        axes = self.on_sphere(pose)
+        b, c = reals(axes.b), reals(axes.c)
+        slid = [pose.length["slide_b"], *(each.sliding["slide_b"] for each in rates)]
+        normal = scaled(self.axes.coupler.length / real(self.closure.sines[2]), cross(b, c))
+        total = added(
+            carried(added(foot, scaled(slid[0], b)), *turning),
+            carried(normal, *self.spins("coupler", pose, rates)),
+        )
+        if rates:
+            total = added(total, scaled(slid[-1], b))
+        if len(rates) > 1:
+            total = added(total, scaled(2.0 * slid[1], carried(b, turning[0])))
+        return total

@@ -10,7 +10,7 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from vad.kinematics.space.vector3 import difference, dot
+from vad.kinematics.space.numbers import difference, dot
 from vad.strokes.diagram import Drawing
 from vad.strokes.equations import of_chains
 from vad.strokes.pencil import Pencil

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vad.kinematics.space.vector3 import Vector3, difference, dot
+from vad.kinematics.space.numbers import Vector3, difference, dot
 from vad.strokes.figures import Figure, Unit
 from vad.strokes.scene import image_letter
 from vad.strokes.space.balls_seen import Seen

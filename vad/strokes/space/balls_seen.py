@@ -15,8 +15,8 @@ import numpy as np
 
 from vad.kinematics.motion import solve
 from vad.kinematics.reach import closing_range
-from vad.kinematics.space.ball_solver import BallSolver
-from vad.kinematics.space.vector3 import Vector3, added, cross, difference, dot, scaled, unit
+from vad.kinematics.space.balls import BallSolver
+from vad.kinematics.space.numbers import Vector3, added, cross, difference, dot, scaled, unit
 from vad.strokes.space.body_rates import place
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.numbers import fold
-from vad.kinematics.space.vector3 import difference, dot
+from vad.kinematics.space.numbers import difference, dot
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure
 from vad.strokes.sheet import Arc, Arrow, Curve, Dot, Equation, Kind, Note, Term

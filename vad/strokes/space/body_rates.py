@@ -14,10 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vad.kinematics.space.instant_axis import K
-from vad.kinematics.space.space_solver import Z
-from vad.kinematics.space.sphere_solver import SphereSolver
-from vad.kinematics.space.vector3 import Vector3, added, cross, dot, over, scaled
+from vad.kinematics.space.instant_axis import K, Z
+from vad.kinematics.space.numbers import Vector3, added, cross, dot, over, scaled
+from vad.kinematics.space.sphere import SphereSolver
 from vad.strokes.vector_equations import NOTHING
 from vad.written import PRIME
 
@@ -134,7 +133,7 @@ class BodyRates:
 def rates_on_sphere(motion: MotionInSpace[Any, Any]) -> BodyRates:
     """Return those of a spherical four-bar, seen with the bisector of its frame upright."""
     assert isinstance(motion.solver, SphereSolver)
-    sphere, (b, c, i) = motion.solver.sphere, (place(motion, letter) for letter in "BCI")
+    sphere, (b, c, i) = motion.solver.closure, (place(motion, letter) for letter in "BCI")
     parts = motion.link("crank"), motion.joint("B"), motion.joint("C"), motion.link("rocker")
     upright = -90.0 - motion.mechanism.parameters()["ground"] / 2.0
     return BodyRates((Z, b, c, sphere.d, i), sphere.sines[2], parts, upright)

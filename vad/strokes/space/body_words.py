@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from vad.kinematics.numbers import fold
-from vad.kinematics.space.sphere_solver import SphereSolver
-from vad.kinematics.space.universal_solver import UniversalSolver
+from vad.kinematics.space.crossed_shafts import UniversalSolver
+from vad.kinematics.space.sphere import SphereSolver
 from vad.strokes.figures import Figure, Unit
 from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.vector_equations import Part, Vector

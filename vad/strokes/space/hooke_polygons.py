@@ -14,10 +14,9 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.numbers import fold
-from vad.kinematics.space.space_solver import Z
-from vad.kinematics.space.universal import Universal
-from vad.kinematics.space.universal_solver import UniversalSolver
-from vad.kinematics.space.vector3 import unit
+from vad.kinematics.space.crossed_shafts import Universal, UniversalSolver
+from vad.kinematics.space.instant_axis import Z
+from vad.kinematics.space.numbers import unit
 from vad.strokes.diagram import Drawing
 from vad.strokes.notation import Notation
 from vad.strokes.sheet import PolarInset
@@ -105,11 +104,11 @@ def _over_a_turn(closure: Universal, omega: float) -> tuple[complex, ...]:
 
 def _speed(closure: Universal, omega: float, degrees: float) -> complex:
     """Return ω₄ at an angle of the driving shaft, laid off along it."""
-    driven = closure.velocity(closure.pose(fold(degrees)), omega).driven
+    driven = closure.velocity(closure.pose(fold(degrees)), omega).at_d
     return cmath.rect(driven, math.radians(degrees))
 
 
 def _closure(motion: MotionInSpace[Any, Any]) -> Universal:
     """Return what solves the joint."""
     assert isinstance(motion.solver, UniversalSolver)
-    return motion.solver.joint
+    return motion.solver.closure

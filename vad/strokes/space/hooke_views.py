@@ -11,7 +11,7 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from vad.kinematics.space.vector3 import Vector3, added, over, scaled
+from vad.kinematics.space.numbers import Vector3, added, over, scaled
 from vad.strokes.diagram import Drawing
 from vad.strokes.figures import Figure
 from vad.strokes.sheet import (

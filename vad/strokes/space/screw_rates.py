@@ -14,10 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vad.kinematics.space.dual import dual, real
 from vad.kinematics.space.instant_axis import InstantAxis
-from vad.kinematics.space.sphere_solver import SphereSolver
-from vad.kinematics.space.vector3 import Vector3
+from vad.kinematics.space.numbers import Vector3, dual, real
+from vad.kinematics.space.sphere import SphereSolver
 from vad.strokes.sheet import BELOW
 from vad.written import PRIME
 
@@ -44,7 +43,7 @@ class ScrewRates:
         parameters = motion.mechanism.parameters()
         self.ground = parameters["ground"]
         self._turn = cmath.exp(-1j * math.radians(90.0 + parameters["ground_twist"] / 2.0))
-        self.a, self.d = self._turn, self.seen(self.solver.sphere.d)
+        self.a, self.d = self._turn, self.seen(self.solver.closure.d)
 
     @cached_property
     def axis(self) -> InstantAxis:

@@ -15,9 +15,9 @@ import numpy as np
 
 from vad.errors import DeadCentreError
 from vad.kinematics.motion import solve
-from vad.kinematics.space.space_solver import Z
-from vad.kinematics.space.sphere_solver import reals
-from vad.kinematics.space.vector3 import Vector3, dot
+from vad.kinematics.space.instant_axis import Z
+from vad.kinematics.space.numbers import Vector3, dot
+from vad.kinematics.space.solver import reals
 from vad.strokes.space.body_rates import place
 from vad.strokes.space.screw_rates import ScrewRates
 
@@ -46,7 +46,7 @@ class Places:
         motion, solver = rates.motion, rates.solver
         axes = solver.on_sphere(motion.pose)
         self.a, self.b, self.c, self.d, self.i = (
-            seen(reals(axis)) for axis in (Z, axes.b, axes.c, solver.sphere.d, rates.axis.i)
+            seen(reals(axis)) for axis in (Z, axes.b, axes.c, solver.closure.d, rates.axis.i)
         )
         self.at = points(rates)
         self.slides = {letter: float(motion.slide(f"slide_{letter}").position) for letter in "bcd"}

@@ -1,14 +1,18 @@
 """What a mechanism in space is made of: four axes, two shafts and a cross, or two balls.
 
 The frame has its origin at A, z along the driven axis, x along the common normal from A to D.
+Each knows its solver, which is loaded when it is asked for.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from vad.kinematics.linkage import Scalar, angle_of
+
+if TYPE_CHECKING:
+    from vad.kinematics.space.solver import SpaceSolver
 
 
 class Arc(NamedTuple):
@@ -37,6 +41,12 @@ class FourAxes:
         """The angle that is turned."""
         return angle_of("crank")
 
+    def solver(self, side: float) -> SpaceSolver:
+        """Return its solver; ``side`` is -1.0 for the crossed assembly."""
+        from vad.kinematics.space.sphere import SphereSolver
+
+        return SphereSolver(self, side)
+
 
 @dataclass(frozen=True, slots=True)
 class CrossedShafts:
@@ -48,6 +58,12 @@ class CrossedShafts:
     def driver(self) -> Scalar:
         """The angle that is turned."""
         return angle_of("driving")
+
+    def solver(self, side: float) -> SpaceSolver:
+        """Return its solver; ``side`` is -1.0 for the crossed assembly."""
+        from vad.kinematics.space.crossed_shafts import UniversalSolver
+
+        return UniversalSolver(self)
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,5 +88,19 @@ class BallJointed:
         """The angle that is turned."""
         return angle_of("crank")
 
+    def solver(self, side: float) -> SpaceSolver:
+        """Return its solver; ``side`` is -1.0 for the crossed assembly."""
+        from vad.kinematics.space.balls import BallSolver
 
-SpaceLinkage = FourAxes | CrossedShafts | BallJointed
+        return BallSolver(self, side)
+
+
+class SpaceLinkage(Protocol):
+    """What a mechanism in space declares; there may be others than those above."""
+
+    @property
+    def driver(self) -> Scalar:
+        """The angle that is turned."""
+
+    def solver(self, side: float) -> SpaceSolver:
+        """Return its solver; ``side`` is -1.0 for the crossed assembly."""

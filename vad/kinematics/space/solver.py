@@ -1,0 +1,235 @@
+"""What the solvers of mechanisms in space have in common.
+
+Each has one loop, in which everything is found at once, and results of three numbers x, y, z.
+Those with four axes, two of them fixed, have the instant axis and the rates of bodies in common.
+"""
+
+from __future__ import annotations
+
+import math
+from abc import abstractmethod
+from collections.abc import Set
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vad.errors import UsageError
+from vad.kinematics.any_solver import AnySolver, Evaluation, Result, order_of
+from vad.kinematics.closed_forms import OpenLoopError
+from vad.kinematics.linkage import Scalar
+from vad.kinematics.numbers import Number, degrees_of, fold, positive
+from vad.kinematics.space.instant_axis import AxisVelocity, InstantAxis, Turns, Z
+from vad.kinematics.space.numbers import Dual, Vector3, added, cross, dual, numbers_in, real, scaled
+from vad.kinematics.state import Pose, Rates
+
+
+@dataclass(slots=True)
+class PoseInSpace(Pose):
+    """A pose with what its closure has ``found`` beside unit vectors and lengths."""
+
+    found: tuple[Any, ...] = ()
+
+    def all(self) -> list[Number]:
+        """Return all that it holds."""
+        return [*Pose.all(self), *numbers_in(self.found)]
+
+
+class SpaceSolver(AnySolver):
+    """One closure, in which everything is found at once."""
+
+    two_assemblies = True
+    scale = 1.0
+    slides: Set[str] = frozenset()
+    #: The points, in the order in which they are reported.
+    points: str = ""
+
+    def __init__(self, driver: Scalar) -> None:
+        super().__init__()
+        self.driver = driver
+
+    @property
+    def letters(self) -> Set[str]:
+        """Every point that it knows."""
+        return set(self.points)
+
+    @property
+    def dyads(self) -> list[str]:
+        """What the one loop finds, by name."""
+        return [" and ".join(sorted(self.links - {self.driver.name}))]
+
+    @property
+    def searched(self) -> list[int]:
+        """The numbers of the loops whose limits have no closed form: none."""
+        return []
+
+    def limits(self) -> NDArray[np.float64]:
+        """Return all limits in closed form: none."""
+        return np.array([])
+
+    def positions(self, value: Number) -> Pose:
+        """Solve for the driver's angle in degrees."""
+        angle = fold(value)
+        pose = self.closed(angle)
+        sine = pose.sine[0]
+        if isinstance(sine, float) and math.isnan(sine):
+            raise OpenLoopError(self.miss(angle))
+        return pose
+
+    @staticmethod
+    def found(pose: Pose) -> Any:
+        """Return what the closure has found of a pose."""
+        assert isinstance(pose, PoseInSpace)
+        return pose.found
+
+    @abstractmethod
+    def closed(self, angle: Number) -> PoseInSpace:
+        """Return the position for a folded angle of the driver."""
+
+    @abstractmethod
+    def miss(self, angle: float) -> float:
+        """Return by how much one pose fails to close."""
+
+    @abstractmethod
+    def axis_of(self, letter: str, pose: Pose) -> Vector3:
+        """Return the unit vector along the axis at a joint, or along the instant axis I."""
+
+    @abstractmethod
+    def point(self, letter: str, pose: Pose, rates: tuple[Rates, ...]) -> Vector3:
+        """Return a point's position, its velocity (one order in ``rates``) or acceleration."""
+
+    @abstractmethod
+    def spins(self, body: str, pose: Pose, rates: tuple[Rates, ...]) -> tuple[Vector3, ...]:
+        """Return ω, and with two orders α, of a body."""
+
+    def evaluate(self, result: Result, evaluation: Evaluation) -> Number:
+        """Return a result, of a point, an axis or a free body as x, y, z; NaN if undetermined.
+
+        The axis at a joint or I has a position alone, ``("axis", "I", "position")``: a unit vector.
+        """
+        kind, name, _ = result
+        pose, order = evaluation.pose, order_of(result)
+        rates = evaluation.rates(order)
+        if kind == "point":
+            return scaled(self.scale, self.point(name, pose, rates))
+        if kind == "axis":
+            return self.axis_of(name, pose)
+        if kind == "slide":
+            return (rates[-1].sliding if order else pose.length)[name] * self.scale
+        if order:
+            return (
+                self.spins(name, pose, rates)[-1]
+                if name in self.bodies
+                else rates[-1].turning[name]
+            )
+        if name in self.bodies:
+            raise UsageError(
+                f"{name}: has no angle, for it turns about no fixed line", "its omega is a vector"
+            )
+        if name == self.driver.name:
+            return positive(evaluation.driver_angle)
+        return degrees_of(pose.unit[name])
+
+    def miss_in_words(self, miss: float, length_unit: str) -> str:
+        """Say by how much a pose fails to close."""
+        return f"{miss:.4g}° of arc"
+
+
+class Closure(Protocol):
+    """A closed form of four axes, whose pose is of a kind of its own."""
+
+    #: The direction of the axis d; that of a is z.
+    d: Vector3
+
+    def velocity(self, pose: Any, omega: Number) -> Turns:
+        """Return how everything turns if the driver turns at ω."""
+
+    def acceleration(self, pose: Any, omega: Number, turns: Turns, alpha: Number) -> Turns:
+        """Return the derivatives of that."""
+
+
+class AxesSolver(SpaceSolver):
+    """Four axes: the driver turns about a, the driven body about d, a body between about b and c.
+
+    Attributes
+    ----------
+    closure
+        The closed form.
+    turning, sliding
+        What turns about D, B and C, by name, and what slides along them.
+    """
+
+    closure: Closure
+    turning: tuple[str, ...]
+    sliding: tuple[str, ...] = ()
+
+    @abstractmethod
+    def moving_axes(self, pose: Pose) -> tuple[Vector3, Vector3, Number]:
+        """Return b and c, and the sine of the arc between them."""
+
+    def rates(self, pose: Pose, lower: tuple[Rates, ...], value: Number) -> Rates:
+        """Solve for the driver's rate, of the order after those in ``lower``."""
+        driver = self.driver.name
+        if lower:
+            omega, turns = lower[0].turning[driver], self.turns(lower[0])
+            found = self.closure.acceleration(self.found(pose), omega, turns, value)
+        else:
+            found = self.closure.velocity(self.found(pose), value)
+        turning = dict(zip(self.turning, map(real, found), strict=True))
+        sliding = dict(zip(self.sliding, map(dual, found), strict=False))
+        return Rates({driver: value, **turning}, sliding)
+
+    def turns(self, rates: Rates) -> Turns:
+        """Return rates about the axes D, B and C: dual numbers where something slides."""
+        turning = [rates.turning[name] for name in self.turning]
+        if not self.sliding:
+            return Turns(*turning)
+        return Turns(*map(Dual, turning, (rates.sliding[name] for name in self.sliding)))
+
+    def axis(self, pose: Pose) -> InstantAxis:
+        """Return the instant axis of the driven body against the driver."""
+        b, c, sine = self.moving_axes(pose)
+        return InstantAxis(b, c, self.closure.d, sine)
+
+    def axis_velocity(self, pose: Pose, velocity: Rates) -> AxisVelocity:
+        """Return how fast the driven body turns about it, and how fast it moves itself."""
+        crank = velocity.turning[self.driver.name]
+        return self.axis(pose).velocity(crank, self.turns(velocity))
+
+    def axis_acceleration(self, pose: Pose, acceleration: Rates) -> Number:
+        """Return α₄₂ₜ, along it."""
+        crank = acceleration.turning[self.driver.name]
+        return self.axis(pose).relative(crank, self.turns(acceleration))[0]
+
+    def axis_of(self, letter: str, pose: Pose) -> Vector3:
+        """Return the unit vector along the axis at a joint, or along the instant axis I."""
+        if letter == "A":
+            return Z
+        if letter == "D":
+            return reals(self.closure.d)
+        if letter == "I":
+            return reals(self.axis(pose).i)
+        b, c, _ = self.moving_axes(pose)
+        return reals(b if letter == "B" else c)
+
+    def spins(self, body: str, pose: Pose, rates: tuple[Rates, ...]) -> tuple[Vector3, ...]:
+        """Return ω, and with two orders α, of a body."""
+        driver, about_b = self.driver.name, self.turning[1]
+        if body not in self.bodies:
+            axis = Z if body == driver else reals(self.closure.d)
+            return tuple(scaled(each.turning[body], axis) for each in rates)
+        axis = reals(self.moving_axes(pose)[0])
+        found = [
+            added(scaled(each.turning[driver], Z), scaled(each.turning[about_b], axis))
+            for each in rates
+        ]
+        if len(rates) > 1:
+            first = rates[0].turning
+            found[1] = added(found[1], scaled(first[driver] * first[about_b], cross(Z, axis)))
+        return tuple(found)
+
+
+def reals(a: Vector3) -> Vector3:
+    """Return a vector without its dual part."""
+    return real(a[0]), real(a[1]), real(a[2])
