@@ -22,11 +22,11 @@ FILM = "animate", "slider-crank"
 def store(folder: Path) -> None:
     """Make the film, and keep what went into its encoder."""
     from vad.cli.run import run
-    from vad.export.mp4 import mp4
+    from vad.export import film_mp4
 
     pictures: list[Any] = []
     options: dict[str, Any] = {}
-    converted, encode = mp4.converted, mp4.encode
+    converted, encode = film_mp4.converted, film_mp4.encode
 
     def kept(*arguments: Any) -> Any:
         for picture in converted(*arguments):
@@ -37,7 +37,7 @@ def store(folder: Path) -> None:
         options.update(given)
         encode(*arguments, **given)
 
-    mp4.converted, mp4.encode = kept, noted
+    film_mp4.converted, film_mp4.encode = kept, noted
     assert run([*FILM, "-o", str(folder / "stored.mp4")]) == 0
     modules = [name for name in sys.modules if not name.startswith(("__", "benchmarks"))]
     with open(folder / "floor.pickle", "wb") as file:
@@ -51,11 +51,11 @@ def encode(folder: Path, path: Path) -> None:
     for name in modules:
         with contextlib.suppress(ImportError):  # a module that goes by another name
             importlib.import_module(name)
-    from vad.export.mp4 import mp4
+    from vad.export import film_mp4
 
-    mp4.converted = lambda frames, size: frames
+    film_mp4.converted = lambda frames, size: frames
     with open(path, "w+b") as stream:
-        mp4.encode(pictures, stream, **options)
+        film_mp4.encode(pictures, stream, **options)
 
 
 if __name__ == "__main__":

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
         VadError,
     )
     from vad.export import save
-    from vad.export.data.sheet_json import sheet_from_json
+    from vad.export.sheet_json import sheet_from_json
     from vad.files.loading import load, mechanism
     from vad.kinematics.motion import Motion, Motions, solve
     from vad.lecture.lesson import Lesson
@@ -118,7 +118,7 @@ _HOMES = {
     "sweep": "vad.batches.blocks_of_poses",
     "show": "vad.showing",
     "widget": "vad.showing",
-    "sheet_from_json": "vad.export.data.sheet_json",
+    "sheet_from_json": "vad.export.sheet_json",
     "load": "vad.files.loading",
     "mechanism": "vad.files.loading",
     "MECHANISMS": "vad.mechanisms",

@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from vad.displayed import Displayed
-from vad.export import png, save
+from vad.export import picture_png, save
 from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
 from vad.lecture.timeline import SMALLEST
@@ -95,7 +95,7 @@ def _words(thing: Thing) -> str:
 
 def _pixels(seen: Posed) -> str:
     target = io.BytesIO()
-    png.encode(seen, target)
+    picture_png.encode(seen, target)
     return b64encode(target.getvalue()).decode()
 
 

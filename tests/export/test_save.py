@@ -82,7 +82,7 @@ def test_a_folder_in_place_of_a_file(folder: Path) -> None:
 
 
 def test_formats_are_not_imported_before_they_are_used() -> None:
-    heavy = "{'matplotlib', 'av', 'PIL', 'vad.export.mp4.mp4', 'vad.export.gif.gif'}"
+    heavy = "{'matplotlib', 'av', 'PIL', 'vad.export.film_mp4', 'vad.export.film_gif'}"
     code = f"import sys, vad.export; assert not {heavy} & set(sys.modules)"
     subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=True)
 

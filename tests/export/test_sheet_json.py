@@ -17,8 +17,7 @@ import vad
 from tests.export.synthetic import SHEET
 from tests.strokes.poses import MECHANISMS, sheets
 from vad.errors import InputError, UsageError
-from vad.export import save
-from vad.export.data import sheet_json
+from vad.export import save, sheet_json
 from vad.painting.filming import filmed
 from vad.painting.posed import picture
 from vad.strokes.language import languages

@@ -11,7 +11,7 @@ import pytest
 import vad
 from tests.plan.two_polygons import A4, FOUR, LOWER, UPPER, sheet
 from vad.errors import InputError, UsageError
-from vad.export.data.sheet_json import to_dict, to_text
+from vad.export.sheet_json import to_dict, to_text
 from vad.page.document import document
 from vad.plan.board import plan
 from vad.plan.format import screen

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from tests.plan.overlaps import overlaps, planned
 from tests.plan.sheet_of_views import sheet_of_views
-from vad.export.data.sheet_json import sheet_from_json, to_text
+from vad.export.sheet_json import sheet_from_json, to_text
 from vad.plan.format import screen
 from vad.plan.items import Item
 from vad.plan.live.live_board import LiveBoard

@@ -14,7 +14,7 @@ import pytest
 import vad
 from tests.plan.overlaps import overlaps
 from tests.strokes.named import dot, stroke, vector
-from vad.export.data.sheet_json import sheet_from_json, to_text
+from vad.export.sheet_json import sheet_from_json, to_text
 from vad.kinematics.space.crossed_shafts import UniversalSolver
 from vad.strokes.language import Language, languages
 from vad.strokes.scenes import scene_of

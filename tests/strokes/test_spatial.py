@@ -14,7 +14,7 @@ import pytest
 import vad
 from tests.plan.overlaps import overlaps
 from tests.strokes.named import dot, stroke, vector
-from vad.export.data.sheet_json import to_text
+from vad.export.sheet_json import to_text
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.language import Language, languages
 from vad.strokes.scenes import scene_of

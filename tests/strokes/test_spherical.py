@@ -13,7 +13,7 @@ import pytest
 import vad
 from tests.plan.overlaps import overlaps, planned
 from tests.strokes.named import dot, stroke, vector
-from vad.export.data.sheet_json import sheet_from_json, to_text
+from vad.export.sheet_json import sheet_from_json, to_text
 from vad.plan.growth import Scaling
 from vad.plan.marks import Polyline
 from vad.strokes.sheet import Ellipse, Fold, Line, Sheet

@@ -16,17 +16,12 @@ from vad.batches.job import Job, Product
 from vad.batches.picking import picked
 from vad.batches.wanted import is_film, is_problem
 from vad.errors import InputError, VadError
+from vad.export import FORMATS, options_of, own_options
+from vad.lecture.lesson import Lesson
 from vad.strokes.sheet import Sheet
 
 #: The bytes of a film depend on it; nor is another core free where many sheets are made.
 _THREADS = 1
-#: The options of each picture.
-_LOOK = {
-    ".pdf": ("style", "paper"),
-    ".png": ("style", "size"),
-    ".svg": ("style", "size"),
-    ".json": (),
-}
 
 
 def make(job: Job) -> Product:
@@ -53,13 +48,20 @@ def make(job: Job) -> Product:
 def _save(
     sheet: Sheet, path: Path, name: str, blank: tuple[str, ...], options: Mapping[str, Any]
 ) -> None:
+    """Save a file with those of the options that its format has."""
     kind = path.suffix.lower()
     if is_film(name):
         lesson = vad.animate(sheet, **_some(options, "fps", "size", "speed", "style"))
-        encoding: dict[str, Any] = {"threads": _THREADS} if kind == ".mp4" else {}
-        vad.save(lesson, path, **encoding)
+        own = own_options([FORMATS[Lesson][kind]])
+        encoding: dict[str, Any] = (
+            {"threads": _THREADS} if "threads" in options_of(Lesson, kind) else {}
+        )
+        vad.save(lesson, path, **_some(options, *own), **encoding)
         return
-    look = _some(options, *_LOOK[kind])
+    names = {*options_of(Sheet, kind)}
+    if "paper" in names:
+        names.discard("size")  # a page in true scale has the size of its paper
+    look = _some(options, *names)
     if is_problem(name):
         look["blank"] = blank
     vad.save(sheet, path, **look)

@@ -17,7 +17,7 @@ from typing import Any
 from vad.batches.job import Done, Job, Recipe
 from vad.batches.place import written_at
 from vad.batches.subject import kind_of, offered, text_beside
-from vad.batches.wanted import MOST, WORDS, read_word, recipe
+from vad.batches.wanted import MOST, WORDS, format_words, read_word, recipe
 from vad.errors import InputError, VadError, unknown
 
 _LISTS = ("files", "blank", "panels")
@@ -89,8 +89,8 @@ def _check_columns(columns: list[str], rows: list[list[str]], path: Path) -> Non
             continue
         known |= {each.name for each in fields(kind)} | set(kind.inputs)
     for place, column in enumerate(columns):
-        if column not in known:
-            raise unknown("column", column, sorted(known))
+        if column not in known and column not in format_words():
+            raise unknown("column", column, sorted({*known, *format_words()}))
         if column in columns[:place]:
             raise InputError(f"there are two columns '{column}'")
 
@@ -109,13 +109,14 @@ def _recipe(cells: Mapping[str, str], path: Path) -> Recipe:
     mechanism = cells["mechanism"]
     text = text_beside(path, mechanism)
     kind = kind_of(mechanism, text)
+    own = {"mechanism", *kind.inputs, *(each.name for each in fields(kind))}
     words: dict[str, Any] = {}
     for name, cell in cells.items():
-        if name in WORDS:
+        if name in WORDS or (name not in own and name in format_words()):
             words[name] = read_word(name, _typed(name, cell))
     vary = []
     for name, cell in cells.items():
-        if name not in WORDS and name != "mechanism":
+        if name not in words and name != "mechanism":
             vary.append((name, offered(kind, name, cell, words.get("length_unit"))))
     return recipe(mechanism, text, tuple(vary), words)
 

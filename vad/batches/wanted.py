@@ -6,13 +6,14 @@ The same words head the columns of a CSV file.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 from vad.batches.job import Recipe
 from vad.batches.place import written_at
 from vad.errors import InputError, one_of, shown, unknown
-from vad.export import FOLDER, FORMATS
+from vad.export import FOLDER, FORMATS, options_of, own_options
 from vad.found import one_of_all
 from vad.lecture.lesson import Lesson
 from vad.lecture.timeline import checked
@@ -61,8 +62,8 @@ def _files(value: object) -> tuple[str, ...]:
     for name in found:
         if name != Path(name).name or name.startswith(".") or not name.isprintable():
             raise InputError(f"{shown(name)} is no name of a file", 'as in "key.pdf"')
-        film = is_film(name)
-        if is_problem(name) and (film or Path(name).suffix.lower() == ".json"):
+        film, kind = is_film(name), Path(name).suffix.lower()
+        if is_problem(name) and (film or "blank" not in options_of(Sheet, kind)):
             raise InputError(f"{shown(name)}: only a picture can be a problem", "call it a key")
     return found
 
@@ -97,8 +98,15 @@ WORDS: dict[str, Callable[[object], Any]] = {
     "length_unit": _unit,
     "points": lambda value: dict(link_points(value)),
 }
-#: Those that are handed on to the verbs.
-_OPTIONS = ("panels", "language", "style", "paper", "size", "fps", "speed", "length_unit", "points")
+#: Those that are not handed on to the verbs.
+_OF_THE_BATCH = ("count", "seed", "files", "blank")
+
+
+@cache
+def format_words() -> dict[str, Callable[[object], Any]]:
+    """Return how the options are read that formats have of their own, by name."""
+    modules = {**FORMATS[Lesson], **FORMATS[Sheet]}.values()
+    return {name: option.read for name, option in own_options(modules).items()}
 
 
 def read_word(word: str, value: object) -> Any:
@@ -109,10 +117,11 @@ def read_word(word: str, value: object) -> Any:
     vad.errors.InputError
         If there is no such word, or it cannot stand there.
     """
-    if word not in WORDS:
-        raise unknown("word", word, ["mechanism", *WORDS])
+    read = WORDS.get(word) or format_words().get(word)
+    if read is None:
+        raise unknown("word", word, ["mechanism", *WORDS, *format_words()])
     with written_at(word):
-        return WORDS[word](value)
+        return read(value)
 
 
 def is_problem(name: str) -> bool:
@@ -154,7 +163,9 @@ def recipe(
     if words.get("blank") and not any(map(is_problem, files)):
         raise InputError("blank: none of the files is the problem", 'call one "problem.pdf"')
     usual = [name for name in _BLANK if name in words.get("panels", DIAGRAMS)]
-    options = {"paper": "A4"} | {name: words[name] for name in _OPTIONS if name in words}
+    options = {"paper": "A4"} | {
+        name: value for name, value in words.items() if name not in _OF_THE_BATCH
+    }
     return Recipe(
         mechanism,
         text,

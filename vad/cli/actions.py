@@ -12,7 +12,7 @@ import vad
 from vad.cli.process import signals_held_back, wait_for_signal
 from vad.cli.progress import passed, progress, written
 from vad.errors import UsageError, VadError
-from vad.export import FOLDER, format_of
+from vad.export import FOLDER, FORMATS, format_of, own_options
 from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
 from vad.lecture.turn import Turn
@@ -50,7 +50,7 @@ def draw(
         raise UsageError(
             f"--blank is for pictures, not for '{output}'", hint="as in -o problem.pdf"
         )
-    look = _pop(options, "style", "size", "paper", "blank")
+    look = _pop(options, "style", "size", "paper", "blank", *own_options([FORMATS[made][kind]]))
     drawn: Sheet | Multiples | Turn
     if at is not None:
         drawn = _multiples(mechanism, inputs, at, **options)
@@ -92,19 +92,21 @@ def animate(
                 raise UsageError(f"{name} does not go with --turn, {why}")
         _turn(mechanism, inputs, output, **options)
         return
-    kind = format_of(Lesson if still is None else Still, output)
+    thing = Lesson if still is None else Still
+    kind = format_of(thing, output)
     if subtitles and (still is not None or kind not in _SUBTITLED):
         hint = "as in -o lecture.mp4 --subtitles; or -o lecture.srt alone"
         raise UsageError(f"--subtitles go beside a film, not beside '{output}'", hint)
+    own = _pop(options, *own_options([FORMATS[thing][kind]]))
     timing = _pop(options, "fps", "size", "speed", "style", "loop")
     sheet = vad.draw(vad.solve(mechanism, **inputs), **options)
     lesson = vad.animate(sheet, **timing)
     if still is not None:
-        vad.save(_still(lesson, still), output)
+        vad.save(_still(lesson, still), output, **own)
         written(output)
         return
     with progress(output) as moved:
-        vad.save(lesson, output, beside=SUBTITLES if subtitles else (), progress=moved)
+        vad.save(lesson, output, beside=SUBTITLES if subtitles else (), progress=moved, **own)
     written(output, f"{lesson.duration:.1f} s, {lesson.frames} frames")
 
 
@@ -118,10 +120,10 @@ def _still(lesson: Lesson, step: str) -> Still:
 
 def _turn(mechanism: Mechanism, inputs: Inputs, output: str, **options: Any) -> None:
     """Write the film in which the mechanism runs through a full turn."""
-    format_of(Turn, output)
+    own = _pop(options, *own_options([FORMATS[Turn][format_of(Turn, output)]]))
     film = vad.turn(vad.solve(mechanism, **inputs), **options)
     with progress(output) as moved:
-        vad.save(film, output, progress=moved)
+        vad.save(film, output, progress=moved, **own)
     written(output, f"{film.duration:.1f} s, {film.frames} frames")
     passed(mechanism)
 
@@ -129,7 +131,7 @@ def _turn(mechanism: Mechanism, inputs: Inputs, output: str, **options: Any) -> 
 def sweep(mechanism: Mechanism, inputs: Inputs, output: str, **ends: Any) -> None:
     """Write the results over a range of the input, as a table or a plot."""
     from vad.cli.span import places
-    from vad.export.sweep.sweep import save_sweep
+    from vad.export.sweep import save_sweep
 
     driven = next(iter(mechanism.inputs))
     swept = places(mechanism, **ends)

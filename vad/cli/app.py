@@ -12,9 +12,10 @@ from vad.cli import actions, batch_command, catalogue, check, compare, completio
 from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import NamedOption
 from vad.errors import unknown
-from vad.export import FOLDER, FORMATS
+from vad.export import FOLDER, FORMATS, formats
 from vad.files.examples import example_names, example_path
 from vad.lecture.lesson import Lesson
+from vad.lecture.still import Still
 from vad.mechanisms import MECHANISMS
 from vad.plan.format import paper_names
 from vad.strokes.diagrams import DIAGRAMS
@@ -185,19 +186,21 @@ for verb in (
         "Draw the polygons of one pose.",
         actions.draw,
         [_output(FORMATS[Sheet]), *_SHEET, _SIZE, _PAPER, _BLANK, _AT, _POSITIONS],
+        formats=FORMATS[Sheet],
     ),
     MechanismGroup(
         "animate",
         "Make a film that draws the polygons stroke by stroke.",
         actions.animate,
         [_output(FORMATS[Lesson]), *_SHEET, _SIZE, *_FILM],
+        formats=FORMATS[Lesson] | FORMATS[Still],
     ),
     MechanismGroup(
         "sweep",
         "Write the numbers over a turn, as a table or a plot.",
         actions.sweep,
         [
-            _output((".csv", ".png")),
+            _output(formats("sweep")),
             click.Option(["--steps"], type=int, help="number of poses, both ends included  [361]"),
         ],
         ranged=True,

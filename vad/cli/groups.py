@@ -5,17 +5,21 @@ The command for a mechanism is made when its name has been read, with that mecha
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
 import click
 from click.shell_completion import CompletionItem
 
 from vad.cli.naming import kind_of
-from vad.cli.options import OWN, build, mechanism_options
+from vad.cli.options import OWN, build, mechanism_options, own_option
 from vad.errors import UsageError, unknown
+from vad.export import own_options
 from vad.mechanisms import MECHANISMS
 
+#: Under what name click's context holds the options of the format that is written.
+_OWN_OPTIONS = "vad.cli.own_options"
 # Called with the mechanism, its inputs and the verb's own options.
 Action = Callable[..., None]
 
@@ -68,6 +72,9 @@ class MechanismGroup(click.Group):
         Whether the input runs over a range instead of standing at one place.
     usual
         The mechanism where no NAME is given; without it, a NAME is needed.
+    formats
+        The modules of the formats that it writes, by extension.  Options that a format has of its
+        own are read from the one that ``-o`` names; help lists those of all.
     """
 
     def __init__(
@@ -78,6 +85,7 @@ class MechanismGroup(click.Group):
         options: Sequence[click.Option],
         ranged: bool = False,
         usual: str = "",
+        formats: Mapping[str, str] | None = None,
     ) -> None:
         metavar = "[NAME] [OPTIONS]" if usual else "NAME [OPTIONS]"
         super().__init__(name, help=help, subcommand_metavar=metavar)
@@ -85,12 +93,15 @@ class MechanismGroup(click.Group):
         self.options = options
         self.ranged = ranged
         self.usual = usual
+        self.formats = formats or {}
         OWN.update(str(option.name) for option in options)
         OWN.update(flag.strip("-").replace("-", "_") for each in options for flag in each.opts)
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Bring NAME to the front, wherever it stands among the options."""
-        place = _first_word(args, self.options)
+        own = [] if ctx.resilient_parsing else self._own_options(_output(args))
+        ctx.meta[_OWN_OPTIONS] = own
+        place = _first_word(args, [*self.options, *own])
         helped = ctx.resilient_parsing or {"-h", "--help"}.intersection(args)
         if place is None and self.usual and not helped:
             args = [self.usual, *args]
@@ -116,6 +127,12 @@ class MechanismGroup(click.Group):
         """Return the names of all mechanisms."""
         return list(MECHANISMS)
 
+    def _own_options(self, output: str | None) -> list[click.Option]:
+        """Return the options of the format of a file; those of all formats where none is named."""
+        named = self.formats.items()
+        modules = [module for end, module in named if output is None or output.endswith(end)]
+        return [own_option(each) for each in own_options(modules).values()]
+
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command:
         """Return the command for the mechanism called ``cmd_name``."""
         kind = kind_of(cmd_name)
@@ -126,11 +143,26 @@ class MechanismGroup(click.Group):
 
         return HelpfulCommand(
             cmd_name,
-            params=[*mechanism_options(kind, self.ranged), *self.options],
+            params=[
+                *mechanism_options(kind, self.ranged),
+                *self.options,
+                *ctx.meta.get(_OWN_OPTIONS, ()),
+            ],
             callback=act,
             help=kind.__doc__,
             short_help=kind.title,
         )
+
+
+def _output(args: Sequence[str]) -> str | None:
+    """Return the name of the file that ``-o`` gives, in lower case; None where it is absent."""
+    for word, following in pairwise((*args, "")):
+        if word in ("-o", "--output"):
+            return following.lower()
+        for start in ("--output=", "-o"):
+            if word.startswith(start):
+                return word.removeprefix(start).lower()
+    return None
 
 
 def _first_word(args: Sequence[str], options: Iterable[click.Option]) -> int | None:

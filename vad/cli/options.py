@@ -14,6 +14,7 @@ import click
 from click.shell_completion import CompletionItem
 
 from vad.cli import completion, values
+from vad.export import OwnOption
 from vad.files.places import WORDS
 from vad.found import all_names
 from vad.mechanisms import Mechanism
@@ -129,6 +130,14 @@ class NamedOption(click.Option):
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
         """Return the names that begin so."""
         return completion.one_of(self.names)(ctx, self, incomplete)
+
+
+def own_option(option: OwnOption) -> click.Option:
+    """Return the option that a format has of its own."""
+    if option.type is bool:
+        return click.Option([flag(option.name), option.name], is_flag=True, help=option.help)
+    text = option.help if option.default is None else f"{option.help}  [{option.default}]"
+    return click.Option([flag(option.name), option.name], type=option.type, help=text)
 
 
 def _field_option(field: dataclasses.Field[Any], unit: str) -> click.Option:

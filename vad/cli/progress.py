@@ -16,7 +16,7 @@ import click
 from vad.cli.process import check_interrupt, signals_held_back
 
 if TYPE_CHECKING:
-    from vad.export.source import Progress
+    from vad.export.frames import Progress
     from vad.mechanisms import Mechanism
 
 

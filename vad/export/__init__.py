@@ -1,12 +1,15 @@
-"""Where a sheet, a lesson or a step goes: one module per format, chosen by the path's extension.
+"""Where a sheet, a lesson or a step goes: one module a format, found by its name.
 
 In comes a `Sheet`, a `Lesson`, a `Still` … and a path, out goes a file (or a folder of frames) that
-appears whole or not at all.  A format is a module with one function and one line in `FORMATS`::
+appears whole or not at all.  The name of a format's module says what it saves and as what:
+``picture_svg`` saves pictures as ``.svg``, ``film_gif`` films as ``.gif``; see `THINGS`.  It has
+one function::
 
     def write(thing, target, **options) -> None
 
-``target`` is an open binary file (a folder's path for the format ``"/"``), which takes its place
-when ``write`` returns.
+``target`` is an open binary file (of ``film_frames``, a folder's path), which takes its place when
+``write`` returns.  The parameters after it are the format's options.  One that is annotated
+``Annotated[float, "what it does"]`` is an option of the command line and of ``vad batch``, too.
 """
 
 from __future__ import annotations
@@ -15,14 +18,27 @@ import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import ExitStack
+from dataclasses import dataclass
 from importlib import import_module
+from importlib.util import find_spec
 from inspect import signature
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, Literal, TypedDict, Unpack
+from typing import (
+    TYPE_CHECKING,
+    Annotated,
+    Any,
+    Literal,
+    TypedDict,
+    Unpack,
+    get_args,
+    get_origin,
+    get_type_hints,
+)
 
-from vad.errors import UsageError, shown
+from vad.errors import InputError, UsageError, shown
 from vad.export import files
+from vad.found import names_in
 from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
 from vad.lecture.turn import Turn
@@ -30,48 +46,39 @@ from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 
 if TYPE_CHECKING:
-    from vad.export.source import Progress
+    from vad.export.frames import Progress
 
 FOLDER = "/"
 _BESIDE = 'as in (".srt", ".vtt")'
 
-#: What can be saved as what: extension -> module, which is imported when it is used.
-FORMATS: dict[type, dict[str, str]] = {
-    Sheet: {
-        ".png": "vad.export.png",
-        ".svg": "vad.export.svg",
-        ".pdf": "vad.export.pdf",
-        ".json": "vad.export.data.sheet_json",
-        ".html": "vad.export.html",
-    },
-    Lesson: {
-        ".mp4": "vad.export.mp4.mp4",
-        ".gif": "vad.export.gif.gif",
-        ".pdf": "vad.export.lesson_pdf",
-        ".srt": "vad.export.subtitles.srt",
-        ".vtt": "vad.export.subtitles.vtt",
-        ".html": "vad.export.html",
-        FOLDER: "vad.export.frames",
-    },
-    Turn: {
-        ".mp4": "vad.export.mp4.mp4",
-        ".gif": "vad.export.gif.gif",
-        ".png": "vad.export.png",
-        ".svg": "vad.export.svg",
-        ".pdf": "vad.export.pdf",
-        FOLDER: "vad.export.frames",
-    },
-    Still: {
-        ".png": "vad.export.png",
-        ".svg": "vad.export.svg",
-        ".pdf": "vad.export.pdf",
-    },
-    Multiples: {
-        ".png": "vad.export.png",
-        ".svg": "vad.export.svg",
-        ".pdf": "vad.export.pdf",
-    },
+#: What a format saves, by the first word of its module's name.
+THINGS: dict[str, tuple[type, ...]] = {
+    "picture": (Sheet, Turn, Still, Multiples),
+    "film": (Lesson, Turn),
+    "lesson": (Lesson,),
+    "sheet": (Sheet,),
+    "page": (Sheet, Lesson),
 }
+#: The order in which formats are listed; others follow, and last the folder of frames.
+_FIRST = (".mp4", ".gif", ".csv", ".png", ".svg", ".pdf", ".json", ".srt", ".vtt", ".html")
+
+
+def formats(*words: str) -> dict[str, str]:
+    """Return the modules whose names begin with one of ``words``, by extension.
+
+    Examples
+    --------
+    >>> formats("sweep")
+    {'.csv': 'vad.export.sweep_csv', '.png': 'vad.export.sweep_png'}
+    """
+    found: dict[str, str] = {}
+    for module in names_in("export"):
+        word, _, name = module.partition("_")
+        if name and word in words:
+            found[FOLDER if name == "frames" else f".{name}"] = f"vad.export.{module}"
+    order = (*_FIRST, *sorted(found.keys() - {*_FIRST, FOLDER}), FOLDER)
+    return {extension: found[extension] for extension in order if extension in found}
+
 
 _NAMES: dict[type, str] = {
     Sheet: "a picture",
@@ -79,6 +86,12 @@ _NAMES: dict[type, str] = {
     Turn: "a turn",
     Still: "one step of a film",
     Multiples: "several poses",
+}
+
+
+#: What can be saved as what: extension -> module, which is imported when it is used.
+FORMATS: dict[type, dict[str, str]] = {
+    kind: formats(*(word for word, things in THINGS.items() if kind in things)) for kind in _NAMES
 }
 
 
@@ -159,13 +172,84 @@ def _beside(path: str | os.PathLike[str], extensions: Iterable[str]) -> list[Pat
 
 def _check_options(module: ModuleType, extension: str, options: Mapping[str, object]) -> None:
     """Raise `vad.errors.UsageError` for an option that a format does not have, or cannot call."""
-    known = set(signature(module.write).parameters)
+    known = _parameters(module.__name__)
     for name in options:
         if name not in known:
             raise UsageError(f"{name}: {_named(extension)} has no such option")
     progress = options.get("progress")
     if progress is not None and not callable(progress):
         raise UsageError(f"progress: must be a function, got {shown(progress)}")
+
+
+def _parameters(module: str) -> tuple[str, ...]:
+    """Return the names of a format's options: the parameters of `write` after thing and target."""
+    return tuple(signature(import_module(module).write).parameters)[2:]
+
+
+def options_of(kind: type, extension: str) -> tuple[str, ...]:
+    """Return the names of the options that a format has for a thing of type ``kind``.
+
+    Examples
+    --------
+    >>> options_of(Sheet, ".png")
+    ('size', 'style', 'blank')
+    """
+    return _parameters(FORMATS[kind][extension])
+
+
+@dataclass(frozen=True)
+class OwnOption:
+    """An option that a format declares for the command line and for ``vad batch``.
+
+    Attributes
+    ----------
+    name, help
+        How it is called, and what it does.
+    type
+        `bool`, `int`, `float` or `str`.
+    default
+        What it is if it is not given.
+    """
+
+    name: str
+    help: str
+    type: type
+    default: object
+
+    def read(self, value: object) -> object:
+        """Return a value as the option takes it.
+
+        Raises
+        ------
+        vad.errors.InputError
+            If it is of another type.
+        """
+        if self.type is bool and str(value).lower() in ("true", "false"):
+            return str(value).lower() == "true"
+        if self.type is float and isinstance(value, int) and not isinstance(value, bool):
+            return float(value)
+        if type(value) is not self.type:
+            raise InputError(f"must be of type {self.type.__name__}, got {shown(value)}")
+        return value
+
+
+def own_options(modules: Iterable[str]) -> dict[str, OwnOption]:
+    """Return the options that formats declare for the command line, by name."""
+    found: dict[str, OwnOption] = {}
+    for write in (import_module(module).write for module in modules if _annotates(module)):
+        hints, parameters = get_type_hints(write, include_extras=True), signature(write).parameters
+        for name, hint in hints.items():
+            if get_origin(hint) is Annotated:
+                kind, text = get_args(hint)
+                found[name] = OwnOption(name, text, kind, parameters[name].default)
+    return found
+
+
+def _annotates(module: str) -> bool:
+    """Tell whether a format may declare options; most do not, and help need not import them."""
+    spec = find_spec(module)
+    source = getattr(spec and spec.loader, "get_source", lambda _: None)(module)
+    return source is None or Annotated.__name__ in source
 
 
 def format_of(kind: type, path: str | os.PathLike[str]) -> str:

@@ -1,84 +1,93 @@
-"""A lesson as a folder of PNG pictures, one for every frame of the constant rate.
+"""The frames of a film as encoders take them, their rate, and the boxes of what changed in them.
 
-In come frames, out go ``frame_0001.png`` …; a frame that repeats the one before is a hard link
-to it, where the disk can do that.
+A caption and a stroke are not the whole board between them: the one box in which a frame differs
+from the one before is parted into more boxes with fewer pixels.
 """
 
 from __future__ import annotations
 
-import os
-import re
-import shutil
-from collections.abc import Iterable
-from itertools import count, islice
-from pathlib import Path
+import math
+from collections.abc import Callable, Iterable, Iterator
+from fractions import Fraction
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from vad.export.palette import Palette, fine
-from vad.export.source import Film, Progress, painted
-from vad.painting.picture import EMPTY, Frame
+from vad.lecture.lesson import Lesson
+from vad.lecture.turn import Turn
+from vad.painting.picture import Box, Frame
 
-_NAME = re.compile(r"frame_\d{4,}\.png")
-#: Says that a picture was made here; see `is_frame`.
-_MAKER = ("Software", "vad")
-
-
-def write(lesson: Film, folder: Path, *, progress: Progress | None = None) -> None:
-    """Write the frames of ``lesson`` into ``folder``."""
-    encode(
-        painted(lesson, progress),
-        folder,
-        size=lesson.size,
-        total=lesson.frames,
-        palette=fine(lesson.style, len(lesson.sheet.rows)),
-    )
+Film = Lesson | Turn
+#: Called with how many frames are done and how many there will be.
+Progress = Callable[[int, int], None]
 
 
-def encode(
-    frames: Iterable[Frame],
-    folder: Path,
-    *,
-    size: tuple[int, int],
-    total: int,
-    palette: Palette,
-) -> None:
-    """Write ``total`` frames of ``size`` (width, height) into ``folder``."""
-    from PIL import Image, PngImagePlugin
+def painted(
+    lesson: Film, progress: Progress | None = None, most: float = math.inf
+) -> Iterator[Frame]:
+    """Yield the frames of a film; tell ``progress`` whenever one has been consumed.
 
-    maker = PngImagePlugin.PngInfo()
-    maker.add_text(*_MAKER)
-    canvas = np.zeros(size[::-1], np.uint8)
-    digits = max(4, len(str(total)))
-    paths = (folder / f"frame_{number:0{digits}d}.png" for number in count(1))
-    last = folder
+    What moves in a lesson has ``most`` pictures a second.
+    """
+    from vad.painting.filming import filmed
+
+    done = 0
+    for frame in filmed(lesson, most):
+        yield frame
+        done += frame.repeats
+        if progress is not None:
+            progress(done, lesson.frames)
+
+
+def rate(fps: float) -> Fraction:
+    """Return the frame rate as a fraction that a file can state.
+
+    Examples
+    --------
+    >>> rate(30.0), rate(29.97), rate(30000 / 1001)
+    (Fraction(30, 1), Fraction(2997, 100), Fraction(30000, 1001))
+    """
+    return Fraction(fps).limit_denominator(1001)
+
+
+Picture = NDArray[Any]
+
+#: Rows without a change that part two bands.
+_GAP = 32
+_MOST = 3
+
+
+def parted(frames: Iterable[Frame], size: tuple[int, int]) -> Iterator[tuple[Frame, list[Box]]]:
+    """Yield each frame of ``size`` (width, height) with the boxes of what changed in it."""
+    shown = np.zeros(size[::-1], np.uint32)  # RGBA, one number a pixel
     for frame in frames:
-        repeats = frame.repeats
-        if frame.changed != EMPTY:
-            left, top, right, bottom = frame.changed
-            window = slice(top, bottom), slice(left, right)
-            canvas[window] = palette.indices(frame.pixels[window])
-            picture = Image.fromarray(canvas)
-            picture.putpalette(palette.colours.tobytes())
-            last, repeats = next(paths), repeats - 1
-            picture.save(last, "PNG", compress_level=1, pnginfo=maker)
-        for path in islice(paths, repeats):
-            last = _again(last, path)
+        now = frame.pixels.view(np.uint32)[..., 0]
+        boxes = bands(now, shown, frame.changed, _MOST)
+        for left, top, right, bottom in boxes:
+            shown[top:bottom, left:right] = now[top:bottom, left:right]
+        yield frame, boxes
 
 
-def is_frame(path: Path) -> bool:
-    """Say whether ``path`` is a picture that `write` has made, by its name and its first bytes."""
-    if not _NAME.fullmatch(path.name) or path.is_symlink() or not path.is_file():
-        return False
-    with open(path, "rb") as stream:
-        return "\0".join(_MAKER).encode() in stream.read(1024)
+def bands(now: Picture, shown: Picture, box: Box, most: int) -> list[Box]:
+    """Return the boxes of what differs within ``box``: at most ``most``, from the bottom up.
 
-
-def _again(path: Path, copy: Path) -> Path:
-    """Let ``copy`` be the same picture as ``path``; return the one to repeat from then on."""
-    try:
-        os.link(path, copy)
-    except OSError:  # no hard links here, or as many as a file can have
-        shutil.copyfile(path, copy)
-        return copy
-    return path
+    A pixel is one number of ``now`` and ``shown``.  The boxes are parted where many rows in a row
+    are the same; there is none if all are.
+    """
+    left, top, right, bottom = box
+    window = slice(top, bottom), slice(left, right)
+    differs = now[window] != shown[window]
+    rows = np.flatnonzero(differs.any(1))
+    if not rows.size:
+        return []
+    gaps = np.diff(rows)
+    widest = np.argsort(-gaps, kind="stable")[: most - 1]
+    cuts = np.sort(widest[gaps[widest] >= _GAP]) + 1
+    boxes = []
+    for group in reversed(np.split(rows, cuts)):
+        first, last = int(group[0]), int(group[-1])
+        columns = np.flatnonzero(differs[first : last + 1].any(0))
+        sides = left + int(columns[0]), left + int(columns[-1]) + 1
+        boxes.append((sides[0], top + first, sides[1], top + last + 1))
+    return boxes

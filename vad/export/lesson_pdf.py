@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import BinaryIO
 
-from vad.export.source import Progress
+from vad.export.frames import Progress
 from vad.lecture.lesson import Lesson
 from vad.lecture.still import still
 from vad.painting.painter import play

@@ -11,9 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import vad
-from vad.export.sweep import plot
-from vad.export.sweep.ranges import limits
-from vad.export.sweep.results import results_of
+from vad.export import sweep_png
+from vad.export.sweep import limits, results_of
 from vad.style import load_style
 
 TURN = np.linspace(0.0, 360.0, 73)
@@ -23,7 +22,7 @@ RANGES = {"gate-actuator": np.linspace(3.25, 4.5, 51)}
 @pytest.fixture(autouse=True)
 def settings():
     """Let texts be as wide as they are in the file."""
-    with mpl.rc_context(plot._settings(load_style("paper"))):
+    with mpl.rc_context(sweep_png._settings(load_style("paper"))):
         yield
 
 
@@ -33,7 +32,7 @@ def plots(motion) -> list[Axes]:
         Figure((16, 12)),
         {"block": "s", "ram": "x", "slider": "x", "slider_a": "x", "slider_b": "y"},
     )
-    plot._curves(figure, results_of(motion), symbols, load_style("paper"))
+    sweep_png._curves(figure, results_of(motion), symbols, load_style("paper"))
     return figure.axes
 
 
@@ -152,7 +151,7 @@ def test_the_user_s_own_settings_change_nothing():
         file = io.BytesIO()
         with mpl.rc_context(settings):
             before = dict(mpl.rcParams)
-            plot.plot(motion, results_of(motion), file)
+            sweep_png.write(motion, file)
             assert dict(mpl.rcParams) == before
         pictures.append(file.getvalue())
     assert pictures[0] == pictures[1]

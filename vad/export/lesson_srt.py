@@ -1,10 +1,13 @@
-"""Cues: the teacher's sentences with their times. In comes a lesson, out go its cues."""
+"""A lesson's captions as a SubRip file, to lie beside the film, and the times of the captions."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import BinaryIO
 
 from vad.errors import UsageError
+from vad.export.frames import Progress
 from vad.lecture.lesson import Lesson
 
 
@@ -55,3 +58,28 @@ def clock(seconds: float, point: str) -> str:
     minutes, milliseconds = divmod(milliseconds, 60_000)
     hours, minutes = divmod(minutes, 60)
     return f"{hours:02d}:{minutes:02d}:{milliseconds // 1000:02d}{point}{milliseconds % 1000:03d}"
+
+
+def write(lesson: Lesson, stream: BinaryIO, *, progress: Progress | None = None) -> None:
+    """Write the captions of ``lesson`` to ``stream``."""
+    stream.write(srt(spoken(lesson)).encode())
+    if progress is not None:
+        progress(lesson.frames, lesson.frames)
+
+
+def srt(cues: Iterable[Cue]) -> str:
+    """Return ``cues`` as SubRip.
+
+    Examples
+    --------
+    >>> print(srt([Cue(1, 2.5, "Choose a pole.")]), end="")
+    1
+    00:00:01,000 --> 00:00:02,500
+    Choose a pole.
+    <BLANKLINE>
+    """
+    blocks = (
+        f"{number}\n{clock(cue.start, ',')} --> {clock(cue.end, ',')}\n{cue.text}\n\n"
+        for number, cue in enumerate(cues, 1)
+    )
+    return "".join(blocks)

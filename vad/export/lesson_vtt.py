@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import BinaryIO
 
-from vad.export.source import Progress
-from vad.export.subtitles.cues import Cue, clock, spoken
+from vad.export.frames import Progress
+from vad.export.lesson_srt import Cue, clock, spoken
 from vad.lecture.lesson import Lesson
 
 

@@ -12,8 +12,7 @@ from PIL import Image, ImageSequence
 
 import vad
 from tests.export.synthetic import frames, lesson, pictures
-from vad.export import save
-from vad.export.gif import gif
+from vad.export import film_gif, save
 from vad.export.palette import coarse
 from vad.lecture.lesson import Lesson
 from vad.painting.picture import EMPTY, Frame
@@ -40,7 +39,7 @@ def mapped(picture: Bytes, style: str = "paper") -> Bytes:
 
 def encoded(source: Iterator[Frame], size: tuple[int, int], fps: float = 30.0) -> io.BytesIO:
     stream = io.BytesIO()
-    gif.encode(source, stream, size=size, rate=Fraction(fps), palette=coarse("paper"))
+    film_gif.encode(source, stream, size=size, rate=Fraction(fps), palette=coarse("paper"))
     return stream
 
 

@@ -1,20 +1,53 @@
-"""What a sweep writes: in comes a motion over an array of inputs, out go columns with units."""
+"""A mechanism's results over a range of its input: the columns of a table or a plot.
+
+In comes a motion with an array of inputs, out go columns with units, or a file of them.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from vad.errors import AssemblyError, UsageError, shown
+from vad.export import formats
+from vad.export.files import new_file
 from vad.kinematics.motion import MotionInSpace, Motions
 from vad.kinematics.results import Joint
 from vad.units import scene_unit
 
+#: The modules that write a sweep, by the extension of the file; each is imported when it is used.
+FORMATS = formats("sweep")
 _LINK = ("angle", "omega", "alpha")
 _SLIDE = _POINT = ("position", "velocity", "acceleration")
+
+
+def save_sweep(motion: Motions, path: str | Path) -> None:
+    """Write a motion over an array of inputs to a file, whose extension chooses the format.
+
+    Raises
+    ------
+    vad.errors.AssemblyError
+        If none of the poses can be assembled.
+    vad.errors.UsageError
+        For another kind of file.
+    vad.errors.ExportError
+        If the file cannot be written.
+    """
+    kind = Path(path).suffix.lower()
+    if kind not in FORMATS:
+        raise UsageError(
+            f"a sweep cannot be saved as {shown(str(path))}", hint=f"as {' or '.join(FORMATS)}"
+        )
+    if not np.any(motion.assembled):
+        raise AssemblyError("the links close at none of these poses")
+    with new_file(path) as stream:
+        import_module(FORMATS[kind]).write(motion, stream)
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,3 +151,35 @@ def _by_axis(values: NDArray[Any]) -> Iterator[tuple[str, NDArray[np.float64]]]:
         yield from zip("xy", (values.real, values.imag), strict=True)
     else:
         yield from zip("xyz", np.moveaxis(values, -1, 0), strict=True)
+
+
+# Where this share of the poses at either end makes the range so much wider, it is cut off.
+_TAIL, _PEAK = 4.0, 6.0
+
+
+def unwrapped(column: Column) -> Column:
+    """Return an angle that runs on past 360° and starts near 0; other columns as they are."""
+    known = np.isfinite(column.values)
+    if column.quantity != "angle" or not known.any():
+        return column
+    values = column.values.copy()
+    values[known] = np.unwrap(values[known], period=360.0)
+    return replace(column, values=values - 360.0 * np.round(values[known][0] / 360.0))
+
+
+def limits(values: NDArray[np.float64]) -> tuple[float, float]:
+    """Return the range to show: all of it, unless a few poses near a dead centre dwarf the rest."""
+    values = values[np.isfinite(values)]
+    if not values.size:
+        return 0.0, 1.0
+    low, high = float(values.min()), float(values.max())
+    inner = np.percentile(values, [_TAIL, 100.0 - _TAIL])
+    most = float(inner[1] - inner[0])
+    if most and high - low > _PEAK * most:
+        low, high = max(low, float(inner[0]) - most), min(high, float(inner[1]) + most)
+    return low, high
+
+
+def largest(columns: Sequence[Column]) -> float:
+    """Return the largest magnitude that is shown of ``columns``."""
+    return max(map(abs, limits(np.concatenate([column.values for column in columns]))))

@@ -1,35 +1,36 @@
-"""A lesson as MP4: H.264 at constant rate, which every player and slide program shows.
+"""A film as MP4: H.264 at constant rate, which every player and slide program shows.
 
-In come frames, out goes a file; only what changed is converted, and a pause repeats the same
-planes.
+In come frames, out goes a file.  Only what changed is converted from RGB to the planes of H.264
+(luma in full and chroma at half the resolution, 4:2:0, BT.709); a pause repeats the same planes.
 """
 
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import count, islice
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
+from numpy.typing import NDArray
 
 from vad.errors import ExportError, UsageError
-from vad.export.mp4.atoms import leave_off_last_track
-from vad.export.mp4.planes import Bytes, Samples, converted
-from vad.export.source import Film, Progress, painted, rate
-from vad.export.subtitles.cues import Cue, cues
+from vad.export.frames import Film, Progress, painted, parted, rate
+from vad.export.lesson_srt import Cue, cues
 from vad.lecture.lesson import Lesson
 from vad.lecture.turn import Turn
-from vad.painting.picture import Frame
+from vad.painting.picture import Box, Frame
 from vad.strokes.words import title
 
 if TYPE_CHECKING:
     from av.container import OutputContainer
     from av.subtitles.stream import SubtitleStream
     from av.video.stream import VideoStream
+
 
 # Line drawings are unlike what the presets are made for.  x264's adaptive quantiser and its
 # look-ahead take bits from sharp edges: "veryfast" at the same crf halves the file, but takes 1.6
@@ -215,3 +216,109 @@ def _write_cues(
         packet.pts = packet.dts = start
         packet.duration = round(cue.end * 1000) - start
         container.mux(packet)
+
+
+Bytes = NDArray[np.uint8]
+
+# ITU-R BT.709, item 3: luma from R, G, B in [0, 1], colour differences, and the ranges of
+# 8-bit samples (219 and 224 of 255 steps above 16 and about 128).
+_RED, _GREEN, _BLUE = 0.2126, 0.7152, 0.0722
+_LUMA = 219 / 255 * np.array([_RED, _GREEN, _BLUE])
+_CB = 224 / 255 / (2 - 2 * _BLUE) * np.array([-_RED, -_GREEN, 1 - _BLUE])
+_CR = 224 / 255 / (2 - 2 * _RED) * np.array([1 - _RED, -_GREEN, -_BLUE])
+
+
+def even(box: Box) -> Box:
+    """Return ``box`` grown to even pixels, where chroma samples begin and end.
+
+    Examples
+    --------
+    >>> even((3, 4, 9, 10))
+    (2, 4, 10, 10)
+    """
+    left, top, right, bottom = box
+    return left & ~1, top & ~1, (right + 1) & ~1, (bottom + 1) & ~1
+
+
+@dataclass(frozen=True, slots=True)
+class Samples:
+    """The samples of one box of a picture (in pixels, all even), to be stored in its planes."""
+
+    box: Box
+    y: Bytes
+    cb: Bytes
+    cr: Bytes
+
+    def store(self, planes: Sequence[Bytes]) -> None:
+        """Write the samples into the three planes of a picture."""
+        left, top, right, bottom = self.box
+        luma = slice(top, bottom), slice(left, right)
+        chroma = slice(top // 2, bottom // 2), slice(left // 2, right // 2)
+        y, cb, cr = planes
+        y[luma], cb[chroma], cr[chroma] = self.y, self.cb, self.cr
+
+
+def converted(
+    frames: Iterable[Frame], size: tuple[int, int]
+) -> Iterator[tuple[list[Samples], int]]:
+    """Yield the samples that change with each frame, and for how many pictures they stand."""
+    for frame, boxes in parted(frames, size):
+        yield [convert(frame.pixels, box) for box in boxes], frame.repeats
+
+
+def convert(pixels: Bytes, box: Box) -> Samples:
+    """Return the samples of ``box`` of an RGBA picture of even size."""
+    left, top, right, bottom = box = even(box)
+    window = pixels[top:bottom, left:right]
+    # One channel at a time: three times as fast as a product of the pixels with a matrix.
+    channels = [window[..., i].astype(np.float32) for i in range(3)]
+    halves = [channel[0::2] + channel[1::2] for channel in channels]
+    quarters = [half[:, 0::2] + half[:, 1::2] for half in halves]
+    return Samples(
+        box,
+        _weighted(channels, _LUMA, 16.0),
+        _weighted(quarters, _CB / 4, 128.0),
+        _weighted(quarters, _CR / 4, 128.0),
+    )
+
+
+def _weighted(
+    channels: list[NDArray[np.float32]], weights: NDArray[np.float64], offset: float
+) -> Bytes:
+    red, green, blue = (np.float32(weight) for weight in weights)
+    total = channels[0] * red
+    total += channels[1] * green
+    total += channels[2] * blue
+    total += np.float32(offset + 0.5)  # to round where the conversion cuts off
+    return total.astype(np.uint8)
+
+
+_HEAD = 8  # bytes: length and kind
+_LONG = 16  # of an atom whose length takes 64 bits
+_TO_THE_END = 0
+_FLAGS = 3  # where the last byte of the flags lies in an atom's content
+_ENABLED = 1
+
+
+def leave_off_last_track(stream: BinaryIO) -> None:
+    """Let players show the last track when they are asked to, and not before."""
+    film = next(place for kind, *place in _atoms(stream, 0, stream.seek(0, 2)) if kind == b"moov")
+    tracks = [place for kind, *place in _atoms(stream, *film) if kind == b"trak"]
+    header = next(place for kind, *place in _atoms(stream, *tracks[-1]) if kind == b"tkhd")
+    stream.seek(header[0] + _FLAGS)
+    flags = stream.read(1)[0]
+    stream.seek(header[0] + _FLAGS)
+    stream.write(bytes([flags & ~_ENABLED]))
+
+
+def _atoms(stream: BinaryIO, start: int, end: int) -> Iterator[tuple[bytes, int, int]]:
+    """Yield kind, start and end of the content of each atom between two places."""
+    while start < end:
+        stream.seek(start)
+        head = stream.read(_LONG)
+        length, content = int.from_bytes(head[:4], "big"), start + _HEAD
+        if length == 1:
+            length, content = int.from_bytes(head[8:], "big"), start + _LONG
+        after = end if length == _TO_THE_END else start + length
+        yield head[4:8], content, after
+        start = after

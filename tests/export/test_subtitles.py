@@ -7,9 +7,8 @@ import pytest
 from tests.export.synthetic import SHEET, lesson
 from vad.errors import UsageError
 from vad.export import save
-from vad.export.subtitles.cues import Cue, cues
-from vad.export.subtitles.srt import srt
-from vad.export.subtitles.vtt import vtt
+from vad.export.lesson_srt import Cue, cues, srt
+from vad.export.lesson_vtt import vtt
 from vad.lecture.lesson import Lesson, Step
 
 

@@ -1,8 +1,8 @@
 """A sweep as a plot: in come a motion and its columns, out goes a PNG picture.
 
 Positions, velocities and accelerations stand one above the other, links to the left, slides to
-the right, over the input; the driver itself is left out, for its motion is given.  A curve bears
-its name at its end.
+the right, over the input; the driver itself is left out, for its motion is given.  Each curve has
+its name at its end, and the names never touch.
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ from __future__ import annotations
 import re
 import textwrap
 from collections.abc import Mapping, Sequence
-from dataclasses import fields
-from typing import IO, Any
+from dataclasses import dataclass, fields
+from typing import Any, BinaryIO
 
 import matplotlib as mpl
 import numpy as np
@@ -19,9 +19,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, MultipleLocator, ScalarFormatter
 
-from vad.export.sweep.ends import Ending, name_ends
-from vad.export.sweep.ranges import largest, limits, unwrapped
-from vad.export.sweep.results import Column, Curves, Results
+from vad.export.sweep import Column, Curves, Results, largest, limits, results_of, unwrapped
 from vad.kinematics.motion import Motions
 from vad.kinematics.solver import Solver
 from vad.plan.lettering.glyphs import width
@@ -52,9 +50,9 @@ _HARD_SPACE = "\N{NO-BREAK SPACE}"
 _ENGLISH = Language("en")
 
 
-def plot(motion: Motions, results: Results, file: IO[bytes]) -> None:
-    """Write the plot of a sweep."""
-    style = load_style("paper")
+def write(motion: Motions, target: BinaryIO) -> None:
+    """Write the plot of a motion's results."""
+    results, style = results_of(motion), load_style("paper")
     with mpl.rc_context():
         mpl.rcdefaults()  # the user's own settings are for the user's own plots
         mpl.rcParams.update(_settings(style))
@@ -62,7 +60,7 @@ def plot(motion: Motions, results: Results, file: IO[bytes]) -> None:
         _head(figure, motion, style)
         _curves(figure, results, _symbols(motion, results), style)
         title = f"{motion.mechanism.title}: a sweep of its {results.place.quantity}"
-        figure.savefig(file, format="png", metadata={"Title": title})
+        figure.savefig(target, format="png", metadata={"Title": title})
 
 
 def _symbols(motion: Motions, results: Results) -> dict[str, str]:
@@ -226,3 +224,70 @@ class _Parted(ScalarFormatter):
         return re.sub(
             r"(?<![.\d])\d{5,}", lambda whole: typeset(whole[0]).replace(THIN_SPACE, r"\,"), text
         )
+
+
+#: From the plot to a name, and from one name's middle to the next one's, in type sizes.
+_GAP, _PITCH = 0.5, 1.15
+
+
+@dataclass(frozen=True, slots=True)
+class Ending:
+    """A curve's name and colour, and its last value."""
+
+    name: str
+    colour: str
+    value: float
+
+
+def name_ends(plot: Axes, ends: Sequence[Ending], size: float) -> None:
+    """Write each name to the right of the plot, as high as its curve ends.
+
+    The range of the plot must be set; ``size`` is that of the type in points.  Names keep the order
+    of the ends.
+    """
+    bottom, top = plot.get_ylim()
+    pitch = _PITCH * size / (plot.get_window_extent().height * 72.0 / plot.figure.dpi)
+    ordered = sorted(ends, key=lambda end: end.value)
+    shares = [
+        min(max((end.value - bottom) / (top - bottom), pitch / 2), 1.0 - pitch / 2)
+        for end in ordered
+    ]
+    for end, share in zip(ordered, apart(shares, pitch), strict=True):
+        plot.annotate(
+            end.name,
+            (1.0, share),
+            (_GAP * size, 0.0),
+            xycoords="axes fraction",
+            textcoords="offset points",
+            color=end.colour,
+            fontsize=size,
+            verticalalignment="center_baseline",
+            annotation_clip=False,
+        )
+
+
+def apart(shares: Sequence[float], pitch: float) -> list[float]:
+    """Return ascending places between 0 and 1, moved as little as need be to be ``pitch`` apart.
+
+    Examples
+    --------
+    >>> apart([0.0, 0.125, 0.75, 0.75], 0.25)
+    [0.0, 0.25, 0.625, 0.875]
+    """
+    groups: list[list[float]] = []
+    for share in shares:
+        groups.append([share])
+        while len(groups) > 1 and _first(groups[-1], pitch) - _last(groups[-2], pitch) < pitch:
+            last = groups.pop()
+            groups[-1] += last
+    return [_first(group, pitch) + pitch * count for group in groups for count in range(len(group))]
+
+
+def _first(group: Sequence[float], pitch: float) -> float:
+    """Return the first of some places that stand together about their middle, inside 0 and 1."""
+    reach = pitch * (len(group) - 1)
+    return min(max(sum(group) / len(group) - reach / 2, 0.0), 1.0 - reach)
+
+
+def _last(group: Sequence[float], pitch: float) -> float:
+    return _first(group, pitch) + pitch * (len(group) - 1)

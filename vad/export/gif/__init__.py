@@ -1,1 +1,0 @@
-"""A film as GIF: `gif` writes the file, `image` one picture of it."""

@@ -1,1 +1,0 @@
-"""The results over a range of the input: `sweep` writes the table, `plot` the curves."""
