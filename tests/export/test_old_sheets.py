@@ -8,7 +8,7 @@ import pytest
 
 import vad
 from tests.strokes.poses import MECHANISMS, sheets
-from vad.export.data.sheet_json import sheet_from_json, to_dict
+from vad.export.sheet_json import sheet_from_json, to_dict
 from vad.files.examples import example_names, example_path
 
 

@@ -249,7 +249,7 @@ def _annotates(module: str) -> bool:
     """Tell whether a format may declare options; most do not, and help need not import them."""
     spec = find_spec(module)
     source = getattr(spec and spec.loader, "get_source", lambda _: None)(module)
-    return source is None or Annotated.__name__ in source
+    return source is None or "Annotated" in source
 
 
 def format_of(kind: type, path: str | os.PathLike[str]) -> str:
