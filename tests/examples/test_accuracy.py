@@ -15,7 +15,7 @@ import vad
 from tests.examples.test_examples import example, poses
 from tests.kinematics.worst_cases import BOUNDS
 from vad.files.examples import example_names
-from vad.files.written_mechanism import WrittenMechanism
+from vad.files.loading import WrittenMechanism
 from vad.methods.high_precision import solve
 from vad.methods.problem import problem_of
 

@@ -14,7 +14,7 @@ import vad
 from vad.files.description import LinkLine
 from vad.files.examination import examine
 from vad.files.examples import example_names, example_path
-from vad.files.written_mechanism import WrittenMechanism
+from vad.files.loading import WrittenMechanism
 from vad.strokes.sheet import Arrow, Dot
 from vad.written import PRIME
 

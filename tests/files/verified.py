@@ -12,8 +12,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from vad.files.loading import WrittenMechanism, class_of
 from vad.files.tables import read_text
-from vad.files.written_mechanism import WrittenMechanism, class_of
 
 CASES: list[dict[str, Any]] = json.loads(Path(__file__).with_name("cases.json").read_text("utf-8"))
 BY_NAME = {case["id"]: case for case in CASES}

@@ -14,8 +14,8 @@ from vad.batches.job import Value
 from vad.batches.place import written_at
 from vad.errors import InputError, shown, unknown
 from vad.files.examples import example_names
+from vad.files.loading import class_of
 from vad.files.tables import read_text, text_of
-from vad.files.written_mechanism import class_of
 from vad.mechanisms import MECHANISMS, Mechanism
 from vad.mechanisms.mechanism import NUMBERS
 

@@ -13,10 +13,9 @@ from dataclasses import dataclass
 
 from vad.errors import InputError
 from vad.files.description import Description, Values
-from vad.files.dyads import Dyad
-from vad.files.linking import linkage_of
+from vad.files.linking import fixed_points, linkage_of
 from vad.files.places import PARALLEL, SAME, Place, ahead, words_for
-from vad.files.shape import fixed_points
+from vad.files.structure import Dyad
 from vad.kinematics.any_solver import Evaluation
 from vad.kinematics.closed_forms import OpenLoopError
 from vad.kinematics.solver import Solver

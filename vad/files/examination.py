@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vad.files.dyads import Dyad
-from vad.files.written_mechanism import Written, WrittenMechanism
+from vad.files.loading import Written, WrittenMechanism
+from vad.files.structure import Dyad
 from vad.kinematics.linkage import Loop
 from vad.kinematics.reach import ChangePoint, change_points, closing_range
 from vad.kinematics.solver import solver_of

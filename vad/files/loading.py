@@ -1,13 +1,32 @@
-"""Mechanisms from files and from tables: in comes a path or its tables, out goes a class."""
+"""Mechanisms from files and from tables: a path or tables become a class like `vad.FourBar`.
+
+The class has fields with defaults and help, named results, and a linkage.  It is made once for
+each text.
+"""
 
 from __future__ import annotations
 
+import copyreg
+import keyword
+import re
 from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field, make_dataclass
+from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
+from vad.errors import InputError, VadError, shown, unknown
+from vad.files.assembling import Assembly, UnplacedError, assemble
+from vad.files.description import Description, Parameter, Values
+from vad.files.linking import check_numbers, linkage_of, names_under
+from vad.files.places import HINT, PARALLEL, WORDS, Place, opposite, place_of
+from vad.files.reading import describe
+from vad.files.structure import Dyad, Mobility, check_dyads, check_mobility
 from vad.files.tables import Source, read_file, sorted_out
-from vad.files.written_mechanism import WrittenMechanism, class_of
+from vad.kinematics.linkage import Linkage
+from vad.kinematics.solver import solver_of
+from vad.mechanisms.mechanism import Mechanism, unit
 
 Table = Mapping[str, Any]
 
@@ -86,3 +105,240 @@ def mechanism(
     words = {"title": title, "unit": unit, "about": about, "source": source}
     tables = {name: table for name, table in given.items() if table is not None}
     return class_of(sorted_out(Source("", {"": words | tables})))
+
+
+@dataclass(frozen=True)
+class Written:
+    """What a file says, and what follows from it whatever its numbers are.
+
+    Attributes
+    ----------
+    source
+        The text.
+    description
+        What it says.
+    mobility
+        Its bodies and joints.
+    dyads
+        In the order of drawing.
+    """
+
+    source: Source
+    description: Description
+    mobility: Mobility
+    dyads: tuple[Dyad, ...]
+
+    @property
+    def values(self) -> Values:
+        """The numbers of the file."""
+        return {name: each.default for name, each in self.description.parameters.items()}
+
+    @property
+    def choices(self) -> list[str]:
+        """The points that can be at two places."""
+        return [point for dyad in self.dyads if dyad.reversible for point in dyad.points]
+
+    @property
+    def words(self) -> dict[str, list[str]]:
+        """The words for the places of each point that has two, its own first."""
+        found = {}
+        for point, word in self.assembly({}).words.items():
+            one = self._word(point) if word == PARALLEL else word
+            found[point] = list(dict.fromkeys([word, one, opposite(one)]))
+        return found
+
+    def _word(self, point: str) -> str:
+        """Return a word that tells the places of a point apart: those of no parallelogram."""
+        for word in WORDS:
+            with suppress(UnplacedError):
+                self.assembly({point: word})
+                return word
+        raise UnplacedError(point, f"{point}: has no two places")
+
+    def assembly(self, given: Mapping[str, Place]) -> Assembly:
+        """Return the sides for places that are given in place of the file's own."""
+        wanted = {**self.description.assembly, **given}
+        return assemble(self.description, self.dyads, self.values, wanted)
+
+    def checked_assembly(self) -> Assembly:
+        """Return the sides of the file's own places.
+
+        Raises
+        ------
+        vad.errors.InputError
+            With its line, for a point that cannot take its place.
+        """
+        for point in self.description.assembly:
+            if point not in self.choices:
+                message = f"{point}: has one place only"
+                hint = f"two places have {', '.join(self.choices)}" if self.choices else None
+                raise self.source.error("assembly", point, message, hint)
+        try:
+            return self.assembly({})
+        except UnplacedError as error:
+            raise self._error_at(error.point, error) from None
+
+    def _error_at(self, point: str, error: VadError) -> InputError:
+        if point in self.source.table("assembly"):
+            return self.source.error("assembly", point, str(error), error.hint)
+        dyad = next(dyad for dyad in self.dyads if point in (dyad.point, *dyad.points))
+        table, key = ("links", dyad.links[0].name) if dyad.links else ("guides", point)
+        return self.source.error(table, key, str(error), error.hint)
+
+
+class _WrittenType(type):
+    """The type of all such classes: they travel between processes as their text."""
+
+
+class WrittenMechanism(Mechanism, listed=False, metaclass=_WrittenType):
+    """A mechanism that a file describes; `vad.load` and `vad.mechanism` make its subclasses."""
+
+    written: ClassVar[Written]
+
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__(listed=False)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        solver_of(self)  # what it refuses is refused at once
+
+    def _check(self, name: str, metadata: Any) -> None:
+        if metadata["quantity"] != "places":
+            super()._check(name, metadata)
+            return
+        given = getattr(self, name)
+        if not isinstance(given, Mapping):
+            raise InputError(f"{name}: must be places by point, got {shown(given)}", _AS_IN)
+        words = self._assembly(tuple(_places(self.written, given).items())).words
+        object.__setattr__(self, name, dict(words))
+
+    @classmethod
+    @lru_cache(maxsize=64)
+    def _assembly(cls, given: tuple[tuple[str, Place], ...]) -> Assembly:
+        return cls.written.assembly(dict(given))
+
+    def linkage(self) -> Linkage:
+        """Return the loops, one for each dyad."""
+        written = self.written
+        values = {name: getattr(self, name) for name in written.description.parameters}
+        assembly: Any = self.assembly
+        chosen = self._assembly(tuple(assembly.items()))
+        return linkage_of(written.description, written.dyads, values, chosen.sides, chosen.parallel)
+
+
+_AS_IN = "as in assembly={'B': 'left'}"
+
+
+def _places(written: Written, given: Mapping[Any, Any]) -> dict[str, Place]:
+    """Return the places that a user gives, by point.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For what is no place, or no point that has two.
+    """
+    places = {}
+    for point, value in given.items():
+        if point not in written.choices:
+            raise unknown("point with two places", point, written.choices)
+        place = place_of(value)
+        if place is None:
+            raise InputError(f"assembly: {point}: {shown(value)} is no place", HINT)
+        places[point] = place
+    return places
+
+
+def class_of(source: Source) -> type[WrittenMechanism]:
+    """Return the class of what a source describes.
+
+    Raises
+    ------
+    vad.errors.InputError
+        With its line, for what cannot be, cannot move, or is not made of dyads.
+    """
+    return _unpacked(source.packed())
+
+
+@lru_cache(maxsize=64)
+def _unpacked(text: str) -> type[WrittenMechanism]:
+    source = Source.unpacked(text)
+    description = describe(source)
+    mobility = check_mobility(source, description)
+    dyads = tuple(check_dyads(source, description))
+    written = Written(source, description, mobility, dyads)
+    check_numbers(source, description, written.values)
+    assembly = written.checked_assembly()
+    kind = _made(written, assembly)
+    try:
+        kind()
+    except VadError as error:
+        raise source.error("", "", str(error), error.hint) from None
+    return kind
+
+
+def _made(written: Written, assembly: Assembly) -> type[WrittenMechanism]:
+    """Return the dataclass."""
+    description = written.description
+    name = written.source.name.removesuffix(".toml") or _slug(description.title)
+    parts = [word.capitalize() for word in re.findall("[A-Za-z0-9]+", name)]
+    class_name = "".join(parts)
+    if not class_name.isidentifier() or keyword.iskeyword(class_name):
+        class_name = "Written"
+    cylinders = {each.name: each.base[1] for each in description.links.values() if each.cylinder}
+    slides = {guide.slide: guide.point for guide in description.guides.values()}
+    fields: list[tuple[str, Any, Any]] = [
+        (each.name, float, _field(each)) for each in description.parameters.values()
+    ]
+    words = dict(assembly.words)
+    places = {"quantity": "places", "help": "the place of a point", "optional": False}
+    fields += [
+        ("assembly", dict, field(default_factory=words.copy, hash=False, metadata=places)),
+        ("length_unit", str, unit(description.unit)),
+    ]
+    made = make_dataclass(
+        class_name,
+        fields,
+        bases=(WrittenMechanism,),
+        namespace={
+            "__doc__": description.about or f"{description.title}.",
+            "__module__": __name__,
+            "name": name,
+            "title": description.title,
+            "letters": (*description.points, *names_under(description).values()),
+            "links": {each.name: "".join(each.base) for each in description.links.values()},
+            "slides": slides | cylinders,
+            "inputs": description.driver.inputs,
+            "written": written,
+        },
+        frozen=True,
+        kw_only=True,
+    )
+    return made
+
+
+def _reduced(kind: Any) -> tuple[Any, ...]:
+    return _unpacked, (kind.written.source.packed(),)
+
+
+copyreg.pickle(_WrittenType, _reduced)
+
+
+def _field(parameter: Parameter) -> Any:
+    metadata = {
+        "quantity": parameter.quantity,
+        "help": parameter.help,
+        "signed": parameter.signed,
+        "optional": False,
+    }
+    return field(default=parameter.default, metadata=metadata)
+
+
+def _slug(title: str) -> str:
+    """Return a title as a name.
+
+    Examples
+    --------
+    >>> _slug("Toggle press (Khurmi)")
+    'toggle-press-khurmi'
+    """
+    return "-".join(re.findall("[a-z0-9]+", title.lower())) or "mechanism"

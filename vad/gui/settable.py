@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from vad.files.written_mechanism import WrittenMechanism
+from vad.files.loading import WrittenMechanism
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
 from vad.mechanisms.mechanism import NUMBERS

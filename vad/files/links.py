@@ -10,9 +10,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from vad.errors import InputError, shown
-from vad.files.description import Apex, Aside, Beyond, Link, Pair, Posed, Rule
-from vad.files.expressions import Expression
-from vad.files.parameters import Numbers
+from vad.files.description import Apex, Aside, Beyond, Expression, Link, Pair, Posed, Rule
+from vad.files.tables import Numbers
 
 _POINT = r"[A-Z][0-9]*"
 Angle = tuple[str, str, str]
