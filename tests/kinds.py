@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import vad
-from vad.mechanisms.mechanism_in_space import MechanismInSpace
+from vad.mechanisms.mechanism import MechanismInSpace
 
 SPACE = {k: kind for k, kind in vad.MECHANISMS.items() if issubclass(kind, MechanismInSpace)}
 PLANE = {name: kind for name, kind in vad.MECHANISMS.items() if name not in SPACE}

@@ -143,21 +143,19 @@ if not TYPE_CHECKING:  # for a type checker, a name that is not imported above i
         message = f"module 'vad' has no attribute {name!r}"
         if name.startswith("_"):
             raise AttributeError(message, name=name)
-        mechanisms = _mechanisms()
-        if name in mechanisms:
-            return mechanisms[name]
         from vad.errors import unknown
+        from vad.mechanisms import class_named
+
+        kind = class_named(name)
+        if kind is not None:
+            return kind
 
         hint = unknown("name", name, __dir__()).hint
         raise AttributeError(f"{message}; {hint}", name=name)
 
 
 def __dir__() -> list[str]:
-    return sorted({*__all__, *_mechanisms(), "__version__"})
-
-
-def _mechanisms() -> dict[str, type]:
-    """Return every mechanism class by its name."""
     from vad.mechanisms import MECHANISMS
 
-    return {kind.__name__: kind for kind in MECHANISMS.values()}
+    mechanisms = {kind.__name__ for kind in MECHANISMS.values()}
+    return sorted({*__all__, *mechanisms, "__version__"})

@@ -12,11 +12,11 @@ from typing import Any
 from vad.batches.choices import Quantity, choices
 from vad.batches.job import Value
 from vad.batches.place import written_at
-from vad.errors import InputError, shown, unknown
+from vad.errors import InputError, UsageError, shown, unknown
 from vad.files.examples import example_names
 from vad.files.loading import class_of
 from vad.files.tables import read_text, text_of
-from vad.mechanisms import MECHANISMS, Mechanism
+from vad.mechanisms import Mechanism, mechanism_named
 from vad.mechanisms.mechanism import NUMBERS
 
 _FILE = ".toml"
@@ -32,11 +32,12 @@ def text_beside(sheets: Path, mechanism: str) -> str | None:
     """
     if mechanism.lower().endswith(_FILE):
         return text_of(sheets.parent / mechanism)
-    if mechanism not in MECHANISMS:
-        wrong = unknown("mechanism", mechanism, MECHANISMS)
+    try:
+        mechanism_named(mechanism)
+    except UsageError as wrong:
         if mechanism in example_names():
             wrong.hint = f"vad example {mechanism} > {mechanism}{_FILE}, and name that file"
-        raise wrong
+        raise
     return None
 
 
@@ -44,7 +45,7 @@ def text_beside(sheets: Path, mechanism: str) -> str | None:
 def kind_of(mechanism: str, text: str | None) -> type[Mechanism]:
     """Return the class of a mechanism, made once in each process."""
     if text is None:
-        return MECHANISMS[mechanism]
+        return mechanism_named(mechanism)
     return class_of(read_text(text, Path(mechanism).name))
 
 

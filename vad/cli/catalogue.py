@@ -5,12 +5,14 @@ from __future__ import annotations
 import dataclasses
 import inspect
 import textwrap
+from collections.abc import Iterator
 from itertools import zip_longest
 from typing import Any
 
 from vad.cli.options import flag, length_unit_of
+from vad.errors import InputError
 from vad.files.examples import example_names, example_title
-from vad.mechanisms import MECHANISMS, Mechanism
+from vad.mechanisms import Mechanism, mechanism_named, mechanism_names
 from vad.units import scene_unit
 from vad.written import typed
 
@@ -19,15 +21,13 @@ _WIDTH = 100
 
 def table() -> str:
     """Return the mechanisms with what they are and their inputs, as text for a terminal."""
-    indent = max(map(len, MECHANISMS)) + 2
+    indent = max(map(len, mechanism_names())) + 2
     lines: list[str] = []
-    for name, kind in MECHANISMS.items():
-        unit = length_unit_of(kind)
-        inputs = "  ".join(
-            f"{flag(key)} {typed(value)} {scene_unit(key, unit)}"
-            for key, value in kind.inputs.items()
-        )
-        what = [*textwrap.wrap(_what(kind), _WIDTH - indent), inputs]
+    for name, kind in _listed():
+        if isinstance(kind, InputError):
+            what = textwrap.wrap(f"cannot be loaded: {kind}", _WIDTH - indent)
+        else:
+            what = [*textwrap.wrap(_what(kind), _WIDTH - indent), _inputs(kind)]
         lines += [
             f"{label:{indent}}{line}" for label, line in zip_longest([name], what, fillvalue="")
         ]
@@ -43,9 +43,14 @@ def examples() -> str:
 
 
 def entries() -> list[dict[str, Any]]:
-    """Return the mechanisms as data: name, title, parameters and inputs with their defaults."""
+    """Return the mechanisms as data: name, title, parameters and inputs with their defaults.
+
+    A mechanism of another package that cannot be loaded has a name and a problem.
+    """
     return [
-        {
+        {"name": name, "problem": str(kind)}
+        if isinstance(kind, InputError)
+        else {
             "name": name,
             "title": kind.title,
             "description": _what(kind),
@@ -57,8 +62,25 @@ def entries() -> list[dict[str, Any]]:
             "inputs": dict(kind.inputs),
             "length_unit": length_unit_of(kind),
         }
-        for name, kind in MECHANISMS.items()
+        for name, kind in _listed()
     ]
+
+
+def _listed() -> Iterator[tuple[str, type[Mechanism] | InputError]]:
+    """Yield every mechanism with its name; in place of one that cannot be loaded, the reason."""
+    for name in mechanism_names():
+        try:
+            yield name, mechanism_named(name)
+        except InputError as error:
+            yield name, error
+
+
+def _inputs(kind: type[Mechanism]) -> str:
+    """Return the inputs of a mechanism as options, with their defaults and units."""
+    unit = length_unit_of(kind)
+    return "  ".join(
+        f"{flag(key)} {typed(value)} {scene_unit(key, unit)}" for key, value in kind.inputs.items()
+    )
 
 
 def _what(kind: type[Mechanism]) -> str:

@@ -16,7 +16,7 @@ from vad.cli.naming import kind_of
 from vad.cli.options import OWN, build, mechanism_options, own_option
 from vad.errors import UsageError, unknown
 from vad.export import own_options
-from vad.mechanisms import MECHANISMS
+from vad.mechanisms import mechanism_names
 
 #: Under what name click's context holds the options of the format that is written.
 _OWN_OPTIONS = "vad.cli.own_options"
@@ -125,7 +125,7 @@ class MechanismGroup(click.Group):
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Return the names of all mechanisms."""
-        return list(MECHANISMS)
+        return list(mechanism_names())
 
     def _own_options(self, output: str | None) -> list[click.Option]:
         """Return the options of the format of a file; those of all formats where none is named."""

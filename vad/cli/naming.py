@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from vad.errors import unknown
+from vad.errors import UsageError
 from vad.files.examples import EXTENSION, example_names
-from vad.mechanisms import MECHANISMS, Mechanism
+from vad.mechanisms import Mechanism, mechanism_named
 
 
 def kind_of(name: str) -> type[Mechanism]:
@@ -23,11 +23,11 @@ def kind_of(name: str) -> type[Mechanism]:
         from vad.files.loading import load
 
         return load(name)
-    if name not in MECHANISMS:
-        wrong = unknown("mechanism", name, MECHANISMS)
+    try:
+        return mechanism_named(name)
+    except UsageError as wrong:
         if Path(name + EXTENSION).is_file():
             wrong.hint = f"{name}{EXTENSION} is a file"
         elif name in example_names():
             wrong.hint = f"vad example {name} > {name}{EXTENSION}"
-        raise wrong
-    return MECHANISMS[name]
+        raise

@@ -21,8 +21,7 @@ from vad.kinematics.solution import Solution
 from vad.kinematics.solver import Solver, solver_of
 
 if TYPE_CHECKING:
-    from vad.mechanisms.mechanism import Mechanism
-    from vad.mechanisms.mechanism_in_space import MechanismInSpace
+    from vad.mechanisms.mechanism import Mechanism, MechanismInSpace
 
 
 @overload

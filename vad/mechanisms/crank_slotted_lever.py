@@ -2,9 +2,11 @@
 
 from dataclasses import KW_ONLY, dataclass
 
-from vad.kinematics.linkage import Linkage
+from vad.errors import InputError
+from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of
 from vad.mechanisms.mechanism import Mechanism, angle, length
-from vad.mechanisms.quick_return import quick_return
+
+_HINT = "as in --rod 100 --ram-height 180"
 
 
 @dataclass(frozen=True)
@@ -33,3 +35,45 @@ class CrankSlottedLever(Mechanism):
         """Return the loops; the tip C lies on the side of Q."""
         ground = (self.ground, self.ground_angle)
         return quick_return(self.crank, self.lever, ground, self.rod, self.ram_height)
+
+
+def quick_return(
+    crank: float,
+    tip: float,
+    ground: tuple[float, float],
+    rod: float | None,
+    ram_height: float | None,
+    level: bool = False,
+) -> Linkage:
+    """Return the two loops of a quick return: of its slotted lever, and of its ram.
+
+    Crank AB moves a block B that slides on the lever from D.  Q is the lever's point under the
+    block: AB = AD + DQ + QB.  With a rod there is a ram E: DC + CE = DE.
+
+    Parameters
+    ----------
+    crank, rod
+        The lengths AB and CE; no rod means no ram.
+    tip
+        The distance of C from D; where it is negative, C lies on the side away from Q.
+    ground
+        The distance and the direction of AD.
+    ram_height
+        The height of the ram's line above A.
+    level
+        Whether the ram's line passes exactly through D, however its height is rounded.
+    """
+    lever = Loop(
+        first=(Bar("AB", "crank", crank), -Slide("QB", "block", along="lever")),
+        second=(Bar("DQ", "lever", "block"),),
+    )
+    arm = Bar("DC", "lever", tip)
+    loops: tuple[Loop, ...] = (lever,)
+    if rod is not None and ram_height is not None:
+        ram = Slide("DE", "ram", 0.0, origin=1j * ram_height, through_tail=level)
+        loops = (lever, Loop(first=(arm, Bar("CE", "rod", rod)), second=(ram,)))
+    elif rod is not None:
+        raise InputError("ram_height: is missing; a ram needs a rod and a ram_height", _HINT)
+    elif ram_height is not None:
+        raise InputError("rod: is missing; a ram needs a rod and a ram_height", _HINT)
+    return Linkage(angle_of("crank"), loops, images=(arm,), ground=("D", *ground))

@@ -3,8 +3,7 @@
 from dataclasses import dataclass
 
 from vad.kinematics.space.linkages import CrossedShafts
-from vad.mechanisms.mechanism import arc
-from vad.mechanisms.mechanism_in_space import MechanismInSpace
+from vad.mechanisms.mechanism import MechanismInSpace, arc
 
 
 @dataclass(frozen=True)

@@ -26,9 +26,8 @@ NUMBERS = ("length", "angle", "number")
 
 AnyLinkage = Linkage | SpaceLinkage
 
-#: Every mechanism class by the name that the command line knows.
-MECHANISMS: dict[str, type[Mechanism]] = {}
-
+#: The mechanism classes that are loaded, by the name that the command line knows.
+LOADED: dict[str, type[Mechanism]] = {}
 
 Length = TypeVar("Length", float, None)
 
@@ -121,7 +120,7 @@ class Mechanism:
         # Read-only: mechanisms share their defaults.
         cls.inputs = MappingProxyType(dict(cls.inputs))
         if listed:
-            MECHANISMS[cls.name] = cls
+            LOADED[cls.name] = cls
 
     def __post_init__(self) -> None:
         for parameter in fields(self):
@@ -195,6 +194,18 @@ class Mechanism:
             if parameter.metadata["quantity"] in NUMBERS
             and getattr(self, parameter.name) is not None
         }
+
+
+@dataclass(frozen=True)
+class MechanismInSpace(Mechanism, listed=False):
+    """A mechanism that leaves the plane; its points are vectors x, y, z.
+
+    The frame has its origin at A, z along A's axis and x along the common normal from A to D.
+    """
+
+    def linkage(self) -> SpaceLinkage:
+        """Return what its axes or balls keep."""
+        raise TypeError(f"{type(self).__name__} declares no linkage")
 
 
 def _check_arc(name: str, number: float, low: float, high: float, hint: str) -> None:

@@ -4,8 +4,7 @@ import math
 from dataclasses import KW_ONLY, dataclass
 
 from vad.kinematics.space.linkages import BallJointed
-from vad.mechanisms.mechanism import angle, length
-from vad.mechanisms.mechanism_in_space import MechanismInSpace
+from vad.mechanisms.mechanism import MechanismInSpace, angle, length
 
 
 @dataclass(frozen=True)

@@ -3,8 +3,7 @@
 from dataclasses import KW_ONLY, dataclass
 
 from vad.kinematics.space.linkages import Arc, FourAxes
-from vad.mechanisms.mechanism import arc, length
-from vad.mechanisms.mechanism_in_space import MechanismInSpace
+from vad.mechanisms.mechanism import MechanismInSpace, arc, length
 
 _PARALLEL = "parallel axes make a four-bar in the plane"
 

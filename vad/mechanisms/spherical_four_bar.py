@@ -3,8 +3,7 @@
 from dataclasses import dataclass
 
 from vad.kinematics.space.linkages import Arc, FourAxes
-from vad.mechanisms.mechanism import arc
-from vad.mechanisms.mechanism_in_space import MechanismInSpace
+from vad.mechanisms.mechanism import MechanismInSpace, arc
 
 _APART = "at 0° and 180° both axes are one"
 

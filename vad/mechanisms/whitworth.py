@@ -4,8 +4,8 @@ import math
 from dataclasses import KW_ONLY, dataclass
 
 from vad.kinematics.linkage import Linkage
+from vad.mechanisms.crank_slotted_lever import quick_return
 from vad.mechanisms.mechanism import Mechanism, angle, length
-from vad.mechanisms.quick_return import quick_return
 
 
 @dataclass(frozen=True)
