@@ -70,8 +70,7 @@ def check_frames() -> None:
 
     import vad
     from vad.lecture.moment import moments
-    from vad.painting.film import redraw
-    from vad.painting.filming import filmed
+    from vad.painting.film import filmed, redraw
     from vad.painting.posed import board_of
     from vad.style import load_style
 

@@ -1,17 +1,16 @@
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import pytest
 
-from tests.export.synthetic import as_filming_module
+from tests.export.synthetic import filmed
 
 
 @pytest.fixture
 def painter(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let lessons be painted by the small synthetic painter."""
-    monkeypatch.setitem(sys.modules, "vad.painting.filming", as_filming_module())
+    monkeypatch.setattr("vad.painting.film.filmed", filmed())
 
 
 @pytest.fixture

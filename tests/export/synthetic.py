@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from types import ModuleType
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from vad.lecture.lesson import Lesson, Step
-from vad.painting.picture import EMPTY, Frame
+from vad.painting.film import EMPTY, Frame
 from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Sheet, Stroke
 from vad.style import load_style
 
@@ -112,11 +111,9 @@ def pictures(lesson: Lesson) -> list[Bytes]:
     ]
 
 
-def as_filming_module(source: Any = frames) -> ModuleType:
-    """Return a module that stands for ``vad.painting.filming``."""
-    module = ModuleType("vad.painting.filming")
-    module.__dict__["filmed"] = lambda film, most=math.inf: source(film)
-    return module
+def filmed(source: Any = frames) -> Any:
+    """Return a function that stands for ``vad.painting.film.filmed``."""
+    return lambda film, most=math.inf: source(film)
 
 
 def _box(start: complex, end: complex, size: tuple[int, int]) -> tuple[int, int, int, int]:

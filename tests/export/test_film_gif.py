@@ -15,7 +15,7 @@ from tests.export.synthetic import frames, lesson, pictures
 from vad.export import film_gif, save
 from vad.export.palette import coarse
 from vad.lecture.lesson import Lesson
-from vad.painting.picture import EMPTY, Frame
+from vad.painting.film import EMPTY, Frame
 
 Bytes = NDArray[np.uint8]
 

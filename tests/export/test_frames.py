@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from vad.export.frames import bands, parted
-from vad.painting.picture import EMPTY, Frame
+from vad.painting.film import EMPTY, Frame
 
 SIZE = (60, 200)
 

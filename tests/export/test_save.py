@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 
 from tests.export import synthetic
-from tests.export.synthetic import SHEET, as_filming_module, lesson
+from tests.export.synthetic import SHEET, filmed, lesson
 from vad.errors import ExportError, UsageError
 from vad.export import FORMATS, format_of, save
 from vad.lecture.lesson import Lesson
-from vad.painting.picture import Frame
+from vad.painting.film import Frame
 
 FILMS = ["film.mp4", "film.gif", "film/"]
 ROOT = Path(__file__).resolve().parents[2]
@@ -121,7 +121,7 @@ class TestInterruption:
                     raise kind(28, "No space left on device")
                 yield frame
 
-        monkeypatch.setitem(sys.modules, "vad.painting.filming", as_filming_module(stopping))
+        monkeypatch.setattr("vad.painting.film.filmed", filmed(stopping))
         film = lesson(steps=2)
         pictures = len(list(synthetic.frames(film)))
         stop_at = pictures
@@ -140,6 +140,8 @@ class TestInterruption:
         code = """
 import sys, time
 from tests.export import synthetic
+import vad.painting.film
+import vad.painting.film
 from vad.export import save
 
 def slow(film):
@@ -149,7 +151,7 @@ def slow(film):
             time.sleep(60)
         yield frame
 
-sys.modules["vad.painting.filming"] = synthetic.as_filming_module(slow)
+vad.painting.film.filmed = synthetic.filmed(slow)
 save(synthetic.lesson(), sys.argv[1])
 """
         environment = {**os.environ, "PYTHONPATH": str(ROOT)}
@@ -178,9 +180,10 @@ import resource, sys
 from pathlib import Path
 from tests.export import synthetic
 from vad.errors import ExportError
+import vad.painting.film
 from vad.export import save
 
-sys.modules["vad.painting.filming"] = synthetic.as_filming_module()
+vad.painting.film.filmed = synthetic.filmed()
 film = synthetic.lesson()
 save(film, sys.argv[1])
 made = Path(sys.argv[1])
@@ -204,13 +207,15 @@ def test_memory_does_not_grow_with_the_film(folder: Path, path: str) -> None:
     code = """
 import resource, sys
 from tests.export import synthetic
+import vad.painting.film
+import vad.painting.film
 from vad.export import save
 
 def peak(steps):
     save(synthetic.lesson(steps=steps, size=(320, 180)), sys.argv[1])
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
-sys.modules["vad.painting.filming"] = synthetic.as_filming_module()
+vad.painting.film.filmed = synthetic.filmed()
 once, tenfold = peak(10), peak(100)
 assert tenfold < 1.1 * once, (once, tenfold)
 """

@@ -18,7 +18,7 @@ from tests.export.synthetic import SHEET
 from tests.strokes.poses import MECHANISMS, sheets
 from vad.errors import InputError, UsageError
 from vad.export import save, sheet_json
-from vad.painting.filming import filmed
+from vad.painting.film import filmed
 from vad.painting.posed import picture
 from vad.strokes.language import languages
 from vad.strokes.sheet import Dot, Panel, Sheet, Stroke

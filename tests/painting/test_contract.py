@@ -17,12 +17,15 @@ from fontTools.pens.boundsPen import BoundsPen
 from fontTools.ttLib import TTFont
 from numpy.typing import NDArray
 
+import vad
 from tests.painting.readers import MEDIA, Medium, Pixels
+from vad.painting.posed import posed
 from vad.plan.format import Format
 from vad.plan.items import Item, Level
 from vad.plan.lettering.runs import Run
-from vad.plan.marks import Bow, Disc, Lettering, Outline, Polygon, Polyline
-from vad.style import Look, Pen
+from vad.plan.marks import Bow, Disc, Lettering, Mark, Outline, Polygon, Polyline
+from vad.plan.roles import ROLES
+from vad.style import Look, Pen, load_style
 
 WIDTH, HEIGHT = 400, 300
 FORM = Format(WIDTH / HEIGHT, 1.0, HEIGHT)
@@ -41,7 +44,7 @@ def paint(request: pytest.FixtureRequest) -> Paint:
         medium.painter.begin(form, ground)
         medium.painter.group(Item("velocity:AB.whole", "velocity", Level.STROKE, ()))
         for shape, look in marks:
-            medium.painter.paint(shape, look)
+            medium.painter.paint(Mark(shape, "vector"), look)
         medium.painter.end()
         return medium.pixels()
 
@@ -97,7 +100,7 @@ def test_the_edge_has_the_background_too(medium: str) -> None:
     form = Format(1.0, 1.0, 200.0, edge=0.1)
     page = Medium(medium, form)
     page.painter.begin(form, "#1D2B27")
-    page.painter.paint(Polygon(((0j, 1 + 0j, 1 + 1j, 1j),)), Look(WHITE))
+    page.painter.paint(Mark(Polygon(((0j, 1 + 0j, 1 + 1j, 1j),)), "block"), Look(WHITE))
     page.painter.end()
     pixels = page.pixels()
     assert pixels.shape == (240, 240, 3)
@@ -400,3 +403,39 @@ def test_the_halo_of_one_letter_does_not_cover_another(paint: Paint) -> None:
     plain = ink(paint((text, Look(BLACK))))
     haloed = ink(paint((text, Look(BLACK, under=pen(27, WHITE, cap="round", join="round")))))
     assert np.abs(plain - haloed).max() < 0.02
+
+
+class Listener:
+    """A painter that notes what it is told: a medium could name its styles by that."""
+
+    def __init__(self) -> None:
+        self.told: list[tuple[str, Level, str, int | None, Look]] = []
+
+    def begin(self, form: Format, background: str) -> None:
+        """Begin nothing."""
+
+    def group(self, item: Item) -> None:
+        self.item = item
+
+    def paint(self, mark: Mark, look: Look) -> None:
+        self.told.append((self.item.stroke, self.item.level, mark.role, mark.row, look))
+
+    def end(self) -> None:
+        """End nothing."""
+
+
+@pytest.mark.parametrize("style", ["paper", "print"])
+def test_a_painter_is_told_stroke_role_and_row_of_every_mark(style: str) -> None:
+    listener = Listener()
+    posed(vad.draw(vad.solve(vad.SliderCrank())), style=style).play(listener)
+    vectors = {
+        (stroke, row) for stroke, _, role, row, _ in listener.told if role in ("vector", "whole")
+    }
+    assert {("velocity:AB.tangential", 0), ("acceleration:BC.normal", 1)} <= vectors
+    looks: dict[tuple[str, int | None], set[Look]] = {}
+    for _, _, role, row, look in listener.told:
+        looks.setdefault((role, row), set()).add(look)
+    assert {role for role, _ in looks} <= set(ROLES)
+    assert looks["vector", 1] == {load_style(style).look("vector", 1)}
+    pens = {key: each.pen for key, (each, *_) in looks.items() if each.pen}
+    assert len(pens) > 15  # a style each, and no look had to be guessed back from a colour

@@ -12,9 +12,7 @@ from tests.plan.sheets import slider_crank
 from vad.lecture.lesson import Lesson
 from vad.lecture.moment import moment, moments
 from vad.lecture.timeline import animate
-from vad.painting.film import redraw
-from vad.painting.filming import filmed
-from vad.painting.picture import EMPTY
+from vad.painting.film import EMPTY, filmed, redraw
 from vad.painting.posed import board_of
 from vad.style import load_style, style_names
 

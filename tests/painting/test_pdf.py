@@ -12,7 +12,7 @@ import pytest
 import vad
 from tests.painting.readers import centres, operations, pdf_bytes, pdf_pixels, pdf_text
 from tests.painting.test_same_picture import sheet_of
-from vad.export import lesson_pdf, pdf
+from vad.export import lesson_pdf, picture_pdf
 from vad.lecture.still import still
 from vad.painting.agg_painter import AggPainter
 from vad.painting.painter import play
@@ -20,7 +20,7 @@ from vad.painting.pdf_painter import PdfPainter
 from vad.painting.posed import board_of
 from vad.plan.format import Format
 from vad.plan.items import Item, Level
-from vad.plan.marks import Disc
+from vad.plan.marks import Disc, Mark
 from vad.strokes.sheet import Sheet
 from vad.strokes.words import describe
 from vad.style import Look, load_style
@@ -28,7 +28,7 @@ from vad.style import Look, load_style
 
 def written(sheet: Sheet, **options: object) -> bytes:
     target = io.BytesIO()
-    pdf.write(sheet, target, **options)
+    picture_pdf.write(sheet, target, **options)
     return target.getvalue()
 
 
@@ -124,7 +124,7 @@ def painted(*pages: tuple[complex, ...]) -> bytes:
         painter.begin(Format(1.0, 1.0, 100.0), "#FFFFFF")
         for spot in page:
             painter.group(Item("", "page", Level.DOT, ()))
-            painter.paint(Disc(spot, 0.05), Look("#000000"))
+            painter.paint(Mark(Disc(spot, 0.05), "dot"), Look("#000000"))
         painter.end()
     return pdf_bytes(painter, [str(page) for page in pages])
 

@@ -13,14 +13,14 @@ from PIL import Image
 
 from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
-from vad.export import png
+from vad.export import picture_png
 from vad.painting.posed import picture
 from vad.style import load_style, style_names
 
 
 def written(**options) -> bytes:
     target = io.BytesIO()
-    png.write(slider_crank(), target, **options)
+    picture_png.write(slider_crank(), target, **options)
     return target.getvalue()
 
 

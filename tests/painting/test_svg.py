@@ -15,7 +15,7 @@ import vad
 from tests.painting.readers import fonts
 from tests.painting.test_same_picture import sheet_of
 from vad.errors import UsageError
-from vad.export import svg
+from vad.export import picture_svg
 from vad.lecture.still import Still
 from vad.painting.posed import posed
 from vad.painting.svg_painter import SvgPainter
@@ -31,7 +31,7 @@ TEXTS = ("glyphs", "letters")
 
 def written(thing: Sheet | Still, **options: object) -> bytes:
     target = io.BytesIO()
-    svg.write(thing, target, **options)
+    picture_svg.write(thing, target, **options)
     return target.getvalue()
 
 

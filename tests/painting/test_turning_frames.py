@@ -10,10 +10,8 @@ import pytest
 import vad
 from vad.cli.run import run
 from vad.lecture.moment import Moment
-from vad.painting.film import frames, redraw
-from vad.painting.filming import filmed
-from vad.painting.outlines import outline
-from vad.painting.picture import EMPTY, Frame
+from vad.painting.film import EMPTY, Frame, filmed, frames, redraw
+from vad.painting.shapes import outline
 from vad.plan.turning.turn_board import TurnBoard
 from vad.style import load_style
 

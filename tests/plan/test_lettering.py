@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import vad
 from vad.files.examples import example_path
-from vad.painting.outlines import outline
+from vad.painting.shapes import outline
 from vad.plan.format import screen
 from vad.plan.layout import lay_out
 from vad.plan.lettering.glyphs import fitted, typeset, width

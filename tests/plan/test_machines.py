@@ -141,7 +141,7 @@ def test_a_point_shows_on_a_bar_of_its_own_colour(style: str):
     painter.begin(board.form, look.background)
     for item in board.shown(board.finished):
         for mark in item.marks:
-            painter.paint(mark.shape, looks(mark))
+            painter.paint(mark, looks(mark))
 
     def colour(at: complex) -> np.uint32:
         return painter.words[1440 - 1 - int(1440 * at.imag), int(1440 * at.real)]

@@ -121,7 +121,7 @@ def test_finished_labels_cover_only_background(style: str):
         for item in board.shown(board.finished):
             if item.region in board.sketches and item.level < Level.LABEL:
                 for mark in item.marks:
-                    painter.paint(mark.shape, looks(mark))
+                    painter.paint(mark, looks(mark))
         for sketch in board.sketches.values():
             for tag in sketch.tags:
                 if tag.span[1] <= board.finished:

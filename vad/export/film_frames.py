@@ -17,7 +17,7 @@ import numpy as np
 
 from vad.export.frames import Film, Progress, painted
 from vad.export.palette import Palette, fine
-from vad.painting.picture import EMPTY, Frame
+from vad.painting.film import EMPTY, Frame
 
 _NAME = re.compile(r"frame_\d{4,}\.png")
 #: Says that a picture was made here; see `is_frame`.

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from vad.export.frames import Film, Progress, bands, painted, parted, rate
 from vad.export.palette import Palette, coarse
 from vad.lecture.turn import Turn
-from vad.painting.picture import EMPTY, Box, Frame, union
+from vad.painting.film import EMPTY, Box, Frame, union
 
 Bytes = NDArray[np.uint8]
 

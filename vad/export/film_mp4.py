@@ -23,7 +23,7 @@ from vad.export.frames import Film, Progress, painted, parted, rate
 from vad.export.lesson_srt import Cue, cues
 from vad.lecture.lesson import Lesson
 from vad.lecture.turn import Turn
-from vad.painting.picture import Box, Frame
+from vad.painting.film import Box, Frame
 from vad.strokes.words import title
 
 if TYPE_CHECKING:

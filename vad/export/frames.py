@@ -9,14 +9,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from vad.lecture.lesson import Lesson
 from vad.lecture.turn import Turn
-from vad.painting.picture import Box, Frame
+
+if TYPE_CHECKING:
+    from vad.painting.film import Box, Frame
 
 Film = Lesson | Turn
 #: Called with how many frames are done and how many there will be.
@@ -30,7 +32,7 @@ def painted(
 
     What moves in a lesson has ``most`` pictures a second.
     """
-    from vad.painting.filming import filmed
+    from vad.painting.film import filmed
 
     done = 0
     for frame in filmed(lesson, most):

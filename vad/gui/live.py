@@ -27,7 +27,7 @@ from vad.page.results_table import measured_cells, values_of
 from vad.page.themed import Inks
 from vad.page.wording import Words
 from vad.painting.posed import SIZE
-from vad.painting.svg.font_subset import Faces
+from vad.painting.svg_text import Faces
 from vad.plan.format import screen
 from vad.plan.live.live_board import LiveBoard
 from vad.plan.scale import Scale

@@ -16,7 +16,7 @@ from vad.gui.settable import entry
 from vad.page.document import asset, colours, player
 from vad.page.phrases import phrases
 from vad.page.themed import themes
-from vad.painting.svg.font_subset import FACES, Faces
+from vad.painting.svg_text import FACES, Faces
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import chosen
 from vad.strokes.language import Language, languages

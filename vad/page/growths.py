@@ -18,7 +18,7 @@ import cmath
 import math
 from typing import Any
 
-from vad.painting.svg.grid import Grid
+from vad.painting.svg_elements import Grid
 from vad.plan.growth import Fading, Scaling, Sliding, Trimming, Turning
 from vad.plan.marks import Bow, Mark
 

@@ -13,11 +13,8 @@ from typing import Any
 
 from vad.page.growths import grown
 from vad.page.themed import Inks
-from vad.painting.svg.classes import Classes
-from vad.painting.svg.elements import Elements
-from vad.painting.svg.font_subset import Faces
-from vad.painting.svg.grid import Grid, number
-from vad.painting.svg.set_text import SetText
+from vad.painting.svg_elements import Classes, Elements, Grid, number
+from vad.painting.svg_text import Faces, SetText
 from vad.plan.board import Plan
 from vad.plan.format import Format
 from vad.plan.geometry import Rect

@@ -11,7 +11,7 @@ from vad.lecture.moment import drawing
 from vad.page.ink import Inker, when
 from vad.page.themed import lettered
 from vad.page.wording import Words
-from vad.painting.svg.grid import number
+from vad.painting.svg_elements import number
 from vad.plan.board import Plan
 from vad.plan.items import FOREVER
 from vad.plan.lettering.glyphs import width

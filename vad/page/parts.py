@@ -19,7 +19,7 @@ from vad.page.spoken import spoken
 from vad.page.themed import Inks
 from vad.page.wording import Words
 from vad.painting.posed import SIZE
-from vad.painting.svg.font_subset import Faces
+from vad.painting.svg_text import Faces
 from vad.plan.board import Plan, plan
 from vad.plan.format import screen
 from vad.plan.lettering.runs import roman

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from html import escape
 
-from vad.painting.svg.font_subset import Faces
+from vad.painting.svg_text import Faces
 from vad.plan.lettering.runs import Runs, bold
 
 _ITALIC = ("italic", "bolditalic")

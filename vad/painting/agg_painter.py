@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.painting.outlines import outline
+from vad.painting.shapes import outline
 from vad.plan.format import Format
 from vad.plan.items import Item
-from vad.plan.marks import Outline
+from vad.plan.marks import Mark, Outline
 from vad.style import Look, Pen
 
 Colour = tuple[float, float, float, float]
@@ -54,9 +54,9 @@ class AggPainter:
     def end(self) -> None:
         """Have nothing to do: the pixels are there."""
 
-    def paint(self, shape: Outline, look: Look) -> None:
-        """Paint one shape."""
-        path = self.path(shape)
+    def paint(self, mark: Mark, look: Look) -> None:
+        """Paint one mark."""
+        path = self.path(mark.shape)
         if not len(path.vertices):
             return
         if look.under:

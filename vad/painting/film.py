@@ -1,26 +1,109 @@
 """Films: each frame paints only what changed on a committed base.
 
-In come a board and its moments, out go `Frame` objects; `redraw` paints one moment from nothing,
-which is what every incremental frame must equal.
+In comes a lesson or a turn, or a board and its moments, out go `Frame` objects, as an encoder takes
+them; `redraw` paints one moment from nothing, which is what every incremental frame must equal.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.lecture.moment import Moment
+from vad.lecture.lesson import Lesson
+from vad.lecture.moment import Moment, moments
+from vad.lecture.turn import Turn
 from vad.painting.agg_painter import AggPainter
 from vad.painting.painter import Looks, play
-from vad.painting.picture import EMPTY, Box, Frame, Words, difference, touching, union, window
+from vad.painting.posed import board_of
 from vad.plan.board import Board, seen
 from vad.plan.geometry import Rect
 from vad.plan.items import Item
 from vad.plan.marks import Mark
-from vad.style import Style
+from vad.style import Style, load_style
+
+Box = tuple[int, int, int, int]
+EMPTY: Box = (0, 0, 0, 0)
+Words = NDArray[np.uint32]  # one per pixel
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """A picture that stands for ``repeats`` frames of the film's constant rate.
+
+    Attributes
+    ----------
+    pixels
+        RGBA, shape (height, width, 4), uint8: a view of the painter's one buffer, which the
+        next frame overwrites.
+    changed
+        (left, top, right, bottom) of all that differs from the frame before, in pixels from
+        the top left corner; the whole frame for the first one, ``EMPTY`` where nothing does.
+    repeats
+        How many frames of the constant rate this picture stands for: a pause is one frame.
+    """
+
+    pixels: NDArray[np.uint8]
+    changed: Box
+    repeats: int
+
+
+def window(box: Box) -> tuple[slice, slice]:
+    """Return the rows and columns of a box."""
+    return slice(box[1], box[3]), slice(box[0], box[2])
+
+
+def touching(one: Box, other: Box) -> bool:
+    """Tell whether two boxes have a pixel in common."""
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
+
+
+def union(one: Box, other: Box) -> Box:
+    """Return the smallest box that holds two; an empty one holds nothing."""
+    if one[0] >= one[2] or one[1] >= one[3]:
+        return other
+    if other[0] >= other[2] or other[1] >= other[3]:
+        return one
+    return (
+        min(one[0], other[0]),
+        min(one[1], other[1]),
+        max(one[2], other[2]),
+        max(one[3], other[3]),
+    )
+
+
+def difference(before: Words, now: Words, box: Box) -> Box:
+    """Return the smallest box in which two pictures of ``box`` differ."""
+    differs = before != now
+    rows = np.flatnonzero(differs.any(axis=1))
+    if not len(rows):
+        return EMPTY
+    columns = np.flatnonzero(differs.any(axis=0))
+    left, top = box[:2]
+    return (
+        left + int(columns[0]),
+        top + int(rows[0]),
+        left + int(columns[-1]) + 1,
+        top + int(rows[-1]) + 1,
+    )
+
+
+def filmed(film: Lesson | Turn, most: float = math.inf) -> Iterator[Frame]:
+    """Yield the pictures of a film; see `Frame` for what each says about itself.
+
+    What moves in a lesson has ``most`` pictures a second.
+    """
+    style = load_style(film.style)
+    if isinstance(film, Lesson):
+        return frames(board_of(film), moments(film, most), style)
+    from vad.plan.turning.turn_board import TurnBoard
+
+    states = ((Moment(number), 1) for number in range(film.frames))
+    return frames(TurnBoard(film), states, style)
+
 
 Pixels = NDArray[np.uint8]
 
@@ -122,7 +205,7 @@ class _Incremental:
         self._dirty = EMPTY
         for mark, spot in top:
             if spot is not None:
-                self._painter.paint(mark.shape, self._looks(mark))
+                self._painter.paint(mark, self._looks(mark))
 
     def _repaint(self, region: str, items: list[Item]) -> None:
         """Paint a region; what it showed at first the last time, too, is painted already."""
@@ -142,7 +225,7 @@ class _Incremental:
     def _paint(self, items: list[Item]) -> None:
         for item in items:
             for mark in item.marks:
-                self._painter.paint(mark.shape, self._looks(mark))
+                self._painter.paint(mark, self._looks(mark))
 
     def _at(self, top: list[tuple[Mark, Box | None]], share: float) -> list[tuple[Mark, Box, bool]]:
         """Return the top as it is at a share: marks, their boxes, and whether they grow."""
@@ -162,7 +245,7 @@ class _Incremental:
         self._cut(box)[:] = self._base[window(box)]
         for mark, spot, grows in now:
             if grows or touching(spot, box):
-                self._painter.paint(mark.shape, self._looks(mark))
+                self._painter.paint(mark, self._looks(mark))
         self._dirty = box
 
     def _reach(self, now: list[tuple[Mark, Box, bool]]) -> Box:

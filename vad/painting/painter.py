@@ -8,12 +8,17 @@ from vad.lecture.moment import Moment
 from vad.plan.board import Board, seen
 from vad.plan.format import Format
 from vad.plan.items import Item
-from vad.plan.marks import Mark, Outline
+from vad.plan.marks import Mark
 from vad.style import Look, Style
 
 
 class Painter(Protocol):
-    """A medium: it is told of a page, of groups, and of shapes with their looks."""
+    """A medium: it is told of a page, of groups, and of marks with their looks.
+
+    An item has the name of its ``stroke``, its ``level`` and its ``region``; a mark has its
+    ``shape``, its ``role`` (one of `vad.plan.roles.ROLES`) and its ``row`` of the results.  A
+    medium with styles of its own names them by role and row, and takes from the look what they are.
+    """
 
     def begin(self, form: Format, background: str) -> None:
         """Begin a page with its ground."""
@@ -21,8 +26,8 @@ class Painter(Protocol):
     def group(self, item: Item) -> None:
         """Begin the marks of an item."""
 
-    def paint(self, shape: Outline, look: Look) -> None:
-        """Paint one shape, in page units."""
+    def paint(self, mark: Mark, look: Look) -> None:
+        """Paint one mark, whose shape is in page units."""
 
     def end(self) -> None:
         """End the page."""
@@ -55,7 +60,7 @@ def play(board: Board, moment: Moment, style: Style, painter: Painter) -> None:
         if marks:
             painter.group(item)
             for mark in marks:
-                painter.paint(mark.shape, looks(mark))
+                painter.paint(mark, looks(mark))
     painter.end()
 
 

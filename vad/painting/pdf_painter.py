@@ -1,6 +1,7 @@
 """PDF: shapes become paths and letters on pages; what some pages share is written once.
 
-In come marks, page by page, out goes a file in which a pixel of the same picture is a point.
+In come marks, page by page, out goes a file in which a pixel of the same picture is a point.  The
+file is tagged: every page is a figure, which a screen reader meets in words.
 
 matplotlib can write PDF too, but not share what pages have in common, and its text cannot be
 searched.
@@ -8,19 +9,16 @@ searched.
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import BinaryIO
 
-from vad.painting.outlines import outline
-from vad.painting.pdf import structure
-from vad.painting.pdf.objects import Objects
-from vad.painting.pdf.operators import Area, box, colour, number, path, string, take
-from vad.painting.pdf.pieces import pieces
-from vad.painting.pdf.type3 import Letters
+from vad.painting.pdf_file import Area, Letters, Objects, box, colour, number, path, string, take
+from vad.painting.shapes import outline
 from vad.plan.format import Format
 from vad.plan.items import Item
-from vad.plan.marks import Lettering, Outline, Polygon
+from vad.plan.marks import Lettering, Mark, Outline, Polygon
 from vad.style import Look, Pen
 
 
@@ -60,14 +58,17 @@ class PdfPainter:
             complex(right, top),
             complex(left, top),
         )
-        self.paint(Polygon((ring,)), Look(background))
+        self._paint(Polygon((ring,)), Look(background))
 
     def group(self, item: Item) -> None:
         """Begin what may be shared with other pages."""
         self._finish()
 
-    def paint(self, shape: Outline, look: Look) -> None:
-        """Paint one shape."""
+    def paint(self, mark: Mark, look: Look) -> None:
+        """Paint one mark."""
+        self._paint(mark.shape, look)
+
+    def _paint(self, shape: Outline, look: Look) -> None:
         if look.under:
             self._set(None, look.under, 1.0)
             self._path(shape, "S")
@@ -97,7 +98,7 @@ class PdfPainter:
         )
         kids = " ".join(f"{page} 0 R" for page in pages)
         objects.write(f"<< /Type /Pages /Kids [{kids}] /Count {len(pages)} >>", tree)
-        tagged = structure.write(objects, pages, self._areas, words)
+        tagged = write_structure(objects, pages, self._areas, words)
         # Printed in true size, unless somebody wants it otherwise.
         objects.write(
             f"<< /Type /Catalog /Pages {tree} 0 R /Lang ({self._language}) {tagged} "
@@ -123,11 +124,11 @@ class PdfPainter:
                     head = f"/Type /XObject /Subtype /Form /BBox {frame}"
                     forms[piece] = objects.stream(piece, head)
                 content.append(f"/F{forms[piece]} Do" if piece in forms else piece)
-            stream = objects.stream(structure.marked("\n".join(content)))
+            stream = objects.stream(marked("\n".join(content)))
             pages.append(
                 objects.write(
                     f"<< /Type /Page /Parent {tree} 0 R /MediaBox {frame} "
-                    f"/Contents {stream} 0 R {structure.entry(index)} >>"
+                    f"/Contents {stream} 0 R {entry(index)} >>"
                 )
             )
         return pages, list(forms.values())
@@ -160,3 +161,74 @@ class PdfPainter:
     def _fresh(self) -> None:
         self._operators = []
         self._fill, self._pen, self._alpha = None, None, 1000
+
+
+def pieces(pages: Sequence[Sequence[str]]) -> list[list[str]]:
+    """Return each page in as few pieces as can be, none of which is part of another.
+
+    Two groups are in one piece where they follow each other on every page that has either.
+
+    Examples
+    --------
+    >>> for page in pieces([["a", "b", "c"], ["a", "b", "x", "c"]]):
+    ...     print([piece.splitlines() for piece in page])
+    [['a', 'b'], ['c']]
+    [['a', 'b'], ['x'], ['c']]
+    """
+    after: dict[str, set[str]] = defaultdict(set)
+    before: dict[str, set[str]] = defaultdict(set)
+    for page in pages:
+        for one, other in pairwise(["", *page, ""]):
+            after[one].add(other)
+            before[other].add(one)
+    found: list[list[str]] = []
+    for page in pages:
+        runs: list[list[str]] = []
+        for one, other in pairwise(["", *page]):
+            if after[one] == {other} and before[other] == {one} and runs:
+                runs[-1].append(other)
+            else:
+                runs.append([other])
+        found.append(["\n".join(run) for run in runs])
+    return found
+
+
+def entry(number: int) -> str:
+    """Return what the dictionary of page ``number`` says of its place in the structure."""
+    return f"/StructParents {number} /Tabs /S"
+
+
+def marked(content: str) -> str:
+    """Return the content of a page as one piece that the structure can point at."""
+    return f"/Figure << /MCID 0 >> BDC\n{content}\nEMC"
+
+
+def write_structure(
+    objects: Objects, pages: Sequence[int], areas: Sequence[Area], words: Sequence[str]
+) -> str:
+    """Write the structure of a document and return what its catalog says of it.
+
+    Parameters
+    ----------
+    objects
+        The file in the making.
+    pages, areas, words
+        The number of each page's object, its rectangle in points, and what it shows.
+    """
+    root, document = objects.reserve(), objects.reserve()
+    figures = [
+        objects.write(
+            f"<< /Type /StructElem /S /Figure /P {document} 0 R /Pg {page} 0 R /K 0 "
+            f"/Alt {string(text)} /A << /O /Layout /Placement /Block /BBox {box(area)} >> >>"
+        )
+        for page, area, text in zip(pages, areas, words, strict=True)
+    ]
+    kids = " ".join(f"{figure} 0 R" for figure in figures)
+    objects.write(f"<< /Type /StructElem /S /Document /P {root} 0 R /K [{kids}] >>", document)
+    parents = " ".join(f"{number} [{figure} 0 R]" for number, figure in enumerate(figures))
+    objects.write(
+        f"<< /Type /StructTreeRoot /K {document} 0 R /ParentTreeNextKey {len(figures)} "
+        f"/ParentTree << /Nums [{parents}] >> >>",
+        root,
+    )
+    return f"/MarkInfo << /Marked true >> /StructTreeRoot {root} 0 R"

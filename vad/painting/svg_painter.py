@@ -10,14 +10,11 @@ from html import escape
 from typing import Literal
 
 from vad.errors import one_of
-from vad.painting.svg.classes import Classes
-from vad.painting.svg.drawn_text import DrawnText
-from vad.painting.svg.elements import Elements
-from vad.painting.svg.grid import Grid, number
-from vad.painting.svg.set_text import SetText
+from vad.painting.svg_elements import Classes, Elements, Grid, number
+from vad.painting.svg_text import DrawnText, SetText
 from vad.plan.format import Format
 from vad.plan.items import Item
-from vad.plan.marks import Outline
+from vad.plan.marks import Mark
 from vad.strokes.sheet import BELOW, Sheet
 from vad.strokes.words import describe, title
 from vad.style import Look
@@ -98,9 +95,9 @@ class SvgPainter:
         if first and item.stroke in self._captions:
             self._elements.append(f"<title>{escape(self._captions[item.stroke])}</title>\n")
 
-    def paint(self, shape: Outline, look: Look) -> None:
-        """Paint one shape."""
-        self._elements.append(self._shapes.of(shape, look))
+    def paint(self, mark: Mark, look: Look) -> None:
+        """Paint one mark."""
+        self._elements.append(self._shapes.of(mark.shape, look))
 
     def end(self) -> None:
         """End the picture."""

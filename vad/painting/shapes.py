@@ -1,10 +1,18 @@
-"""Shapes as paths: in come the shapes of a plan, out go vertices and codes in page units."""
+"""Shapes as paths, and lines of text in stretches: what painters are made of.
+
+In come the shapes and texts of a plan, out go vertices with codes, in page units, and runs of
+letters that a medium with type of its own can set in one go.
+"""
 
 from __future__ import annotations
 
+from functools import lru_cache
+from itertools import pairwise
+
 import numpy as np
 
-from vad.plan.lettering.glyphs import CLOSE, CURVE, LINE, MOVE, Codes, Points, typeset
+from vad.plan.lettering.glyphs import CLOSE, CURVE, LINE, MOVE, Codes, Letter, Points, typeset
+from vad.plan.lettering.runs import Runs
 from vad.plan.marks import Bow, Disc, Lettering, Outline, Polygon, Polyline
 
 
@@ -38,3 +46,22 @@ def _points(points: list[complex]) -> Points:
 
 def _codes(codes: list[int]) -> Codes:
     return np.array(codes, dtype=np.uint8)
+
+
+Stretch = tuple[Letter, ...]
+
+
+@lru_cache(maxsize=1024)
+def stretches(runs: Runs) -> tuple[Stretch, ...]:
+    """Return the letters of a line, broken wherever the face, the size or the way changes."""
+    letters = typeset(runs).letters
+    breaks = [number for number, pair in enumerate(pairwise(letters), 1) if not _follows(*pair)]
+    ends = [0, *breaks, len(letters)]
+    return tuple(letters[start:end] for start, end in pairwise(ends) if end > start)
+
+
+def _follows(before: Letter, letter: Letter) -> bool:
+    """Tell whether a letter is the next one of the same stretch."""
+    pen = before.at + before.size * before.advance
+    alike = (letter.face, letter.size) == (before.face, before.size)
+    return alike and abs(letter.at - pen) < 1e-6

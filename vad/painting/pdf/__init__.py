@@ -1,1 +1,0 @@
-"""How PDF writes shapes, type and files: the parts of the painter of `vad.painting.pdf_painter`."""
