@@ -173,8 +173,10 @@ def test_the_points_of_a_pose_lie_on_the_ways_of_the_cycle(mechanism):
             arrows = [s.shape for s in panel.strokes if hasattr(s.shape, "head")]
             ends = {a.head: a.end for a in arrows} | {a.tail: a.start for a in arrows}
             size = max(abs(way).max() for way in ways.values())
-            for letter in ends.keys() & ways.keys():
-                assert abs(ways[letter][round(place)] - ends[letter]) < 1e-9 * size, letter
+            first = {spot.letter: way for spot, way in ways.items() if not spot.view}
+            assert ends.keys() & first.keys()
+            for letter in ends.keys() & first.keys():
+                assert abs(first[letter][round(place)] - ends[letter]) < 1e-9 * size, letter
 
 
 @pytest.mark.parametrize(

@@ -113,7 +113,7 @@ def test_a_label_belongs_to_the_dot_of_its_letters():
                 (stroke.shape.head, stroke.shape.end),
                 (stroke.shape.tail, stroke.shape.start),
             )
-            if letter == label.letters[-1]
+            if letter == label.letters[-1].letter
         ]
         dot = panel.dot(label, pose, phase)
         assert ends

@@ -14,6 +14,7 @@ from vad.plan.turning.numbered_turn import NumberedTurn
 from vad.plan.turning.thinning import TOLERANCE, thinned
 from vad.plan.turning.turn_board import TurnBoard
 from vad.plan.turning.turn_layout import lay_out_turn
+from vad.strokes.diagram import Spot
 
 
 @pytest.fixture(scope="module")
@@ -152,7 +153,7 @@ def test_the_still_of_a_turn_numbers_twelve_positions(form):
         way = still.panels[name].hodographs
         dots = [m.shape for m in marks(shown, "position", name) if isinstance(m.shape, Disc)]
         for number in range(12):
-            pose = way.at("b" if name == "velocity" else "b′", number / 12)
+            pose = way.at(Spot("b" if name == "velocity" else "b′"), number / 12)
             assert min(abs(dot.centre - pose) for dot in dots) < 1e-9
     assert not marks(shown, "cursor")
 
@@ -161,9 +162,9 @@ def test_numbers_there_and_back_stand_on_either_side_of_a_straight_way():
     """At 2 and 12, and at 4 and 10, the slider has the same acceleration."""
     still = NumberedTurn(vad.turn(vad.SliderCrank(), panels="acceleration"))
     way = still.panels["acceleration"].hodographs
-    (axis,) = {round(way.at("c′", k / 12).imag, 9) for k in range(12)}
+    (axis,) = {round(way.at(Spot("c′"), k / 12).imag, 9) for k in range(12)}
     numerals = marks(still.shown(0), "numeral", "acceleration")
-    row = way.row("c′")
+    row = way.row(Spot("c′"))
     sides = {
         "".join(run.text for run in mark.shape.runs): mark.shape.at.imag - axis
         for mark in numerals

@@ -207,10 +207,10 @@ def test_tracks_of_a_turn_are_the_vertices_of_its_poses():
     from vad.strokes.diagrams import DIAGRAMS
 
     for name in ("position", "velocity", "acceleration"):
-        tracks = scene.tracks(DIAGRAMS[name])
+        tracks = DIAGRAMS[name].tracks(scene)
         for number, angle in enumerate(ANGLES):
             one: Any = scene_of(motion(angle), Language("en"))
-            for letter, place in one.tracks(DIAGRAMS[name]).items():
+            for letter, place in DIAGRAMS[name].tracks(one).items():
                 way = np.broadcast_to(tracks[letter], (len(ANGLES),))
                 assert way[number] == pytest.approx(complex(place), abs=1e-9)
 

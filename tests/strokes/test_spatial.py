@@ -173,9 +173,9 @@ def test_tracks_of_a_whole_turn_are_the_vertices_of_its_poses():
     angles = np.array(ANGLES, dtype=float)
     many = vad.solve(vad.SpatialFourBar(), angle=angles, omega=10.0, alpha=40.0)
     for name in ("position", "velocity", "acceleration"):
-        tracks = scene_of(many, Language("en")).tracks(DIAGRAMS[name])
+        tracks = DIAGRAMS[name].tracks(scene_of(many, Language("en")))
         for number, angle in enumerate(ANGLES):
-            own = scene_of(motion(angle, 40.0), Language("en")).tracks(DIAGRAMS[name])
+            own = DIAGRAMS[name].tracks(scene_of(motion(angle, 40.0), Language("en")))
             assert own.keys() == tracks.keys()
             for letter, at in own.items():
                 here = np.broadcast_to(tracks[letter], angles.shape)[number]

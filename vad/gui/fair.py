@@ -33,7 +33,8 @@ def lesson(question: LessonQuestion) -> dict[str, Any]:
         For a pose that cannot be, or that has no rates.
     """
     mechanism, inputs = question.build()
-    motion, panels = vad.solve(mechanism, **inputs), chosen(question.panels or None)
+    motion = vad.solve(mechanism, **inputs)
+    panels = chosen(question.panels or None, motion)
     sheet = vad.draw(motion, panels, question.language)
     board, scales = board_of(mechanism, panels, question.language), {}
     for panel in sheet.halves:

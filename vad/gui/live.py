@@ -67,7 +67,7 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
     begun = time.thread_time()
     mechanism, inputs = question.build()
     motion = vad.solve(mechanism, **inputs)
-    panels = chosen(question.panels or None)
+    panels = chosen(question.panels or None, motion)
     trouble: dict[str, Any] = {}
     try:
         sheet = sketch(motion, panels, question.language)

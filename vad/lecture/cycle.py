@@ -14,8 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.kinematics.motion import solve
+from vad.strokes.diagram import Spot
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.language import Language
+from vad.strokes.order import POSITION
 from vad.strokes.scenes import AnyScene, scene_of
 from vad.strokes.sheet import BELOW
 
@@ -57,7 +59,7 @@ class Cycle:
     curves
         What each panel measures of the output, by the panel's name.
     tracks
-        Where the lettered points of each panel are, as complex arrays of shape (n,) by letter.
+        Where the lettered points of each panel are, as complex arrays of shape (n,).
     back
         The shares at which a quick return begins and ends (that may lie beyond 1), or None.
     """
@@ -67,7 +69,7 @@ class Cycle:
     output: str
     place: Curve
     curves: Mapping[str, Curve]
-    tracks: Mapping[str, Mapping[str, Complexes]]
+    tracks: Mapping[str, Mapping[Spot, Complexes]]
     back: tuple[float, float] | None
 
     @property
@@ -96,7 +98,7 @@ def cycle_of(
     rate = part.velocity if output in motion.slides else part.omega
     curves = {name: curve for name in panels if (curve := _curve(scene, name, output))}
     driver = scene.driver.name
-    place = _curve(scene, "position", driver)
+    place = _curve(scene, POSITION.panel, driver)
     assert place is not None
     back = _return(np.broadcast_to(rate, shares.shape)) if course.swing is None else None
     return Cycle(shares, driver, output, place, curves, tracks, back)
@@ -109,21 +111,21 @@ def _scene(mechanism: Mechanism, course: Course, phases: Reals, language: str) -
     return scene_of(motion, Language(language))
 
 
-def _tracks(scene: AnyScene, panels: Sequence[str]) -> dict[str, dict[str, Complexes]]:
+def _tracks(scene: AnyScene, panels: Sequence[str]) -> dict[str, dict[Spot, Complexes]]:
     shape = np.shape(scene.motion.assembled)
-    found: dict[str, dict[str, Complexes]] = {}
+    found: dict[str, dict[Spot, Complexes]] = {}
     for name in panels:
         found[name] = {}
-        for letter, values in scene.tracks(DIAGRAMS[name]).items():
-            own = letter.removesuffix(BELOW)
-            half = found[name] if own == letter else found.setdefault(name + BELOW, {})
-            half[own] = np.broadcast_to(np.asarray(values, dtype=np.complex128), shape)
+        for spot, values in DIAGRAMS[name].tracks(scene).items():
+            half = found.setdefault(name + BELOW, {}) if spot.below else found[name]
+            half[spot] = np.broadcast_to(np.asarray(values, dtype=np.complex128), shape)
     return found
 
 
 def _curve(scene: AnyScene, panel: str, name: str) -> Curve | None:
     """Return what a panel measures of a link or slide, None for nothing."""
-    cells, motion = scene.cells(DIAGRAMS[panel], name), scene.motion
+    motion = scene.motion
+    cells = DIAGRAMS[panel].cells(scene, name, name in motion.slides)
     if not cells:
         return None
     shape = np.shape(motion.assembled)

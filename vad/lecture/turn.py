@@ -161,7 +161,7 @@ def turn(
     motion = mechanism if isinstance(mechanism, Motion) else solve(mechanism)
     if motion.many:
         raise InputError("motion: a turn begins with one pose, got arrays of poses")
-    names = chosen(panels)
+    names = chosen(panels, motion)
     Language(language)
     return Turn(
         motion.mechanism,

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vad.strokes.sheet import (
     BELOW,
@@ -24,7 +24,8 @@ from vad.strokes.sheet import (
 )
 
 if TYPE_CHECKING:
-    from vad.strokes.scene import Scene
+    from vad.kinematics.motion import Motion
+    from vad.strokes.order import Order
     from vad.strokes.scenes import AnyScene
 
 
@@ -50,12 +51,28 @@ class Drawing:
     coincident: tuple[Coincidence, ...] = ()
 
 
-def no_cells(scene: Scene, name: str) -> tuple[Cell, ...]:
+class Spot(NamedTuple):
+    """Where a lettered point of a diagram is seen.
+
+    ``view`` is the name of the view, empty for the first; ``below`` tells the polygon below.
+    """
+
+    letter: str
+    view: str = ""
+    below: bool = False
+
+
+def everywhere(motion: Motion[Any, Any, Any]) -> bool:
+    """Apply to every mechanism."""
+    return True
+
+
+def no_cells(scene: AnyScene, key: str, slides: bool) -> tuple[Cell, ...]:
     """Add nothing to a row of the results table."""
     return ()
 
 
-def no_tracks(scene: Scene) -> Mapping[str, Any]:
+def no_tracks(scene: AnyScene) -> Mapping[Spot, Any]:
     """Follow no point."""
     return {}
 
@@ -78,34 +95,50 @@ class Diagram:
         From a scene to the unit of its coordinates.
     pose
         From a scene to its strokes.
-    link, slide
-        From a scene and the name of a link or slide to the cells that it adds to that row.
+    cells
+        From a scene, the key of a row and whether that row is of what slides, to the cells that it
+        adds to the row.
     tracks
         From a scene to where its lettered points are: complex arrays where it has many poses.
-        Those of the polygon below the first one, too, by ``z.below``.
     usual
         Whether it is drawn where nobody asks for it by name.
+    applies
+        Tells from a motion whether it can be drawn of its mechanism.
     """
 
     name: str
     title: str
     rank: float
     picture: Picture
-    unit: Callable[[Scene], str]
-    pose: Callable[[Scene], Drawing]
-    link: Callable[[Scene, str], tuple[Cell, ...]] = no_cells
-    slide: Callable[[Scene, str], tuple[Cell, ...]] = no_cells
-    tracks: Callable[[Scene], Mapping[str, Any]] = no_tracks
+    unit: Callable[[AnyScene], str]
+    pose: Callable[[AnyScene], Drawing]
+    cells: Callable[[AnyScene, str, bool], tuple[Cell, ...]] = no_cells
+    tracks: Callable[[AnyScene], Mapping[Spot, Any]] = no_tracks
     usual: bool = True
+    applies: Callable[[Motion[Any, Any, Any]], bool] = everywhere
+
+    @classmethod
+    def of_order(cls, order: Order, rank: float, picture: Picture) -> Diagram:
+        """Return the diagram of positions, velocities or accelerations, which every scene has."""
+        return cls(
+            order.panel,
+            order.panel.capitalize(),
+            rank,
+            picture,
+            lambda scene: scene.unit_of(order),
+            lambda scene: scene.drawing(order),
+            lambda scene, key, slides: scene.cells(order, key, slides),
+            lambda scene: scene.tracks(order),
+        )
 
     def panel(self, scene: AnyScene) -> Panel:
         """Return the panel of a pose, its title in the language of the scene."""
-        return self._panel(scene, self.name, scene.drawing(self))
+        return self._panel(scene, self.name, self.pose(scene))
 
     def _panel(self, scene: AnyScene, name: str, drawing: Drawing) -> Panel:
         return Panel(
             name,
-            drawing.unit or scene.unit_of(self),
+            drawing.unit or self.unit(scene),
             drawing.strokes,
             drawing.equations,
             drawing.inset,

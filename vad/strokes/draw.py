@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vad.errors import InputError, UsageError, one_of, shown
 from vad.kinematics.linkage import points_of
@@ -42,7 +42,7 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     Raises
     ------
     vad.errors.UsageError
-        For an unknown panel or language.
+        For an unknown panel or language, or a panel that does not apply to the mechanism.
     vad.errors.InputError
         For a motion of many poses.
     vad.errors.AssemblyError, vad.errors.DeadCentreError
@@ -73,7 +73,7 @@ def _sheet(
         raise InputError(f"motion: must be what vad.solve returns, got {shown(motion)}")
     if motion.many:
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
-    diagrams = [DIAGRAMS[name] for name in chosen(panels)]
+    diagrams = [DIAGRAMS[name] for name in chosen(panels, motion)]
     scene = scene_of(motion, Language(language), captioned)
     drawn = tuple(diagram.panel(scene) for diagram in diagrams)
     rows = scene.rows(diagrams)
@@ -94,15 +94,25 @@ def _sheet(
     )
 
 
-def chosen(panels: Sequence[str] | str | None) -> tuple[str, ...]:
-    """Return the names of panels in the order of the page, each once; None are the usual ones.
+def chosen(
+    panels: Sequence[str] | str | None, motion: Motion[Any, Any, Any] | None = None
+) -> tuple[str, ...]:
+    """Return the names of panels in the order of the page, each once.
+
+    Parameters
+    ----------
+    panels
+        Names; None are the usual ones that apply.
+    motion
+        What they are to be drawn of, if that is known.
 
     Raises
     ------
     vad.errors.UsageError
-        For an unknown name, or none.
+        For an unknown name, or none; for a diagram that does not apply to the mechanism.
     """
-    usual = tuple(name for name, diagram in DIAGRAMS.items() if diagram.usual)
+    fitting = [name for name, each in DIAGRAMS.items() if motion is None or each.applies(motion)]
+    usual = tuple(name for name in fitting if DIAGRAMS[name].usual)
     given = usual if panels is None else panels
     try:
         given = (given,) if isinstance(given, str) else tuple(given)
@@ -110,7 +120,11 @@ def chosen(panels: Sequence[str] | str | None) -> tuple[str, ...]:
         raise UsageError(f"panels: must be names of panels, got {shown(given)}") from None
     names = [one_of("panel", name, DIAGRAMS) for name in given]
     if not names:
-        raise UsageError("panels: none given", hint="known: " + ", ".join(DIAGRAMS))
+        raise UsageError("panels: none given", hint="known: " + ", ".join(fitting))
+    for name in (name for name in names if name not in fitting):
+        mechanism = motion.mechanism.name if motion else ""
+        hint = f"known for {mechanism}: {', '.join(fitting)}"
+        raise UsageError(f"panel {name!r} does not apply to {mechanism}", hint)
     return tuple(name for name in DIAGRAMS if name in names)
 
 

@@ -12,6 +12,7 @@ import math
 
 from vad.kinematics.linkage import Bar
 from vad.strokes.figures import Figure, Unit
+from vad.strokes.order import ORDERS
 from vad.strokes.plane_pencil import PlanePencil
 from vad.strokes.scene import Scene, image_letter
 from vad.strokes.sheet import Dot, ImageTriangle, Line, Stroke, StrokePart
@@ -118,7 +119,7 @@ class Images:
         return scene.caption(
             "image similar",
             letter=image(bar.head),
-            image=scene.caption(f"image {'velocity' if self._order == 1 else 'acceleration'}"),
+            image=scene.caption(f"image {ORDERS[self._order].panel}"),
             link=bar.link,
             triangle=image(base.tail, base.head, bar.head),
             corners=base.ends + bar.head,
@@ -135,5 +136,5 @@ class Images:
 
     def _alike(self, bar: Bar, letters: list[str]) -> str:
         """Say that all points of the link move alike."""
-        phrase = f"image alike {'velocity' if self._order == 1 else 'acceleration'}"
+        phrase = f"image alike {ORDERS[self._order].panel}"
         return self._scene.caption(phrase, letter=letters[2], point=letters[0], link=bar.link)

@@ -91,10 +91,11 @@ def _checked(at: Sequence[float]) -> list[float]:
 
 def _place(motion: Motion) -> Cell:
     """Return the place of the driver with its symbol, as it was given."""
-    from vad.strokes.diagrams import DIAGRAMS
     from vad.strokes.language import Language
+    from vad.strokes.order import POSITION
     from vad.strokes.scenes import scene_of
 
     scene = scene_of(motion, Language("en"))
-    cell, *_ = scene.cells(DIAGRAMS["position"], scene.driver.name)
+    driver = scene.driver
+    cell, *_ = scene.cells(POSITION, driver.name, driver.kind == "length")
     return replace(cell, value=float(next(iter(motion.inputs.values()))))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -14,6 +15,7 @@ from vad.kinematics.linkage import (
     angle_of,
     length_of,
 )
+from vad.strokes.diagram import Spot
 from vad.strokes.figures import Figure
 from vad.strokes.language import Noun
 from vad.strokes.members import Members, members_of
@@ -25,6 +27,7 @@ if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
     from vad.kinematics.state import Pose, Rates
     from vad.strokes.diagram import Diagram, Drawing
+    from vad.strokes.order import Order
 
 #: A point so near to the line of two others, as a sine, lies on it.
 IN_LINE = 1e-9
@@ -33,7 +36,7 @@ STILL = 1e-9
 
 
 @dataclass(frozen=True)
-class Scene(Saying):
+class Scene(Saying, ABC):
     """A motion, the language of its captions, and the names of everything in it."""
 
     motion: Motion
@@ -51,31 +54,43 @@ class Scene(Saying):
         """The unit of lengths."""
         return self.members.unit
 
-    def drawing(self, diagram: Diagram) -> Drawing:
-        """Return what is drawn in a kind of diagram."""
-        return diagram.pose(self)
+    @abstractmethod
+    def drawing(self, order: Order) -> Drawing:
+        """Return the construction of the mechanism, or a polygon."""
 
-    def unit_of(self, diagram: Diagram) -> str:
-        """Return the unit of a diagram's coordinates."""
-        return diagram.unit(self)
+    def unit_of(self, order: Order) -> str:
+        """Return the unit of positions, velocities or accelerations."""
+        return order.unit_of(self.unit)
 
-    def cells(self, diagram: Diagram, key: str) -> tuple[Cell, ...]:
-        """Return what a diagram measures of a slide or link."""
-        return (diagram.slide if key in self.members.slides else diagram.link)(self, key)
+    def cells(self, order: Order, key: str, slides: bool) -> tuple[Cell, ...]:
+        """Return what is measured of a link or a slide; of a slide its Coriolis part, too."""
+        if not slides:
+            symbol, given = self.members.symbol(order.symbol, key), angle_of(key) == self.driver
+            return (Cell(symbol, getattr(self.motion.link(key), order.rate), order.unit, given),)
+        slide, unit = self.motion.slide(key), self.unit_of(order)
+        symbol = order.sliding if order.number else self.members.slide_symbol(key)
+        cell = Cell(symbol, getattr(slide, order.panel), unit, length_of(key) == self.driver)
+        if order.number < 2 or slide.coriolis is None:
+            return (cell,)
+        return cell, Cell("2ωv", slide.coriolis, unit)
 
-    def tracks(self, diagram: Diagram) -> Mapping[str, Any]:
-        """Return where the lettered points of a diagram are."""
-        return diagram.tracks(self)
+    def tracks(self, order: Order) -> Mapping[Spot, Any]:
+        """Return where the points of the mechanism are, or their images in a polygon."""
+        motion = self.motion
+        return {
+            Spot(image_letter(point, order.number)): getattr(motion.point(point), order.panel)
+            for point in motion.points
+        }
 
     def rows(self, diagrams: Sequence[Diagram]) -> list[Row]:
         """Return the rows of the results: the links, then the slides."""
         mechanism, say = self.motion.mechanism, self.language.name
         rows = []
         for name in self.members.links:
-            cells = {diagram.name: diagram.link(self, name) for diagram in diagrams}
+            cells = {diagram.name: diagram.cells(self, name, False) for diagram in diagrams}
             rows.append(Row(name, say(name), mechanism.links[name], cells))
         for name in self.members.slides:
-            cells = {diagram.name: diagram.slide(self, name) for diagram in diagrams}
+            cells = {diagram.name: diagram.cells(self, name, True) for diagram in diagrams}
             strut = mechanism.links.get(name)  # a link that grows has its stroke
             title = say("stroke" if strut else name.split("_", maxsplit=1)[0])
             rows.append(Row(name, title, strut or mechanism.slides[name], cells))
@@ -217,7 +232,7 @@ class Scene(Saying):
 
 def image_letter(letter: str, order: int) -> str:
     """Return the letter of a point's image: b in the velocity polygon, b′ in the next."""
-    return letter.lower() + PRIME * (order - 1)
+    return letter.lower() + PRIME * (order - 1) if order else letter
 
 
 def point_of(image: str) -> str:

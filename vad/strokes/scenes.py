@@ -8,7 +8,11 @@ from typing import TYPE_CHECKING, Any
 from vad.kinematics.space.balls import BallSolver
 from vad.kinematics.space.crossed_shafts import UniversalSolver
 from vad.kinematics.space.sphere import SphereSolver
+from vad.strokes.construct import construct
+from vad.strokes.diagram import Drawing
 from vad.strokes.language import Language
+from vad.strokes.order import Order
+from vad.strokes.polygon import polygon
 from vad.strokes.scene import Scene
 from vad.strokes.space.balls import BallScene
 from vad.strokes.space.hooke import HookeScene
@@ -18,6 +22,15 @@ from vad.strokes.space.spherical import SphericalScene
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
+
+
+class PlaneScene(Scene):
+    """One pose of a mechanism in the plane, with what is drawn of it."""
+
+    def drawing(self, order: Order) -> Drawing:
+        """Return the construction of the mechanism, or a polygon."""
+        return polygon(self, order.number) if order.number else construct(self)
+
 
 AnyScene = Scene | SceneInSpace
 
@@ -33,6 +46,6 @@ IN_SPACE: Mapping[tuple[type, bool], type[SceneInSpace]] = {
 def scene_of(motion: Motion, language: Language, captioned: bool = True) -> AnyScene:
     """Return the scene of a motion, whose solver tells the plane from space."""
     solver = motion.solver
-    kind: Any = IN_SPACE.get((type(solver), bool(solver.slides)), Scene)
+    kind: Any = IN_SPACE.get((type(solver), bool(solver.slides)), PlaneScene)
     scene: AnyScene = kind(motion, language, captioned)
     return scene

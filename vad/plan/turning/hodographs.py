@@ -16,6 +16,7 @@ from vad.plan.labels.obstacles import PIXEL
 from vad.plan.marks import Mark, lines
 from vad.plan.scale import Scale
 from vad.plan.turning.thinning import Ints, thinned
+from vad.strokes.diagram import Spot
 
 Complexes = NDArray[np.complex128]
 Truths = NDArray[np.bool_]
@@ -33,92 +34,92 @@ class Hodographs:
     Attributes
     ----------
     tracks
-        The points on the page, complex arrays of shape (n,) over the cycle, by letter: all of them,
+        The points on the page, complex arrays of shape (n,) over the cycle: of all of them,
         those that stand still, too.
     drawn
-        The letters whose way is drawn: it moves, is no other's, and is defined all through.
+        The points whose way is drawn: it moves, is no other's, and is defined all through.
     straight
-        The letters among them whose way is straight.
+        Those among them whose way is straight.
     """
 
     def __init__(
         self,
-        tracks: Mapping[str, Complexes],
-        rows: Mapping[str, int | None],
+        tracks: Mapping[Spot, Complexes],
+        rows: Mapping[Spot, int | None],
         scale: Scale,
         room: Rect,
     ) -> None:
-        self.tracks = {letter: scale.origin + scale.factor * z for letter, z in tracks.items()}
-        self.drawn: list[str] = []
-        self.straight: list[str] = []
+        self.tracks = {spot: scale.origin + scale.factor * z for spot, z in tracks.items()}
+        self.drawn: list[Spot] = []
+        self.straight: list[Spot] = []
         self._rows, self._room = rows, room.inside(INSET)
-        self._kept: dict[str, Ints] = {}
-        self._jumping: set[str] = set()
-        for letter, way in self.tracks.items():
+        self._kept: dict[Spot, Ints] = {}
+        self._jumping: set[Spot] = set()
+        for spot, way in self.tracks.items():
             if not np.isfinite(way).all() or np.ptp(way.real) + np.ptp(way.imag) < 2 * PIXEL:
                 continue
             if any(np.abs(way - self.tracks[other]).max() < PIXEL for other in self.drawn):
                 continue
-            self.drawn.append(letter)
-            self._kept[letter] = thinned(way)
+            self.drawn.append(spot)
+            self._kept[spot] = thinned(way)
             if np.abs(np.diff(way)).max() > JUMP:
-                self._jumping.add(letter)
+                self._jumping.add(spot)
             if _extent(way)[1] < PIXEL:
-                self.straight.append(letter)
+                self.straight.append(spot)
 
-    def row(self, letter: str) -> int | None:
+    def row(self, spot: Spot) -> int | None:
         """Return the row in whose ink the way of a point is drawn."""
-        return self._rows.get(letter)
+        return self._rows.get(spot)
 
-    def at(self, letter: str, share: float) -> complex:
+    def at(self, spot: Spot, share: float) -> complex:
         """Return where a point is at a share of the cycle."""
-        way = self.tracks[letter]
+        way = self.tracks[spot]
         place = share % 1.0 * (len(way) - 1)
         first = min(int(place), len(way) - 2)
         return complex(way[first] + (place - first) * (way[first + 1] - way[first]))
 
-    def still(self, letters: Sequence[str]) -> list[Mark]:
-        """Return the ways of some letters; a straight one has a tick at either end."""
+    def still(self, spots: Sequence[Spot]) -> list[Mark]:
+        """Return the ways of some points; a straight one has a tick at either end."""
         marks = []
-        for letter in letters:
-            row, way = self._rows.get(letter), self.tracks[letter]
-            if letter in self.straight:
+        for spot in spots:
+            row, way = self._rows.get(spot), self.tracks[spot]
+            if spot in self.straight:
                 marks.append(lines(self._straight(way), "hodograph", row))
             else:
-                kept = self._kept[letter]
+                kept = self._kept[spot]
                 # Of samples side by side: a straight way is thinned to its ends.
-                jumps = self._jumps(letter, way[kept]) & (np.diff(kept) == 1)
+                jumps = self._jumps(spot, way[kept]) & (np.diff(kept) == 1)
                 marks.append(lines(self._seen(way[kept], jumps), "hodograph", row))
         return [mark for mark in marks if mark.shape.pieces]  # type: ignore[union-attr]
 
-    def tails(self, letters: Sequence[str], share: float) -> list[Mark]:
+    def tails(self, spots: Sequence[Spot], share: float) -> list[Mark]:
         """Return the last stretch of each way that is run through, fading backwards."""
         marks = []
-        for letter in letters:
-            if letter in self.straight:
+        for spot in spots:
+            if spot in self.straight:
                 continue
             for step in range(TAIL_STEPS):
                 ends = [share - TAIL * (1 - (step + by) / TAIL_STEPS) for by in (0, 1)]
-                tail = self.stretch(letter, *ends)
-                pieces = self._seen(tail, self._jumps(letter, tail))
+                tail = self.stretch(spot, *ends)
+                pieces = self._seen(tail, self._jumps(spot, tail))
                 if pieces:
-                    mark = lines(pieces, "tail", self._rows.get(letter))
+                    mark = lines(pieces, "tail", self._rows.get(spot))
                     alpha = (step + 1) / TAIL_STEPS
                     marks.append(Mark(mark.shape, mark.role, mark.row, alpha=alpha))
         return marks
 
-    def stretch(self, letter: str, start: float, end: float) -> Complexes:
+    def stretch(self, spot: Spot, start: float, end: float) -> Complexes:
         """Return the points of a way between two shares of the cycle."""
-        count = len(self.tracks[letter]) - 1
+        count = len(self.tracks[spot]) - 1
         turns = np.arange(np.floor(start), np.floor(end) + 1)
-        places = (turns[:, None] * count + self._kept[letter][:-1]).ravel()
+        places = (turns[:, None] * count + self._kept[spot][:-1]).ravel()
         between = places[(places > start * count) & (places < end * count)].astype(int)
-        middle = self.tracks[letter][between % count]
-        return np.concatenate([[self.at(letter, start)], middle, [self.at(letter, end)]])
+        middle = self.tracks[spot][between % count]
+        return np.concatenate([[self.at(spot, start)], middle, [self.at(spot, end)]])
 
-    def _jumps(self, letter: str, way: Complexes) -> Truths:
+    def _jumps(self, spot: Spot, way: Complexes) -> Truths:
         """Tell after which points a way jumps, as one does that is laid over to the other side."""
-        return (np.abs(np.diff(way)) > JUMP) & (letter in self._jumping)
+        return (np.abs(np.diff(way)) > JUMP) & (spot in self._jumping)
 
     def _straight(self, way: Complexes) -> list[tuple[complex, complex]]:
         """Return a straight way with its ticks, as far as it lies in the panel."""

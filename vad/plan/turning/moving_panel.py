@@ -30,23 +30,26 @@ from vad.plan.turning.moving_vectors import MovingVectors
 from vad.plan.turning.moving_views import MovingViews
 from vad.plan.turning.springs import Ballast, Boxes, Spring, find_spring
 from vad.plan.turning.turn_scale import mechanism_scale
+from vad.strokes.diagram import Spot
 from vad.strokes.sheet import Arrow, Block, Dot, Panel
 
+#: What stands in the place of a point for the name of a Coriolis vector.
+TWISTING = Spot(CORIOLIS)
 FADING = 0.025  # from the edge on, a label fades; and below that length, that of a vector
 
 
 @dataclass(frozen=True, slots=True)
 class Name:
-    """A label in motion: the letters at its dot, or `CORIOLIS`; its row if it names a vector."""
+    """A label in motion: the letters at its dot, or `TWISTING`; its row if it names a vector."""
 
-    letters: tuple[str, ...]
+    letters: tuple[Spot, ...]
     row: int | None
     spring: Spring
 
     @property
     def text(self) -> str:
         """What is written."""
-        return ", ".join(map(written, self.letters))
+        return ", ".join(spot.letter for spot in self.letters)
 
     @property
     def size(self) -> float:
@@ -63,8 +66,8 @@ class MovingPanel:
         tracks = cycle.tracks[setting.panel.name]
         self.picture = _picture(setting, poses)
         self.scale = scale = self.picture.scale
-        fixed = {letter for letter, way in tracks.items() if np.ptp(way) == 0}
-        rows = {letter: setting.row(_owner(written(letter), fixed, poses)) for letter in tracks}
+        fixed = {spot.letter for spot, way in tracks.items() if not spot.view and np.ptp(way) == 0}
+        rows = {spot: setting.row(_owner(spot.letter, fixed, poses)) for spot in tracks}
         self.hodographs = Hodographs(tracks, rows, scale, setting.room)
         drawn, straight = self.hodographs.drawn, self.hodographs.straight
         is_place = setting.panel.picture != "vectors"
@@ -110,10 +113,10 @@ class MovingPanel:
         """Return what a label stands beside: its dot, or the middle of its vector."""
         return self._dot(name.letters, panel, phase)[0]
 
-    def _dot(self, letters: tuple[str, ...], panel: Panel, phase: float) -> tuple[complex, float]:
+    def _dot(self, letters: tuple[Spot, ...], panel: Panel, phase: float) -> tuple[complex, float]:
         """Return the dot of a label and the label's share of ink."""
         alpha, room = 1.0, self._setting.room
-        if CORIOLIS in letters:
+        if TWISTING in letters:
             arrows = [arrow for arrow, _ in _coriolis(panel)]
             if not arrows:
                 return complex("nan"), 0.0
@@ -138,26 +141,26 @@ class MovingPanel:
         among = Ballast(room, strokes, Crowd(room, [ways]), self.picture.radius)
         dots = {}
         twists = [link for pose in poses for _, link in _coriolis(pose)]
-        for letters in [*self._groups(), *([(CORIOLIS,)] if twists else [])]:
+        for letters in [*self._groups(), *([(TWISTING,)] if twists else [])]:
             places = [self._dot(letters, *each) for each in zip(poses, phases, strict=True)]
             dots[letters] = np.array([at if alpha > 0.0 else np.nan for at, alpha in places])
         placed: Boxes = []
         names = []
         for letters, own in dots.items():
-            text = ", ".join(map(written, letters))
+            text = ", ".join(spot.letter for spot in letters)
             row = self._setting.row(twists[0]) if text == CORIOLIS else None
             # A vector's name belongs to no dot.
-            others = [o for o in dots if CORIOLIS not in o and o != letters]
-            rivals = [] if CORIOLIS in letters else [dots[other] for other in others]
+            others = [o for o in dots if TWISTING not in o and o != letters]
+            rivals = [] if TWISTING in letters else [dots[other] for other in others]
             size = ink_size(symbols(text), SMALL_SIZE if text == CORIOLIS else LETTER)
             spring = find_spring(own, size, rivals, among, placed)
             names.append(Name(letters, row, spring))
         return names
 
-    def _groups(self) -> list[tuple[str, ...]]:
+    def _groups(self) -> list[tuple[Spot, ...]]:
         """Return the letters in groups that share a dot all through, what moves least first."""
         tracks = self.hodographs.tracks
-        found: list[list[str]] = []
+        found: list[list[Spot]] = []
         for letter, way in tracks.items():
             same = [group for group in found if _apart(tracks[group[0]], way) < PIXEL]
             if not same:
@@ -180,16 +183,6 @@ def _picture(
             return MovingViews(setting, poses, views_scale(setting, poses))
         case "vectors":
             return moving_polygon(setting, poses)
-
-
-def written(letter: str) -> str:
-    """Return how a letter is written: P, for the track of P in another view, ``P.plan``."""
-    return letter.partition(".")[0]
-
-
-def in_first_view(letter: str) -> bool:
-    """Tell whether a track is that of a point where it is first seen."""
-    return written(letter) == letter
 
 
 def lasting(sketch: Sketch) -> list[Item]:

@@ -19,8 +19,9 @@ from vad.plan.lettering.runs import roman
 from vad.plan.marks import Mark, disc
 from vad.plan.sketch import Sketch
 from vad.plan.turning.hodographs import Hodographs
-from vad.plan.turning.moving_panel import MovingPanel, in_first_view, lasting
+from vad.plan.turning.moving_panel import MovingPanel, lasting
 from vad.plan.turning.turn_board import TurnBoard
+from vad.strokes.diagram import Spot
 
 POSITIONS = 12
 NUMERAL = 0.024
@@ -32,7 +33,8 @@ DIRECTIONS, ON_ONE_SIDE = 16, 5  # tried about a position; of a straight way
 _STEP = 1e-3  # of the cycle: so far on, a way shows its direction
 _AT_REST = 1e-5  # on the page, in that time
 
-Spot = tuple[str, int, complex]
+#: A point, the number of a position and its place.
+Numbered = tuple[Spot, int, complex]
 
 
 class NumberedTurn(TurnBoard):
@@ -78,16 +80,16 @@ def _number(column: Sequence[tuple[Sketch, MovingPanel]], shares: Sequence[float
         _add_numerals(sketch, moving.hodographs, shares, spots)
 
 
-def _add_dots(sketch: Sketch, moving: MovingPanel, shares: Sequence[float]) -> list[Spot]:
-    """Add the positions, and return the letter of each, its number and its place.
+def _add_dots(sketch: Sketch, moving: MovingPanel, shares: Sequence[float]) -> list[Numbered]:
+    """Add the positions, and return the point of each, its number and its place.
 
     A point that is seen twice is numbered in its first view.
     """
     ways, room, obstacles = moving.hodographs, sketch.setting.room, sketch.obstacles
     spots = [
-        (letter, number, ways.at(letter, share))
-        for letter in sorted(
-            filter(in_first_view, ways.drawn), key=lambda letter: letter in ways.straight
+        (point, number, ways.at(point, share))
+        for point in sorted(
+            (each for each in ways.drawn if not each.view), key=lambda each: each in ways.straight
         )
         for number, share in enumerate(shares, 1)
     ]
@@ -97,21 +99,21 @@ def _add_dots(sketch: Sketch, moving: MovingPanel, shares: Sequence[float]) -> l
             obstacles.line(piece, 0.0)
     for _, _, at in spots:
         obstacles.disc(at, DOT)
-    dots = [disc(at, DOT, "position", ways.row(letter)) for letter, _, at in spots]
+    dots = [disc(at, DOT, "position", ways.row(point)) for point, _, at in spots]
     sketch.add(None, Level.GLOW, 0, dots)
     return spots
 
 
 def _add_numerals(
-    sketch: Sketch, ways: Hodographs, shares: Sequence[float], spots: Sequence[Spot]
+    sketch: Sketch, ways: Hodographs, shares: Sequence[float], spots: Sequence[Numbered]
 ) -> None:
     obstacles, numerals = sketch.obstacles, list[Mark]()
-    for letter, number, at in spots:
+    for point, number, at in spots:
         runs = roman(str(number))
         box = ink_size(runs, NUMERAL)
-        aside = _aside(ways, letter, shares[number - 1])
-        fanned = fan(aside, DIRECTIONS)[: ON_ONE_SIDE if letter in ways.straight else DIRECTIONS]
-        others = [z for name, _, z in spots if name == letter and abs(z - at) > PIXEL]
+        aside = _aside(ways, point, shares[number - 1])
+        fanned = fan(aside, DIRECTIONS)[: ON_ONE_SIDE if point in ways.straight else DIRECTIONS]
+        others = [z for name, _, z in spots if name == point and abs(z - at) > PIXEL]
         centres = [
             centre
             for gap in GAPS
@@ -122,19 +124,19 @@ def _add_numerals(
         if free.any():
             centre = centres[int(free.argmax())]
             obstacles.box(Placed(centre, *box).box)
-            numerals.append(text_at(runs, runs, centre, NUMERAL, "numeral", ways.row(letter)))
+            numerals.append(text_at(runs, runs, centre, NUMERAL, "numeral", ways.row(point)))
     sketch.add(None, Level.LABEL, 0, numerals)
 
 
-def _aside(ways: Hodographs, letter: str, share: float) -> complex:
+def _aside(ways: Hodographs, point: Spot, share: float) -> complex:
     """Return the direction from a position to its number: out of a loop.
 
     Of a straight way it is the side to the left of the motion, so that numbers there and back
     stand on either side; where the motion turns back it is beyond the end.
     """
-    ahead = ways.at(letter, share + _STEP) - ways.at(letter, share - _STEP)
-    away = ways.at(letter, share) - complex(ways.tracks[letter].mean())
+    ahead = ways.at(point, share + _STEP) - ways.at(point, share - _STEP)
+    away = ways.at(point, share) - complex(ways.tracks[point].mean())
     across = 1j * ahead if abs(ahead) > _AT_REST else away
     across = across / abs(across) if across else 1j
-    inward = letter not in ways.straight and (away * across.conjugate()).real < 0
+    inward = point not in ways.straight and (away * across.conjugate()).real < 0
     return -across if inward else across

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
+from vad.kinematics.linkage import points_of
 from vad.lecture.turn import Turn
 from vad.plan.board import rows_of
 from vad.plan.format import Format, screen
@@ -23,6 +24,7 @@ from vad.plan.turning.clock import Clock
 from vad.plan.turning.moving_panel import MovingPanel
 from vad.plan.turning.springs import POSES
 from vad.plan.turning.turn_layout import lay_out_turn
+from vad.strokes.diagram import Spot
 from vad.strokes.notation import Notation
 from vad.strokes.sheet import Sheet
 
@@ -117,7 +119,10 @@ class TurnBoard:
     def _return_way(self, moving: MovingPanel) -> list[Mark]:
         """Return the part of the crank pin's way in which the output returns."""
         cycle, links = self.cycle, self.turn.mechanism.links
-        pin = links.get(cycle.driver, "")[-1:]
-        if cycle.back is None or pin not in moving.ways:
+        ends = links.get(cycle.driver, "")
+        if cycle.back is None or len(ends) < 2:
+            return []
+        pin = Spot(points_of(ends)[1])
+        if pin not in moving.ways:
             return []
         return [lines([moving.hodographs.stretch(pin, *cycle.back).tolist()], "return way")]

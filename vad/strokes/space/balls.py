@@ -8,19 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from vad.strokes.diagram import Diagram, Drawing
+from vad.strokes.diagram import Drawing, Spot
+from vad.strokes.order import VELOCITY, Order
 from vad.strokes.sheet import Cell
 from vad.strokes.space import balls_polygons, balls_views
 from vad.strokes.space.balls_said import BODIES
 from vad.strokes.space.balls_seen import Seen
 from vad.strokes.space.scene_in_space import SceneInSpace
-from vad.written import per_second, subscript
-
-_QUANTITIES = {
-    "position": ("angle", "θ", "°"),
-    "velocity": ("omega", "ω", "rad/s"),
-    "acceleration": ("alpha", "α", "rad/s²"),
-}
+from vad.written import subscript
 
 
 class BallScene(SceneInSpace):
@@ -29,39 +24,40 @@ class BallScene(SceneInSpace):
     output = "rocker"
     headings: Mapping[str, str] = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
 
-    def drawing(self, diagram: Diagram) -> Drawing:
+    def drawing(self, order: Order) -> Drawing:
         """Return the views, or a polygon."""
-        if diagram.name == "position":
+        if not order.number:
             return balls_views.views(self, self.seen)
-        return balls_polygons.polygon(self, self.seen, _order(diagram))
+        return balls_polygons.polygon(self, self.seen, order.number)
 
     @cached_property
     def seen(self) -> Seen:
         """From where it is seen."""
         return Seen(self.motion)
 
-    def unit_of(self, diagram: Diagram) -> str:
+    def unit_of(self, order: Order) -> str:
         """Return the unit of a diagram's coordinates."""
-        order = _order(diagram)
-        return per_second(self.unit, order) if order else self.unit
+        return order.unit_of(self.unit)
 
-    def tracks(self, diagram: Diagram) -> Mapping[str, Any]:
+    def tracks(self, order: Order) -> Mapping[Spot, Any]:
         """Return where the lettered points of a diagram are."""
-        order = _order(diagram)
-        return balls_polygons.tracks(self.seen, order) if order else balls_views.tracks(self.seen)
+        if not order.number:
+            return balls_views.tracks(self.seen)
+        found = balls_polygons.tracks(self.seen, order.number)
+        return {Spot(letter): at for letter, at in found.items()}
 
-    def cells(self, diagram: Diagram, key: str) -> tuple[Cell, ...]:
+    def cells(self, order: Order, key: str, slides: bool = False) -> tuple[Cell, ...]:
         """Return what a diagram adds to a row; the coupler has rates without its idle spin."""
-        quantity, letter, unit = _QUANTITIES[diagram.name]
-        if key == "coupler" and quantity == "angle":
+        if key == "coupler" and not order.number:
             return ()
-        value = getattr(self.motion.link(key), quantity)
+        value = getattr(self.motion.link(key), order.rate)
         if key == "coupler":
             value = _size(value)
-        cell = Cell(letter + subscript(BODIES[key]), value, unit, key == "crank")
-        if quantity != "omega" or key == "crank":
+        symbol = order.symbol + subscript(BODIES[key])
+        cell = Cell(symbol, value, order.unit, key == "crank")
+        if order != VELOCITY or key == "crank":
             return (cell,)
-        return cell, Cell("v", self._speed(key), per_second(self.unit, 1))
+        return cell, Cell(order.sliding, self._speed(key), order.unit_of(self.unit))
 
     def _speed(self, key: str) -> Any:
         """Return the speed of C, relative to B for the coupler."""
@@ -75,7 +71,3 @@ def _size(vector: Any) -> Any:
     """Return the length of a vector: a number, or an array of them."""
     size = np.linalg.norm(vector, axis=-1)
     return size if size.ndim else float(size)
-
-
-def _order(diagram: Diagram) -> int:
-    return tuple(_QUANTITIES).index(diagram.name)

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from vad.kinematics.space.numbers import difference, dot
 from vad.strokes.diagram import Drawing
 from vad.strokes.equations import of_chains
+from vad.strokes.order import ORDERS
 from vad.strokes.pencil import Pencil
 from vad.strokes.player import Player
 from vad.strokes.scene import image_letter
@@ -25,13 +26,12 @@ if TYPE_CHECKING:
     from vad.strokes.sheet import Component
     from vad.strokes.space.scene_in_space import SceneInSpace
 
-_QUANTITIES = ("velocity", "acceleration")
 _NORMAL = "ₙ"
 
 
 def tracks(seen: Seen, order: int) -> Mapping[str, Any]:
     """Return where the vertices of a polygon are."""
-    quantity = _QUANTITIES[order - 1]
+    quantity = ORDERS[order].panel
     found = {letter: seen.third(place(seen.motion, letter, quantity)) for letter in "ABCD"}
     return {image_letter(letter, order): at for letter, at in found.items()}
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.numbers import fold
 from vad.kinematics.space.numbers import difference, dot
-from vad.strokes.diagram import Drawing
+from vad.strokes.diagram import Drawing, Spot
 from vad.strokes.figures import Figure
 from vad.strokes.sheet import Arc, Arrow, Curve, Dot, Equation, Kind, Note, Term
 from vad.strokes.space.balls_said import length_of
@@ -33,15 +33,15 @@ ANGLE, SMALL = 0.45, 0.25
 ONWARD, FARTHER = 0.22, 12.0
 
 
-def tracks(seen: Seen) -> Mapping[str, Any]:
+def tracks(seen: Seen) -> Mapping[Spot, Any]:
     """Return where the lettered points are in all views."""
     views = layout(seen.motion.mechanism)
     way = views.share * seen.third(difference(seen.at["C"], seen.at["B"]))
     return {
-        **{letter: seen.front(at) for letter, at in seen.at.items()},
-        **{f"{letter}.top": seen.top(at) - 1j * views.drop for letter, at in seen.at.items()},
-        "B.third": views.place + 0 * way,
-        "C.third": views.place + way,
+        **{Spot(letter): seen.front(at) for letter, at in seen.at.items()},
+        **{Spot(letter, "top"): seen.top(at) - 1j * views.drop for letter, at in seen.at.items()},
+        Spot("B", "third"): views.place + 0 * way,
+        Spot("C", "third"): views.place + way,
     }
 
 
@@ -56,7 +56,10 @@ class _Views(ViewsPen):
     def __init__(self, scene: SceneInSpace, seen: Seen) -> None:
         super().__init__(scene)
         self.seen, self.layout = seen, layout(scene.motion.mechanism)
-        self.at = tracks(seen)
+        self.at = {
+            f"{letter}.{view}" if view else letter: at
+            for (letter, view, _), at in tracks(seen).items()
+        }
 
     def drawing(self) -> Drawing:
         self._crank()

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from vad.strokes.diagram import Drawing
+from vad.strokes.order import ORDERS
 from vad.strokes.pencil import Pencil
 from vad.strokes.player import Player
 from vad.strokes.sheet import Component, Ellipse, Equation, Fold, Stroke, StrokePart, Term
@@ -101,7 +102,7 @@ class _Polygon:
     def _vector(self, ends: str, value: float, **more: Any) -> BodyVector:
         tail, head = (self._body(int(number)) for number in ends)
         bodies = ends[1] if ends[0] == "1" else ends[::-1]
-        symbol = "ωα"[self.order - 1] + subscript(int(bodies))
+        symbol = ORDERS[self.order].symbol + subscript(int(bodies))
         return BodyVector(
             ends,
             tail,

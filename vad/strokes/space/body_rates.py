@@ -17,13 +17,12 @@ import numpy as np
 from vad.kinematics.space.instant_axis import K, Z
 from vad.kinematics.space.numbers import Vector3, added, cross, dot, over, scaled
 from vad.kinematics.space.sphere import SphereSolver
+from vad.strokes.order import ORDERS
 from vad.strokes.vector_equations import NOTHING
 from vad.written import PRIME
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion, MotionInSpace
-
-_QUANTITIES = "omega", "alpha"
 
 
 class BodyRates:
@@ -87,7 +86,7 @@ class BodyRates:
     def rates(self, order: int) -> Mapping[str, Any]:
         """Return ω (1) or α (2) about each axis."""
         if order not in self._found:
-            name = _QUANTITIES[order - 1]
+            name = ORDERS[order].rate
             self._found[order] = {key: getattr(part, name) for key, part in self._parts.items()}
         return self._found[order]
 

@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from vad.strokes.diagram import Diagram, Drawing
+from vad.strokes.diagram import Drawing, Spot
+from vad.strokes.order import Order
 from vad.strokes.sheet import Cell
 from vad.strokes.space import hooke_polygons, hooke_views
 from vad.strokes.space.body_rates import BodyRates
@@ -17,7 +18,6 @@ from vad.strokes.space.hooke_views import swings
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.written import subscript
 
-_UNITS = {"position": "", "velocity": "rad/s", "acceleration": "rad/s²"}
 #: What α₄₂ grows by along OT.
 GROWN = "α" + subscript(42) + "ₜ"
 
@@ -33,37 +33,29 @@ class HookeScene(SceneInSpace):
         """How its bodies turn."""
         return hooke_polygons.joint_rates(self.motion)
 
-    def drawing(self, diagram: Diagram) -> Drawing:
+    def drawing(self, order: Order) -> Drawing:
         """Return the views, or a polygon."""
-        order = _ORDERS.get(diagram.name)
-        if not order:
+        if not order.number:
             return hooke_views.views(self)
-        return hooke_polygons.polygon(self, self.rates, order)
+        return hooke_polygons.polygon(self, self.rates, order.number)
 
-    def unit_of(self, diagram: Diagram) -> str:
+    def unit_of(self, order: Order) -> str:
         """Return the unit of a diagram's coordinates: none in the views."""
-        return _UNITS[diagram.name]
+        return order.unit if order.number else ""
 
-    def tracks(self, diagram: Diagram) -> Mapping[str, Any]:
+    def tracks(self, order: Order) -> Mapping[Spot, Any]:
         """Return where the lettered points of a diagram are."""
-        order = _ORDERS.get(diagram.name)
-        return hooke_polygons.tracks(self.rates, order) if order else hooke_views.tracks(self)
+        if not order.number:
+            return hooke_views.tracks(self)
+        return hooke_polygons.tracks(self.rates, order.number)
 
-    def cells(self, diagram: Diagram, key: str) -> tuple[Cell, ...]:
+    def cells(self, order: Order, key: str, slides: bool = False) -> tuple[Cell, ...]:
         """Return what a diagram adds to a row."""
         if key == "cross":
-            return _CROSS[diagram.name](self)
-        quantity, letter = _QUANTITIES[diagram.name]
-        value = getattr(self.motion.link(key), quantity)
-        unit, given = _UNITS[diagram.name] or "°", key == "driving"
-        return (Cell(letter + subscript(int(self.headings[key])), value, unit, given),)
-
-
-_QUANTITIES = {
-    "position": ("angle", "θ"),
-    "velocity": ("omega", "ω"),
-    "acceleration": ("alpha", "α"),
-}
+            return _CROSS[order.number](self)
+        value = getattr(self.motion.link(key), order.rate)
+        symbol = order.symbol + subscript(int(self.headings[key]))
+        return (Cell(symbol, value, order.unit, key == "driving"),)
 
 
 def _cross_position(scene: HookeScene) -> tuple[Cell, ...]:
@@ -83,9 +75,9 @@ def _cross_acceleration(scene: HookeScene) -> tuple[Cell, ...]:
     return Cell(GROWN, along, "rad/s²"), Cell(TURNED, across, "rad/s²")
 
 
-_ORDERS = {"velocity": 1, "acceleration": 2}
-_CROSS: Mapping[str, Callable[[HookeScene], tuple[Cell, ...]]] = {
-    "position": _cross_position,
-    "velocity": _cross_velocity,
-    "acceleration": _cross_acceleration,
-}
+#: What is measured of the cross, by the number of the order.
+_CROSS: tuple[Callable[[HookeScene], tuple[Cell, ...]], ...] = (
+    _cross_position,
+    _cross_velocity,
+    _cross_acceleration,
+)

@@ -17,7 +17,7 @@ from vad.kinematics.numbers import fold
 from vad.kinematics.space.crossed_shafts import Universal, UniversalSolver
 from vad.kinematics.space.instant_axis import Z
 from vad.kinematics.space.numbers import unit
-from vad.strokes.diagram import Drawing
+from vad.strokes.diagram import Drawing, Spot
 from vad.strokes.notation import Notation
 from vad.strokes.sheet import PolarInset
 from vad.strokes.space.body_polygon import Bodies, polygon_of_bodies
@@ -46,11 +46,11 @@ def joint_rates(motion: MotionInSpace[Any, Any]) -> BodyRates:
     return BodyRates(axes, 1.0, parts, -90.0)
 
 
-def tracks(rates: BodyRates, order: int) -> Mapping[str, Any]:
+def tracks(rates: BodyRates, order: int) -> Mapping[Spot, Any]:
     """Return where the vertices of a polygon are: of accelerations, those of its whole vectors."""
     found = rates.vertices(order)
     whole = ("1", "2", "3", "4") if order == 1 else ("1" + PRIME, "2" + PRIME, "4" + PRIME)
-    return {letter: found[letter] for letter in whole}
+    return {Spot(letter): found[letter] for letter in whole}
 
 
 def polygon(scene: SceneInSpace, rates: BodyRates, order: int) -> Drawing:

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.space.numbers import Vector3, added, over, scaled
-from vad.strokes.diagram import Drawing
+from vad.strokes.diagram import Drawing, Spot
 from vad.strokes.figures import Figure
 from vad.strokes.sheet import (
     Arc,
@@ -71,14 +71,14 @@ def pierced(p: Vector3, q: Vector3) -> Vector3:
     return over(added(scaled(q[0], p), scaled(-p[0], q)), abs(p[0]) + abs(q[0]))
 
 
-def tracks(scene: SceneInSpace) -> Mapping[str, Any]:
+def tracks(scene: SceneInSpace) -> Mapping[Spot, Any]:
     """Return where the lettered points are in both views."""
     p, q = pins(scene.motion)
     t = pierced(p, q)
     ways = {"P": p, "Q": q, "T": t}
     return {
-        **{letter: front(way) for letter, way in ways.items()},
-        **{f"{letter}.plan": PLAN + plan(way) for letter, way in ways.items()},
+        **{Spot(letter): front(way) for letter, way in ways.items()},
+        **{Spot(letter, "plan"): PLAN + plan(way) for letter, way in ways.items()},
     }
 
 

@@ -13,7 +13,8 @@ from vad.strokes.sheet import Cell, Row
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import MotionInSpace
-    from vad.strokes.diagram import Diagram, Drawing
+    from vad.strokes.diagram import Diagram, Drawing, Spot
+    from vad.strokes.order import Order
 
 
 @dataclass(frozen=True)
@@ -43,19 +44,19 @@ class SceneInSpace(Saying, ABC):
         """The letters of every row of the results, by its key."""
 
     @abstractmethod
-    def drawing(self, diagram: Diagram) -> Drawing:
-        """Return what is drawn in a kind of diagram."""
+    def drawing(self, order: Order) -> Drawing:
+        """Return the views, or the polygon of an order."""
 
     @abstractmethod
-    def unit_of(self, diagram: Diagram) -> str:
-        """Return the unit of a diagram's coordinates."""
+    def unit_of(self, order: Order) -> str:
+        """Return the unit of the coordinates in its diagram."""
 
     @abstractmethod
-    def cells(self, diagram: Diagram, key: str) -> tuple[Cell, ...]:
-        """Return what a diagram adds to a row of the results."""
+    def cells(self, order: Order, key: str, slides: bool = False) -> tuple[Cell, ...]:
+        """Return what the diagram of an order adds to a row of the results."""
 
     @abstractmethod
-    def tracks(self, diagram: Diagram) -> Mapping[str, Any]:
+    def tracks(self, order: Order) -> Mapping[Spot, Any]:
         """Return where the lettered points of a diagram are."""
 
     def rows(self, diagrams: Sequence[Diagram]) -> list[Row]:
@@ -65,7 +66,7 @@ class SceneInSpace(Saying, ABC):
                 key,
                 self.language.name(key),
                 letters,
-                {diagram.name: self.cells(diagram, key) for diagram in diagrams},
+                {diagram.name: diagram.cells(self, key, False) for diagram in diagrams},
             )
             for key, letters in self.headings.items()
         ]

@@ -17,7 +17,8 @@ import numpy as np
 from vad.kinematics.space.instant_axis import InstantAxis
 from vad.kinematics.space.numbers import Vector3, dual, real
 from vad.kinematics.space.sphere import SphereSolver
-from vad.strokes.sheet import BELOW
+from vad.strokes.diagram import Spot
+from vad.strokes.order import ORDERS
 from vad.written import PRIME
 
 if TYPE_CHECKING:
@@ -72,15 +73,15 @@ class ScrewRates:
 
     def of_crank(self, order: int) -> Any:
         """Return ω₂ (1) or α₂ (2)."""
-        return getattr(self.motion.link("crank"), ("omega", "alpha")[order - 1])
+        return getattr(self.motion.link("crank"), ORDERS[order].rate)
 
     def of_rocker(self, order: int) -> Any:
         """Return ω₄ or α₄."""
-        return getattr(self.motion.link("rocker"), ("omega", "alpha")[order - 1])
+        return getattr(self.motion.link("rocker"), ORDERS[order].rate)
 
     def along_d(self, order: int) -> Any:
         """Return ṡ_D or s̈_D."""
-        return getattr(self.motion.slide("slide_d"), ("velocity", "acceleration")[order - 1])
+        return getattr(self.motion.slide("slide_d"), ORDERS[order].panel)
 
     @cached_property
     def moving(self) -> tuple[Any, Any, Any, Any]:
@@ -127,10 +128,11 @@ class ScrewRates:
         places = {"a": 0j, "d": 0j, "y": y, "z": z}
         return {**{letter + prime: at for letter, at in places.items()}, f"a{prime}₄": end}
 
-    def tracks(self, order: int) -> Mapping[str, Any]:
+    def tracks(self, order: int) -> Mapping[Spot, Any]:
         """Return where the vertices of both polygons are."""
-        below = {letter + BELOW: way for letter, way in self.sliding(order).items()}
-        return {**self.turning(order), **below}
+        above = {Spot(letter): way for letter, way in self.turning(order).items()}
+        below = {Spot(letter, below=True): way for letter, way in self.sliding(order).items()}
+        return {**above, **below}
 
 
 def across(vector: Any, way: Any) -> Any:

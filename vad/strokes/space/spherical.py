@@ -7,7 +7,8 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
-from vad.strokes.diagram import Diagram, Drawing
+from vad.strokes.diagram import Diagram, Drawing, Spot
+from vad.strokes.order import Order
 from vad.strokes.sheet import Cell, Row
 from vad.strokes.space import spherical_views
 from vad.strokes.space.body_polygon import Bodies, polygon_of_bodies
@@ -16,13 +17,6 @@ from vad.strokes.space.body_words import BodyWords
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.written import subscript
 
-_UNITS = {"position": "", "velocity": "rad/s", "acceleration": "rad/s²"}
-_QUANTITIES = {
-    "position": ("angle", "θ"),
-    "velocity": ("omega", "ω"),
-    "acceleration": ("alpha", "α"),
-}
-_ORDERS = {"velocity": 1, "acceleration": 2}
 #: By its row: whose motion it is, and the numbers of the bodies that turn.
 _BODIES = {
     "crank": ("crank", 2),
@@ -42,10 +36,10 @@ class SphericalScene(SceneInSpace):
     output = "rocker"
     headings: Mapping[str, str] = {"crank": "A", "B": "B", "C": "C", "rocker": "D"}
 
-    def drawing(self, diagram: Diagram) -> Drawing:
+    def drawing(self, order: Order) -> Drawing:
         """Return the view of the sphere, or a polygon."""
-        if diagram.name in _ORDERS:
-            return polygon_of_bodies(self._bodies(_ORDERS[diagram.name]))
+        if order.number:
+            return polygon_of_bodies(self._bodies(order.number))
         return spherical_views.views(self, self.rates)
 
     @cached_property
@@ -58,23 +52,22 @@ class SphericalScene(SceneInSpace):
         remark = self.say("bodies remark")
         return Bodies(self.rates, words, _AXES, _ROWS, _MEASURED, True, remark, centre=0j)
 
-    def unit_of(self, diagram: Diagram) -> str:
+    def unit_of(self, order: Order) -> str:
         """Return the unit of a diagram's coordinates: none on the sphere, whose radius is 1."""
-        return _UNITS[diagram.name]
+        return order.unit if order.number else ""
 
-    def tracks(self, diagram: Diagram) -> Mapping[str, Any]:
+    def tracks(self, order: Order) -> Mapping[Spot, Any]:
         """Return where the lettered points of a diagram are."""
-        if diagram.name in _ORDERS:
-            return self.rates.vertices(_ORDERS[diagram.name])
-        return spherical_views.tracks(self.rates)
+        rates, number = self.rates, order.number
+        found = rates.vertices(number) if number else spherical_views.tracks(rates)
+        return {Spot(letter): at for letter, at in found.items()}
 
-    def cells(self, diagram: Diagram, key: str) -> tuple[Cell, ...]:
+    def cells(self, order: Order, key: str, slides: bool = False) -> tuple[Cell, ...]:
         """Return the angle, ω or α of a row."""
-        quantity, letter = _QUANTITIES[diagram.name]
         part = self.motion.joint(key) if key in "BC" else self.motion.link(key)
-        symbol = letter if quantity == "angle" else letter + subscript(_BODIES[key][1])
-        unit = _UNITS[diagram.name] or "°"
-        return (Cell(symbol, getattr(part, quantity), unit, key == "crank"),)
+        number = subscript(_BODIES[key][1]) if order.number else ""
+        given = key == "crank"
+        return (Cell(order.symbol + number, getattr(part, order.rate), order.unit, given),)
 
     def rows(self, diagrams: Sequence[Diagram]) -> list[Row]:
         """Return the rows of the results, each with its axis."""
