@@ -11,7 +11,7 @@ import vad
 from tests.strokes.calculations import THIN
 from tests.strokes.motions import everything, in_every_language
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of
-from vad.mechanisms.mechanism import MECHANISMS, Mechanism
+from vad.mechanisms import MECHANISMS, Mechanism
 from vad.strokes.language import Language
 from vad.strokes.sheet import Sheet
 from vad.strokes.words import describe, title
