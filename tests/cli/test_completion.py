@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from vad.cli import completion
+from vad.cli.main import answer
 from vad.mechanisms import MECHANISMS
 from vad.strokes.diagrams import DIAGRAMS
 from vad.style import style_names
@@ -24,7 +25,7 @@ def offered(capsys, monkeypatch):
     def ask(line: str) -> list[str]:
         monkeypatch.setenv("COMP_WORDS", line)
         monkeypatch.setenv("COMP_CWORD", str(line.count(" ")))
-        assert completion.answer("bash_complete") == 0
+        assert answer("bash_complete") == 0
         out, err = capsys.readouterr()
         assert err == ""
         return out.split()

@@ -192,12 +192,12 @@ def test_another_kind_of_file(vad, verb, output, tmp_path, monkeypatch):
 
 
 def test_a_fault_of_the_program_is_no_traceback(vad, monkeypatch):
-    from vad.cli import catalogue
+    from vad.cli import app
 
     def fail():
         raise ZeroDivisionError("oh")
 
-    monkeypatch.setattr(catalogue, "table", fail)
+    monkeypatch.setattr(app, "table", fail)
     error, _ = complaint(vad("list"), 1)
     assert error == "internal fault (ZeroDivisionError: oh)"
     monkeypatch.setenv("VAD_DEBUG", "1")
@@ -206,12 +206,12 @@ def test_a_fault_of_the_program_is_no_traceback(vad, monkeypatch):
 
 
 def test_memory_that_is_not_there(vad, monkeypatch):
-    from vad.cli import catalogue
+    from vad.cli import app
 
     def fail():
         raise MemoryError
 
-    monkeypatch.setattr(catalogue, "table", fail)
+    monkeypatch.setattr(app, "table", fail)
     assert complaint(vad("list"), 1)[0] == "out of memory"
 
 

@@ -148,13 +148,13 @@ def test_a_signal_that_a_library_makes_an_error_of(environment):
     """As numpy does while it is being imported."""
     script = (
         "import os, signal, sys\n"
-        "from vad.cli import catalogue, main\n"
+        "from vad.cli import app, main\n"
         "def fail():\n"
         "    try:\n"
         "        os.kill(os.getpid(), signal.SIGINT)\n"
         "    except BaseException:\n"
         "        raise ImportError('initialization failed')\n"
-        "catalogue.table = fail\n"
+        "app.table = fail\n"
         "sys.argv = ['vad', 'list']\n"
         "sys.exit(main())\n"
     )

@@ -89,12 +89,12 @@ def test_a_signal_that_is_lost_is_remembered_and_not_shown(environment):
     """As where Python tidies up after an import: what a finaliser raises reaches nobody."""
     script = (
         "import os, signal, sys\n"
-        "from vad.cli import catalogue, main\n"
+        "from vad.cli import app, main\n"
         "class Tidied:\n"
         "    def __del__(self):\n"
         "        os.kill(os.getpid(), signal.SIGTERM)\n"
         "        sum(range(10))\n"
-        "catalogue.table = lambda: str(Tidied()) and ''\n"
+        "app.table = lambda: str(Tidied()) and ''\n"
         "sys.argv = ['vad', 'list']\n"
         "sys.exit(main())\n"
     )

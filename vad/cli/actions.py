@@ -1,17 +1,24 @@
-"""What each verb does with a mechanism, its input and the verb's own options."""
+"""What each verb does with a mechanism, its input and the verb's own options.
+
+While a film is written, a bar moves on a terminal; when a file is done, its name is said there.  A
+pipe sees neither.
+"""
 
 from __future__ import annotations
 
 import json
+import math
+import sys
 import webbrowser
-from typing import Any
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
 
 import click
 
 import vad
-from vad.cli.process import signals_held_back, wait_for_signal
-from vad.cli.progress import passed, progress, written
-from vad.errors import UsageError, VadError
+from vad.cli.process import check_interrupt, signals_held_back, wait_for_signal
+from vad.errors import AssemblyError, UsageError, VadError
 from vad.export import FOLDER, FORMATS, format_of, own_options
 from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
@@ -20,10 +27,105 @@ from vad.mechanisms import Mechanism
 from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from vad.export.frames import Progress
+
 Inputs = dict[str, Any]
 #: The files that lie beside a film with ``--subtitles``, and the films that take them.
 SUBTITLES = (".srt", ".vtt")
 _SUBTITLED = (".mp4", ".gif", FOLDER)
+#: The most poses of a sweep.
+LARGEST = 1_000_000
+
+
+@contextmanager
+def progress(what: str) -> Iterator[Progress]:
+    """Yield what a film calls after each frame: it obeys signals, and on a terminal moves a bar."""
+
+    def obey(_done: int, _total: int) -> None:
+        check_interrupt()
+
+    with signals_held_back():
+        if sys.stderr is None or not sys.stderr.isatty():
+            yield obey
+            return
+        from rich.console import Console
+        from rich.markup import escape
+        from rich.progress import Progress as Bar
+
+        with Bar(console=Console(stderr=True), transient=True) as bar:
+            task = bar.add_task(escape(what), total=None)
+
+            def move(done: int, total: int) -> None:
+                obey(done, total)
+                bar.update(task, completed=done, total=total)
+
+            yield move
+
+
+def written(path: str, details: str = "") -> None:
+    """Say on a terminal which file is done."""
+    if sys.stdout is not None and sys.stdout.isatty():
+        click.echo(f"wrote {path}" + (f" ({details})" if details else ""))
+
+
+def passed(mechanism: Mechanism, low: float = -math.inf, high: float = math.inf) -> None:
+    """Say on stderr which change points lie in a range of the driver: there, two motions go on."""
+    from vad.kinematics.reach import change_points
+    from vad.kinematics.results import place_unit
+
+    turns = "angle" in mechanism.inputs
+    for change in change_points(mechanism):
+        turned = turns and low > -math.inf  # the same angle, not below the range
+        place = low + (change.place - low) % 360.0 if turned else change.place
+        if low <= place <= high:
+            click.echo(f"note: {change.words(place_unit(mechanism))}", err=True)
+
+
+def places(
+    mechanism: Mechanism, start: float | None = None, stop: float | None = None, steps: int = 361
+) -> NDArray[np.float64]:
+    """Return ``steps`` places of the driver, evenly spaced from ``start`` to ``stop``.
+
+    What is left out is a whole turn of a driven link, or the widest range in which a driven
+    slide closes.
+
+    Raises
+    ------
+    UsageError
+        If the number of steps or the ends make no range.
+    AssemblyError
+        If the mechanism closes nowhere.
+    """
+    import numpy as np
+
+    if not 2 <= steps <= LARGEST:
+        raise UsageError(f"--steps: must be from 2 to {LARGEST}, got {steps}")
+    if "angle" in mechanism.inputs:
+        first, last = 0.0, 360.0
+    elif start is None or stop is None:
+        first, last = _widest(mechanism)
+    first = first if start is None else start
+    last = last if stop is None else stop
+    if not math.isfinite(last - first) or first == last:
+        raise UsageError(f"--from, --to: {first:g} to {last:g} is no range")
+    return np.linspace(first, last, steps)
+
+
+def _widest(mechanism: Mechanism) -> tuple[float, float]:
+    """Return the widest range of the driver that closes, the greater one of two equal ones."""
+    from vad.kinematics.reach import closing_range
+
+    ranges = closing_range(mechanism)
+    if not ranges:
+        raise AssemblyError("with these lengths the links close nowhere")
+    widest = max(ranges, key=lambda ends: (float(f"{ends[1] - ends[0]:.6g}"), ends[1]))
+    if widest[0] == widest[1]:
+        raise AssemblyError(f"with these lengths the links close only at {widest[0]:g}")
+    return widest
 
 
 def solve(mechanism: Mechanism, inputs: Inputs, as_json: bool = False) -> None:
@@ -130,7 +232,6 @@ def _turn(mechanism: Mechanism, inputs: Inputs, output: str, **options: Any) -> 
 
 def sweep(mechanism: Mechanism, inputs: Inputs, output: str, **ends: Any) -> None:
     """Write the results over a range of the input, as a table or a plot."""
-    from vad.cli.span import places
     from vad.export.sweep import save_sweep
 
     driven = next(iter(mechanism.inputs))

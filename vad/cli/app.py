@@ -1,28 +1,37 @@
-"""The command line as a whole: the card, the list and the four verbs with their options."""
+"""The command line as a whole: the card, the lists and all verbs with their options."""
 
 from __future__ import annotations
 
+import dataclasses
+import inspect
 import json
-from collections.abc import Iterable
+import textwrap
+from collections.abc import Iterable, Iterator
+from itertools import zip_longest
+from typing import Any
 
 import click
 
+import vad
 from vad import __version__
-from vad.cli import actions, batch_command, catalogue, check, compare, completion, values
+from vad.cli import actions, check, compare, completion
 from vad.cli.groups import HelpfulCommand, MechanismGroup
-from vad.cli.options import NamedOption
-from vad.errors import unknown
+from vad.cli.options import NamedOption, flag, length_unit_of, path, places, several, size
+from vad.cli.process import say
+from vad.errors import InputError, UsageError, unknown
 from vad.export import FOLDER, FORMATS, formats
-from vad.files.examples import example_names, example_path
+from vad.files.examples import example_names, example_path, example_title
 from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
-from vad.mechanisms import MECHANISMS
+from vad.mechanisms import MECHANISMS, Mechanism, mechanism_named, mechanism_names
 from vad.plan.format import paper_names
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.language import languages
 from vad.strokes.sheet import Sheet
 from vad.style import GROUP as STYLES
 from vad.style import style_names
+from vad.units import scene_unit
+from vad.written import typed
 
 CARD = """\
 vad draws velocity and acceleration polygons: as numbers, as a picture, as a film.
@@ -33,6 +42,78 @@ Try
   vad animate slider-crank -o lecture.mp4
 
 vad list names the mechanisms; vad solve NAME --help shows their dimensions."""
+
+
+_WIDTH = 100
+
+
+def table() -> str:
+    """Return the mechanisms with what they are and their inputs, as text for a terminal."""
+    indent = max(map(len, mechanism_names())) + 2
+    lines: list[str] = []
+    for name, kind in _listed():
+        if isinstance(kind, InputError):
+            what = textwrap.wrap(f"cannot be loaded: {kind}", _WIDTH - indent)
+        else:
+            what = [*textwrap.wrap(_what(kind), _WIDTH - indent), _inputs(kind)]
+        lines += [
+            f"{label:{indent}}{line}" for label, line in zip_longest([name], what, fillvalue="")
+        ]
+    how = "Mechanisms from files; vad example NAME prints one:"
+    names = textwrap.wrap(", ".join(example_names()), _WIDTH - 2, break_on_hyphens=False)
+    return "\n".join([*lines, "", how, *(f"  {line}" for line in names)])
+
+
+def examples() -> str:
+    """Return the names of the examples with what they are, as text for a terminal."""
+    indent = max(map(len, example_names())) + 2
+    return "\n".join(f"{name:{indent}}{example_title(name)}" for name in example_names())
+
+
+def entries() -> list[dict[str, Any]]:
+    """Return the mechanisms as data: name, title, parameters and inputs with their defaults.
+
+    A mechanism of another package that cannot be loaded has a name and a problem.
+    """
+    return [
+        {"name": name, "problem": str(kind)}
+        if isinstance(kind, InputError)
+        else {
+            "name": name,
+            "title": kind.title,
+            "description": _what(kind),
+            "parameters": {
+                field.name: field.default
+                for field in dataclasses.fields(kind)
+                if field.metadata["quantity"] in ("length", "angle")
+            },
+            "inputs": dict(kind.inputs),
+            "length_unit": length_unit_of(kind),
+        }
+        for name, kind in _listed()
+    ]
+
+
+def _listed() -> Iterator[tuple[str, type[Mechanism] | InputError]]:
+    """Yield every mechanism with its name; in place of one that cannot be loaded, the reason."""
+    for name in mechanism_names():
+        try:
+            yield name, mechanism_named(name)
+        except InputError as error:
+            yield name, error
+
+
+def _inputs(kind: type[Mechanism]) -> str:
+    """Return the inputs of a mechanism as options, with their defaults and units."""
+    unit = length_unit_of(kind)
+    return "  ".join(
+        f"{flag(key)} {typed(value)} {scene_unit(key, unit)}" for key, value in kind.inputs.items()
+    )
+
+
+def _what(kind: type[Mechanism]) -> str:
+    """Return the first sentence of a mechanism's docstring."""
+    return (inspect.getdoc(kind) or kind.title).partition("\n")[0]
 
 
 class App(click.Group):
@@ -96,23 +177,23 @@ def app(ctx: click.Context) -> None:
 def list_mechanisms(as_json: bool) -> None:
     """Name the mechanisms."""
     if as_json:
-        click.echo(json.dumps(catalogue.entries(), ensure_ascii=False, indent=1))
+        click.echo(json.dumps(entries(), ensure_ascii=False, indent=1))
     else:
-        click.echo(catalogue.table())
+        click.echo(table())
 
 
 @app.command("example", cls=HelpfulCommand)
 @click.argument("name", required=False, shell_complete=completion.one_of(example_names()))
 def print_example(name: str | None) -> None:
     """Print an example of a mechanism's file; without NAME, name them all."""
-    text = catalogue.examples() if name is None else example_path(name).read_text("utf-8")
+    text = examples() if name is None else example_path(name).read_text("utf-8")
     click.echo(text.rstrip())
 
 
 _SHEET = [
     click.Option(
         ["--panels"],
-        callback=values.several("panel", DIAGRAMS),
+        callback=several("panel", DIAGRAMS),
         shell_complete=completion.several(DIAGRAMS),
         multiple=True,
         metavar="NAME,NAME",
@@ -121,22 +202,20 @@ _SHEET = [
     NamedOption("style", "style", style_names(), "how it looks  [paper]", STYLES),
     NamedOption("language", "language", languages(), "of titles and captions  [en]"),
 ]
-_SIZE = click.Option(
-    ["--size"], callback=values.size(), metavar="WxH", help="in pixels  [1280x720]"
-)
+_SIZE = click.Option(["--size"], callback=size(), metavar="WxH", help="in pixels  [1280x720]")
 _PAPER = NamedOption("paper", "paper", paper_names(), "a PDF in true scale, to be measured")
 _POSITIONS = click.Option(
     ["--turn"], is_flag=True, help="a full turn: the ways of all points, in twelve positions"
 )
 _AT = click.Option(
     ["--at"],
-    callback=values.places(),
+    callback=places(),
     metavar="PLACE,PLACE",
     help="two to six poses side by side, at these places of the driver  [one pose]",
 )
 _BLANK = click.Option(
     ["--blank"],
-    callback=values.several("panel", DIAGRAMS),
+    callback=several("panel", DIAGRAMS),
     shell_complete=completion.several(DIAGRAMS),
     multiple=True,
     metavar="NAME,NAME",
@@ -167,11 +246,78 @@ def _output(extensions: Iterable[str]) -> click.Option:
     return click.Option(
         ["-o", "--output"],
         required=True,
-        callback=values.path(),
+        callback=path(),
         shell_complete=completion.a_file,
         metavar="FILE",
         help=f"{', '.join(names)} or {last}",
     )
+
+
+_HELP = """\
+Make problem sheets with their keys by the hundred.
+
+SHEETS is a .csv file with one row a sheet, or a .toml file such as
+
+\b
+  [sheet]
+  mechanism = "four-bar"               # or a .toml file that lies beside this one
+  count = 30
+  files = ["problem.pdf", "key.pdf"]   # also png, svg, json, mp4, gif
+  blank = ["velocity", "acceleration"]
+  [vary]
+  crank = { share = 0.25 }             # nice numbers about the default
+  angle = { from = 0, to = 355, step = 5 }
+  omega = ["60 rpm", "90 rpm"]
+  [keep]
+  sine = 0.35                          # how steeply all lines cross at least
+
+[sheet] also takes seed, panels, points, language, style, paper, size, fps, speed, length_unit.
+What stands in FOLDER already, made from the same settings, is not made again.
+"""
+
+
+@click.command("batch", cls=HelpfulCommand, help=_HELP)
+@click.argument("sheets", metavar="SHEETS", required=False, shell_complete=completion.a_file)
+@click.option(
+    "-o",
+    "--output",
+    required=True,
+    callback=path(),
+    shell_complete=completion.a_file,
+    metavar="FOLDER",
+    help="FOLDER/ for the sheets and answers.csv, answers.json",
+)
+@click.option("--jobs", type=int, help="how many sheets are made at a time  [1]")
+@click.option("--cluster", metavar="ADDRESS", help="of a Dask scheduler, as in tcp://host:8786")
+@click.option("--only", type=int, metavar="K", help="make sheet K again  [all]")
+@click.pass_context
+def make_batch(
+    ctx: click.Context,
+    sheets: str | None,
+    output: str,
+    jobs: int | None,
+    cluster: str | None,
+    only: int | None,
+) -> None:
+    """Make problem sheets with their keys by the hundred."""
+    if sheets is None:
+        raise UsageError("batch needs a file of sheets", "vad batch sheets.toml -o sheets/")
+    with actions.progress(output) as moved:
+        made = vad.batch(
+            sheets,
+            output,
+            jobs=1 if jobs is None else jobs,
+            cluster=cluster,
+            only=only,
+            progress=moved,
+        )
+    failed = [each for each in made if each.error is not None]
+    for each in failed:
+        hint = f" ({each.error.hint})" if each.error and each.error.hint else ""
+        say(f"error: sheet {each.number}: {each.error}{hint}")
+    actions.written(output, f"{len(made) - len(failed)} sheets")
+    if failed:
+        ctx.exit(1)
 
 
 for verb in (
@@ -220,5 +366,5 @@ for verb in (
 ):
     app.add_command(verb)
 app.add_command(compare.command)
-app.add_command(batch_command.command)
+app.add_command(make_batch)
 app.add_command(check.command)

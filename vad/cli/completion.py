@@ -12,7 +12,7 @@ import click
 from click import shell_completion
 from click.shell_completion import CompletionItem, ShellComplete
 
-from vad.errors import VadError, unknown
+from vad.errors import unknown
 
 #: Where a shell says what it wants, such as ``bash_complete``.
 VARIABLE = "_VAD_COMPLETE"
@@ -40,24 +40,6 @@ def script(shell: str) -> str:
     assert kind is not None
     # The class's own method may start a shell to ask for its version.
     return ShellComplete.source(kind(click.Command("vad"), {}, "vad", VARIABLE))
-
-
-def answer(question: str) -> int:
-    """Print what may follow the words that a shell has put into the environment.
-
-    Nothing follows words that are wrong already.  The exit code is 1 for a question that is none.
-
-    Parameters
-    ----------
-    question
-        What `VARIABLE` holds.
-    """
-    from vad.cli.app import app
-
-    try:
-        return shell_completion.shell_complete(app, {}, "vad", VARIABLE, question)
-    except VadError:
-        return 0
 
 
 def a_file(_: click.Context, __: click.Parameter, start: str) -> list[CompletionItem]:

@@ -12,8 +12,7 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-from vad.cli.naming import kind_of
-from vad.cli.options import OWN, build, mechanism_options, own_option
+from vad.cli.options import OWN, build, kind_of, mechanism_options, own_option
 from vad.errors import UsageError, unknown
 from vad.export import own_options
 from vad.mechanisms import mechanism_names

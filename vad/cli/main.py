@@ -1,4 +1,7 @@
-"""The command as a process: its signals, its streams and its exit code."""
+"""The command as a process: its signals, its streams and its exit code.
+
+It carries out the words of its command line, or answers a shell that asks how a word may go on.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +22,7 @@ def main() -> int:
         from vad.cli.run import run
 
         question = os.environ.get(completion.VARIABLE)
-        code = completion.answer(question) if question else run(sys.argv[1:])
+        code = answer(question) if question else run(sys.argv[1:])
         if sys.stdout is not None:
             sys.stdout.flush()
         return code
@@ -35,3 +38,25 @@ def main() -> int:
         return 1
     finally:
         process.be_done()
+
+
+def answer(question: str) -> int:
+    """Print what may follow the words that a shell has put into the environment.
+
+    Nothing follows words that are wrong already.  The exit code is 1 for a question that is none.
+
+    Parameters
+    ----------
+    question
+        What `vad.cli.completion.VARIABLE` holds.
+    """
+    from click.shell_completion import shell_complete
+
+    from vad.cli.app import app
+    from vad.cli.completion import VARIABLE
+    from vad.errors import VadError
+
+    try:
+        return shell_complete(app, {}, "vad", VARIABLE, question)
+    except VadError:
+        return 0

@@ -1,27 +1,35 @@
-"""Options made from a mechanism's own fields: in comes its class, out come click's parameters.
+"""Options: the kinds of value that one takes, and those made from a mechanism's own fields.
 
-A value that is not given is not passed on, so that every default stands in one place only: the
-mechanism's file.
+In come a mechanism's class and the words of a command line, out go click's parameters and what the
+words say.  A value that is not given is not passed on, so that every default stands in one place
+only: the mechanism's file.
 """
 
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Collection, Mapping
+import re
+from collections.abc import Callable, Collection, Mapping
+from pathlib import Path
 from typing import Any, cast
 
 import click
 from click.shell_completion import CompletionItem
 
-from vad.cli import completion, values
+from vad import errors, units
+from vad.cli import completion
+from vad.errors import UsageError, shown
 from vad.export import OwnOption
+from vad.files.examples import EXTENSION, example_names
 from vad.files.places import WORDS
-from vad.found import all_names
-from vad.mechanisms import Mechanism
+from vad.found import all_names, one_of_all
+from vad.mechanisms import Mechanism, mechanism_named
 from vad.mechanisms.mechanism import NUMBERS
 from vad.units import LENGTH_UNITS, scene_unit
 from vad.written import typed
 
+#: What reads the word that stands behind an option.
+Callback = Callable[[click.Context, click.Parameter, Any], Any]
 #: What no parameter may be called as an option; every verb adds its own options.
 OWN = {"help", "from", "to", "start", "stop", "point"}
 _INPUT_HELP = {
@@ -32,6 +40,161 @@ _INPUT_HELP = {
     "velocity": "its velocity",
     "acceleration": "its acceleration",
 }
+
+
+def kind_of(name: str) -> type[Mechanism]:
+    """Return the class of the mechanism that is called ``name`` or stands in a file of that name.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        For a name that no mechanism has.
+    vad.errors.InputError
+        For a file that describes none.
+    """
+    if name.endswith(EXTENSION):
+        from vad.files.loading import load
+
+        return load(name)
+    try:
+        return mechanism_named(name)
+    except UsageError as wrong:
+        if Path(name + EXTENSION).is_file():
+            wrong.hint = f"{name}{EXTENSION} is a file"
+        elif name in example_names():
+            wrong.hint = f"vad example {name} > {name}{EXTENSION}"
+        raise
+
+
+def quantity_of(name: str, length_unit: str) -> Callback:
+    """Read a number in the scene's unit, or with a unit of its own.
+
+    ``length_unit`` is that of the scene where the command line does not say another.
+    """
+
+    def value_of(word: str, ctx: click.Context) -> float:
+        return units.read(word, name, ctx.params.get("length_unit") or length_unit)
+
+    return _callback(value_of)
+
+
+def places() -> Callback:
+    """Read places of the driver with commas between them, for the mechanism that is called."""
+
+    def places_of(words: str, ctx: click.Context) -> list[float]:
+        mechanism = kind_of(str(ctx.info_name))()
+        unit = ctx.params.get("length_unit") or mechanism.length_unit
+        driven = next(iter(mechanism.inputs))
+        return [units.read(word.strip(), driven, unit) for word in words.split(",")]
+
+    return _callback(places_of)
+
+
+def points(length_unit: str) -> Callback:
+    """Read points on links, each with a distance and perhaps an angle."""
+
+    def points_of(
+        words: tuple[str, ...], ctx: click.Context
+    ) -> dict[str, tuple[str, float, float]]:
+        unit, found = ctx.params.get("length_unit") or length_unit, {}
+        for word in words:
+            name, place = _point(word, unit)
+            if name in found:
+                raise UsageError(f"point {name}: is given twice")
+            found[name] = place
+        return found
+
+    return _callback(points_of)
+
+
+def _point(word: str, unit: str) -> tuple[str, tuple[str, float, float]]:
+    """Read ``D on rod 100``, ``D on rod 100 30`` or ``D on rod 10 cm at 30 deg``."""
+    read = re.fullmatch(r"\s*(\S+)\s+on\s+(\S+)\s+(\S.*?)(?:\s+at\s+(\S.*?))?\s*", word)
+    if read is None:
+        raise UsageError(f"{shown(word)} is no point of a link", hint="as in 'D on rod 100 at 30'")
+    name, link, distance, angle = read.groups()
+    if angle is None and (pair := re.fullmatch(r"(\S+)\s+([-+\N{MINUS SIGN}.\d]\S*)", distance)):
+        distance, angle = pair.groups()
+    size = units.read(distance, "length", unit)
+    return name, (link.replace("-", "_"), size, units.read(angle or "0", "angle", unit))
+
+
+def places_of_points() -> Callback:
+    """Read the places of points, as in ``B=left``, with commas between them."""
+
+    def places_in(words: tuple[str, ...], _: click.Context) -> dict[str, str]:
+        given = {}
+        for part in (part for word in words for part in word.split(",")):
+            point, equals, place = (each.strip() for each in part.partition("="))
+            if not (point and equals and place):
+                raise UsageError(f"{shown(part)} is no place of a point", hint="as in B=left")
+            given[point] = place
+        return given
+
+    return _callback(places_in)
+
+
+def length_unit() -> Callback:
+    """Read the name of a unit of length."""
+    return _callback(lambda word, _: units.check_length_unit(word))
+
+
+def one_of(what: str, names: Collection[str], group: str = "") -> Callback:
+    """Read one of a few names; a misspelt one is answered with the nearest.
+
+    With a ``group`` of entry points, other packages may bring further names.
+    """
+    if group:
+        return _callback(lambda word, _: one_of_all(what, word, names, group))
+    return _callback(lambda word, _: errors.one_of(what, word, names))
+
+
+def several(what: str, names: Collection[str]) -> Callback:
+    """Read some of a few names, from words with commas between them, each name once."""
+
+    def names_of(words: tuple[str, ...], _: click.Context) -> tuple[str, ...]:
+        parts = [part.strip() for word in words for part in word.split(",")]
+        return tuple(dict.fromkeys(errors.one_of(what, part, names) for part in parts))
+
+    return _callback(names_of)
+
+
+def size() -> Callback:
+    """Read the width and the height of a picture in pixels."""
+
+    def size_of(word: str, _: click.Context) -> tuple[int, int]:
+        numbers = re.fullmatch(r"\s*(\d{1,9})\s*[x×X*]\s*(\d{1,9})\s*", word)
+        if numbers is None:
+            raise UsageError(f"{shown(word)} is not a size", hint="as in 1280x720")
+        return int(numbers[1]), int(numbers[2])
+
+    return _callback(size_of)
+
+
+def path() -> Callback:
+    """Read the name of a file or folder."""
+
+    def path_of(word: str, _: click.Context) -> str:
+        name = word.removeprefix("=")  # click lets it stand in -o=FILE
+        if not name:
+            raise UsageError("the name is empty", hint="as in -o lecture.mp4")
+        return name
+
+    return _callback(path_of)
+
+
+def _callback(read: Callable[[Any, click.Context], Any]) -> Callback:
+    """Leave out what is not given, and put the option's name before what is wrong."""
+
+    def called(ctx: click.Context, param: click.Parameter, value: Any) -> Any:
+        if value is None:
+            return None
+        try:
+            return read(value, ctx)
+        except UsageError as error:
+            raise UsageError(f"{param.opts[0]}: {error}", error.hint) from None
+
+    return called
 
 
 def mechanism_options(kind: type[Mechanism], ranged: bool = False) -> list[click.Parameter]:
@@ -115,7 +278,7 @@ class NamedOption(click.Option):
     def __init__(
         self, name: str, what: str, names: Collection[str], text: str, group: str = ""
     ) -> None:
-        super().__init__([flag(name), name], callback=values.one_of(what, names, group), help=text)
+        super().__init__([flag(name), name], callback=one_of(what, names, group), help=text)
         self._own, self._group = names, group
 
     @property
@@ -149,7 +312,7 @@ def _field_option(field: dataclasses.Field[Any], unit: str) -> click.Option:
         shown = ", ".join(f"{point}={place}" for point, place in own.items())
         return click.Option(
             [flag(name), name],
-            callback=values.places_of_points(),
+            callback=places_of_points(),
             multiple=True,
             metavar="POINT=PLACE",
             help=f"{text}: {', '.join(WORDS)}  [{shown or 'one place'}]",
@@ -160,7 +323,7 @@ def _field_option(field: dataclasses.Field[Any], unit: str) -> click.Option:
         # Read before all others, because lengths are converted to it.
         return click.Option(
             [flag(name), name],
-            callback=values.length_unit(),
+            callback=length_unit(),
             shell_complete=completion.one_of(LENGTH_UNITS),
             is_eager=True,
             metavar="UNIT",
@@ -169,7 +332,7 @@ def _field_option(field: dataclasses.Field[Any], unit: str) -> click.Option:
     if quantity == "points":
         return click.Option(
             ["--point", name],
-            callback=values.points(unit),
+            callback=points(unit),
             multiple=True,
             metavar="'NAME on LINK DISTANCE at ANGLE'",
             help=f"{text}; may be given again  [none]",
@@ -186,5 +349,5 @@ def _input_option(kind: type[Mechanism], name: str, unit: str) -> click.Option:
 
 
 def _quantity_option(names: list[str], quantity: str, text: str, unit: str) -> click.Option:
-    read = values.quantity(quantity, unit)
+    read = quantity_of(quantity, unit)
     return click.Option(names, callback=read, metavar=quantity.upper(), help=text)
