@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -23,7 +24,7 @@ TURNED = '''
 
 from dataclasses import replace
 
-from vad.strokes.diagram import Diagram, Drawing
+from vad.strokes.diagram import Diagram, Drawing, in_plane
 from vad.strokes.polygon import polygon
 from vad.strokes.scene import Scene
 from vad.strokes.sheet import Arrow, Dot
@@ -42,7 +43,53 @@ def pose(scene: Scene) -> Drawing:
 
 
 DIAGRAM = Diagram(
-    "turned-velocity", "Turned velocity", 1.5, "vectors", lambda s: s.rate_unit(1), pose
+    "turned-velocity",
+    "Turned velocity",
+    1.5,
+    "vectors",
+    lambda s: s.rate_unit(1),
+    pose,
+    applies=in_plane,
+)
+'''
+
+#: A panel in the plane and in space, with a row of its own in the table.
+FORCE = '''
+"""A load and what carries it, which does not apply to the Scotch yoke."""
+
+from vad.strokes.diagram import Diagram, Drawing
+from vad.strokes.sheet import POLE, Arrow, Cell, Dot, Stroke, StrokePart
+
+
+def pose(scene):
+    strokes = (
+        Stroke("pole", "o", Dot(0j), "We choose a pole.", part=POLE),
+        Stroke(
+            "known",
+            "F",
+            Arrow(0j, 80 - 20j, "o", "l"),
+            "The load.",
+            scene.output,
+            reveals=(scene.output,),
+            part=StrokePart("ol", "load"),
+        ),
+    )
+    return Drawing(strokes)
+
+
+def cells(scene, key, slides):
+    return (Cell("F", 82.46, "N"),) if key == scene.output else ()
+
+
+DIAGRAM = Diagram(
+    "force",
+    "Forces",
+    3,
+    "vectors",
+    lambda scene: "N",
+    pose,
+    cells,
+    applies=lambda motion: motion.mechanism.name != "scotch-yoke",
 )
 '''
 
@@ -65,6 +112,32 @@ print(json.dumps({
     "turn": [panel.name for panel in turn.at(0.3).panels],
     "json": list(json.load(open("one.json"))["panels"]),
 }))
+"""
+
+
+FOUR = """
+import json, vad
+from vad.cli.run import run
+from vad.gui.live import pose
+from vad.gui.messages import PoseQuestion
+
+panels = {}
+for name, kind in vad.MECHANISMS.items():
+    sheet = vad.draw(vad.solve(kind()))
+    panels[name] = [panel.name for panel in sheet.panels]
+    vad.save(sheet, name + ".json")
+    assert vad.sheet_from_json(name + ".json") == sheet
+    vad.save(sheet, name + ".svg")
+for name in ("four-bar", "scotch-yoke", "rssr"):
+    mechanism = vad.MECHANISMS[name]()
+    vad.save(vad.animate(vad.draw(vad.solve(mechanism))), name + ".html")
+    vad.save(vad.turn(mechanism), name + "-turn.svg")
+    drawn = pose(PoseQuestion.of(mechanism, {}))["panels"]
+    assert [each[0] for each in drawn] == panels[name]
+    assert run(["sweep", name, "--steps", "5", "-o", name + ".csv"]) == 0
+assert run(["list"]) == 0 and run(["draw", "--help"]) == 0
+assert run(["draw", "scotch-yoke", "--panels", "force", "-o", "none.svg"]) == 2
+print(json.dumps(panels))
 """
 
 
@@ -95,19 +168,35 @@ def test_titles_are_in_the_language_of_the_sheet(code: str) -> None:
     assert code == "en" or "Velocity" not in titles
 
 
-def test_a_further_diagram_is_one_further_file(tmp_path: Path) -> None:
-    shutil.copytree(PACKAGE, tmp_path / "vad", ignore=shutil.ignore_patterns("__pycache__"))
-    (tmp_path / "vad" / "strokes" / "diagrams" / "turned.py").write_text(TURNED, encoding="utf-8")
+def tried(folder: Path, name: str, file: str, trial: str) -> tuple[Any, str]:
+    """Return what a trial says of the program with one file more, and its errors."""
+    shutil.copytree(PACKAGE, folder / "vad", ignore=shutil.ignore_patterns("__pycache__"))
+    (folder / "vad" / "strokes" / "diagrams" / name).write_text(file, encoding="utf-8")
     done = subprocess.run(
-        [sys.executable, "-c", TRIAL],
-        cwd=tmp_path,
+        [sys.executable, "-c", trial],
+        cwd=folder,
         capture_output=True,
         check=True,
-        env={**os.environ, "PYTHONPATH": str(tmp_path), "PYTHONUTF8": "1"},
+        env={**os.environ, "PYTHONPATH": str(folder), "PYTHONUTF8": "1"},
     )
-    said = json.loads(done.stdout)
+    return json.loads(done.stdout.splitlines()[-1]), done.stderr.decode()
+
+
+def test_a_further_diagram_is_one_further_file(tmp_path: Path) -> None:
+    said, _ = tried(tmp_path, "turned.py", TURNED, TRIAL)
     names = ["position", "velocity", "turned-velocity", "acceleration"]
     assert said["panels"] == said["lesson"] == names
     assert said["titles"] == ["Lage", "Geschwindigkeit", "Turned velocity", "Beschleunigung"]
     assert said["turn"] == ["velocity", "turned-velocity"]
     assert said["json"] == ["turned-velocity"]
+
+
+def test_a_diagram_is_drawn_where_it_applies_in_the_plane_and_in_space(tmp_path: Path) -> None:
+    said, errors = tried(tmp_path, "force.py", FORCE, FOUR)
+    usual = ["position", "velocity", "acceleration"]
+    assert said.pop("scotch-yoke") == usual
+    assert len(said) == len(vad.MECHANISMS) - 1
+    assert all(names == [*usual, "force"] for names in said.values())
+    message, hint = errors.strip().splitlines()[-2:]
+    assert message == "error: panel 'force' does not apply to scotch-yoke"
+    assert hint == "hint: known for scotch-yoke: position, velocity, acceleration"

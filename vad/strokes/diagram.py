@@ -62,6 +62,13 @@ class Spot(NamedTuple):
     below: bool = False
 
 
+def in_plane(motion: Motion[Any, Any, Any]) -> bool:
+    """Apply to every mechanism in the plane."""
+    from vad.kinematics.motion import MotionInSpace  # which a list of diagrams need not load
+
+    return not isinstance(motion, MotionInSpace)
+
+
 def everywhere(motion: Motion[Any, Any, Any]) -> bool:
     """Apply to every mechanism."""
     return True
