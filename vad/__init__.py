@@ -141,14 +141,16 @@ if not TYPE_CHECKING:  # for a type checker, a name that is not imported above i
             value = globals()[name] = getattr(import_module(_HOMES[name]), name)
             return value
         message = f"module 'vad' has no attribute {name!r}"
-        if name.startswith("_"):
+        from vad.found import names_in
+
+        if name.startswith("_") or name in names_in():  # Python asks so for a module to be imported
             raise AttributeError(message, name=name)
-        from vad.errors import unknown
         from vad.mechanisms import class_named
 
         kind = class_named(name)
         if kind is not None:
             return kind
+        from vad.errors import unknown
 
         hint = unknown("name", name, __dir__()).hint
         raise AttributeError(f"{message}; {hint}", name=name)
