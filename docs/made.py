@@ -85,7 +85,7 @@ def _command_line() -> str:
         "The exit code is 0; 1 for a mechanism or a file that cannot be, with one line `error: …` "
         "and perhaps one `hint: …`; 2 for wrong usage."
     )
-    for name, command in app.commands.items():
+    for name, command in app.all_commands().items():
         taken = [each for each in command.params if isinstance(each, click.Argument)]
         options: Iterable[click.Parameter] = [each for each in command.params if each not in taken]
         arguments = [each.human_readable_name for each in taken]

@@ -78,3 +78,28 @@ def test_fonts_are_cut_only_for_text_that_is_set(tmp_path, text, tools):
     path = str(tmp_path / "a.svg")
     code = f"vad.save(vad.draw(vad.solve(vad.FourBar())), {path!r}, text={text!r})"
     assert loaded(f"import vad; {code}") & {"fontTools", "av", "rich"} == tools
+
+
+def test_solving_loads_nothing_of_what_draws():
+    code = command("solve", "four-bar")
+    script = f"{code}\nimport sys\nprint('loaded:', *(m for m in sys.modules if m[:4] == 'vad.'))"
+    done = subprocess.run(
+        [sys.executable, "-c", script],
+        capture_output=True,
+        text=True,
+        check=True,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+    )
+    names = set(done.stdout.rpartition("loaded:")[2].split())
+    rooms = {name.split(".")[1] for name in names}
+    assert rooms == {
+        "cli",
+        "errors",
+        "files",
+        "found",
+        "kinematics",
+        "mechanisms",
+        "units",
+        "written",
+    }
+    assert len(names) <= 46

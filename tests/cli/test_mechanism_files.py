@@ -10,6 +10,7 @@ import pytest
 
 from vad.cli.app import app
 from vad.cli.groups import MechanismGroup
+from vad.cli.options import OWN
 from vad.files.examples import example_names, example_path
 
 FOUR_BAR = example_path("four-bar").read_text("utf-8")
@@ -155,7 +156,7 @@ def test_the_examples_are_named_and_printed(vad):
 
 
 @pytest.mark.parametrize(
-    "verb", [v for v in app.commands.values() if isinstance(v, MechanismGroup)]
+    "verb", [v for v in app.all_commands().values() if isinstance(v, MechanismGroup)]
 )
 def test_no_parameter_takes_the_place_of_a_verb_s_own_option(verb, tmp_path):
     """Such a name has _1 behind it, on the command line only."""
@@ -165,6 +166,14 @@ def test_no_parameter_takes_the_place_of_a_verb_s_own_option(verb, tmp_path):
     names = [name for option in options for name in {str(option.name), *option.opts}]
     assert len(set(names)) == len(names)
     assert {"--speed-1", "--size-1", "--turn-1"} <= set(names)
+
+
+def test_every_option_of_a_verb_is_known_as_such():
+    verbs = [v for v in app.all_commands().values() if isinstance(v, MechanismGroup)]
+    options = [option for verb in verbs for option in verb.options]
+    names = {str(option.name) for option in options}
+    names |= {flag.strip("-").replace("-", "_") for option in options for flag in option.opts}
+    assert names | {"help", "from", "to", "start", "stop", "point"} == OWN
 
 
 def test_a_parameter_by_the_name_of_an_option(vad, tmp_path, monkeypatch):

@@ -6,7 +6,6 @@ pipe sees neither.
 
 from __future__ import annotations
 
-import json
 import math
 import sys
 import webbrowser
@@ -126,12 +125,6 @@ def _widest(mechanism: Mechanism) -> tuple[float, float]:
     if widest[0] == widest[1]:
         raise AssemblyError(f"with these lengths the links close only at {widest[0]:g}")
     return widest
-
-
-def solve(mechanism: Mechanism, inputs: Inputs, as_json: bool = False) -> None:
-    """Print the numbers of one pose."""
-    motion = vad.solve(mechanism, **inputs)
-    click.echo(json.dumps(motion.to_dict(), ensure_ascii=False) if as_json else motion.table())
 
 
 def draw(

@@ -6,7 +6,7 @@ import dataclasses
 import inspect
 import json
 import textwrap
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from itertools import zip_longest
 from typing import Any
 
@@ -14,22 +14,12 @@ import click
 
 import vad
 from vad import __version__
-from vad.cli import actions, check, compare, completion
+from vad.cli import check, compare, completion
 from vad.cli.groups import HelpfulCommand, MechanismGroup
-from vad.cli.options import NamedOption, flag, length_unit_of, path, places, several, size
-from vad.cli.process import say
-from vad.errors import InputError, UsageError, unknown
-from vad.export import FOLDER, FORMATS, formats
+from vad.cli.options import flag, length_unit_of
+from vad.errors import InputError, unknown
 from vad.files.examples import example_names, example_path, example_title
-from vad.lecture.lesson import Lesson
-from vad.lecture.still import Still
 from vad.mechanisms import MECHANISMS, Mechanism, mechanism_named, mechanism_names
-from vad.plan.format import paper_names
-from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.language import languages
-from vad.strokes.sheet import Sheet
-from vad.style import GROUP as STYLES
-from vad.style import style_names
 from vad.units import scene_unit
 from vad.written import typed
 
@@ -116,16 +106,42 @@ def _what(kind: type[Mechanism]) -> str:
     return (inspect.getdoc(kind) or kind.title).partition("\n")[0]
 
 
+#: The verbs that draw, which `vad.cli.verbs` has.
+_DRAWING = ("draw", "animate", "sweep", "gui", "batch")
+
+
 class App(click.Group):
     """The commands; a misspelt one is answered with the nearest."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Return the names of all commands."""
+        return sorted({*self.commands, *_DRAWING})
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Return a command; the verbs that draw are imported when one of them is asked for."""
+        if cmd_name in _DRAWING and cmd_name not in self.commands:
+            self._import_drawing()
+        return super().get_command(ctx, cmd_name)
+
+    def all_commands(self) -> dict[str, click.Command]:
+        """Return every command by its name, in the order of the documentation."""
+        self._import_drawing()
+        order = ("list", "example", "solve", "draw", "animate", "sweep", "gui", "compare", "batch")
+        return {name: self.commands[name] for name in dict.fromkeys((*order, *self.commands))}
+
+    def _import_drawing(self) -> None:
+        from vad.cli.verbs import VERBS
+
+        for verb in VERBS:
+            self.add_command(verb)
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Return the command that ``args`` begins with."""
-        name = args[0]
-        if name not in self.commands:
-            wrong = unknown("command", name, self.commands)
+        name, known = args[0], self.list_commands(ctx)
+        if name not in known:
+            wrong = unknown("command", name, known)
             if name in MECHANISMS:
                 wrong.hint = f"vad solve {name}"
             raise wrong
@@ -190,181 +206,19 @@ def print_example(name: str | None) -> None:
     click.echo(text.rstrip())
 
 
-_SHEET = [
-    click.Option(
-        ["--panels"],
-        callback=several("panel", DIAGRAMS),
-        shell_complete=completion.several(DIAGRAMS),
-        multiple=True,
-        metavar="NAME,NAME",
-        help=f"some of {', '.join(DIAGRAMS)}  [all]",
-    ),
-    NamedOption("style", "style", style_names(), "how it looks  [paper]", STYLES),
-    NamedOption("language", "language", languages(), "of titles and captions  [en]"),
-]
-_SIZE = click.Option(["--size"], callback=size(), metavar="WxH", help="in pixels  [1280x720]")
-_PAPER = NamedOption("paper", "paper", paper_names(), "a PDF in true scale, to be measured")
-_POSITIONS = click.Option(
-    ["--turn"], is_flag=True, help="a full turn: the ways of all points, in twelve positions"
-)
-_AT = click.Option(
-    ["--at"],
-    callback=places(),
-    metavar="PLACE,PLACE",
-    help="two to six poses side by side, at these places of the driver  [one pose]",
-)
-_BLANK = click.Option(
-    ["--blank"],
-    callback=several("panel", DIAGRAMS),
-    shell_complete=completion.several(DIAGRAMS),
-    multiple=True,
-    metavar="NAME,NAME",
-    help="a problem sheet: these panels are left to be drawn  [none]",
-)
-_FILM = [
-    click.Option(["--fps"], type=float, help="frames per second  [30]"),
-    click.Option(["--speed"], type=float, help="2 is twice as fast  [1]"),
-    click.Option(
-        ["--still"],
-        metavar="STEP",
-        help="one step as a picture (.png, .svg, .pdf): 4, or velocity:4  [the film]",
-    ),
-    click.Option(["--turn"], is_flag=True, help="a full turn, and the polygons live with it"),
-    click.Option(
-        ["--loop"],
-        type=int,
-        metavar="NUMBER",
-        help="the dyad with which the pencil starts; those before it are there  [1]",
-    ),
-    click.Option(["--subtitles"], is_flag=True, help="FILE.srt and FILE.vtt beside the film, too"),
-]
+def _solve(mechanism: Mechanism, inputs: dict[str, Any], as_json: bool = False) -> None:
+    """Print the numbers of one pose."""
+    motion = vad.solve(mechanism, **inputs)
+    click.echo(json.dumps(motion.to_dict(), ensure_ascii=False) if as_json else motion.table())
 
 
-def _output(extensions: Iterable[str]) -> click.Option:
-    """Return the option that names the file, with the kinds of file that there are."""
-    *names, last = ("FOLDER/" if each == FOLDER else f"FILE{each}" for each in extensions)
-    return click.Option(
-        ["-o", "--output"],
-        required=True,
-        callback=path(),
-        shell_complete=completion.a_file,
-        metavar="FILE",
-        help=f"{', '.join(names)} or {last}",
-    )
-
-
-_HELP = """\
-Make problem sheets with their keys by the hundred.
-
-SHEETS is a .csv file with one row a sheet, or a .toml file such as
-
-\b
-  [sheet]
-  mechanism = "four-bar"               # or a .toml file that lies beside this one
-  count = 30
-  files = ["problem.pdf", "key.pdf"]   # also png, svg, json, mp4, gif
-  blank = ["velocity", "acceleration"]
-  [vary]
-  crank = { share = 0.25 }             # nice numbers about the default
-  angle = { from = 0, to = 355, step = 5 }
-  omega = ["60 rpm", "90 rpm"]
-  [keep]
-  sine = 0.35                          # how steeply all lines cross at least
-
-[sheet] also takes seed, panels, points, language, style, paper, size, fps, speed, length_unit.
-What stands in FOLDER already, made from the same settings, is not made again.
-"""
-
-
-@click.command("batch", cls=HelpfulCommand, help=_HELP)
-@click.argument("sheets", metavar="SHEETS", required=False, shell_complete=completion.a_file)
-@click.option(
-    "-o",
-    "--output",
-    required=True,
-    callback=path(),
-    shell_complete=completion.a_file,
-    metavar="FOLDER",
-    help="FOLDER/ for the sheets and answers.csv, answers.json",
-)
-@click.option("--jobs", type=int, help="how many sheets are made at a time  [1]")
-@click.option("--cluster", metavar="ADDRESS", help="of a Dask scheduler, as in tcp://host:8786")
-@click.option("--only", type=int, metavar="K", help="make sheet K again  [all]")
-@click.pass_context
-def make_batch(
-    ctx: click.Context,
-    sheets: str | None,
-    output: str,
-    jobs: int | None,
-    cluster: str | None,
-    only: int | None,
-) -> None:
-    """Make problem sheets with their keys by the hundred."""
-    if sheets is None:
-        raise UsageError("batch needs a file of sheets", "vad batch sheets.toml -o sheets/")
-    with actions.progress(output) as moved:
-        made = vad.batch(
-            sheets,
-            output,
-            jobs=1 if jobs is None else jobs,
-            cluster=cluster,
-            only=only,
-            progress=moved,
-        )
-    failed = [each for each in made if each.error is not None]
-    for each in failed:
-        hint = f" ({each.error.hint})" if each.error and each.error.hint else ""
-        say(f"error: sheet {each.number}: {each.error}{hint}")
-    actions.written(output, f"{len(made) - len(failed)} sheets")
-    if failed:
-        ctx.exit(1)
-
-
-for verb in (
+app.add_command(
     MechanismGroup(
         "solve",
         "Print the numbers of one pose.",
-        actions.solve,
+        _solve,
         [click.Option(["--json", "as_json"], is_flag=True, help="as JSON, with all digits")],
-    ),
-    MechanismGroup(
-        "draw",
-        "Draw the polygons of one pose.",
-        actions.draw,
-        [_output(FORMATS[Sheet]), *_SHEET, _SIZE, _PAPER, _BLANK, _AT, _POSITIONS],
-        formats=FORMATS[Sheet],
-    ),
-    MechanismGroup(
-        "animate",
-        "Make a film that draws the polygons stroke by stroke.",
-        actions.animate,
-        [_output(FORMATS[Lesson]), *_SHEET, _SIZE, *_FILM],
-        formats=FORMATS[Lesson] | FORMATS[Still],
-    ),
-    MechanismGroup(
-        "sweep",
-        "Write the numbers over a turn, as a table or a plot.",
-        actions.sweep,
-        [
-            _output(formats("sweep")),
-            click.Option(["--steps"], type=int, help="number of poses, both ends included  [361]"),
-        ],
-        ranged=True,
-    ),
-    MechanismGroup(
-        "gui",
-        "Open a page on which a mechanism is turned by hand.",
-        actions.gui,
-        [
-            *_SHEET,
-            _SIZE,
-            click.Option(["--port"], type=int, help="the server's port  [any that is free]"),
-            click.Option(["--no-browser"], is_flag=True, help="print the address, open nothing"),
-        ],
-        usual="slider-crank",
-    ),
-):
-    app.add_command(verb)
+    )
+)
 app.add_command(compare.command)
-app.add_command(make_batch)
 app.add_command(check.command)

@@ -12,9 +12,8 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-from vad.cli.options import OWN, build, kind_of, mechanism_options, own_option
+from vad.cli.options import build, kind_of, mechanism_options, own_option
 from vad.errors import UsageError, unknown
-from vad.export import own_options
 from vad.mechanisms import mechanism_names
 
 #: Under what name click's context holds the options of the format that is written.
@@ -48,10 +47,13 @@ class HelpfulCommand(click.Command):
 def _verbs_with(ctx: click.Context, name: str) -> list[str]:
     """Return the verbs with an option of that name: "vad animate"."""
     root = ctx.find_root().command
-    verbs = root.commands.values() if isinstance(root, click.Group) else ()
+    if not isinstance(root, click.Group):
+        return []
+    for verb in root.list_commands(ctx):
+        root.get_command(ctx, verb)  # some verbs are imported only when they are asked for
     return [
         f"vad {verb.name}"
-        for verb in verbs
+        for verb in root.commands.values()
         if isinstance(verb, MechanismGroup) and any(name in each.opts for each in verb.options)
     ]
 
@@ -93,8 +95,6 @@ class MechanismGroup(click.Group):
         self.ranged = ranged
         self.usual = usual
         self.formats = formats or {}
-        OWN.update(str(option.name) for option in options)
-        OWN.update(flag.strip("-").replace("-", "_") for each in options for flag in each.opts)
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Bring NAME to the front, wherever it stands among the options."""
@@ -128,6 +128,10 @@ class MechanismGroup(click.Group):
 
     def _own_options(self, output: str | None) -> list[click.Option]:
         """Return the options of the format of a file; those of all formats where none is named."""
+        if not self.formats:
+            return []
+        from vad.export import own_options
+
         named = self.formats.items()
         modules = [module for end, module in named if output is None or output.endswith(end)]
         return [own_option(each) for each in own_options(modules).values()]

@@ -11,7 +11,7 @@ import dataclasses
 import re
 from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import click
 from click.shell_completion import CompletionItem
@@ -19,7 +19,6 @@ from click.shell_completion import CompletionItem
 from vad import errors, units
 from vad.cli import completion
 from vad.errors import UsageError, shown
-from vad.export import OwnOption
 from vad.files.examples import EXTENSION, example_names
 from vad.files.places import WORDS
 from vad.found import all_names, one_of_all
@@ -28,10 +27,17 @@ from vad.mechanisms.mechanism import NUMBERS
 from vad.units import LENGTH_UNITS, scene_unit
 from vad.written import typed
 
+if TYPE_CHECKING:
+    from vad.export import OwnOption
+
 #: What reads the word that stands behind an option.
 Callback = Callable[[click.Context, click.Parameter, Any], Any]
-#: What no parameter may be called as an option; every verb adds its own options.
-OWN = {"help", "from", "to", "start", "stop", "point"}
+#: The options of the verbs: no parameter may have such a name as an option.
+OWN = {
+    *("help", "from", "to", "start", "stop", "point", "json", "as_json", "o", "output"),
+    *("panels", "style", "language", "size", "paper", "blank", "at", "turn"),
+    *("fps", "speed", "still", "loop", "subtitles", "steps", "port", "no_browser"),
+}
 _INPUT_HELP = {
     "angle": "angle of the driven link",
     "omega": "its angular velocity",
