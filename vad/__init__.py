@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from vad.batches.batch import batch
-    from vad.batches.blocks_of_poses import sweep
+    from vad.batches.sweep import sweep
     from vad.errors import (
         AssemblyError,
         DeadCentreError,
@@ -115,7 +115,7 @@ _HOMES = {
     "Still": "vad.lecture.still",
     "save": "vad.export",
     "batch": "vad.batches.batch",
-    "sweep": "vad.batches.blocks_of_poses",
+    "sweep": "vad.batches.sweep",
     "show": "vad.showing",
     "widget": "vad.showing",
     "sheet_from_json": "vad.export.sheet_json",

@@ -19,7 +19,7 @@ import pytest
 import vad
 from tests.batches.conftest import CLASS
 from tests.oracle import reference
-from vad.batches import picking
+from vad.batches import making
 
 ROOT = Path(__file__).parents[2]
 EVERYTHING = """\
@@ -195,8 +195,8 @@ def test_a_row_that_fails_is_no_hindrance(written, tmp_path):
 
 
 def test_numbers_that_are_nowhere_found_name_the_dyad(written, tmp_path, monkeypatch):
-    assert picking.TRIES == 2000
-    monkeypatch.setattr(picking, "TRIES", 50)
+    assert making.TRIES == 2000
+    monkeypatch.setattr(making, "TRIES", 50)
     text = CLASS.replace("{ share = 0.25 }", "[400, 450]", 1).replace("10", "1")
     (done,) = vad.batch(written(text), tmp_path / "out")
     assert "in 50 tries" in str(done.error)

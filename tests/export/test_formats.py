@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import vad
-from vad.batches.wanted import format_words
+from vad.batches.sheets import format_words
 from vad.cli.run import run
 from vad.errors import UsageError
 from vad.export import FORMATS, formats

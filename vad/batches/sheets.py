@@ -1,18 +1,379 @@
-"""What a class is to get: in comes the path of a TOML or CSV file, out go its jobs."""
+"""What a class is to get: in comes the path of a TOML or CSV file, out go its jobs.
+
+The words of [sheet] in TOML are columns in CSV, with one row a sheet.  A row that cannot be read is
+no hindrance for the others; an empty cell is left out.
+"""
 
 from __future__ import annotations
 
+import csv
+import io
 import os
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, fields
+from functools import cache
 from pathlib import Path
+from typing import Any
 
-from vad.batches.sheets_csv import Rows, read_csv
-from vad.batches.sheets_toml import read_toml
-from vad.errors import UsageError, shown
-from vad.files.tables import text_of
+from vad.batches.choices import kind_of, offered, text_beside, written_at
+from vad.batches.job import Done, Job, Recipe
+from vad.errors import InputError, UsageError, VadError, one_of, shown, unknown
+from vad.export import FOLDER, FORMATS, options_of, own_options
+from vad.files.tables import Source, parsed, text_of
+from vad.found import one_of_all
+from vad.lecture.lesson import Lesson
+from vad.lecture.timeline import checked
+from vad.mechanisms.link_points import link_points
+from vad.plan.format import paper_names
+from vad.strokes.diagrams import DIAGRAMS
+from vad.strokes.language import languages
+from vad.strokes.sheet import Sheet
+from vad.style import GROUP, style_names
+from vad.units import check_length_unit
 
+#: The files of a sheet whose name begins so are left to be filled in; all others are keys.
+PROBLEM = "problem"
+#: The most sheets of one file.
+MOST = 100_000
+_BLANK = ("velocity", "acceleration")
+#: Those that are not handed on to the verbs.
+_OF_THE_BATCH = ("count", "seed", "files", "blank")
+#: The least sine where nothing else is said: lines cross at more than 11.5°.
+KEEP = 0.2
+_TABLES = ("sheet", "vary", "keep")
+_LISTS = ("files", "blank", "panels")
+_NUMBER = re.compile(r"[+-]?\d+")
 #: No class is so large.
 _LONGEST = 10_000_000
 _HINT = "as in sheets.toml, or sheets.csv with one row a sheet"
+
+
+def whole(value: object, least: int, most: int) -> int:
+    """Return a whole number between two others."""
+    if not isinstance(value, int) or isinstance(value, bool) or not least <= value <= most:
+        raise InputError(f"must be a whole number from {least} to {most}, got {shown(value)}")
+    return value
+
+
+def names(value: object) -> tuple[str, ...]:
+    """Return a list of names; one name may stand alone."""
+    listed = [value] if isinstance(value, str) else value
+    if not isinstance(listed, list | tuple) or not all(isinstance(each, str) for each in listed):
+        raise InputError(f"must be a list of names, got {shown(value)}", 'as in ["a", "b"]')
+    return tuple(dict.fromkeys(listed))
+
+
+def _count(value: object) -> int:
+    return whole(value, 1, MOST)
+
+
+def _seed(value: object) -> int:
+    return whole(value, 0, 2**63 - 1)
+
+
+def _files(value: object) -> tuple[str, ...]:
+    found = names(value)
+    if not found:
+        raise InputError("none given", 'as in ["problem.pdf", "key.pdf"]')
+    for name in found:
+        if name != Path(name).name or name.startswith(".") or not name.isprintable():
+            raise InputError(f"{shown(name)} is no name of a file", 'as in "key.pdf"')
+        film, kind = is_film(name), Path(name).suffix.lower()
+        if is_problem(name) and (film or "blank" not in options_of(Sheet, kind)):
+            raise InputError(f"{shown(name)}: only a picture can be a problem", "call it a key")
+    return found
+
+
+def _panels(value: object) -> tuple[str, ...]:
+    return tuple(one_of("panel", name, DIAGRAMS) for name in names(value))
+
+
+def _film(fps: Any = 30, size: Any = (1280, 720), speed: Any = 1.0) -> tuple[Any, ...]:
+    return checked(fps, tuple(size) if isinstance(size, list) else size, speed, "paper")
+
+
+def _unit(value: object) -> str:
+    if not isinstance(value, str):
+        raise InputError(f"must be the name of a unit, got {shown(value)}", 'as in "mm"')
+    return check_length_unit(value)
+
+
+#: How each word is read.
+WORDS: dict[str, Callable[[object], Any]] = {
+    "count": _count,
+    "seed": _seed,
+    "files": _files,
+    "blank": _panels,
+    "panels": _panels,
+    "language": lambda value: one_of("language", value, languages()),
+    "style": lambda value: one_of_all("style", value, style_names(), GROUP),
+    "paper": lambda value: one_of("paper", value, paper_names()),
+    "fps": lambda value: _film(fps=value)[0],
+    "size": lambda value: _film(size=value)[1],
+    "speed": lambda value: _film(speed=value)[2],
+    "length_unit": _unit,
+    "points": lambda value: dict(link_points(value)),
+}
+
+
+@cache
+def format_words() -> dict[str, Callable[[object], Any]]:
+    """Return how the options are read that formats have of their own, by name."""
+    modules = {**FORMATS[Lesson], **FORMATS[Sheet]}.values()
+    return {name: option.read for name, option in own_options(modules).items()}
+
+
+def read_word(word: str, value: object) -> Any:
+    """Return what stands behind a word.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If there is no such word, or it cannot stand there.
+    """
+    read = WORDS.get(word) or format_words().get(word)
+    if read is None:
+        raise unknown("word", word, ["mechanism", *WORDS, *format_words()])
+    with written_at(word):
+        return read(value)
+
+
+def is_problem(name: str) -> bool:
+    """Tell whether a file is one to be filled in."""
+    return name.startswith(PROBLEM)
+
+
+def is_film(name: str) -> bool:
+    """Tell whether a file is a film; otherwise it is a picture.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If it is neither.
+    """
+    kind = Path(name).suffix.lower()
+    kinds = dict.fromkeys((*FORMATS[Sheet], *FORMATS[Lesson]))
+    kinds.pop(FOLDER)
+    if kind not in kinds:
+        raise InputError(f"{shown(name)} is no file of a sheet", f"known: {', '.join(kinds)}")
+    return kind not in FORMATS[Sheet]
+
+
+def recipe(
+    mechanism: str,
+    text: str | None,
+    vary: tuple[tuple[str, tuple[Any, ...]], ...],
+    words: dict[str, Any],
+    keep: float = 0.0,
+) -> Recipe:
+    """Return what sheets have in common, with ``words`` as `WORDS` has read them.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If panels are to be left blank, but no file is a problem.
+    """
+    files = words.get("files", (f"{PROBLEM}.pdf", "key.pdf"))
+    if words.get("blank") and not any(map(is_problem, files)):
+        raise InputError("blank: none of the files is the problem", 'call one "problem.pdf"')
+    usual = [name for name in _BLANK if name in words.get("panels", DIAGRAMS)]
+    options = {"paper": "A4"} | {
+        name: value for name, value in words.items() if name not in _OF_THE_BATCH
+    }
+    return Recipe(
+        mechanism,
+        text,
+        vary,
+        keep,
+        words.get("seed", 0),
+        files,
+        words.get("blank", tuple(usual)),
+        tuple(sorted(options.items())),
+    )
+
+
+def read_toml(text: str, path: Path) -> list[Job]:
+    """Return the jobs of a text, which is that of the file ``path``.
+
+    Raises
+    ------
+    vad.errors.InputError
+        With its line, for what cannot be.
+    """
+    source = _checked(parsed(text, path.name))
+    words: dict[str, Any] = {}
+    for word, value in source.table("sheet").items():
+        if word != "mechanism":
+            with written_at(source.place("sheet", word)):
+                words[word] = read_word(word, value)
+    with written_at(source.place("sheet", "mechanism")):
+        mechanism = source.table("sheet").get("mechanism")
+        if not isinstance(mechanism, str):
+            said = "is missing" if mechanism is None else f"must be a name, got {shown(mechanism)}"
+            raise InputError(f"mechanism: {said}", 'as in mechanism = "four-bar"')
+        body = text_beside(path, mechanism)
+        kind = kind_of(mechanism, body)
+    with written_at(source.place("sheet", "points")):
+        kind(points=words.get("points", {}))  # raises where they lie on no link
+    vary = []
+    for name, value in source.table("vary").items():
+        with written_at(source.place("vary", name)):
+            vary.append((name, offered(kind, name, value, words.get("length_unit"))))
+    keep, place = _keep(source), source.place("sheet", "")
+    with written_at(place):
+        common = recipe(mechanism, body, tuple(vary), words, keep)
+    count = words.get("count", 1)
+    width = max(3, len(str(count)))
+    return [Job(common, number, f"{number:0{width}}", place) for number in range(1, count + 1)]
+
+
+def _checked(source: Source) -> Source:
+    """Return the tables apart.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For one that sheets do not have.
+    """
+    tables = source.table("")
+    if "sheet" not in tables and {"fixed", "links"} & tables.keys():
+        hint = f'name it in a file of sheets: [sheet] mechanism = "{source.name}"'
+        raise InputError(f"{source.name}: is a mechanism, and no file of sheets", hint)
+    for name, value in tables.items():
+        table = isinstance(value, Mapping)
+        with written_at(source.place(*((name, "") if table else ("", name)))):
+            if name not in _TABLES:
+                raise unknown(
+                    "table" if table else "word", name, _TABLES if table else ("[sheet]",)
+                )
+            if not table:
+                raise InputError(f"{name}: must be a table", f"write [{name}]")
+    return Source(source.name, tables, source.lines)
+
+
+def _keep(source: Source) -> float:
+    """Return the least sine that is wanted."""
+    for word, value in source.table("keep").items():
+        with written_at(source.place("keep", word)):
+            if word != "sine":
+                raise unknown("word", word, ["sine"])
+            if not isinstance(value, int | float) or isinstance(value, bool) or not 0 <= value < 1:
+                wanted = "must be from 0 to below 1"
+                raise InputError(f"sine: {wanted}, got {shown(value)}", "try 0.35")
+            return float(value)
+    return KEEP
+
+
+@dataclass
+class Rows:
+    """What the rows of a table have become: jobs, and sheets that cannot be made."""
+
+    jobs: list[Job] = field(default_factory=list)
+    failed: list[Done] = field(default_factory=list)
+
+
+def read_csv(text: str, path: Path) -> Rows:
+    """Return the jobs of a text, which is that of the file ``path``.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If it has no rows, or a column that none of its mechanisms knows.
+    """
+    head = text.partition("\n")[0]
+    delimiter = ";" if head.count(";") > head.count(",") else ","
+    reader = csv.reader(io.StringIO(text), delimiter=delimiter)
+    rows: list[tuple[int, list[str]]] = []
+    with written_at(path.name):
+        try:
+            rows += [(reader.line_num, row) for row in reader if any(map(str.strip, row))]
+        except csv.Error as error:
+            raise InputError(f"line {reader.line_num}: {error}") from None
+        if len(rows) < 2:
+            raise InputError("has no rows", "a line of names, and a line for each sheet")
+    columns = [name.strip() for name in rows[0][1]]
+    with written_at(f"{path.name}, line {rows[0][0]}"):
+        _check_columns(columns, [row for _, row in rows[1:]], path)
+    read: list[tuple[str, int, Recipe | VadError]] = []
+    for line, row in rows[1:]:
+        place = f"{path.name}, line {line}"
+        try:
+            with written_at(place):
+                cells = _cells(columns, row)
+                count = read_word("count", _typed("count", cells.pop("count", "1")))
+                read += [(place, line, _recipe(cells, path))] * count
+        except VadError as error:
+            read.append((place, line, error))
+    if len(read) > MOST:
+        raise InputError(f"{path.name}: asks for {len(read)} sheets, more than {MOST}")
+    found = Rows()
+    width = max(3, len(str(len(read))))
+    for number, (place, _, made) in enumerate(read, start=1):
+        if isinstance(made, Recipe):
+            found.jobs.append(Job(made, number, f"{number:0{width}}", place))
+        else:
+            found.failed.append(Done(number, error=made))
+    return found
+
+
+def _check_columns(columns: list[str], rows: list[list[str]], path: Path) -> None:
+    """Check that each column means something to one of the mechanisms."""
+    if "mechanism" not in columns:
+        raise InputError("the column 'mechanism' is missing")
+    known = {"mechanism", *WORDS}
+    for row in rows:
+        name = dict(zip(columns, row, strict=False)).get("mechanism", "").strip()
+        try:
+            kind = kind_of(name, text_beside(path, name))
+        except VadError:
+            continue
+        known |= {each.name for each in fields(kind)} | set(kind.inputs)
+    for place, column in enumerate(columns):
+        if column not in known and column not in format_words():
+            raise unknown("column", column, sorted({*known, *format_words()}))
+        if column in columns[:place]:
+            raise InputError(f"there are two columns '{column}'")
+
+
+def _cells(columns: list[str], row: list[str]) -> dict[str, str]:
+    """Return the cells of a row that are not empty, by column."""
+    if any(cell.strip() for cell in row[len(columns) :]):
+        raise InputError(f"has {len(row)} cells for {len(columns)} columns")
+    pairs = zip(columns, row, strict=False)
+    return {name: cell.strip() for name, cell in pairs if cell.strip()}
+
+
+def _recipe(cells: Mapping[str, str], path: Path) -> Recipe:
+    if "mechanism" not in cells:
+        raise InputError("mechanism: is missing", "as in four-bar")
+    mechanism = cells["mechanism"]
+    text = text_beside(path, mechanism)
+    kind = kind_of(mechanism, text)
+    own = {"mechanism", *kind.inputs, *(each.name for each in fields(kind))}
+    words: dict[str, Any] = {}
+    for name, cell in cells.items():
+        if name in WORDS or (name not in own and name in format_words()):
+            words[name] = read_word(name, _typed(name, cell))
+    vary = []
+    for name, cell in cells.items():
+        if name not in words and name != "mechanism":
+            vary.append((name, offered(kind, name, cell, words.get("length_unit"))))
+    return recipe(mechanism, text, tuple(vary), words)
+
+
+def _typed(word: str, cell: str) -> object:
+    """Return a cell as TOML would have its value."""
+    if word in _LISTS:
+        return re.split(r"[\s;,]+", cell)
+    if word == "size":
+        return [int(each) for each in re.findall(r"\d{1,9}", cell)]
+    if _NUMBER.fullmatch(cell):
+        return int(cell[:30])
+    try:
+        return float(cell)
+    except ValueError:
+        return cell
 
 
 def read_sheets(path: str | os.PathLike[str]) -> Rows:

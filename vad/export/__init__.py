@@ -61,6 +61,13 @@ THINGS: dict[str, tuple[type, ...]] = {
 }
 #: The order in which formats are listed; others follow, and last the folder of frames.
 _FIRST = (".mp4", ".gif", ".csv", ".png", ".svg", ".pdf", ".json", ".srt", ".vtt", ".html")
+_NAMES: dict[type, str] = {
+    Sheet: "a picture",
+    Lesson: "a film",
+    Turn: "a turn",
+    Still: "one step of a film",
+    Multiples: "several poses",
+}
 
 
 def formats(*words: str) -> dict[str, str]:
@@ -78,15 +85,6 @@ def formats(*words: str) -> dict[str, str]:
             found[FOLDER if name == "frames" else f".{name}"] = f"vad.export.{module}"
     order = (*_FIRST, *sorted(found.keys() - {*_FIRST, FOLDER}), FOLDER)
     return {extension: found[extension] for extension in order if extension in found}
-
-
-_NAMES: dict[type, str] = {
-    Sheet: "a picture",
-    Lesson: "a film",
-    Turn: "a turn",
-    Still: "one step of a film",
-    Multiples: "several poses",
-}
 
 
 #: What can be saved as what: extension -> module, which is imported when it is used.

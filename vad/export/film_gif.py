@@ -30,6 +30,9 @@ _LONGEST = 0xFFFF
 #: After a pause as long as this, a picture may come in that many bands; see `_Film.show`.
 _PAUSE, _BANDS = 10, 3
 _LEAVE_IN_PLACE, _HAS_TRANSPARENT = 1 << 2, 1
+Mask = NDArray[np.bool_]
+#: The index that leaves a pixel as it was.
+AS_BEFORE = 0
 
 
 def write(lesson: Film, stream: BinaryIO, *, progress: Progress | None = None) -> None:
@@ -153,12 +156,6 @@ class _Film:
         screen = struct.pack("<HHBBB", *size, flags, 1, 0)
         loop = b"\x21\xff\x0bNETSCAPE2.0" + struct.pack("<BBHB", 3, 1, 0, 0)
         self._stream.write(b"GIF89a" + screen + colours + loop)
-
-
-Mask = NDArray[np.bool_]
-
-#: The index that leaves a pixel as it was.
-AS_BEFORE = 0
 
 
 def image_bytes(box: Box, now: Bytes, shown: Bytes, bits: int) -> bytes:

@@ -55,6 +55,18 @@ _BT709 = 1
 _LIMITED_RANGE = 1
 _LANGUAGES = {"en": "eng", "de": "deu", "es": "spa", "fr": "fra", "it": "ita"}
 _MILLISECOND = Fraction(1, 1000)
+Bytes = NDArray[np.uint8]
+# ITU-R BT.709, item 3: luma from R, G, B in [0, 1], colour differences, and the ranges of
+# 8-bit samples (219 and 224 of 255 steps above 16 and about 128).
+_RED, _GREEN, _BLUE = 0.2126, 0.7152, 0.0722
+_LUMA = 219 / 255 * np.array([_RED, _GREEN, _BLUE])
+_CB = 224 / 255 / (2 - 2 * _BLUE) * np.array([-_RED, -_GREEN, 1 - _BLUE])
+_CR = 224 / 255 / (2 - 2 * _RED) * np.array([1 - _RED, -_GREEN, -_BLUE])
+_HEAD = 8  # bytes: length and kind
+_LONG = 16  # of an atom whose length takes 64 bits
+_TO_THE_END = 0
+_FLAGS = 3  # where the last byte of the flags lies in an atom's content
+_ENABLED = 1
 
 
 def write(
@@ -218,16 +230,6 @@ def _write_cues(
         container.mux(packet)
 
 
-Bytes = NDArray[np.uint8]
-
-# ITU-R BT.709, item 3: luma from R, G, B in [0, 1], colour differences, and the ranges of
-# 8-bit samples (219 and 224 of 255 steps above 16 and about 128).
-_RED, _GREEN, _BLUE = 0.2126, 0.7152, 0.0722
-_LUMA = 219 / 255 * np.array([_RED, _GREEN, _BLUE])
-_CB = 224 / 255 / (2 - 2 * _BLUE) * np.array([-_RED, -_GREEN, 1 - _BLUE])
-_CR = 224 / 255 / (2 - 2 * _RED) * np.array([1 - _RED, -_GREEN, -_BLUE])
-
-
 def even(box: Box) -> Box:
     """Return ``box`` grown to even pixels, where chroma samples begin and end.
 
@@ -291,13 +293,6 @@ def _weighted(
     total += channels[2] * blue
     total += np.float32(offset + 0.5)  # to round where the conversion cuts off
     return total.astype(np.uint8)
-
-
-_HEAD = 8  # bytes: length and kind
-_LONG = 16  # of an atom whose length takes 64 bits
-_TO_THE_END = 0
-_FLAGS = 3  # where the last byte of the flags lies in an atom's content
-_ENABLED = 1
 
 
 def leave_off_last_track(stream: BinaryIO) -> None:

@@ -23,6 +23,10 @@ if TYPE_CHECKING:
 Film = Lesson | Turn
 #: Called with how many frames are done and how many there will be.
 Progress = Callable[[int, int], None]
+Picture = NDArray[Any]
+#: Rows without a change that part two bands.
+_GAP = 32
+_MOST = 3
 
 
 def painted(
@@ -51,13 +55,6 @@ def rate(fps: float) -> Fraction:
     (Fraction(30, 1), Fraction(2997, 100), Fraction(30000, 1001))
     """
     return Fraction(fps).limit_denominator(1001)
-
-
-Picture = NDArray[Any]
-
-#: Rows without a change that part two bands.
-_GAP = 32
-_MOST = 3
 
 
 def parted(frames: Iterable[Frame], size: tuple[int, int]) -> Iterator[tuple[Frame, list[Box]]]:

@@ -25,6 +25,8 @@ from vad.units import scene_unit
 FORMATS = formats("sweep")
 _LINK = ("angle", "omega", "alpha")
 _SLIDE = _POINT = ("position", "velocity", "acceleration")
+# Where this share of the poses at either end makes the range so much wider, it is cut off.
+_TAIL, _PEAK = 4.0, 6.0
 
 
 def save_sweep(motion: Motions, path: str | Path) -> None:
@@ -151,10 +153,6 @@ def _by_axis(values: NDArray[Any]) -> Iterator[tuple[str, NDArray[np.float64]]]:
         yield from zip("xy", (values.real, values.imag), strict=True)
     else:
         yield from zip("xyz", np.moveaxis(values, -1, 0), strict=True)
-
-
-# Where this share of the poses at either end makes the range so much wider, it is cut off.
-_TAIL, _PEAK = 4.0, 6.0
 
 
 def unwrapped(column: Column) -> Column:

@@ -48,6 +48,8 @@ _RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 _ANGLES, _NUMBERS = (1, 1.5, 3, 4.5, 6, 9, 10), (1, 2, 2.5, 5, 10)
 _HARD_SPACE = "\N{NO-BREAK SPACE}"
 _ENGLISH = Language("en")
+#: From the plot to a name, and from one name's middle to the next one's, in type sizes.
+_GAP, _PITCH = 0.5, 1.15
 
 
 def write(motion: Motions, target: BinaryIO) -> None:
@@ -224,10 +226,6 @@ class _Parted(ScalarFormatter):
         return re.sub(
             r"(?<![.\d])\d{5,}", lambda whole: typeset(whole[0]).replace(THIN_SPACE, r"\,"), text
         )
-
-
-#: From the plot to a name, and from one name's middle to the next one's, in type sizes.
-_GAP, _PITCH = 0.5, 1.15
 
 
 @dataclass(frozen=True, slots=True)

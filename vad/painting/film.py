@@ -28,6 +28,7 @@ from vad.style import Style, load_style
 Box = tuple[int, int, int, int]
 EMPTY: Box = (0, 0, 0, 0)
 Words = NDArray[np.uint32]  # one per pixel
+Pixels = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,9 +104,6 @@ def filmed(film: Lesson | Turn, most: float = math.inf) -> Iterator[Frame]:
 
     states = ((Moment(number), 1) for number in range(film.frames))
     return frames(TurnBoard(film), states, style)
-
-
-Pixels = NDArray[np.uint8]
 
 
 def frames(board: Board, moments: Iterable[tuple[Moment, int]], style: Style) -> Iterator[Frame]:

@@ -23,6 +23,8 @@ _ESCAPED = str.maketrans({letter: f"\\{letter}" for letter in "()\\"} | {"\r": "
 
 #: Left, bottom, right and top, in points.
 Area = tuple[float, float, float, float]
+_EM = 1000  # units of a character's own space
+_FULL = 256  # characters of one font
 
 
 def number(value: float) -> str:
@@ -130,10 +132,6 @@ class Objects:
     def _put(self, data: bytes) -> None:
         self._target.write(data)
         self._length += len(data)
-
-
-_EM = 1000  # units of a character's own space
-_FULL = 256  # characters of one font
 
 
 class Letters:

@@ -15,6 +15,8 @@ from vad.plan.lettering.glyphs import CLOSE, CURVE, LINE, MOVE, Codes, Letter, P
 from vad.plan.lettering.runs import Runs
 from vad.plan.marks import Bow, Disc, Lettering, Outline, Polygon, Polyline
 
+Stretch = tuple[Letter, ...]
+
 
 def outline(shape: Outline) -> tuple[Points, Codes]:
     """Return the path of a shape: vertices of shape (n, 2) and their codes."""
@@ -46,9 +48,6 @@ def _points(points: list[complex]) -> Points:
 
 def _codes(codes: list[int]) -> Codes:
     return np.array(codes, dtype=np.uint8)
-
-
-Stretch = tuple[Letter, ...]
 
 
 @lru_cache(maxsize=1024)

@@ -35,6 +35,13 @@ FACES: dict[Face, str] = {
 _LEGAL = (0, 13, 14)
 _FAMILY, _STYLE, _UNIQUE, _FULL, _POSTSCRIPT = 1, 2, 3, 4, 6
 _NAMES = (_FAMILY, _UNIQUE, _FULL, _POSTSCRIPT)
+#: For programs that ignore the fonts of a file; STIX itself has the same widths.
+_OTHERS = "STIXGeneral,serif"
+#: Units of a glyph's own space, as in the font.
+_EM = 1000
+_UNSEEN = f"font:{_EM}px STIXGeneral,serif;fill-opacity:0;stroke:none"
+_PREFIXES: dict[Face, str] = {"roman": "r", "italic": "i", "bold": "b", "bolditalic": "s"}
+_COMMANDS = {MOVE: ("M", 1), LINE: ("l", 1), QUADRATIC: ("q", 2)}
 
 
 class Faces:
@@ -86,10 +93,6 @@ def _woff(face: Face, letters: str) -> bytes:
     target = io.BytesIO()
     font.save(target)
     return target.getvalue()
-
-
-#: For programs that ignore the fonts of a file; STIX itself has the same widths.
-_OTHERS = "STIXGeneral,serif"
 
 
 class SetText:
@@ -176,13 +179,6 @@ def _says(stretch: Stretch) -> tuple[str, str]:
     """Return how a stretch differs from its line."""
     small = f"font-size:{number(stretch[0].size)}em" if stretch[0].size != 1.0 else ""
     return FACES[stretch[0].face], small
-
-
-#: Units of a glyph's own space, as in the font.
-_EM = 1000
-_UNSEEN = f"font:{_EM}px STIXGeneral,serif;fill-opacity:0;stroke:none"
-_PREFIXES: dict[Face, str] = {"roman": "r", "italic": "i", "bold": "b", "bolditalic": "s"}
-_COMMANDS = {MOVE: ("M", 1), LINE: ("l", 1), QUADRATIC: ("q", 2)}
 
 
 class DrawnText:
