@@ -23,8 +23,8 @@ from vad.kinematics.motion import Motion
 from vad.mechanisms import Mechanism
 from vad.notebook import Thing, in_notebook
 from vad.strokes.draw import chosen
-from vad.strokes.language import Language
 from vad.style import load_style
+from vad.words import Language
 
 if TYPE_CHECKING:
     from anywidget import AnyWidget

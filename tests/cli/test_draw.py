@@ -11,8 +11,8 @@ import pytest
 
 import vad as library
 from vad.mechanisms import MECHANISMS
-from vad.strokes.language import languages
 from vad.style import style_names
+from vad.words import languages
 
 SMALL = ("--fps", "5", "--size", "320x240", "--speed", "20")
 BEGINNINGS = {

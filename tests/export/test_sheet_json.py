@@ -20,8 +20,8 @@ from vad.errors import InputError, UsageError
 from vad.export import save, sheet_json
 from vad.painting.film import filmed
 from vad.painting.posed import picture
-from vad.strokes.language import languages
 from vad.strokes.sheet import Dot, Panel, Sheet, Stroke
+from vad.words import languages
 
 
 @pytest.fixture

@@ -17,7 +17,7 @@ from vad.gui.live import pose
 from vad.gui.messages import ExportQuestion, PoseQuestion
 from vad.gui.server import served
 from vad.mechanisms import MECHANISMS
-from vad.strokes.language import languages
+from vad.words import languages
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, JSHandle, Page

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 import vad
 from vad.lecture.lesson import Lesson
 from vad.page.document import document
-from vad.page.phrases import phrases
+from vad.words import Language
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
@@ -40,7 +40,7 @@ def page_of(name: str, code: str = "en", style: str = "paper", whole: bool = Fal
 LESSON = lesson_of("slider-crank")
 STROKES = len(LESSON.steps)
 FIRST = [0, 8, 15]
-WORDS = phrases("en")["player"]
+WORDS = Language("en").page("PLAYER")
 
 
 def show(page: Page, folder: Path, html: str, hash_: str = "") -> None:

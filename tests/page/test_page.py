@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import json
 import re
-import tomllib
 from base64 import b64encode
 from hashlib import sha256
+from importlib import import_module
 from itertools import product
 from pathlib import Path
 
@@ -16,13 +16,12 @@ import vad
 from tests.page.lessons import PARTS, lesson_of, page_of
 from vad.cli.run import run
 from vad.errors import UsageError
-from vad.page import phrases
 from vad.page.document import document
 from vad.page.spoken import spoken
 from vad.page.themed import CONTRAST, contrast, readable
-from vad.plan.page.captioning import setter
-from vad.strokes.language import languages
+from vad.strokes.sentences import pieces_of
 from vad.style import load_style, style_names
+from vad.words import languages
 
 LARGEST = 100_000
 EVERY = [(name, False) for name in vad.MECHANISMS] + [(name, True) for name in PARTS]
@@ -55,11 +54,14 @@ def test_it_asks_for_nothing_and_runs_one_script() -> None:
     assert f"script-src 'sha256-{proof}';" in policy
 
 
+TABLES = ("PLAYER", "SPOKEN", "WINDOW")
+
+
 @pytest.mark.parametrize("code", languages())
 def test_a_language_has_all_the_words(code: str) -> None:
-    home = Path(phrases.__file__).parent / "words"
     english, other = (
-        tomllib.loads((home / f"{each}.toml").read_text("utf-8")) for each in ("en", code)
+        {table: getattr(import_module(f"vad.words.{each}"), table) for table in TABLES}
+        for each in ("en", code)
     )
     for table, words in english.items():
         assert set(other[table]) <= set(words)
@@ -75,10 +77,9 @@ def test_a_language_has_all_the_words(code: str) -> None:
 def test_what_is_read_out_has_no_signs(case: tuple[str, bool], code: str) -> None:
     """Screen readers drop them."""
     sheet = lesson_of(case[0], code, whole=case[1]).sheet
-    write = setter(sheet)
     for panel in sheet.panels:
         for stroke in panel.strokes:
-            said = spoken(write(stroke.caption), code)
+            said = spoken(pieces_of(stroke.said), code)
             assert not re.search(r"[^\w\s.,;:’'()\-]|[₀-₉ₐ-ₜ²³]|\s\s|\s[.,;]", said), said
             assert re.findall(r"\d+[.,]\d+", said) == re.findall(
                 r"\d+[.,]\d+", stroke.caption.replace("\u202f", "\u202f")
@@ -87,8 +88,8 @@ def test_what_is_read_out_has_no_signs(case: tuple[str, bool], code: str) -> Non
 
 def test_letters_are_spelt_and_signs_have_names() -> None:
     sheet = lesson_of("slider-crank").sheet
-    write, panel = setter(sheet), sheet.panel("acceleration")
-    said = [spoken(write(stroke.caption), "en") for stroke in panel.strokes]
+    panel = sheet.panel("acceleration")
+    said = [spoken(pieces_of(stroke.said), "en") for stroke in panel.strokes]
     assert said[1].startswith(
         "a prime b prime n equals omega 2 squared times A B equals 10 squared"
     )

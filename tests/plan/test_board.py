@@ -18,7 +18,6 @@ from vad.plan.format import screen
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.marks import Bow, Lettering, Polygon
 from vad.plan.scale import Scale
-from vad.strokes.language import Language, languages
 from vad.strokes.sheet import (
     Arc,
     Arrow,
@@ -33,6 +32,7 @@ from vad.strokes.sheet import (
     Stroke,
 )
 from vad.style import load_style, style_names
+from vad.words import Language, languages
 
 EVERY = pytest.mark.parametrize("scene", SCENES)
 IN_THE_PLANE = pytest.mark.parametrize("scene", [s for s in SCENES if SCENES[s][0] in PLANE])

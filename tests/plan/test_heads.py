@@ -9,7 +9,7 @@ from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.plan.lettering.glyphs import width
 from vad.plan.stated_scale import SHORTEST_BAR
-from vad.strokes.language import languages
+from vad.words import languages
 
 GAP = 0.015
 

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import pytest
+
 import vad
 from vad.files.examples import example_path
 from vad.painting.shapes import outline
 from vad.plan.format import screen
 from vad.plan.layout import lay_out
 from vad.plan.lettering.glyphs import fitted, typeset, width
-from vad.plan.lettering.runs import Run, roman, sentence, symbols
+from vad.plan.lettering.runs import Run, roman, said, symbols
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Lettering
-from vad.plan.page.captioning import caption_marks, italic_names, setter
-from vad.strokes.language import Language
+from vad.plan.page.captioning import caption_marks
+from vad.strokes.arithmetic import Figure
+from vad.strokes.sentences import Sentence, Unit, Voice
+from vad.words import Piece, languages, text_of
 from vad.written import THIN_SPACE
 
 
@@ -34,41 +38,41 @@ def test_subscripts_and_superscripts_become_scripts():
     assert Run("2", "roman", 1) in roman("mm/s²")
 
 
-def test_a_caption_tells_the_point_a_from_the_article_and_seconds_from_the_point_s():
-    names = {"a", "d", "s", "ab", "AB"}
-    words = Language("en").upright
-    assert italics(sentence("a line through a, perpendicular to AB", names, words)) == "a AB"
-    assert italics(sentence("a fixed point, so a and d lie here", names, words)) == "a d"
-    assert italics(sentence("a fixed point, so d and a lie here", names, words)) == "d a"
-    assert italics(sentence("a fixed point, so a lies here", names, words)) == "a"
-    assert italics(sentence("ab = 600 mm/s along s", names)) == "ab s"
-    assert italics(sentence("Durch a parallel", names)) == "a"
+def test_a_caption_tells_points_from_words_by_what_they_are():
+    """The article "a" is no point, "de" between words no vector, and seconds are no point s."""
+    zero = Sentence("zero", {"point": "a", "symbol": "v"})
+    assert italics(said(zero.pieces)) == "a v"
+    parts = {"label": "at", "value": Figure(3.0), "unit": Unit("m/s"), "whose": "T"}
+    assert italics(said(Sentence("whole", parts).pieces)) == "at T"
+    parts |= {"label": "de", "whose": Sentence("velocity of", {"head": "E"})}
+    french = Voice("fr").pieces(Sentence("whole", parts))
+    assert text_of(french) == "de = 3.000 m/s, la vitesse de E."
+    assert italics(said(french)) == "de E"
 
 
-def test_short_words_are_no_names_but_where_one_stands_for_a_vector():
-    names, words = {"a", "t", "at", "e", "de", "m", "bm", "AT"}, Language("en").upright
-    assert italics(sentence("it stands at 60°, so at = at/AT", names, words)) == "at at AT"
-    assert italics(sentence("at is the velocity of T, at b", names, words)) == "at"
-    assert italics(sentence("bm = 2.1 m/s, 3 m from m", names, words)) == "bm m"
-    names, words = {"a", "m", "am", "im"}, Language("de").upright
-    assert italics(sentence("im Sinn von a, also im = am·2", names, words)) == "a im am"
+@pytest.mark.parametrize("code", languages())
+def test_fixed_text_says_itself_what_is_a_symbol(code: str):
+    cut = said(Voice(code).pieces(Sentence("spatial I", {"tau": Figure(3.0, "°")})))
+    assert italics(cut) == "OI τ OA" + (" OI" if code != "en" else "")
+    rates = {"turn": "2", "sum": "6", "value": "6", "unit": Unit("mm/s²"), "label": "y"}
+    about = said(Voice(code).pieces(Sentence("spatial about I acceleration", rates)))
+    assert italics(about).startswith("y α t AH ω h v τ OI")
 
 
-def test_a_caption_keeps_off_its_number_and_names_every_vector_of_an_image():
+def test_a_caption_keeps_off_its_number():
     sheet = vad.draw(vad.solve(vad.load(example_path("leg-from-coordinates"))()))
-    assert {"fh", "fg", "ce"} <= italic_names(sheet)
-    page, write = lay_out(screen((1280, 720)), {"acceleration": 1}, 3, 2), setter(sheet)
+    page = lay_out(screen((1280, 720)), {"acceleration": 1}, 3, 2)
     panel = sheet.panels[2]
     for index, stroke in enumerate(panel.strokes, start=1):
-        marks = caption_marks(stroke.caption, index, len(panel.strokes), write, page)
+        marks = caption_marks(stroke.said, index, len(panel.strokes), page)
         first, *_, number = (mark.shape for mark in marks)
         assert first.at.real + width(first.runs, first.size) < number.at.real - 0.015
 
 
-def test_a_vector_in_an_equation_is_no_french_word():
-    names, words = {"d", "de", "C"}, Language("fr").upright
-    assert italics(sentence("de C vers le bas, de = 630,4 mm/s", names, words)) == "C de"
-    assert italics(sentence("l’image d’un point", names, words)) == ""
+def test_a_caption_names_every_vector_of_an_image():
+    sheet = vad.draw(vad.solve(vad.load(example_path("leg-from-coordinates"))()))
+    names = " ".join(italics(said(s.said.pieces)) for p in sheet.panels for s in p.strokes)
+    assert {"fh", "fg", "ce"} <= set(names.split())
 
 
 def test_thousands_are_parted_by_less_than_a_letter():
@@ -91,7 +95,7 @@ def test_missing_letters_do_not_stop_the_painter():
 
 def test_lines_break_between_words_within_their_room():
     text = "Through the pole, parallel to the guide: the slider can move no other way"
-    lines = wrap(text, roman, 28.0, 500.0)
+    lines = wrap((Piece(text),), 28.0, 500.0)
     assert len(lines) == 2
     assert all(width(line, 28.0) <= 500.0 for line in lines)
     assert "".join(r.text for r in lines[0]) + " " + "".join(r.text for r in lines[1]) == text
@@ -100,14 +104,14 @@ def test_lines_break_between_words_within_their_room():
 def test_a_number_stays_with_its_unit():
     text = "ab = 0.3333 ft/s, so ω₃ = 1.2×10⁻⁷ rad/s, at 5 mm"
     for room in range(60, 700, 7):
-        lines = ["".join(r.text for r in line) for line in wrap(text, roman, 28.0, room)]
+        lines = ["".join(r.text for r in line) for line in wrap((Piece(text),), 28.0, room)]
         assert not any(line.startswith(("ft", "rad", "mm")) for line in lines)
 
 
 def test_lines_are_as_few_as_fit():
     text = "sb = 0.3281 ft/s, so ω = sb/DB = 0.3281/3.8 = 0.08633 rad/s, clockwise: B from D."
     for room in range(560, 1000, 10):
-        lines = wrap(text, roman, 28.0, room)
+        lines = wrap((Piece(text),), 28.0, room)
         assert len(lines) <= 2
         assert all(width(line, 28.0) <= room + 1.0 for line in lines)
 
@@ -115,14 +119,14 @@ def test_lines_are_as_few_as_fit():
 def test_lines_break_at_a_colon_or_comma_and_never_in_an_equation():
     text = "ce = 153.3 mm/s, so ω = ce/CE = 153.3/300 = 0.5109 rad/s, clockwise: E moves down."
     for room in range(700, 900, 10):
-        lines = ["".join(r.text for r in line) for line in wrap(text, roman, 28.0, room)]
+        lines = ["".join(r.text for r in line) for line in wrap((Piece(text),), 28.0, room)]
         assert len(lines) == 2
         assert lines[0][-1] in ",:"
 
 
 def test_an_equation_longer_than_a_line_breaks_before_a_sign():
     text = "ω = ce/CE = 153.3/300 = 0.5109 rad/s"
-    lines = ["".join(r.text for r in line) for line in wrap(text, roman, 28.0, 300.0)]
+    lines = ["".join(r.text for r in line) for line in wrap((Piece(text),), 28.0, 300.0)]
     assert len(lines) == 2
     assert lines[1][0] == "="
 

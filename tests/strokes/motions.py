@@ -16,8 +16,8 @@ from tests.invariants.test_motion import defaults, optional, well_away_from_a_de
 from tests.kinds import PLANE
 from vad.kinematics.linkage import Slide
 from vad.kinematics.motion import Motion
-from vad.strokes.language import languages
 from vad.strokes.sheet import Arrow, Panel, Sheet, Stroke
+from vad.words import languages
 
 COUNT = 10
 ORDERS = {"position": 0, "velocity": 1, "acceleration": 2}

@@ -23,8 +23,8 @@ from tests.strokes.motions import (
 from tests.strokes.wording import WORDING
 from vad.kinematics.linkage import Bar, Slide, Step
 from vad.kinematics.motion import Motion
-from vad.strokes.language import Language, languages
 from vad.strokes.sheet import Arc, Arrow, Line
+from vad.words import Language, languages
 
 
 def test_every_language_is_understood() -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,7 +12,7 @@ import vad
 from vad.kinematics.any_solver import AnySolver
 from vad.kinematics.solver import Solver, solver_of
 from vad.kinematics.space.solver import SpaceSolver
-from vad.strokes.draw import sketch
+from vad.strokes.sentences import Voice
 
 PANELS = ("position", "velocity", "acceleration")
 
@@ -65,14 +64,23 @@ def test_nothing_is_computed_before_it_is_asked_for(calls: Counter[str]) -> None
 
 
 @pytest.mark.parametrize("name", list(vad.MECHANISMS))
-def test_a_sketch_is_a_sheet_without_captions(name: str) -> None:
-    motion = vad.solve(vad.MECHANISMS[name]())
-    sheet, bare = vad.draw(motion, language="de"), sketch(motion, None, "de")
-    for half, other in zip(sheet.halves, bare.halves, strict=True):
-        assert all(stroke.caption for stroke in half.strokes)
-        assert other.strokes == tuple(replace(stroke, caption="") for stroke in half.strokes)
-        assert replace(other, strokes=half.strokes, below=half.below) == half
-    assert replace(bare, panels=sheet.panels) == sheet
+def test_no_caption_becomes_text_before_it_is_read(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    said: list[Any] = []
+
+    def pieces(self: Voice, part: Any) -> Any:
+        said.append(part)
+        return spoken(self, part)
+
+    spoken = Voice.pieces
+    monkeypatch.setattr(Voice, "pieces", pieces)
+    sheet = vad.draw(vad.solve(vad.MECHANISMS[name]()), language="de")
+    strokes = [stroke for half in sheet.halves for stroke in half.strokes]
+    captions = [stroke.said for stroke in strokes]
+    assert not any(each is part for each in captions for part in said)
+    assert all(stroke.caption for stroke in strokes)
+    assert all(any(each is part for part in said) for each in captions)
 
 
 def test_panels_come_in_their_own_order() -> None:

@@ -14,8 +14,8 @@ from tests.strokes.calculations import FIGURE, FLOATS, Figure, chains
 from tests.strokes.crossings import crossings_lie_on_lines, size
 from tests.strokes.poses import IN_SPACE, sheets
 from tests.strokes.wording import WORDING
-from vad.strokes.language import languages
 from vad.strokes.sheet import Arrow, Cell, Dot, Panel, Row, Sheet, Stroke
+from vad.words import languages
 
 everything = pytest.mark.parametrize("mechanism", IN_SPACE.values(), ids=list(IN_SPACE))
 each_kind = pytest.mark.parametrize("kind", SPACE.values(), ids=list(SPACE))

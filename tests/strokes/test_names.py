@@ -9,8 +9,8 @@ import pytest
 import vad
 from tests.kinds import SPACE
 from tests.strokes.poses import MECHANISMS, sheets
-from vad.strokes.language import languages
 from vad.strokes.sheet import CoriolisInset
+from vad.words import languages
 
 FORM = re.compile(
     r"pole|[A-Z]\.(fixed|found|crossing|image)"

@@ -12,7 +12,7 @@ from tests.strokes.calculations import THIN
 from tests.strokes.motions import everything, in_every_language
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of
 from vad.mechanisms import MECHANISMS, Mechanism
-from vad.strokes.language import Language
+from vad.strokes.sentences import Noun, Sentence, Voice
 from vad.strokes.sheet import Sheet
 from vad.strokes.words import describe, title
 
@@ -109,7 +109,7 @@ def test_nouns_have_their_articles_and_numbers_their_comma(
 
 @in_every_language
 def test_a_name_that_nobody_has_translated_stands_in_a_whole_sentence(code: str) -> None:
-    sentence = Language(code).say("angle", link="geneva_wheel")
+    sentence = Voice(code).text(Sentence("angle", {"link": Noun("geneva_wheel")}))
     start = {"en": "of the geneva", "de": "des Glieds geneva", "fr": "de la barre geneva"}
     assert f"{start[code]} wheel" in sentence
 

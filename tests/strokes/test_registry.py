@@ -14,7 +14,7 @@ import pytest
 
 import vad
 from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.language import Language, languages
+from vad.words import Language, languages
 
 PACKAGE = Path(vad.__file__).parent
 

@@ -16,11 +16,11 @@ from tests.plan.overlaps import overlaps
 from tests.strokes.named import dot, stroke, vector
 from vad.export.sheet_json import to_text
 from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.language import Language, languages
 from vad.strokes.scenes import scene_of
 from vad.strokes.sheet import Curve, Line, Panel, Sheet
 from vad.strokes.space.screw_rates import ScrewRates
 from vad.strokes.space.spatial_places import seen
+from vad.words import Language, languages
 
 ANGLES = [*range(0, 360, 30), 77, 341]
 TWIST = math.radians(60.0)

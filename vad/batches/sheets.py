@@ -27,10 +27,10 @@ from vad.lecture.timeline import checked
 from vad.mechanisms.link_points import link_points
 from vad.plan.format import paper_names
 from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.language import languages
 from vad.strokes.sheet import Sheet
 from vad.style import GROUP, style_names
 from vad.units import check_length_unit
+from vad.words import languages
 
 #: The files of a sheet whose name begins so are left to be filled in; all others are keys.
 PROBLEM = "problem"

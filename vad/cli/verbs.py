@@ -20,10 +20,10 @@ from vad.lecture.lesson import Lesson
 from vad.lecture.still import Still
 from vad.plan.format import paper_names
 from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.language import languages
 from vad.strokes.sheet import Sheet
 from vad.style import GROUP as STYLES
 from vad.style import style_names
+from vad.words import languages
 
 _SHEET = [
     click.Option(

@@ -17,6 +17,7 @@ from vad.export.data.old_sheets import with_facts
 from vad.export.data.records import within
 from vad.export.data.sheet_form import SHEET
 from vad.strokes.sheet import BELOW, Sheet
+from vad.strokes.translation import as_written, translated
 
 
 def write(
@@ -58,16 +59,23 @@ def _text(value: Any) -> str:
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
 
 
-def sheet_from_json(source: str | os.PathLike[str] | Mapping[str, Any]) -> Sheet:
+def sheet_from_json(
+    source: str | os.PathLike[str] | Mapping[str, Any], language: str | None = None
+) -> Sheet:
     """Return the sheet that was saved as JSON.
 
     Parameters
     ----------
     source
         The name of a file, its text, or what ``json.load`` makes of it.
+    language
+        The language in which it is to be read, as a two-letter code; its own if None.  Texts that
+        were saved without their sentences, or edited since, stay as they are.
 
     Raises
     ------
+    vad.errors.UsageError
+        For an unknown language.
     vad.errors.InputError
         If there is no such file, or it holds no whole sheet: the message says where.
 
@@ -77,14 +85,19 @@ def sheet_from_json(source: str | os.PathLike[str] | Mapping[str, Any]) -> Sheet
     >>> sheet = vad.draw(vad.solve(vad.FourBar()))
     >>> sheet_from_json(to_text(sheet)) == sheet
     True
+    >>> sheet_from_json(to_text(sheet), language="de").title
+    'Gelenkviereck'
     """
     name, data = _loaded(source)
     try:
-        sheet: Sheet = SHEET.read(data, "")
+        sheet: Sheet = as_written(SHEET.read(data, ""))
         _check(sheet)
+    except RecursionError:
+        raise InputError(f"{name}: sentences within sentences without an end") from None
     except InputError as error:
         raise InputError(f"{name}: {error}", hint="as vad draw … -o sheet.json writes it") from None
-    return sheet if "driver" in data else with_facts(sheet)
+    sheet = sheet if "driver" in data else with_facts(sheet)
+    return sheet if language is None else translated(sheet, language)
 
 
 def _loaded(source: str | os.PathLike[str] | Mapping[str, Any]) -> tuple[str, Any]:

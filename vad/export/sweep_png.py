@@ -24,10 +24,10 @@ from vad.kinematics.motion import Motions
 from vad.kinematics.solver import Solver
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import roman
-from vad.strokes.language import Language
 from vad.strokes.members import members_of
 from vad.style import Style, load_style
 from vad.units import scene_unit
+from vad.words import Language
 from vad.written import THIN_SPACE, WRITTEN_OUT, quantity, sign, typeset
 
 _SIZE, _DPI = (1600, 1200), 100

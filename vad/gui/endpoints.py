@@ -31,7 +31,7 @@ from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion, Quest
 from vad.gui.problems import problem
 from vad.gui.saving import MEDIA, Closing, saved
 from vad.gui.window import window
-from vad.strokes.language import languages
+from vad.words import languages
 
 _RETRY = {"retry-after": "5"}
 

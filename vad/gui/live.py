@@ -31,7 +31,7 @@ from vad.painting.svg_text import Faces
 from vad.plan.format import screen
 from vad.plan.live.live_board import LiveBoard
 from vad.plan.scale import Scale
-from vad.strokes.draw import chosen, sketch
+from vad.strokes.draw import chosen
 from vad.strokes.sheet import Panel, Sheet
 from vad.style import load_style
 
@@ -70,12 +70,12 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
     panels = chosen(question.panels or None, motion)
     trouble: dict[str, Any] = {}
     try:
-        sheet = sketch(motion, panels, question.language)
+        sheet = vad.draw(motion, panels, question.language)
         trouble = {"results": motion.to_dict()}
     except DeadCentreError as error:
         if POSITION not in panels:
             raise
-        sheet = sketch(motion, POSITION, question.language)
+        sheet = vad.draw(motion, POSITION, question.language)
         trouble = {"error": problem(error, question.fields)}
     scales = {name: scale_of(values) for name, values in question.scales.items()}
     rested = question.rested(mechanism)
@@ -146,7 +146,7 @@ def _over(mechanism: Mechanism) -> Iterable[Motion]:
 
 def _pictured(motion: Motion) -> Panel:
     """Return the mechanism in one pose."""
-    return sketch(motion, POSITION, "en").panel(POSITION)
+    return vad.draw(motion, POSITION, "en").panel(POSITION)
 
 
 @lru_cache(maxsize=8)

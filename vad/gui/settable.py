@@ -11,9 +11,8 @@ from vad.files.loading import WrittenMechanism
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
 from vad.mechanisms.mechanism import NUMBERS
-from vad.page.phrases import phrases
-from vad.strokes.language import Language
 from vad.units import scene_unit
+from vad.words import Language
 
 _TURN, _HALF = (0.0, 360.0), (-180.0, 180.0)
 _LONGEST, _SHORTEST = 3.0, 0.05  # of a default length, at the ends of its slider
@@ -39,7 +38,7 @@ def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
     numbers = [each for each in known.values() if each.metadata["quantity"] in NUMBERS]
     lengths: list[Any] = [e.default for e in numbers if e.metadata["quantity"] == "length"]
     longest = max((abs(float(each)) for each in lengths if each), default=1.0)
-    texts = phrases(language)["window"]
+    texts = Language(language).page("WINDOW")
     return {
         "title": say.name(kind.title),
         "name": kind.name,

@@ -14,13 +14,12 @@ from vad.gui.messages import ExportQuestion
 from vad.gui.saving import MEDIA
 from vad.gui.settable import entry
 from vad.page.document import asset, colours, player
-from vad.page.phrases import phrases
 from vad.page.themed import themes
 from vad.painting.svg_text import FACES, Faces
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import chosen
-from vad.strokes.language import Language, languages
 from vad.style import load_style
+from vad.words import Language, languages
 
 #: The parts of its script, in order.
 SCRIPTS = (
@@ -48,7 +47,7 @@ def window(start: ExportQuestion, nonce: str, head: str = "") -> str:
         For a language, style or panel that there is not.
     """
     code, say = start.language, Language(start.language)
-    texts, own = phrases(code)["window"], phrases(code)["player"]
+    texts, own = say.page("WINDOW"), say.page("PLAYER")
     inks = len(load_style(start.style).inks)
     titles = [say.name(DIAGRAMS[name].title) for name in chosen(start.panels or None)]
     opening = {name: value for name, value in vars(start).items() if name != "kinds"}

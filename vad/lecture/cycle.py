@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 from vad.kinematics.motion import solve
 from vad.strokes.diagram import Spot
 from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.language import Language
 from vad.strokes.order import POSITION
 from vad.strokes.scenes import AnyScene, scene_of
 from vad.strokes.sheet import BELOW
+from vad.words import Language
 
 if TYPE_CHECKING:
     from vad.lecture.course import Course

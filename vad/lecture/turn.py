@@ -155,7 +155,7 @@ def turn(
     from vad.kinematics.motion import Motion, solve
     from vad.lecture.course import course
     from vad.strokes.draw import chosen
-    from vad.strokes.language import Language
+    from vad.words import Language
 
     fps, size, speed = checked(fps, size, speed, style)
     motion = mechanism if isinstance(mechanism, Motion) else solve(mechanism)

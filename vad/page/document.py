@@ -17,10 +17,10 @@ from string import Template
 
 from vad.lecture.lesson import Lesson
 from vad.page.parts import Parts, parts
-from vad.page.phrases import phrases
 from vad.page.themed import themes, variables
 from vad.strokes.words import title
 from vad.style import load_style
+from vad.words import Language
 
 #: The style of what is printed, if the page has it.
 _PRINTED = "paper"
@@ -72,7 +72,7 @@ def section(lesson: Lesson, made: Parts) -> str:
     """Return the parts of a lesson in their places, with its player."""
     names = " ".join(style.name for style in themes(load_style(lesson.style)))
     code, titles = lesson.sheet.language, [panel.title for panel in lesson.sheet.panels]
-    strokes = phrases(code)["player"]["strokes"]
+    strokes = Language(code).page("PLAYER")["strokes"]
     return (
         f'<main class="vad" data-theme="{lesson.style}" data-themes="{names}">\n'
         f'<div class="board"><header>{made.head}</header>\n'
@@ -88,7 +88,7 @@ def player(
     code: str, titles: Sequence[str], chapters: str = "", count: int = 0, lines: int = 1
 ) -> str:
     """Return caption, scrubber and buttons in a language, for panels with these titles."""
-    said = phrases(code)["player"]
+    said = Language(code).page("PLAYER")
     return Template(asset("player.html")).substitute(
         {name.replace("-", "_"): escape(words) for name, words in said.items()},
         chapters=chapters,

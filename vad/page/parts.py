@@ -13,7 +13,6 @@ from typing import Any
 from vad.lecture.lesson import Lesson, Step
 from vad.page.ink import Inker
 from vad.page.panels import panel_section
-from vad.page.phrases import phrases
 from vad.page.results_table import table
 from vad.page.spoken import spoken
 from vad.page.themed import Inks
@@ -22,11 +21,12 @@ from vad.painting.posed import SIZE
 from vad.painting.svg_text import Faces
 from vad.plan.board import Plan, plan
 from vad.plan.format import screen
-from vad.plan.lettering.runs import roman
+from vad.plan.lettering.runs import roman, said
 from vad.plan.lettering.wrapping import tied
-from vad.plan.page.captioning import setter
+from vad.strokes.sentences import pieces_of
 from vad.strokes.words import parameters
 from vad.style import load_style
+from vad.words import Language
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,8 +80,7 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
     style, faces = load_style(lesson.style), Faces()
     inker, words = Inker(board.form, Inks(style), faces), Words(faces)
     sheet = lesson.sheet
-    write = setter(sheet)
-    said = [_listed(lesson, step, write, words) for step in lesson.steps]
+    listed = [_listed(lesson, step, words) for step in lesson.steps]
     drawn = [panel_section(board, panel, inker, words) for panel in sheet.panels]
     results = table(board, style.key, inker, words)
     title = words.of(roman(sheet.title), light=False, heavy=True)
@@ -100,7 +99,7 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
             f"<div><h3>{words.of(roman(panel.title), light=False, heavy=True)}</h3><ol>"
             + "".join(
                 item
-                for step, (item, _) in zip(lesson.steps, said, strict=True)
+                for step, (item, _) in zip(lesson.steps, listed, strict=True)
                 if step.panel.column == panel.name
             )
             + "</ol></div>"
@@ -113,9 +112,9 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
                 [round(step.grow / lesson.fps, 3), round(step.hold / lesson.fps, 3)]
                 for step in lesson.steps
             ],
-            "spoken": [words for _, words in said],
+            "spoken": [words for _, words in listed],
             "grow": inker.growths,
-            "words": phrases(sheet.language)["player"],
+            "words": Language(sheet.language).page("PLAYER"),
         },
         lines=len(board.page.captions),
         looks=inker.classes.sheet(),
@@ -123,9 +122,9 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
     )
 
 
-def _listed(lesson: Lesson, step: Step, write: Any, words: Words) -> tuple[str, str]:
+def _listed(lesson: Lesson, step: Step, words: Words) -> tuple[str, str]:
     """Return the caption of a step as an entry of the list, and as it is read out."""
-    runs = write(tied(step.stroke.caption))
+    pieces = pieces_of(step.stroke.said)
     place = f"#step={step.panel.column}:{lesson.place(step)}"
-    said = spoken(runs, lesson.sheet.language)
-    return f'<li><a href="{place}">{words.of(runs)}</a></li>', said
+    item = f'<li><a href="{place}">{words.of(said(tied(pieces)))}</a></li>'
+    return item, spoken(pieces, lesson.sheet.language)

@@ -20,8 +20,8 @@ from vad.plan.page.changing import measuring
 from vad.plan.page.columns import CLEAR, EQUALS, VALUES, Columns, alike
 from vad.plan.page.entries import SIZE
 from vad.plan.page.table import table as laid_out
-from vad.strokes.language import Language
 from vad.strokes.sheet import Cell, Panel, Row
+from vad.words import Language
 from vad.written import with_unit
 
 PADDING = 0.25 * SIZE  # behind a symbol

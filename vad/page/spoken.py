@@ -1,39 +1,59 @@
-"""Captions as they are read out: in come runs, out go words for signs that a screen reader drops.
+"""Captions as they are read out: signs that a screen reader drops become words.
 
 Letters of points and vectors are spelt one by one: "b prime n", "omega 2 squared".
 """
 
 from __future__ import annotations
 
-import re
-from itertools import groupby
+from collections.abc import Iterator, Mapping
 
-from vad.page.phrases import phrases
-from vad.plan.lettering.runs import Run, Runs
+from vad.plan.lettering.runs import Run, roman, said
+from vad.words import Language, Piece
 
-_SPELT = ("italic", "bolditalic")
+#: What stands at the end of a word, without a space before it.
+_MARKS = ",.;:"
 
 
-def spoken(runs: Runs, code: str) -> str:
-    """Return runs in words of the language ``code``."""
-    said = phrases(code)["spoken"]
-    text = ""
-    for manner, group in groupby(runs, _manner):
-        letters = [letter for run in group for letter in run.text]
-        words = [said.get(letter, letter) for letter in letters]
-        if manner == "power":
-            power = "".join(words)
-            text += " " + (said.get(f"^{power}") or said["^"].format(power)) + " "
+def spoken(pieces: tuple[Piece, ...], code: str) -> str:
+    """Return what pieces say in words of the language ``code``.
+
+    Examples
+    --------
+    >>> from vad.strokes.sentences import Sentence, Unit
+    >>> spoken(Sentence("whole", {"label": "b′c", "value": "5", "unit": Unit("mm/s²"),
+    ...     "whose": Sentence("acceleration of", {"head": "C"})}).pieces, "en")
+    'b prime c equals 5 mm per second squared, the acceleration of C.'
+    """
+    signs = Language(code).page("SPOKEN")
+    words = "".join([part for piece in pieces for part in _read(piece, signs)])
+    text = " ".join(words.split()) + " "
+    for mark in _MARKS:
+        text = text.replace(f" {mark} ", f"{mark} ")
+    return text.strip()
+
+
+def _read(piece: Piece, signs: Mapping[str, str]) -> Iterator[str]:
+    """Yield the words for a piece, by what it is."""
+    if piece.kind == "unit":
+        length, per_second, power = piece.text.partition("/s")
+        yield length + (signs["/s"] if per_second else "")
+        runs = roman(power)
+    else:
+        runs = said((piece,))
+    for run in runs:
+        letters = [signs.get(letter, letter) for letter in run.text]
+        if run.script > 0:
+            yield f" {_power(''.join(letters), signs)} "
+        elif _is_spelt(run, piece):
+            yield f" {' '.join(letters)} "
         else:
-            text += f" {' '.join(words)} " if manner == "spelt" else "".join(letters)
-    for sign in sorted(said, key=len, reverse=True):  # "/s" before "/"
-        end = r"(?![A-Za-z])" if sign[-1].isalpha() else ""
-        text = re.sub(re.escape(sign) + end, said[sign], text)
-    return re.sub(r" (?=[,.;:](?:\s|$))", "", re.sub(r"\s+", " ", text)).strip()
+            yield "".join(letters)
 
 
-def _manner(run: Run) -> str:
-    """Return how a run is read: as a power, letter by letter, or as it is written."""
-    if run.script > 0:
-        return "power"
-    return "spelt" if run.script < 0 or run.face in _SPELT else "written"
+def _is_spelt(run: Run, piece: Piece) -> bool:
+    """Tell whether letters are read one by one: those of symbols are, and Greek ones."""
+    return piece.kind == "symbol" or run.face == "italic"
+
+
+def _power(exponent: str, signs: Mapping[str, str]) -> str:
+    return signs.get(f"^{exponent}") or signs["^"].format(exponent)

@@ -8,9 +8,9 @@ from functools import lru_cache
 from typing import Any, cast
 
 from vad.kinematics.linkage import Bar, Scalar, Slide, Step, scalar_of
-from vad.strokes.language import Language
 from vad.strokes.members import Members
 from vad.strokes.scene import Scene, image_letter
+from vad.strokes.sentences import Sentence, Text, Voice
 from vad.strokes.sheet import Component
 from vad.strokes.vector_equations import Chain, Part, Vector, VectorEquation
 
@@ -53,7 +53,7 @@ def equations_of(scene: Scene, order: int) -> list[VectorEquation[StepVector]]:
 
 def chain_of(scene: Scene, step: Step, order: int) -> Chain[StepVector]:
     """Return the chain of a step that is wholly known."""
-    outline = _outline(scene.members, scene.language, (step,), (), order)
+    outline = _outline(scene.members, scene.voice, (step,), (), order)
     return _chain(scene, outline, order)
 
 
@@ -79,11 +79,11 @@ def _chain(scene: Scene, outline: _Outline, order: int) -> Chain[StepVector]:
 @lru_cache(maxsize=256)
 def _outlines(members: Members, code: str, order: int) -> list[tuple[_Outline, _Outline]]:
     """Return both sides of the equation of every loop in a language."""
-    language = Language(code)
+    voice = Voice(code)
     return [
         (
-            _outline(members, language, loop.first, unknowns, order),
-            _outline(members, language, loop.second, unknowns, order),
+            _outline(members, voice, loop.first, unknowns, order),
+            _outline(members, voice, loop.second, unknowns, order),
         )
         for loop, unknowns in zip(members.linkage.loops, members.linkage.unknowns, strict=True)
     ]
@@ -91,14 +91,14 @@ def _outlines(members: Members, code: str, order: int) -> list[tuple[_Outline, _
 
 def _outline(
     members: Members,
-    language: Language,
+    voice: Voice,
     steps: tuple[Step, ...],
     unknowns: tuple[Scalar, ...],
     order: int,
 ) -> _Outline:
     start, end = (image_letter(each, order) for each in (steps[0].start, steps[-1].end))
     vectors = [_vector(members, step, order) for step in steps]
-    forms = {vector: _forms(members, language, vector, unknowns, order) for vector in vectors}
+    forms = {vector: _forms(members, voice, vector, unknowns, order) for vector in vectors}
     return _Outline(start, end, forms, _coriolis_last(vectors))
 
 
@@ -122,14 +122,14 @@ def _vector(members: Members, step: Step, order: int) -> StepVector:
 
 def _forms(
     members: Members,
-    language: Language,
+    voice: Voice,
     vector: StepVector,
     unknowns: tuple[Scalar, ...],
     order: int,
 ) -> dict[str, tuple[Any, ...]]:
     """Return what parts of a step have but for their values, by the names of their components."""
     step, found = vector.step, scalar_of(vector.step) in unknowns
-    label, square_to = _line(members, language, step) if found else ("", None)
+    label, square_to = _line(members, voice, step) if found else ("", None)
     forms = {}
     for name in ("normal", "tangential", "coriolis", "sliding"):
         coriolis = name == "coriolis"
@@ -144,10 +144,10 @@ def _forms(
     return forms
 
 
-def _line(members: Members, language: Language, step: Step) -> tuple[str, str | None]:
+def _line(members: Members, voice: Voice, step: Step) -> tuple[str, str | None]:
     """Return the label of a step's construction line, and what that is perpendicular to."""
     if isinstance(step, Slide):
-        return language.say("parallel", line=members.line(step, language)), None
+        return Text.of(Sentence("parallel", {"line": members.line(step)}), voice), None
     square_to = members.letters(step)
     return f"⟂ {square_to}", square_to
 

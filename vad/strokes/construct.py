@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, angle_of, points_of, scalar_of
+from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing
 from vad.strokes.equations import of_position
-from vad.strokes.figures import Figure
 from vad.strokes.further import FurtherPoints
 from vad.strokes.inking import Ink
 from vad.strokes.scene import Scene
+from vad.strokes.sentences import Noun, SentencePart
 from vad.strokes.sheet import Arc, Dot, Guide, Line
-from vad.written import with_unit
 
 
 def construct(scene: Scene) -> Drawing:
@@ -68,7 +68,7 @@ class _Construction:
             if letter in self.frame.fixed:
                 pivot = letter in bars | ends
                 kind, phrase = ("fixed", "fixed") if pivot else ("pole", self._point(letter))
-                parts = {"letter": letter}
+                parts: dict[str, SentencePart] = {"letter": letter}
                 self.ink.join(None, letter)
                 self.ink.draw(
                     letter, "fixed", kind, letter, Dot(self.scene.at(letter)), phrase, parts
@@ -88,7 +88,7 @@ class _Construction:
         head, tail = slide.head, slide.tail
         known = tail in self.members.points
         label, phrase = ("", "guide") if known else (tail, "guide point")
-        parts = {"head": head, "tail": tail}
+        parts: dict[str, SentencePart] = {"head": head, "tail": tail}
         self.ink.draw(slide.ends, "guide", "guide", label, guide, phrase, parts, link=slide.name)
 
     def _away(self, letter: str, line: complex) -> complex:
@@ -116,10 +116,10 @@ class _Construction:
                 sweep = self.motion.link(step.link).angle
                 arc = Arc(tail, abs(head - tail), 0.0, sweep)
                 angle = Figure(sweep, "°", given=True)
-                label = with_unit(str(angle), "°")
-                parts = {"link": step.link}
+                label = self.scene.write("degrees", angle=angle)
+                said: dict[str, SentencePart] = {"link": Noun(step.link)}
                 self.ink.draw(
-                    step.ends, "angle", "angle", label, arc, "angle", parts, link=step.link
+                    step.ends, "angle", "angle", label, arc, "angle", said, link=step.link
                 )
                 self.found.update((step.tail, step.head))
                 self._driver_points(step.link)
@@ -142,7 +142,7 @@ class _Construction:
         end = loop.first[-1].end
         if end in self.found:
             return
-        phrase: tuple[str, dict[str, object]] = ("found", {"letter": end})
+        phrase: tuple[str, dict[str, SentencePart]] = ("found", {"letter": end})
         arcs, steps = 0, (*loop.first, *loop.second)
         for step in steps:
             if isinstance(step, Bar) and scalar_of(step) in unknowns:
@@ -174,7 +174,8 @@ class _Construction:
         if slide.tail not in self.found and slide.tail in self.members.points:
             self.found.add(slide.tail)
             at = Dot(self.scene.at(slide.tail))
-            parts = {"letter": slide.tail, "link": slide.along, "pin": slide.head}
+            link = Noun(str(slide.along))
+            parts: dict[str, SentencePart] = {"letter": slide.tail, "link": link, "pin": slide.head}
             self.ink.draw(slide.tail, "found", "intersection", slide.tail, at, "on lever", parts)
 
     def _is_slot(self, slide: Slide, unknowns: tuple[Scalar, ...]) -> bool:
@@ -189,7 +190,7 @@ class _Construction:
         centre = tail if end == head else head
         self.further.arc(bar, centre, end, self.scene.length(bar, self.scene.unit), phrase)
 
-    def _lever_line(self, bar: Bar, end: str, slide: Slide) -> tuple[str, dict[str, object]]:
+    def _lever_line(self, bar: Bar, end: str, slide: Slide) -> tuple[str, dict[str, SentencePart]]:
         """Draw the line of a lever through the block on it."""
         pin = slide.head if end == slide.tail else slide.tail
         if bar.offset.imag:
@@ -197,12 +198,12 @@ class _Construction:
         else:
             line = self.scene.heading(self.frame.heading(bar, self.scene.pose))
             shape = Line(self.scene.at(bar.tail), line, self.scene.at(end))
-            parts: dict[str, object] = {"link": bar.link, "tail": bar.tail, "pin": pin}
+            parts: dict[str, SentencePart] = {"link": Noun(bar.link), "tail": bar.tail, "pin": pin}
             label = bar.tail + pin
             self.ink.draw(
                 bar.ends, "line", "construction", label, shape, "lever line", parts, link=bar.link
             )
-        return "on lever", {"letter": end, "link": bar.link, "pin": pin}
+        return "on lever", {"letter": end, "link": Noun(bar.link), "pin": pin}
 
     def _slot_line(self, slide: Slide) -> None:
         """Draw the line of a slot through the block in it."""
@@ -212,8 +213,9 @@ class _Construction:
         if (line.conjugate() * towards).real < 0:
             line = -line
         shape = Line(self.scene.at(head), line, self.scene.at(tail))
-        parts: dict[str, object] = {"head": tail, "pin": head, "link": self.ink.owner(slide)}
-        label = self.scene.say("parallel", line=self.scene.line(slide))
+        owner = Noun(self.ink.owner(slide))
+        parts: dict[str, SentencePart] = {"head": tail, "pin": head, "link": owner}
+        label = self.scene.write("parallel", line=self.scene.line(slide))
         self.ink.draw(
             slide.ends, "line", "construction", label, shape, "slot line", parts, link=slide.name
         )
@@ -224,8 +226,8 @@ class _Construction:
         at, start = self.scene.at(end), self.scene.at(self.ink.carrier(slide).tail)
         towards = (line.conjugate() * (at - start)).real
         shape = Line(at - towards * line, line if towards > 0 else -line, at)
-        label = self.scene.say("parallel", line=self.scene.line(slide))
-        parts = {"head": end, "link": slide.along}
+        label = self.scene.write("parallel", line=self.scene.line(slide))
+        parts: dict[str, SentencePart] = {"head": end, "link": Noun(str(slide.along))}
         self.ink.draw(
             slide.ends, "line", "construction", label, shape, "in slot", parts, link=slide.name
         )

@@ -150,7 +150,7 @@ class Diagram:
             drawing.equations,
             drawing.inset,
             drawing.zeros,
-            scene.language.name(self.title),
+            scene.name(self.title),
             drawing.picture or self.picture,
             drawing.triangles,
             drawing.loops,

@@ -9,14 +9,15 @@ from typing import TYPE_CHECKING, Any
 from vad.errors import InputError, UsageError, one_of, shown
 from vad.kinematics.linkage import points_of
 from vad.kinematics.motion import Motion, solve
+from vad.strokes.arithmetic import settled
 from vad.strokes.canonical import canonical
 from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.figures import Writer
 from vad.strokes.finishing import finished, without_noise
-from vad.strokes.language import Language
 from vad.strokes.notation import Notation, in_metres
 from vad.strokes.scenes import scene_of
+from vad.strokes.sentences import Noun, Text, Voice
 from vad.strokes.sheet import TWIST, Arrow, Panel, Row, Sheet, driver_of
+from vad.words import Language
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
@@ -55,39 +56,25 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     >>> [stroke.label for stroke in sheet.panel("velocity").strokes]
     ['a,d', 'ab', '⟂ BC', '⟂ DC', 'c', 'bc', 'dc']
     """
-    return _sheet(motion, panels, language, captioned=True)
-
-
-def sketch(motion: Motion, panels: Sequence[str] | str | None, language: str) -> Sheet:
-    """Draw one pose as `draw` does, but for its captions, which are empty: in less time.
-
-    While something moves, nobody reads them.
-    """
-    return _sheet(motion, panels, language, captioned=False)
-
-
-def _sheet(
-    motion: Motion, panels: Sequence[str] | str | None, language: str, captioned: bool
-) -> Sheet:
     if not isinstance(motion, Motion):
         raise InputError(f"motion: must be what vad.solve returns, got {shown(motion)}")
     if motion.many:
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
     diagrams = [DIAGRAMS[name] for name in chosen(panels, motion)]
-    scene = scene_of(motion, Language(language), captioned)
+    scene = scene_of(motion, Language(language))
     drawn = tuple(diagram.panel(scene) for diagram in diagrams)
     rows = scene.rows(diagrams)
     largest = _largest(rows, drawn)
     rates = [size for unit, size in largest.items() if unit.startswith(f"{scene.unit}/s")]
-    notation = scene.figures.settled(Notation(scene.language.point, in_metres(rates)))
-    fill = Writer(notation).fill
+    notation = Notation(scene.language.point, in_metres(rates))
+    scene.voice.notation = notation = settled(notation, scene.calculated)
     mechanism, clean = motion.mechanism, without_noise(rows, largest)
     return Sheet(
         mechanism=mechanism.name,
-        title=scene.language.name(mechanism.title),
+        title=scene.name(mechanism.title),
         parameters=_parameters(mechanism, language),
         rows=clean,
-        panels=tuple(finished(panel, fill, captioned) for panel in drawn),
+        panels=tuple(finished(panel, scene.voice) for panel in drawn),
         language=language,
         notation=notation,
         driver=driver_of(scene.driver.name, scene.driver.kind == "angle", clean, drawn),
@@ -134,20 +121,27 @@ def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, 
 
     Where they are too many for a line, coordinates are left out first, and then the last.
     """
-    plain, unit, called = type(mechanism), mechanism.length_unit, Language(language).name
-    shown, values = [], mechanism.parameters()
+    plain, unit, voice = type(mechanism), mechanism.length_unit, Voice(language)
+    shown: list[tuple[str, float, str]] = []
+    values = mechanism.parameters()
     for name, value in values.items():
         metadata = plain.__dataclass_fields__[name].metadata
         if name.endswith(_TWIST):
             continue  # behind its length
         if metadata["quantity"] != "angle":
-            shown.append((called(name), value, unit if metadata["quantity"] == "length" else ""))
+            shown.append(
+                (
+                    Text.of(Noun(name, generic=""), voice),
+                    value,
+                    unit if metadata["quantity"] == "length" else "",
+                )
+            )
             if name + _TWIST in values:
                 shown.append((TWIST, values[name + _TWIST], "°"))
             continue
         usual = value == plain.__dataclass_fields__[name].default and not value % 90.0
         if "between" in metadata or (value and not usual):
-            shown.append((called(name), value, "°"))
+            shown.append((Text.of(Noun(name, generic=""), voice), value, "°"))
     for name, (link, distance, *angle) in mechanism.points.items():
         tail, head = points_of(mechanism.links[link])
         shown.append((tail + name, distance, unit))

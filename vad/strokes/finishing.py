@@ -2,34 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from vad.strokes.canonical import canonical
+from vad.strokes.sentences import Text, Voice
 from vad.strokes.sheet import Cell, Equation, Panel, Row, Stroke, Term
 from vad.strokes.vector_equations import NOTHING
 
 
-def finished(panel: Panel, fill: Callable[[str], str], captioned: bool) -> Panel:
-    """Return a panel with the numbers in its captions, labels and equations, and all canonical.
+def finished(panel: Panel, voice: Voice) -> Panel:
+    """Return a panel with the numbers in its labels and equations, and all canonical.
 
     Parameters
     ----------
     panel
         What was drawn.
-    fill
-        Writes the numbers in a text.
-    captioned
-        Whether it keeps its captions.
+    voice
+        Who says its labels, now that it is known how many digits their numbers need.
     """
 
+    def fill(label: str) -> str:
+        return Text.of(label.said, voice) if isinstance(label, Text) else label
+
     def stroke(raw: Stroke) -> Stroke:
-        label, caption = fill(raw.label), fill(raw.caption) if captioned else ""
+        label = fill(raw.label)
         shape = canonical(raw.shape)
-        if label is raw.label and caption is raw.caption and shape is raw.shape:
+        if label is raw.label and shape is raw.shape:
             return raw
         more = raw.link, raw.component, raw.image, raw.reveals, raw.part
-        return Stroke(raw.kind, label, shape, caption, *more)
+        return Stroke(raw.kind, label, shape, raw.said, *more)
 
     def term(raw: Term) -> Term:
         label = fill(raw.label)
@@ -46,7 +48,7 @@ def finished(panel: Panel, fill: Callable[[str], str], captioned: bool) -> Panel
         inset=canonical(panel.inset),
         triangles=canonical(panel.triangles),
         notes=canonical(panel.notes),
-        below=panel.below and finished(panel.below, fill, captioned),
+        below=panel.below and finished(panel.below, voice),
     )
 
 

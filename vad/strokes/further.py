@@ -7,9 +7,10 @@ import math
 from dataclasses import replace
 
 from vad.kinematics.linkage import Bar, Loop, Scalar, angle_of
-from vad.strokes.figures import Figure, Unit
+from vad.strokes.arithmetic import Figure
 from vad.strokes.inking import Ink
 from vad.strokes.scene import Scene
+from vad.strokes.sentences import Noun, SentencePart, Unit
 from vad.strokes.sheet import Arc, Dot
 
 #: A compass arc shows this much on either side of the point that it is after, in degrees.
@@ -68,7 +69,7 @@ class FurtherPoints:
             span = self.scene.span(centre, point)
             size = self.scene.measured(span, self.scene.unit)
             self.arc(Bar(centre + point, link, span), centre, point, size)
-        parts = {"letter": point, "corners": base.ends + point}
+        parts: dict[str, SentencePart] = {"letter": point, "corners": base.ends + point}
         at = Dot(self.scene.at(point))
         self.ink.draw(point, "found", "intersection", point, at, "third point", parts)
         self.found.add(point)
@@ -79,8 +80,8 @@ class FurtherPoints:
         angle = math.degrees(cmath.phase(point - at))
         arc = Arc(at, size.value, angle - COMPASS, 2 * COMPASS, through=point)
         letters = self.scene.members.letters(bar)
-        parts = {"head": end, "tail": centre, "bar": letters, "size": size, "link": bar.link}
-        parts["unit"] = Unit(self.scene.unit)
+        parts: dict[str, SentencePart] = {"head": end, "tail": centre, "bar": letters, "size": size}
+        parts |= {"link": Noun(bar.link), "unit": Unit(self.scene.unit)}
         self.ink.draw(
             bar.ends, "compass", "construction", letters, arc, phrase, parts, link=bar.link
         )

@@ -11,10 +11,11 @@ import cmath
 import math
 
 from vad.kinematics.linkage import Bar
-from vad.strokes.figures import Figure, Unit
+from vad.strokes.arithmetic import Figure, product
 from vad.strokes.order import ORDERS
 from vad.strokes.plane_pencil import PlanePencil
 from vad.strokes.scene import Scene, image_letter
+from vad.strokes.sentences import Noun, Sentence, Unit
 from vad.strokes.sheet import Dot, ImageTriangle, Line, Stroke, StrokePart
 
 
@@ -44,13 +45,13 @@ class Images:
         """Find a point in line by proportion."""
         pencil = self._pencil
         at = pencil.image(bar.head)
-        caption = ""
+        said = None
         if pencil.shows(at):
             known, own = (abs(pencil.image(b.head) - pencil.image(b.tail)) for b in (base, bar))
             label = pencil.label_from_pole(bar.head, bar.link)
-            caption = pencil.say.image(bar, base, label, (known, own, abs(at)))
+            said = pencil.say.image(bar, base, label, (known, own, abs(at)))
         pencil.vertices[pencil.letter(bar.head)] = at
-        pencil.absolute(bar.head, bar.link, image=True, caption=caption)
+        pencil.absolute(bar.head, bar.link, image=True, said=said)
 
     # --- beside the line ----------------------------------------------------------------------
 
@@ -64,9 +65,9 @@ class Images:
         for near, far in ((0, 1), (1, 0)):
             self._line(corners[near], corners[far], bar, turns)
         pencil.vertices[letters[2]] = places[2]
-        caption = self._similar(bar, base) if turns else self._alike(bar, letters)
+        said = self._similar(bar, base) if turns else self._alike(bar, letters)
         part = StrokePart(bar.head, "crossing")
-        pencil.add(Stroke("intersection", letters[2], Dot(places[2]), caption, part=part))
+        pencil.add(Stroke("intersection", letters[2], Dot(places[2]), said, part=part))
         if turns and not pencil.resting:
             self.triangles.append(ImageTriangle(bar.link, corners, tuple(places), part.name))
 
@@ -76,10 +77,10 @@ class Images:
         through, until = pencil.image(near), pencil.image(bar.head)
         side, corner = near + bar.head, far + near + bar.head
         if self._order == 1:
-            label, square, caption = f"⟂ {side}", side, pencil.say.across(near, bar.head)
+            label, square, said = f"⟂ {side}", side, pencil.say.across(near, bar.head)
         else:
             label, square = f"∠ {corner}", None
-            caption = scene.caption(
+            said = scene.say(
                 "image line",
                 point=pencil.letter(near),
                 corner=corner,
@@ -90,7 +91,7 @@ class Images:
         away = until - through
         line = Line(through, away / abs(away) if turns else 1.0, until, square)
         own = StrokePart(side, "line")
-        stroke = Stroke("construction", label, line, caption, bar.link, part=own)
+        stroke = Stroke("construction", label, line, said, bar.link, part=own)
         if turns:
             pencil.add(stroke)
         else:
@@ -101,7 +102,7 @@ class Images:
         corner, one, other = map(self._scene.at, (near, far, third))
         return math.degrees(cmath.phase((other - corner) / (one - corner)))
 
-    def _similar(self, bar: Bar, base: Bar) -> str:
+    def _similar(self, bar: Bar, base: Bar) -> Sentence:
         """Say that the image is similar to the link, and how long its next side is."""
         scene, pencil = self._scene, self._pencil
         side = base.tail + bar.head
@@ -111,16 +112,16 @@ class Images:
         length = scene.measured(spans[1], unit, power=-1)
         tail = pencil.image(base.tail)
         own, known = (Figure(abs(pencil.image(p) - tail), unit) for p in (bar.head, base.head))
-        scene.figures.product(own, known, size, length)
 
         def image(*points: str) -> str:
             return "".join(image_letter(point, self._order) for point in points)
 
-        return scene.caption(
+        return scene.say(
             "image similar",
+            product("own", "known", "size", "length"),
             letter=image(bar.head),
-            image=scene.caption(f"image {ORDERS[self._order].panel}"),
-            link=bar.link,
+            image=scene.say(f"image {ORDERS[self._order].panel}"),
+            link=Noun(bar.link),
             triangle=image(base.tail, base.head, bar.head),
             corners=base.ends + bar.head,
             part=image(base.tail, bar.head),
@@ -134,7 +135,7 @@ class Images:
             unit=Unit(unit),
         )
 
-    def _alike(self, bar: Bar, letters: list[str]) -> str:
+    def _alike(self, bar: Bar, letters: list[str]) -> Sentence:
         """Say that all points of the link move alike."""
         phrase = f"image alike {ORDERS[self._order].panel}"
-        return self._scene.caption(phrase, letter=letters[2], point=letters[0], link=bar.link)
+        return self._scene.say(phrase, letter=letters[2], point=letters[0], link=Noun(bar.link))

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from vad.kinematics.linkage import Bar, Slide, angle_of, scalar_of
-from vad.strokes.figures import Figure, Unit
+from vad.strokes.arithmetic import Figure
 from vad.strokes.scene import Scene
+from vad.strokes.sentences import Noun, SentencePart, Unit
 from vad.strokes.sheet import (
     Arrow,
     Block,
@@ -57,12 +58,12 @@ class Ink:
         label: str,
         shape: Shape,
         phrase: str,
-        parts: Mapping[str, object],
+        parts: Mapping[str, SentencePart],
         **more: object,
     ) -> None:
-        """Add a stroke with the caption that a phrase makes of its parts."""
-        caption, part = self.scene.caption(phrase, **parts), StrokePart(of, which)
-        stroke = Stroke(kind, label, shape, caption, part=part, **more)  # type: ignore[arg-type]
+        """Add a stroke with the sentence that a phrase makes of its parts."""
+        said, part = self.scene.say(phrase, **parts), StrokePart(of, which)
+        stroke = Stroke(kind, label, shape, said, part=part, **more)  # type: ignore[arg-type]
         self.strokes.append(stroke)
 
     def bar(self, bar: Bar, kind: str, phrase: str, image: bool = False) -> None:
@@ -81,20 +82,20 @@ class Ink:
             letters,
             arrow,
             phrase,
-            self._said_of(bar) if self.scene.captioned else {},
+            self._said_of(bar),
             link=bar.link,
             component="link",
             image=image,
             reveals=reveals,
         )
 
-    def _said_of(self, bar: Bar) -> Mapping[str, object]:
+    def _said_of(self, bar: Bar) -> Mapping[str, SentencePart]:
         """Return what a phrase says of a bar."""
         scene, (tail, head) = self.scene, self.scene.members.ends(bar)
         driven = angle_of(bar.link) == scene.driver
         whole = bar.turn != 1.0 or scene.backward(bar)
         return {
-            "link": bar.link,
+            "link": Noun(bar.link),
             "bar": scene.motion.mechanism.links[bar.link] if whole else scene.members.letters(bar),
             "size": scene.length(bar, scene.unit),
             "unit": Unit(scene.unit),
@@ -111,7 +112,7 @@ class Ink:
         letters = hull(places)
         shape = Plate(tuple(places[letter] for letter in letters), letters)
         label = "".join(letters)
-        parts = {"link": link, "corners": label}
+        parts: dict[str, SentencePart] = {"link": Noun(link), "corners": label}
         self.join(link, *letters)
         self.draw(label, "plate", "result", label, shape, "plate", parts, link=link)
 
@@ -121,7 +122,7 @@ class Ink:
         line = self.scene.heading(self.scene.members.frame.line(slide, self.scene.pose))
         moving = isinstance(slide.along, str)
         guide = Guide(self.scene.at(slide.head if moving else slide.tail), line)
-        parts: dict[str, object] = {"head": slide.head, "link": owner}
+        parts: dict[str, SentencePart] = {"head": slide.head, "link": Noun(owner)}
         self.draw(slide.ends, "slot", "guide", "", guide, "slot", parts, link=owner)
 
     def carrier(self, slide: Slide) -> Bar:
@@ -146,7 +147,7 @@ class Ink:
         on = slide.along if isinstance(slide.along, str) else None
         driven = scalar_of(slide) == self.scene.driver
         symbol = self.scene.members.slide_symbol(slide.name)
-        parts: dict[str, object] = {
+        parts: dict[str, SentencePart] = {
             "slide": self.scene.members.slider(slide),
             "head": letter,
             "symbol": symbol,

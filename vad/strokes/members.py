@@ -6,7 +6,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, TypeGuard
 
 from vad.kinematics.linkage import Bar, Slide, Step, points_of, scalar_of
-from vad.strokes.language import Language, Noun
+from vad.strokes.sentences import Noun, Sentence
 from vad.written import subscript
 
 if TYPE_CHECKING:
@@ -103,18 +103,19 @@ class Members:
         """Tell whether the driver alone moves a step."""
         return scalar_of(step) == self.driver
 
-    def slider(self, slide: Slide) -> str:
+    def slider(self, slide: Slide) -> Noun:
         """Name what slides: in a link whose length changes, its piston."""
-        return "piston" if slide.name in self.links else slide.name.split("_")[0]
+        name = "piston" if slide.name in self.links else slide.name.split("_")[0]
+        return Noun(name, generic="slider")
 
-    def line(self, slide: Slide, language: Language) -> Noun:
+    def line(self, slide: Slide) -> Noun:
         """Name the line of a slide: lever, slot, guide, or guide of A where there are several."""
         if isinstance(slide.along, str):
-            return language.noun(slide.along)
+            return Noun(slide.along)
         if not self.is_guide(slide):
-            return language.noun("slot")
+            return Noun("slot")
         several = len({guide.ends for guide in self.guides}) > 1
-        return language.noun("guide", language.say("of point", head=slide.head) if several else "")
+        return Noun("guide", of=Sentence("of point", {"head": slide.head}) if several else None)
 
     def symbol(self, letter: str, name: str) -> str:
         """Return a quantity with its body's number: ω₃."""

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Generic, Protocol
 
+from vad.strokes.sentences import Sentence
 from vad.strokes.sheet import (
     POLE,
     Arrow,
@@ -23,19 +24,19 @@ from vad.strokes.vector_equations import NOTHING, Part, V
 class Words(Protocol[V]):
     """What is said of the strokes of a polygon."""
 
-    def known(self, label: str, part: Part[V]) -> str:
+    def known(self, label: str, part: Part[V]) -> Sentence:
         """Work out a component that is known before the crossing."""
 
-    def line(self, part: Part[V], point: str, meeting: str) -> str:
+    def line(self, part: Part[V], point: str, meeting: str) -> Sentence:
         """Say why the next vertex must lie on a construction line."""
 
-    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[V], str]]) -> str:
+    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[V], str]]) -> Sentence:
         """Say what lies where the two lines cross, and which results are zero there."""
 
-    def measured(self, label: str, part: Part[V]) -> str:
+    def measured(self, label: str, part: Part[V]) -> Sentence:
         """Measure a result off the polygon."""
 
-    def whole(self, label: str, size: float, vector: V) -> str:
+    def whole(self, label: str, size: float, vector: V) -> Sentence | str:
         """Measure a whole vector beside its parts."""
 
 
@@ -99,9 +100,9 @@ class Pencil(Generic[V]):
             self.strokes.append(stroke)
         return stroke
 
-    def begin(self, caption: str, rows: tuple[str, ...] = ()) -> None:
+    def begin(self, said: Sentence, rows: tuple[str, ...] = ()) -> None:
         """Draw the pole, where all fixed vertices are; ``rows`` are measured there already."""
-        pole = Stroke("pole", ",".join(self.fixed), Dot(0j), caption, reveals=rows, part=POLE)
+        pole = Stroke("pole", ",".join(self.fixed), Dot(0j), said, reveals=rows, part=POLE)
         self.strokes.append(pole)
 
     def share_pole(self, letter: str) -> None:
@@ -114,8 +115,8 @@ class Pencil(Generic[V]):
         """Draw a known part from the tip of its chain, or towards it, and move the tip."""
         new = tip.at + (-part.vector if part.reverse else part.vector) if at is None else at
         arrow = _arrow(part, tip.name, tip.at, name, new)
-        caption = self.words.known(arrow.tail + arrow.head, part)
-        stroke = _stroke("known", part, arrow, caption)
+        said = self.words.known(arrow.tail + arrow.head, part)
+        stroke = _stroke("known", part, arrow, said)
         self.vertices[name] = new
         tip.name, tip.at = name, new
         return self.add(stroke)
@@ -130,10 +131,10 @@ class Pencil(Generic[V]):
         crossing = self.place(end)
         away = (part.direction.conjugate() * (crossing - tip.at)).real < 0
         direction = -part.direction if away else part.direction
-        caption = self.words.line(part, tip.name, end)
+        said = self.words.line(part, tip.name, end)
         line = Line(tip.at, direction, crossing, part.square_to)
         own = StrokePart(part.of.name, "line")
-        self.add(Stroke("construction", part.label, line, caption, part.of.owner, part=own))
+        self.add(Stroke("construction", part.label, line, said, part.of.owner, part=own))
 
     def crossing(self, end: str, point: str, zeros: list[tuple[Part[V], str]]) -> None:
         """Mark the image of a point where two lines cross.
@@ -146,24 +147,24 @@ class Pencil(Generic[V]):
         part = POLE if fixed and not self.from_pole else StrokePart(point, "crossing")
         if self.resting and part == POLE:
             return  # it is drawn already
-        caption = self.words.crossing(end, fixed, zeros)
+        said = self.words.crossing(end, fixed, zeros)
         reveals = tuple(row for zero, _ in zeros for row in zero.of.reveals)
-        self.add(Stroke("intersection", end, Dot(at), caption, reveals=reveals, part=part))
+        self.add(Stroke("intersection", end, Dot(at), said, reveals=reveals, part=part))
 
     def result(self, part: Part[V], tip: Tip, end: str) -> Stroke:
         """Ink the part that the crossing has found."""
         arrow = _arrow(part, tip.name, tip.at, end, self.vertices[end])
-        caption = self.words.measured(arrow.tail + arrow.head, part)
-        return self.add(_stroke("result", part, arrow, caption, part.of.reveals))
+        said = self.words.measured(arrow.tail + arrow.head, part)
+        return self.add(_stroke("result", part, arrow, said, part.of.reveals))
 
     def whole(self, vector: V, several: bool) -> None:
         """Ink the sum of a vector's parts; without ``several`` to be seen, it is left out."""
         tail, head = vector.tail, vector.head
         start, end = self.place(tail), self.place(head)
         label, arrow = tail + head, Arrow(start, end, tail, head)
-        caption = self.words.whole(label, abs(end - start), vector) if several else ""
+        said = self.words.whole(label, abs(end - start), vector) if several else ""
         row, part = vector.owner, StrokePart(vector.name, "whole")
-        stroke = Stroke("result", label, arrow, caption, row, vector.whole, part=part)
+        stroke = Stroke("result", label, arrow, said, row, vector.whole, part=part)
         if several:
             self.add(stroke)
         else:
@@ -181,8 +182,8 @@ class Pencil(Generic[V]):
 
     def leave_out(self, stroke: Stroke) -> None:
         """Keep what is not drawn in this pose."""
-        said = stroke.caption or stroke.reveals
-        self.zeros.append(replace(stroke, caption="", reveals=()) if said else stroke)
+        spoken = stroke.said or stroke.reveals
+        self.zeros.append(replace(stroke, said="", reveals=()) if spoken else stroke)
 
 
 def _arrow(part: Part[V], tip: str, tip_at: complex, name: str, at: complex) -> Arrow:
@@ -191,9 +192,13 @@ def _arrow(part: Part[V], tip: str, tip_at: complex, name: str, at: complex) -> 
 
 
 def _stroke(
-    kind: Kind, part: Part[V], arrow: Arrow, caption: str = "", reveals: tuple[str, ...] = ()
+    kind: Kind,
+    part: Part[V],
+    arrow: Arrow,
+    said: Sentence | str = "",
+    reveals: tuple[str, ...] = (),
 ) -> Stroke:
     """Return the stroke of a part."""
     label = part.symbol or arrow.tail + arrow.head
     row, own = part.of.owner, part.drawn
-    return Stroke(kind, label, arrow, caption, row, part.component, reveals=reveals, part=own)
+    return Stroke(kind, label, arrow, said, row, part.component, reveals=reveals, part=own)

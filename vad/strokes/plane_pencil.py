@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from vad.kinematics.linkage import Slide
-from vad.strokes.calculations import Calculations
 from vad.strokes.captions import Captions
 from vad.strokes.chains import StepVector
 from vad.strokes.pencil import Pencil, Tip
 from vad.strokes.scene import Scene, image_letter
+from vad.strokes.sentences import Sentence
 from vad.strokes.sheet import Arrow, CoriolisInset, Stroke, StrokePart
 from vad.strokes.vector_equations import Part
 
@@ -18,7 +18,7 @@ class PlanePencil(Pencil[StepVector]):
     def __init__(self, scene: Scene, order: int, longest: float, from_pole: bool) -> None:
         self.scene = scene
         self.order = order
-        self.say = (Captions if scene.captioned else Calculations)(scene, order)
+        self.say = Captions(scene, order)
         #: The point of each vertex.
         self._points = {self.letter(point): point for point in scene.motion.plane.routes.letters}
         fixed = [self.letter(point) for point in scene.members.fixed]
@@ -67,14 +67,16 @@ class PlanePencil(Pencil[StepVector]):
         """
         return self.letter(self.scene.members.pivot(link)) + self.letter(point)
 
-    def absolute(self, point: str, link: str, image: bool = False, caption: str = "") -> Stroke:
+    def absolute(
+        self, point: str, link: str, image: bool = False, said: Sentence | None = None
+    ) -> Stroke:
         """Ink the vector from the pole to a vertex; it is left out where it is zero."""
         letter, at = self.letter(point), self.image(point)
         label = self.label_from_pole(point, link)
         arrow = Arrow(0j, at, label.removesuffix(letter), letter)
-        caption = caption or self.say.absolute(label, point, abs(at))
+        said = said or self.say.absolute(label, point, abs(at))
         part = StrokePart(point, "image" if image else "absolute")
-        stroke = Stroke("result", label, arrow, caption, link, "absolute", image, part=part)
+        stroke = Stroke("result", label, arrow, said, link, "absolute", image, part=part)
         if self.shows(at):
             return self.add(stroke)
         self.leave_out(stroke)

@@ -15,11 +15,10 @@ from vad.kinematics.linkage import (
     angle_of,
     length_of,
 )
+from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Spot
-from vad.strokes.figures import Figure
-from vad.strokes.language import Noun
 from vad.strokes.members import Members, members_of
-from vad.strokes.saying import Saying
+from vad.strokes.sentences import Noun, Saying
 from vad.strokes.sheet import Cell, Row
 from vad.written import PRIME, per_second
 
@@ -84,7 +83,7 @@ class Scene(Saying, ABC):
 
     def rows(self, diagrams: Sequence[Diagram]) -> list[Row]:
         """Return the rows of the results: the links, then the slides."""
-        mechanism, say = self.motion.mechanism, self.language.name
+        mechanism, say = self.motion.mechanism, self.name
         rows = []
         for name in self.members.links:
             cells = {diagram.name: diagram.cells(self, name, False) for diagram in diagrams}
@@ -223,7 +222,7 @@ class Scene(Saying, ABC):
 
     def line(self, slide: Slide) -> Noun:
         """Name the line of a slide."""
-        return self.members.line(slide, self.language)
+        return self.members.line(slide)
 
     def rate_unit(self, order: int) -> str:
         """Return the unit of a velocity (1) or acceleration (2)."""

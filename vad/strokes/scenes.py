@@ -10,7 +10,6 @@ from vad.kinematics.space.crossed_shafts import UniversalSolver
 from vad.kinematics.space.sphere import SphereSolver
 from vad.strokes.construct import construct
 from vad.strokes.diagram import Drawing
-from vad.strokes.language import Language
 from vad.strokes.order import Order
 from vad.strokes.polygon import polygon
 from vad.strokes.scene import Scene
@@ -19,6 +18,7 @@ from vad.strokes.space.hooke import HookeScene
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.strokes.space.spatial import SpatialScene
 from vad.strokes.space.spherical import SphericalScene
+from vad.words import Language
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
@@ -43,9 +43,9 @@ IN_SPACE: Mapping[tuple[type, bool], type[SceneInSpace]] = {
 }
 
 
-def scene_of(motion: Motion, language: Language, captioned: bool = True) -> AnyScene:
+def scene_of(motion: Motion, language: Language) -> AnyScene:
     """Return the scene of a motion, whose solver tells the plane from space."""
     solver = motion.solver
     kind: Any = IN_SPACE.get((type(solver), bool(solver.slides)), PlaneScene)
-    scene: AnyScene = kind(motion, language, captioned)
+    scene: AnyScene = kind(motion, language)
     return scene

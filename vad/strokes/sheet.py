@@ -28,6 +28,7 @@ from typing import Literal, NamedTuple
 from vad.displayed import Displayed
 from vad.strokes.insets import CoriolisInset, Inset, PolarInset
 from vad.strokes.notation import Notation
+from vad.strokes.sentences import Sentence
 from vad.strokes.shapes import (
     Arc,
     Arrow,
@@ -151,8 +152,8 @@ class Stroke:
         What is written beside it: a letter, two letters, ``⟂ BC``, ``∥ guide`` …
     shape
         Its geometry.
-    caption
-        What the teacher says, with symbols, numbers, result and unit.
+    said
+        What the teacher says, with symbols, numbers, result and unit: a sentence as data.
     link
         The link or slide that it belongs to, whose ink it takes; None for the frame.
     component
@@ -168,7 +169,7 @@ class Stroke:
     kind: Kind
     label: str
     shape: Shape
-    caption: str
+    said: str | Sentence
     link: str | None = None
     component: Component | None = None
     image: bool = False
@@ -179,6 +180,11 @@ class Stroke:
     def name(self) -> str:
         """What it is called in its panel: ``BC.line``."""
         return self.part.name
+
+    @property
+    def caption(self) -> str:
+        """What the teacher says, as a string."""
+        return str(self.said)
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,8 +5,8 @@ In comes a sheet, out goes plain text for PNG metadata and for ``<title>`` and `
 
 from __future__ import annotations
 
-from vad.strokes.language import Language
 from vad.strokes.sheet import TWIST, Row, Sheet
+from vad.words import Language
 
 
 def title(sheet: Sheet) -> str:

@@ -1,14 +1,27 @@
 """The form of a sheet's JSON: one table of keys, by which it is both written and read.
 
 What a stroke has not is absent.  Keys of the public contract (kind, label, component, link, from,
-to, through, direction, at, caption, unit) stand beside those that make the sheet whole.
+to, through, direction, at, caption, unit) stand beside those that make the sheet whole.  Where a
+text is a sentence, its data stand beside it: ``caption_said`` beside ``caption``.
+
+=============  =================================================================================
+a string       letters of a point, a vector or a quantity
+``figure``     a number with its unit, ``given`` where it was not measured, and its ``power``
+``unit``       a unit
+``word``       a name of the language files, behind which ``of`` may follow
+``terms``      the numbers of a sum
+``list``       several of all these, with what is ``between`` them
+``phrase``     a sentence with its ``parts`` and ``calculations``
+=============  =================================================================================
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
-from typing import get_args
+from typing import Any, get_args
 
+from vad.errors import InputError
 from vad.export.data.records import (
     COUNT,
     FLAG,
@@ -27,9 +40,12 @@ from vad.export.data.records import (
     record,
     row,
     variants,
+    within,
+    wrong,
 )
-from vad.strokes.language import languages
+from vad.strokes.arithmetic import Calculation, Figure, Operation
 from vad.strokes.notation import Notation
+from vad.strokes.sentences import Listed, Noun, Sentence, SentencePart, Terms, Text, Unit
 from vad.strokes.sheet import (
     Arc,
     Arrow,
@@ -63,6 +79,7 @@ from vad.strokes.sheet import (
     StrokePart,
     Term,
 )
+from vad.words import all_languages
 
 #: A unit as the JSON of ``vad solve`` spells it: mm/s^2.
 UNIT = Form(
@@ -71,6 +88,113 @@ UNIT = Form(
 )
 #: The part of a stroke as its name: ``AB.bar``.
 NAME = Form(lambda part: part.name, lambda value, place: StrokePart.named(TEXT.read(value, place)))
+
+
+def _write_part(part: SentencePart) -> Any:
+    return part if isinstance(part, str) else _PARTS[_KEYS[type(part)]].write(part)
+
+
+def _read_part(value: Any, place: str) -> SentencePart:
+    if isinstance(value, str):
+        return TEXT.read(value, place)  # type: ignore[no-any-return]
+    found = value if isinstance(value, Mapping) else {}
+    for key, form in _PARTS.items():
+        if key in found:
+            return form.read(value, place)  # type: ignore[no-any-return]
+    raise wrong(place, "a part of a sentence", value)
+
+
+def _read_operand(value: Any, place: str) -> str | float:
+    return (TEXT if isinstance(value, str) else NUMBER).read(value, place)  # type: ignore[no-any-return]
+
+
+PART = Form(_write_part, _read_part)
+FIGURE = record(
+    Figure,
+    value=Key(NUMBER, "figure"),
+    unit=optional(UNIT, ""),
+    given=optional(FLAG, False),
+    power=optional(one_of((-1, 1, 2)), 1),
+)
+CALCULATION = record(
+    Calculation,
+    result=TEXT,
+    operation=one_of(get_args(Operation)),
+    operands=many(Form(lambda value: value, _read_operand)),
+)
+SENTENCE = record(
+    Sentence,
+    phrase=TEXT,
+    parts=optional(by_name(PART), {}),
+    calculations=optional(many(CALCULATION), ()),
+)
+#: The forms of a sentence's parts by the key that tells one from another.
+_PARTS: dict[str, Form] = {
+    "phrase": SENTENCE,
+    "figure": FIGURE,
+    "word": record(
+        Noun, name=Key(TEXT, "word"), generic=optional(TEXT, "link"), of=optional(SENTENCE)
+    ),
+    "list": record(Listed, items=Key(many(PART), "list"), between=TEXT),
+    "terms": record(Terms, addends=Key(many(FIGURE), "terms")),
+    "unit": record(Unit, name=Key(UNIT, "unit")),
+}
+_KEYS: dict[Any, str] = {form.cls: key for key, form in _PARTS.items()}
+
+
+def words(name: str, missing: str | None = None) -> Key:
+    """Return the key of a text under ``name``, with the data of what it says beside it.
+
+    A text that is ``missing`` is left out.
+    """
+    said = f"{name}_said"
+
+    def write(text: str | Sentence) -> dict[str, Any]:
+        part = text.said if isinstance(text, Text) else text
+        data = {} if part is text and isinstance(part, str) else {said: PART.write(part)}
+        return {} if text == missing else {name: str(text), **data}
+
+    def read(found: Mapping[str, Any], place: str) -> str:
+        if name not in found:
+            if missing is None:
+                raise InputError(f"{within(place, name)}: missing")
+            return missing
+        text: str = TEXT.read(found[name], within(place, name))
+        if said not in found:
+            return text
+        return Text.kept(text, PART.read(found[said], within(place, said)))
+
+    return Key(Form(write, read), beside=True)
+
+
+def _write_parameters(parameters: tuple[tuple[str, float, str], ...]) -> dict[str, Any]:
+    names = [name.said if isinstance(name, Text) else None for name, *_ in parameters]
+    written = [None if each is None else PART.write(each) for each in names]
+    said = {"parameters_said": written} if any(written) else {}
+    return {"parameters": _PARAMETERS.write(parameters), **said}
+
+
+def _read_parameters(found: Mapping[str, Any], place: str) -> tuple[tuple[str, float, str], ...]:
+    at, said = within(place, "parameters"), within(place, "parameters_said")
+    if "parameters" not in found:
+        raise InputError(f"{at}: missing")
+    parameters: tuple[tuple[str, float, str], ...] = _PARAMETERS.read(found["parameters"], at)
+    names = found.get("parameters_said", [None] * len(parameters))
+    if not isinstance(names, list) or len(names) != len(parameters):
+        raise wrong(said, f"a list of {len(parameters)}", names)
+    return tuple(
+        each if part is None else (Text.kept(each[0], PART.read(part, said)), *each[1:])
+        for each, part in zip(parameters, names, strict=True)
+    )
+
+
+_PARAMETERS = many(row(TEXT, NUMBER, UNIT))
+
+
+def _read_language(value: Any, place: str) -> str:
+    return one_of(all_languages()).read(value, place)  # type: ignore[no-any-return]
+
+
 ELLIPSE = record(
     Ellipse,
     centre=POINT,
@@ -117,16 +241,16 @@ SHAPE = variants(
 STROKE = record(
     Stroke,
     kind=one_of(get_args(Kind)),
-    label=TEXT,
+    label=words("label"),
     component=optional(one_of(get_args(Component))),
     link=optional(TEXT),
     shape=Key(SHAPE, beside=True),
-    caption=TEXT,
+    said=words("caption"),
     part=Key(NAME, "name"),
     image=optional(FLAG, False),
     reveals=optional(many(TEXT), ()),
 )
-TERM = record(Term, label=TEXT, link=optional(TEXT), stroke=optional(TEXT))
+TERM = record(Term, label=words("label"), link=optional(TEXT), stroke=optional(TEXT))
 EQUATION = record(Equation, left=many(TERM), right=many(TERM))
 CORIOLIS = record(
     CoriolisInset,
@@ -146,8 +270,8 @@ POLAR = record(
     curve=many(POINT),
     ray=POINT,
     dots=many(POINT),
-    title=TEXT,
-    range=TEXT,
+    title=words("title"),
+    range=words("range"),
     stroke=TEXT,
 )
 INSET = variants("inset", "coriolis", coriolis=CORIOLIS, polar=POLAR)
@@ -159,7 +283,7 @@ BODY = record(
 COINCIDENCE = record(Coincidence, letters=many(TEXT), reason=one_of(get_args(Reason)))
 _DRAWN: dict[str, Form | Key] = {
     "unit": UNIT,
-    "title": TEXT,
+    "title": words("title"),
     "picture": one_of(get_args(Picture)),
     "strokes": many(STROKE),
     "zeros": optional(many(STROKE), ()),
@@ -167,8 +291,8 @@ _DRAWN: dict[str, Form | Key] = {
     "inset": optional(INSET),
     "triangles": optional(many(TRIANGLE), ()),
     "loops": optional(many(INDEX), ()),
-    "notes": optional(many(record(Note, at=POINT, text=TEXT)), ()),
-    "remark": optional(TEXT, ""),
+    "notes": optional(many(record(Note, at=POINT, text=words("text"))), ()),
+    "remark": words("remark", missing=""),
     "bodies": optional(many(BODY), ()),
     "coincident": optional(many(COINCIDENCE), ()),
 }
@@ -179,7 +303,7 @@ PANEL = record(
     below=optional(LOWER),
 )
 CELL = record(Cell, symbol=TEXT, value=NUMBER, unit=UNIT, given=optional(FLAG, False))
-ROW = record(Row, key=TEXT, title=TEXT, letters=TEXT, cells=by_name(many(CELL)))
+ROW = record(Row, key=TEXT, title=words("title"), letters=TEXT, cells=by_name(many(CELL)))
 NOTATION = record(
     Notation,
     point=one_of((".", ",")),
@@ -197,9 +321,9 @@ DRIVER = record(
 SHEET = record(
     Sheet,
     mechanism=TEXT,
-    title=TEXT,
-    language=one_of(languages()),
-    parameters=many(row(TEXT, NUMBER, UNIT)),
+    title=words("title"),
+    language=Form(str, _read_language),
+    parameters=Key(Form(_write_parameters, _read_parameters), beside=True),
     rows=many(ROW),
     notation=optional(NOTATION, Notation()),
     driver=optional(DRIVER),  # of an old file it is told from the strokes

@@ -1,18 +1,21 @@
 """Lines of text as runs of one face each: what is italic, what stands high or low.
 
-In come plain strings (``b′ₙ``, ``338.2°``, a caption), out go `Run` tuples.  Points and
-quantities are italic; words, digits, units and primes are upright.
+In come the pieces of a sentence or plain strings (``b′ₙ``, ``338.2°``), out go `Run` tuples.  The
+letters of symbols are italic; words, digits, units and primes are upright.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from string import ascii_uppercase
 from typing import Literal
 from unicodedata import normalize
+
+from vad.strokes.sentences import Text
+from vad.words import Piece
 
 Face = Literal["roman", "italic", "bold", "bolditalic"]
 
@@ -49,23 +52,46 @@ Runs = tuple[Run, ...]
 @lru_cache(maxsize=1024)
 def roman(text: str) -> Runs:
     """Return ``text`` upright, but for Greek letters."""
-    return slanted(text, lambda _: False)
+    return _joined(_tokens(text, lambda _: False))
 
 
-def slanted(text: str, italic: Callable[[str], bool]) -> Runs:
-    """Return ``text`` with Greek letters italic, and what ``italic`` picks out.
+@lru_cache(maxsize=2048)
+def said(pieces: tuple[Piece, ...]) -> Runs:
+    """Return the pieces of a sentence: the letters of symbols are italic.
+
+    Examples
+    --------
+    >>> said((Piece("Through "), Piece("b", "symbol"), Piece(": 3 "), Piece("mm", "unit")))
+    (Run(text='Through ', ...), Run(text='b', face='italic', ...), Run(text=': 3 mm', ...))
+    """
+    runs: list[Run] = []
+    for text, kind in pieces:
+        runs += _tokens(text, lambda _: True) if kind == "symbol" else roman(text)
+    return _joined(runs)
+
+
+def _tokens(text: str, italic: Callable[[str], bool]) -> list[Run]:
+    """Return the tokens of a text, with Greek letters italic, and what ``italic`` picks out.
 
     A capital stands low behind ``_``, which there is no sign for: s_D.
     """
     runs: list[Run] = []
     apart = _DOTTED.sub(lambda found: normalize("NFD", found.group()), text)
     for token in _TOKEN.findall(apart):
-        run = _run(token, italic, runs[-1] if runs else None)
-        if runs and (runs[-1].face, runs[-1].script) == (run.face, run.script):
-            runs[-1] = Run(runs[-1].text + run.text, run.face, run.script)
+        runs.append(_run(token, italic, runs[-1] if runs else None))
+    return runs
+
+
+def _joined(runs: list[Run]) -> Runs:
+    """Return runs of which no two neighbours look alike."""
+    found: list[Run] = []
+    for run in runs:
+        last = found[-1] if found else None
+        if last and (last.face, last.script) == (run.face, run.script):
+            found[-1] = Run(last.text + run.text, run.face, run.script)
         else:
-            runs.append(run)
-    return tuple(runs)
+            found.append(run)
+    return tuple(found)
 
 
 def _run(token: str, italic: Callable[[str], bool], before: Run | None) -> Run:
@@ -86,35 +112,20 @@ def _run(token: str, italic: Callable[[str], bool], before: Run | None) -> Run:
     return Run(token)
 
 
-@lru_cache(maxsize=1024)
 def symbols(text: str) -> Runs:
     """Return a label: points and quantities italic, words upright.
 
-    A word has three letters or more, or small letters behind a sign: "of" in "∥ guide of A".
+    A plain string that names a line has its letters in capitals, ``⟂ BC``; in any other one, a
+    word has three letters or more.
     """
+    return said(text.pieces) if isinstance(text, Text) else _symbols(text)
+
+
+@lru_cache(maxsize=1024)
+def _symbols(text: str) -> Runs:
     if text[:1] in "∥⟂∠":
-        return slanted(text, str.isupper)
-    return slanted(text, lambda token: len(token) <= 2)
-
-
-def sentence(text: str, names: Iterable[str], words: str = "") -> Runs:
-    """Return a caption, in which the ``names`` of points, vectors and quantities are italic.
-
-    Units after a number or a stroke (m/s) stay upright, and so do the ``words`` of a language
-    that are also names, by a pattern: "a" before a word, in English.
-    """
-    known = set(names)
-    upright = r"(?<=/)s(?![A-Za-z])|(?<=[0-9⁰-⁹¹²³] )(?:mm|cm|ft|in|m)\b"
-    if words:
-        upright += rf"|\b(?:{words})"
-    pieces: list[Run] = []
-    start = 0
-    for found in re.finditer(upright, text):
-        pieces += slanted(text[start : found.start()], known.__contains__)
-        pieces.append(Run(found.group()))
-        start = found.end()
-    pieces += slanted(text[start:], known.__contains__)
-    return tuple(pieces)
+        return _joined(_tokens(text, str.isupper))
+    return _joined(_tokens(text, lambda token: len(token) <= 2))
 
 
 def plain(runs: Runs) -> str:

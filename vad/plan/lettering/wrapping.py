@@ -1,55 +1,65 @@
-"""Captions in lines: in come words and the room for them, out go lines of runs."""
+"""Sentences in lines: in come the pieces of one and the room for it, out go lines of runs."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 
 from vad.plan.lettering.glyphs import width
-from vad.plan.lettering.runs import Runs
+from vad.plan.lettering.runs import Runs, said
+from vad.words import Piece, text_of
 
 # A number keeps its unit, and a sign what follows it.
 _WORD = r"(?<![=×+⟂∥])(?:(?<![0-9⁰¹²³⁴⁵⁶⁷⁸⁹]) | (?!(?:mm|cm|km|m|in|ft|yd|rad)\b))"
 #: Where lines may break, the best first: at last inside an equation, before a sign.
 _BREAKS = (r"(?<=[:;]) ", r"(?<=[,:;]) ", rf"{_WORD}(?![=×+])", _WORD)
-
-
 _TIE = "\N{NO-BREAK SPACE}"
 
+Pieces = tuple[Piece, ...]
+#: Where a stretch of a sentence begins and ends.
+_Stretch = tuple[int, int]
 
-def tied(text: str) -> str:
-    """Return ``text`` with no-break spaces where it must not part.
+
+def tied(pieces: Pieces) -> Pieces:
+    """Return a sentence with no-break spaces where it must not part.
 
     Examples
     --------
-    >>> tied("60 mm, ⟂ AB").replace(_TIE, "~")
+    >>> text_of(tied((Piece("60 mm, ⟂ AB"),))).replace(_TIE, "~")
     '60~mm, ⟂~AB'
     """
-    return " ".join(part.replace(" ", _TIE) for part in re.split(_WORD, text))
+    text = text_of(pieces)
+    bound = text.replace(" ", _TIE)
+    for found in re.finditer(_WORD, text):
+        bound = f"{bound[: found.start()]} {bound[found.end() :]}"
+    start, new = 0, []
+    for piece in pieces:
+        end = start + len(piece.text)
+        new.append(piece._replace(text=bound[start:end]))
+        start = end
+    return tuple(new)
 
 
-def wrap(text: str, setter: Callable[[str], Runs], size: float, room: float) -> list[Runs]:
-    """Break ``text`` into as few lines as fit ``room``, evenly filled.
+def wrap(pieces: Pieces, size: float, room: float) -> list[Runs]:
+    """Break a sentence into as few lines as fit ``room``, evenly filled.
 
     They break at a colon or comma if they can, never between a number and its unit, and inside
     an equation only if it is longer than a line.
     """
-    if width(setter(text), size) <= room:
-        return [setter(text)]
-    fewest = len(_lines(text, _WORD, setter, size, room))
+    whole = said(pieces)
+    if width(whole, size) <= room:
+        return [whole]
+    fewest = len(_lines(pieces, _WORD, size, room))
     for breaks in _BREAKS:
-        lines = _lines(text, breaks, setter, size, room)
-        if len(lines) == fewest and all(width(setter(line), size) <= room for line in lines):
+        lines = _lines(pieces, breaks, size, room)
+        if len(lines) == fewest and all(width(line, size) <= room for line in lines):
             break
-    return [setter(line) for line in lines]
+    return lines
 
 
-def _lines(
-    text: str, breaks: str, setter: Callable[[str], Runs], size: float, room: float
-) -> list[str]:
-    """Return ``text`` in as few lines as it takes when it parts only at ``breaks``."""
-    parts = re.split(breaks, text)
-    widths = [width(setter(part), size) for part in parts]
+def _lines(pieces: Pieces, breaks: str, size: float, room: float) -> list[Runs]:
+    """Return a sentence in as few lines as it takes when it parts only at ``breaks``."""
+    parts = _parts(text_of(pieces), breaks)
+    widths = [width(said(_cut(pieces, part)), size) for part in parts]
     space = 0.25 * size
     total = sum(widths) + space * (len(parts) - 1)
     fewest = len(_filled(parts, widths, space, room))
@@ -58,17 +68,40 @@ def _lines(
         lines = _filled(parts, widths, space, goal)
         if len(lines) == fewest:
             break
-    return [" ".join(line) for line in lines]
+    return [said(_cut(pieces, line)) for line in lines]
 
 
-def _filled(words: list[str], widths: list[float], space: float, goal: float) -> list[list[str]]:
-    """Return the words in lines, each as long as ``goal`` allows."""
-    lines: list[list[str]] = [[]]
+def _parts(text: str, breaks: str) -> list[_Stretch]:
+    """Return the stretches of a text between its breaks."""
+    found = list(re.finditer(breaks, text))
+    starts = [0, *(each.end() for each in found)]
+    ends = [*(each.start() for each in found), len(text)]
+    return list(zip(starts, ends, strict=True))
+
+
+def _cut(pieces: Pieces, stretch: _Stretch) -> Pieces:
+    """Return a stretch of a sentence."""
+    start, end = stretch
+    found, at = [], 0
+    for piece in pieces:
+        text = piece.text[max(start - at, 0) : max(end - at, 0)]
+        if text:
+            found.append(piece._replace(text=text))
+        at += len(piece.text)
+    return tuple(found)
+
+
+def _filled(
+    parts: list[_Stretch], widths: list[float], space: float, goal: float
+) -> list[_Stretch]:
+    """Return the parts joined to lines, each as long as ``goal`` allows."""
+    lines: list[_Stretch] = []
     used = 0.0
-    for word, wide in zip(words, widths, strict=True):
-        if lines[-1] and used + space + wide > goal:
-            lines.append([])
-            used = 0.0
-        used += wide + (space if lines[-1] else 0.0)
-        lines[-1].append(word)
+    for (start, end), wide in zip(parts, widths, strict=True):
+        if lines and used + space + wide <= goal:
+            used += space + wide
+            lines[-1] = lines[-1][0], end
+        else:
+            lines.append((start, end))
+            used = wide
     return lines

@@ -11,7 +11,7 @@ from vad.lecture.moment import drawing
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.layout import Page
 from vad.plan.marks import Lettering, Mark
-from vad.plan.page.captioning import caption_marks, drawn_in, setter
+from vad.plan.page.captioning import caption_marks, drawn_in
 from vad.plan.page.entries import Entry
 from vad.plan.page.foot import REMARK_SIZE, Foot, placed
 from vad.plan.page.heads import head, pale
@@ -108,7 +108,6 @@ def measuring(setting: Setting, row: Row, cells: Sequence[Cell]) -> tuple[str, i
 
 def captions(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[Item]:
     """Yield the captions, each from when its stroke is begun until the next one is."""
-    write = setter(sheet)
     for panel in sheet.panels:
         most = drawn_in(panel)
         first = sketches[panel.name].setting.first
@@ -116,7 +115,7 @@ def captions(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterat
             setting = sketches[half.name].setting
             for index, stroke in enumerate(half.strokes):
                 number = setting.first - first + index + 1
-                marks = caption_marks(stroke.caption, number, most, write, page)
+                marks = caption_marks(stroke.said, number, most, page)
                 since, name = setting.during(index), half.full(stroke.name)
                 yield Item(name, "caption", Level.LABEL, tuple(marks), since, setting.over(index))
 

@@ -9,8 +9,8 @@ from typing import Literal
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
-from vad.strokes.language import Language
 from vad.strokes.sheet import Cell, Row, Sheet
+from vad.words import Language
 from vad.written import numbered
 
 SIZE = 0.0335

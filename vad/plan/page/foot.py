@@ -12,6 +12,7 @@ from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Lettering
+from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Equation, Panel, Term
 from vad.written import MINUS
 
@@ -72,7 +73,7 @@ def compose(panel: Panel, room: float) -> Foot:
 
     A loop that is too long for one line goes on with its equals sign on the next.
     """
-    remark = tuple(wrap(panel.remark, roman, REMARK_SIZE, room)) if panel.remark else ()
+    remark = tuple(wrap(pieces_of(panel.remark), REMARK_SIZE, room)) if panel.remark else ()
     equations = [(each, half.name) for half in panel.halves for each in half.equations]
     loops = [_pieces(*each) for each in equations]
     if not loops:

@@ -10,8 +10,8 @@ from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
 from vad.plan.page.entries import NAME_GAP, SIZE, Entries, Entry
-from vad.strokes.language import Language
 from vad.strokes.sheet import Cell, Row
+from vad.words import Language
 from vad.written import numbered, with_unit
 
 TITLE_SIZE = 0.037

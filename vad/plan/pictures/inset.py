@@ -16,16 +16,16 @@ from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import APART, Placed, beside
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import ink_size
-from vad.plan.lettering.runs import Runs, slanted, symbols
+from vad.plan.lettering.runs import Runs, symbols
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Mark, area, disc, line
 from vad.plan.pictures import polar
 from vad.plan.pictures.rotation import sense_arrow
 from vad.plan.pictures.straight import vector
 from vad.plan.sketch import Setting, Sketch, Tag
-from vad.strokes.language import Language
 from vad.strokes.sheet import CoriolisInset, PolarInset
 from vad.strokes.sheet import Inset as Drawn
+from vad.words import Language
 
 NAME_SIZE = 0.030
 CAPTION_SIZE = 0.028
@@ -69,17 +69,13 @@ def draw_inset(inset: Drawn, setting: Setting, size: float, room: float) -> Inse
         lines = polar.caption(inset)
     else:
         marks, names, reach = _picture(inset, setting, size)
-        rule = Language(setting.sheet.language).say("coriolis rule")
-        lines = wrap(rule, _set, CAPTION_SIZE, room)
+        rule = Language(setting.sheet.language).pieces("coriolis rule")
+        lines = wrap(rule, CAPTION_SIZE, room)
     xs, ys = [point.real for point in reach], [point.imag for point in reach]
     box = Rect(min(xs) - PAD, min(ys) - PAD, max(xs) + PAD, max(ys) + PAD)
     sizes = [ink_size(runs, CAPTION_SIZE) for runs in lines]
     deep = sizes[-1][1] + (len(lines) - 1) * CAPTION_PITCH
     return Inset(marks, names, box, lines, (max(wide for wide, _ in sizes), deep))
-
-
-def _set(text: str) -> Runs:
-    return slanted(text, lambda token: token == "v")
 
 
 def find_corner(obstacles: Obstacles, drawing: Rect, inset: Inset) -> Corner | None:

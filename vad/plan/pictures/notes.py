@@ -13,10 +13,11 @@ from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import APART, CLEARANCE, Placed
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import ink_size
-from vad.plan.lettering.runs import Runs, slanted
+from vad.plan.lettering.runs import Runs
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Mark
 from vad.plan.sketch import Sketch, Tag
+from vad.strokes.sentences import pieces_of
 
 SIZE = 0.030
 PITCH = 0.034
@@ -29,7 +30,7 @@ def add_notes(sketch: Sketch) -> None:
     """Add the notes of a panel, clear of all that is there."""
     setting = sketch.setting
     for note in setting.panel.notes:
-        rows = wrap(note.text, _set, SIZE, WIDEST)
+        rows = wrap(pieces_of(note.text), SIZE, WIDEST)
         sizes = [ink_size(runs, SIZE) for runs in rows]
         wide = max(wide for wide, _ in sizes)
         high = max(high for _, high in sizes) + (len(rows) - 1) * PITCH
@@ -38,10 +39,6 @@ def add_notes(sketch: Sketch) -> None:
         box = Placed(centre, wide, high).box
         sketch.tags.append(Tag(note.text, box))
         sketch.obstacles.box(box)
-
-
-def _set(text: str) -> Runs:
-    return slanted(text, lambda token: token.isupper() and len(token) <= 2)
 
 
 def _rows(rows: Sequence[Runs], centre: complex) -> list[Mark]:

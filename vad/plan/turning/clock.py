@@ -11,9 +11,9 @@ from vad.plan.geometry import Rect
 from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, roman
 from vad.plan.marks import Lettering, Mark
-from vad.strokes.language import Language
 from vad.strokes.notation import Notation
 from vad.strokes.sheet import Sheet
+from vad.words import Language
 from vad.written import typeset, with_unit
 
 SIZE, LEAST = 0.030, 0.020

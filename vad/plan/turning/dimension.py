@@ -16,7 +16,7 @@ from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import roman
 from vad.plan.marks import Mark, area, line, lines
 from vad.plan.sketch import Sketch
-from vad.strokes.language import Language
+from vad.words import Language
 
 SIZE = 0.030
 NEAR = 0.064  # from the guide

@@ -69,7 +69,7 @@ def _equation(
     dc = Vector("DC", d, c, "rocker", whole=wholes[2])
     path = seen.third(seen.path)
     across = 1j * TILT
-    along_path = scene.say("parallel", line=scene.say("balls path"))
+    along_path = scene.write("parallel", line=scene.say("balls path"))
     normals = dict.fromkeys("BC", 0j) if order == 1 else _normals(seen)
     relative = dict.fromkeys(("AB", "BC", "DC"), 0j)
     relative |= {"AB": places[b], "BC": places[c] - places[b], "DC": places[c]}

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vad.kinematics.space.numbers import Vector3, difference, dot
-from vad.strokes.figures import Figure, Unit
+from vad.strokes.arithmetic import Figure, hypotenuse, product
 from vad.strokes.scene import image_letter
+from vad.strokes.sentences import Listed, Sentence, Unit
 from vad.strokes.space.balls_seen import Seen
 from vad.strokes.space.body_rates import place
 from vad.strokes.vector_equations import Part, Vector
@@ -37,20 +37,20 @@ class BallWords:
     """The captions of the velocity (order 1) or acceleration (order 2) polygon."""
 
     def __init__(self, scene: SceneInSpace, seen: Seen, order: int) -> None:
-        self._scene, self._say = scene, scene.caption
+        self._scene, self._say = scene, scene.say
         self._order = order
         self._panel = _PANELS[order - 1]
         self._unit = per_second(scene.unit, order)
         self._seen = seen
 
-    def pole(self, resting: bool) -> str:
+    def pole(self, resting: bool) -> Sentence:
         """Say what lies at the pole."""
         letters = (image_letter(letter, self._order) for letter in "AD")
         first, last = letters
         both = self._say("and", first=first, last=last)
         return self._say("still") if resting else self._say(f"pole {self._panel}", letters=both)
 
-    def known(self, label: str, part: Part[Vector]) -> str:
+    def known(self, label: str, part: Part[Vector]) -> Sentence:
         """Work out a component that is known before the crossing."""
         link = part.of.owner
         ends, size = _ENDS[link], length_of(self._scene, link, self._unit)
@@ -61,17 +61,16 @@ class BallWords:
             size = length_of(self._scene, link, self._unit, power=-1)
             speed = Figure(self._relative_speed, per_second(self._scene.unit, 1), power=2)
             parts |= {"size": size, "speed": speed}
-            self._scene.figures.product(parts["seen"], speed, size)
-            return self._say("balls normal BC", **parts)
+            return self._say("balls normal BC", product("seen", "speed", "size"), **parts)
         rate = self._rate(link, 1 if normal else self._order, power=2 if normal else 1)
         value = Figure(abs(rate.value) ** rate.power * size.value, self._unit)
-        self._scene.figures.product(value, rate, size)
         symbol = self._symbol(link, 1 if normal else self._order)
         phrase = "balls normal" if normal else f"balls tangential {self._panel}"
         parts |= {"symbol": symbol, "rate": rate, "value": value}
-        return self._say(phrase, tail=ends[0], head=ends[1], **parts)
+        worked = product("value", "rate", "size")
+        return self._say(phrase, worked, tail=ends[0], head=ends[1], **parts)
 
-    def line(self, part: Part[Vector], point: str, meeting: str) -> str:
+    def line(self, part: Part[Vector], point: str, meeting: str) -> Sentence:
         """Say why the next vertex must lie on a construction line."""
         at_pole = point in map(lambda letter: image_letter(letter, self._order), "AD")
         place = self._say("the pole") if at_pole else point
@@ -79,45 +78,50 @@ class BallWords:
         symbol = self._symbol(part.of.owner, 2)
         return self._say(phrase, point=place, meeting=meeting, symbol=symbol)
 
-    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[Vector], str]]) -> str:
+    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[Vector], str]]) -> Sentence:
         """Say what lies where the two lines cross, and which results are zero there."""
-        found = "; ".join(
+        found = tuple(
             self._say("zero", point=vertex, symbol=self._symbol(part.of.owner, self._order))
             for part, vertex in zeros
             if part.of.name == "DC" or not self._relative_off
         )
-        return self._say("crossing zero" if found else "crossing", letter=letter, found=found)
+        if found:
+            return self._say("crossing zero", letter=letter, found=Listed(found, "; "))
+        return self._say("crossing", letter=letter)
 
-    def measured(self, label: str, part: Part[Vector]) -> str:
+    def measured(self, label: str, part: Part[Vector]) -> Sentence:
         """Measure a result off the polygon."""
         link = part.of.owner
         value = Figure(abs(part.vector), self._unit)
         parts: dict[str, Any] = {"label": label, "value": value, "unit": Unit(self._unit)}
-        parts["symbol"] = symbol = self._symbol(link, self._order)
+        parts["symbol"] = self._symbol(link, self._order)
         rate, size = self._rate(link, self._order), length_of(self._scene, link, self._unit, -1)
         rate = Figure(abs(rate.value), rate.unit)
         if link == "rocker":
-            self._scene.figures.product(rate, value, size)
             turning = getattr(self._scene.motion.link(link), _RATES[self._order - 1])
             sense = self._say("counter-clockwise" if turning > 0 else "clockwise")
             return self._say(
-                f"balls rocker {self._panel}", rate=rate, size=size, sense=sense, **parts
+                f"balls rocker {self._panel}",
+                product("rate", "value", "size"),
+                rate=rate,
+                size=size,
+                sense=sense,
+                **parts,
             )
         whole = Figure(rate.value * size.value, self._unit)
         off = Figure(self._relative_off, self._unit)
-        self._scene.figures.hypotenuse(whole, replace(value, power=2), replace(off, power=2))
-        self._scene.figures.product(rate, whole, size)
         return self._say(
             f"balls coupler {self._panel}",
+            hypotenuse("whole", "value", "off"),
+            product("rate", "whole", "size"),
             rate=rate,
             size=size,
             whole=whole,
             off=off,
-            omega=symbol,
             **parts,
         )
 
-    def whole(self, label: str, size: float, vector: Vector) -> str:
+    def whole(self, label: str, size: float, vector: Vector) -> Sentence:
         """Measure a whole vector beside its parts."""
         head, tail = vector.name[1], vector.name[0]
         relative = " relative" if vector.whole == "relative" else ""

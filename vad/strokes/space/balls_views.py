@@ -9,13 +9,12 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.numbers import fold
 from vad.kinematics.space.numbers import difference, dot
+from vad.strokes.arithmetic import Figure, leg
 from vad.strokes.diagram import Drawing, Spot
-from vad.strokes.figures import Figure
 from vad.strokes.sheet import Arc, Arrow, Curve, Dot, Equation, Kind, Note, Term
 from vad.strokes.space.balls_said import length_of
 from vad.strokes.space.balls_seen import TILT, Seen, layout
@@ -104,7 +103,6 @@ class _Views(ViewsPen):
         height = dot(difference(self.seen.at["B"], self.seen.at["D"]), self.seen.d)
         off, size = Figure(abs(height), unit), self.length("coupler")
         reach = Figure(abs(c - b), unit)
-        self.scene.figures.leg(reach, replace(size, power=2), replace(off, power=2))
         parts: dict[str, Any] = {
             "height": off,
             "side": self.scene.say("balls ahead" if height > 0.0 else "balls behind"),
@@ -113,6 +111,7 @@ class _Views(ViewsPen):
         }
         middle = math.degrees(cmath.phase(c - b))
         arc = Arc(b, abs(c - b), middle - COMPASS, 2 * COMPASS, c)
+        parts["calculations"] = (leg("reach", "size", "height"),)
         self.draw("BC.compass", "construction", "", arc, "compass", link="coupler", **parts)
         self.draw("C.found", "intersection", "C", Dot(c), "C", link="rocker")
         self._bar("BC.front", "B", "C", "coupler", "result", "BC front")
@@ -142,13 +141,16 @@ class _Views(ViewsPen):
 
     def _notes(self) -> tuple[Note, ...]:
         """Say from where each view is seen."""
-        say, at, share = self.scene.language.say, self.at, self.layout.share
-        small = "" if share == 1.0 else f" 1 : {1.0 / share:.6g}"
+        scene, at, share = self.scene, self.at, self.layout.share
+        third_note = scene.write("balls third")
+        if share != 1.0:
+            what, size = scene.say("balls third"), f"{1.0 / share:.6g}"
+            third_note = scene.write("at scale", what=what, share=size)
         right, third = max(at["C"].real, at["B"].real), share * self.sizes["coupler"]
         return (
-            Note(complex(right, at["A"].imag + self.sizes["crank"]), say("balls front")),
-            Note(0.5 * (at["A.top"] + at["D.top"]), say("balls top")),
-            Note(self.layout.place + (TILT + 0.3) * third, say("balls third") + small),
+            Note(complex(right, at["A"].imag + self.sizes["crank"]), scene.write("balls front")),
+            Note(0.5 * (at["A.top"] + at["D.top"]), scene.write("balls top")),
+            Note(self.layout.place + (TILT + 0.3) * third, third_note),
         )
 
     def length(self, name: str) -> Figure:

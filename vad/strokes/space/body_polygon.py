@@ -14,6 +14,7 @@ from vad.strokes.diagram import Drawing
 from vad.strokes.order import ORDERS
 from vad.strokes.pencil import Pencil
 from vad.strokes.player import Player
+from vad.strokes.sentences import SentencePart
 from vad.strokes.sheet import Component, Ellipse, Equation, Fold, Stroke, StrokePart, Term
 from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.space.body_words import TURNED, BodyVector, BodyWords
@@ -46,7 +47,7 @@ class Bodies:
 
     rates: BodyRates
     words: BodyWords
-    axes: Mapping[str, str]
+    axes: Mapping[str, SentencePart]
     rows: Mapping[str, str]
     measured: Collection[str]
     twice: bool
@@ -125,7 +126,7 @@ class _Polygon:
         stage: str = "",
         symbol: str = "",
     ) -> Part[BodyVector]:
-        label = self.scene.say("parallel", line=vector.axis)
+        label = self.scene.write("parallel", line=vector.axis)
         return Part(
             vector,
             name,
@@ -200,9 +201,9 @@ class _Polygon:
         arms = tuple(centre + rates.laid(arm, self.side) for arm in (rates.b, rates.c))
         rim = Ellipse(centre, axis, rates.seen(rates.j))
         shape = Fold(centre, axis, turn, arms, rim)
-        caption = self.scene.caption(f"{self.bodies.words.topic} fold")
+        said = self.scene.say(f"{self.bodies.words.topic} fold")
         part = StrokePart("", "fold")
-        return Stroke("construction", "", shape, caption, self.bodies.rows["23"], part=part)
+        return Stroke("construction", "", shape, said, self.bodies.rows["23"], part=part)
 
     def _sums(self, pencil: Pencil[BodyVector]) -> tuple[Equation, ...]:
         """Return both equations, of the vectors that are drawn."""

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from vad.kinematics.numbers import fold
 from vad.kinematics.space.crossed_shafts import UniversalSolver
 from vad.kinematics.space.sphere import SphereSolver
-from vad.strokes.figures import Figure, Unit
+from vad.strokes.arithmetic import Figure, product
+from vad.strokes.sentences import Listed, Sentence, SentencePart, Unit
 from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.vector_equations import Part, Vector
 from vad.written import subscript
@@ -28,7 +29,7 @@ class BodyVector(Vector):
     """
 
     symbol: str
-    axis: str
+    axis: SentencePart
     value: float
 
 
@@ -47,20 +48,21 @@ class BodyWords:
         self.panel = ("velocity", "acceleration")[order - 1]
         self.unit = ("rad/s", "rad/s²")[order - 1]
 
-    def still(self) -> str:
+    def still(self) -> Sentence:
         """Say that nothing moves."""
-        return self.scene.caption("still")
+        return self.scene.say("still")
 
-    def pole(self) -> str:
+    def pole(self) -> Sentence:
         """Say that the frame is at the pole."""
-        return self.scene.caption(f"bodies pole {self.panel}")
+        return self.scene.say(f"bodies pole {self.panel}")
 
-    def known(self, label: str, part: Part[BodyVector]) -> str:
+    def known(self, label: str, part: Part[BodyVector]) -> Sentence:
         """Work out a known component."""
-        vector, common = part.of, {"label": label, "unit": Unit(self.unit)}
+        vector = part.of
+        common: dict[str, SentencePart] = {"label": label, "unit": Unit(self.unit)}
         if part.name != "normal":
             value = Figure(vector.value, self.unit, given=True)
-            return self.scene.caption(
+            return self.scene.say(
                 "bodies given", symbol=vector.symbol, axis=vector.axis, value=value, **common
             )
         solver, motion = self.scene.motion.solver, self.scene.motion
@@ -71,49 +73,61 @@ class BodyWords:
             Figure(abs(each), unit)
             for each, unit in ((part.vector, self.unit), (found.omega, "rad/s"), (speed, "rad/s"))
         )
-        self.scene.figures.product(value, omega, tau)
-        phrase = f"{self.topic} turned {'coupler' if vector.reverse else 'frame'}"
         symbol = "ω" + subscript(42)
-        return self.scene.caption(
-            phrase, symbol=symbol, term=part.symbol, omega=omega, tau=tau, value=value, **common
+        return self.scene.say(
+            f"{self.topic} turned {'coupler' if vector.reverse else 'frame'}",
+            product("value", "omega", "tau"),
+            symbol=symbol,
+            omega=omega,
+            tau=tau,
+            value=value,
+            **common,
         )
 
-    def line(self, part: Part[BodyVector], point: str, meeting: str) -> str:
+    def line(self, part: Part[BodyVector], point: str, meeting: str) -> Sentence:
         """Say why the next vertex lies on a line."""
         vector = part.of
         place = self.scene.say("the pole") if vector.name == "14" else point
         arcs = {"23": self.rates.at_b, "43": self.rates.at_c}
         arc = Figure(abs(arcs.get(vector.name, 0.0)), "°")
         panel = f" {self.panel}" if vector.name == "24" else ""
-        parts = {"point": place, "axis": vector.axis, "meeting": meeting, "arc": arc}
-        return self.scene.caption(f"{self.topic} line {vector.name}{panel}", **parts)
+        return self.scene.say(
+            f"{self.topic} line {vector.name}{panel}",
+            point=place,
+            axis=vector.axis,
+            meeting=meeting,
+            arc=arc,
+        )
 
-    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[BodyVector], str]]) -> str:
+    def crossing(
+        self, letter: str, pole: bool, zeros: list[tuple[Part[BodyVector], str]]
+    ) -> Sentence:
         """Say what lies where the lines cross."""
-        found = "; ".join(
+        found = tuple(
             self.scene.say("zero", point=vertex, symbol=part.symbol) for part, vertex in zeros
         )
-        return self.scene.caption(
-            "crossing zero" if found else "crossing", letter=letter, found=found
-        )
+        if found:
+            return self.scene.say("crossing zero", letter=letter, found=Listed(found, "; "))
+        return self.scene.say("crossing", letter=letter)
 
-    def measured(self, label: str, part: Part[BodyVector]) -> str:
+    def measured(self, label: str, part: Part[BodyVector]) -> Sentence:
         """Measure a result."""
         vector, motion = part.of, self.scene.motion
         value = Figure(abs(part.vector) if vector.name == "24" else vector.value, self.unit)
-        parts = {"label": label, "symbol": part.symbol, "value": value, "unit": Unit(self.unit)}
+        parts: dict[str, SentencePart] = {"label": label, "symbol": part.symbol, "value": value}
+        parts["unit"] = Unit(self.unit)
         if vector.name != "14" or self.order > 1 or not self.sines:
-            return self.scene.caption("turning measured", **parts)
+            return self.scene.say("turning measured", **parts)
         assert isinstance(motion.solver, SphereSolver)
         from_a = motion.solver.axis(motion.pose).tau
         from_d = fold(from_a - motion.mechanism.parameters()["ground"])
         sign = -1.0 if from_a <= 0.0 and from_d <= 0.0 else 1.0
         arcs = {"ai": Figure(sign * from_a, "°"), "di": Figure(sign * from_d, "°")}
-        return self.scene.caption("bodies sines", **parts, **arcs)
+        return self.scene.say("bodies sines", **parts, **arcs)
 
-    def whole(self, label: str, size: float, vector: BodyVector) -> str:
+    def whole(self, label: str, size: float, vector: BodyVector) -> Sentence:
         """Measure a whole vector."""
         value = Figure(size, self.unit)
-        return self.scene.caption(
+        return self.scene.say(
             "turning measured", label=label, symbol=vector.symbol, value=value, unit=Unit(self.unit)
         )

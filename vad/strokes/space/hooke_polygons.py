@@ -17,14 +17,15 @@ from vad.kinematics.numbers import fold
 from vad.kinematics.space.crossed_shafts import Universal, UniversalSolver
 from vad.kinematics.space.instant_axis import Z
 from vad.kinematics.space.numbers import unit
+from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing, Spot
-from vad.strokes.notation import Notation
+from vad.strokes.sentences import SentencePart
 from vad.strokes.sheet import PolarInset
 from vad.strokes.space.body_polygon import Bodies, polygon_of_bodies
 from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.space.body_words import BodyWords
 from vad.strokes.space.hooke_views import PLAN, pierced, pins
-from vad.written import PRIME, subscript
+from vad.written import PRIME
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import MotionInSpace
@@ -55,9 +56,8 @@ def tracks(rates: BodyRates, order: int) -> Mapping[Spot, Any]:
 
 def polygon(scene: SceneInSpace, rates: BodyRates, order: int) -> Drawing:
     """Return the polygon of ω (1) or α (2) of a pose."""
-    say = scene.say
-    shafts = {f"1{shaft}": say("hooke shaft", shaft=shaft) for shaft in (2, 4)}
-    axes = {**shafts, "24": "OT", "23": "OP", "43": "OQ"}
+    shafts = {f"1{shaft}": scene.say("hooke shaft", shaft=str(shaft)) for shaft in (2, 4)}
+    axes: dict[str, SentencePart] = {**shafts, "24": "OT", "23": "OP", "43": "OQ"}
     words = JointWords(scene, order, rates)
     drawing = polygon_of_bodies(
         Bodies(rates, words, axes, _ROWS, _MEASURED[order], twice=False, centre=PLAN)
@@ -79,10 +79,7 @@ def speeds(scene: SceneInSpace) -> PolarInset:
     cosine, omega = closure.cosine, abs(motion.link("driving").omega)
     alike = math.atan(math.sqrt(cosine))
     alike_at = [alike, math.pi - alike, math.pi + alike, -alike] if closure.sine else []
-    low, high = (
-        Notation(scene.language.point).number(float(f"{ratio:.4g}"), given=True)
-        for ratio in (cosine, 1.0 / cosine)
-    )
+    low, high = (Figure(float(f"{ratio:.4g}"), given=True) for ratio in (cosine, 1.0 / cosine))
     return PolarInset(
         "driving",
         "driven",
@@ -90,8 +87,8 @@ def speeds(scene: SceneInSpace) -> PolarInset:
         _over_a_turn(closure, omega),
         _speed(closure, omega, motion.link("driving").angle),
         tuple(cmath.rect(omega, theta) for theta in alike_at),
-        scene.say("hooke speeds"),
-        f"ω{subscript(4)}/ω{subscript(2)} = {low} … {high}",
+        scene.write("hooke speeds"),
+        scene.write("hooke speed range", low=low, high=high),
         "14.absolute",
     )
 

@@ -12,8 +12,9 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.space.numbers import Vector3, added, over, scaled
+from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing, Spot
-from vad.strokes.figures import Figure
+from vad.strokes.sentences import Sentence, Text
 from vad.strokes.sheet import (
     Arc,
     Arrow,
@@ -114,8 +115,8 @@ class _Views(ViewsPen):
         self._plan()
         self._yokes()
         self._cut()
-        say = self.scene.language.say
-        notes = Note(AXIS + 1.2j, say("hooke along")), Note(PLAN + AXIS - 1j, say("hooke plan"))
+        write = self.scene.write
+        notes = Note(AXIS + 1.2j, write("hooke along")), Note(PLAN + AXIS - 1j, write("hooke plan"))
         return self.finished(self._equation(), notes)
 
     def _frame(self) -> None:
@@ -213,13 +214,15 @@ class _Views(ViewsPen):
     def _equation(self) -> Equation:
         """Return tan θ₄ = tan θ₂ / cos 30°."""
         ratio = self._ratio(self.given(math.degrees(self.shafts)))
-        left = Term(f"tan θ{subscript(4)}", "driven", "Q.angle")
-        return Equation((left,), (Term(ratio, "driving", "P.angle"),))
+        left = self.scene.write("hooke tangent", theta="θ" + subscript(4))
+        right = Text.of(ratio, self.scene.voice)
+        return Equation((Term(left, "driven", "Q.angle"),), (Term(right, "driving", "P.angle"),))
 
-    def _ratio(self, shafts: Figure) -> str:
-        """Write what tan θ₄ is."""
-        tangent = self.degrees(self.given(self.theta2))
-        return f"tan {tangent} / cos {self.degrees(shafts)}"
+    def _ratio(self, shafts: Figure) -> Sentence:
+        """Say what tan θ₄ is."""
+        say, theta = self.scene.say, self.given(self.theta2)
+        angles = say("degrees", angle=theta), say("degrees", angle=shafts)
+        return say("hooke ratio", theta=angles[0], shafts=angles[1])
 
 
 def _ellipse(width: float) -> Ellipse:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.linkage import Scalar
-from vad.strokes.saying import Saying
+from vad.strokes.sentences import Saying
 from vad.strokes.sheet import Cell, Row
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ class SceneInSpace(Saying, ABC):
         return [
             Row(
                 key,
-                self.language.name(key),
+                self.name(key),
                 letters,
                 {diagram.name: diagram.cells(self, key, False) for diagram in diagrams},
             )

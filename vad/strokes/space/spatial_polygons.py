@@ -7,20 +7,21 @@ four-bar; below is A as a point of the rocker: relative to the crank, and about 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from vad.strokes.arithmetic import Figure, product, total
 from vad.strokes.diagram import Drawing
 from vad.strokes.equations import of_chains
-from vad.strokes.figures import Figure, Unit
 from vad.strokes.pencil import Pencil
 from vad.strokes.player import Player
+from vad.strokes.sentences import Sentence, SentencePart, Terms, Unit
 from vad.strokes.sheet import Component
 from vad.strokes.space.body_words import TURNED
 from vad.strokes.space.screw_rates import ScrewRates
 from vad.strokes.vector_equations import Chain, Part, Vector, VectorEquation
-from vad.written import MINUS, per_second, subscript
+from vad.written import per_second, subscript
 
 if TYPE_CHECKING:
     from vad.strokes.space.scene_in_space import SceneInSpace
@@ -67,7 +68,7 @@ class _Half(ABC):
         at_pole = list(self.spots) if resting else fixed
         pencil: Pencil[Vector] = Pencil(self, place, self.longest, at_pole)
         rows = tuple(self.scene.headings) if resting else ()
-        pencil.begin(self.scene.caption("still" if resting else f"{pole} {self.panel}"), rows)
+        pencil.begin(self.scene.say("still" if resting else f"{pole} {self.panel}"), rows)
         first, second = Player(pencil).play(equation)
         sums = () if resting else (of_chains(first.side, second.side),)
         strokes, zeros = tuple(pencil.strokes), tuple(pencil.zeros)
@@ -88,28 +89,28 @@ class _Half(ABC):
         """Return what the crossing finds along I or D."""
         way, row = {"I": (self.i, "axis"), "D": (self.d, "rocker")}[letter]
         vector, value = Vector(letter, tail, head, row), self.spots[head] - self.spots[tail]
-        more["label"] = self.scene.say("parallel", line="O" + letter)
+        more["label"] = self.scene.write("parallel", line="O" + letter)
         return Part(vector, component, value, way, True, component, head, **more)
 
     @abstractmethod
-    def known(self, label: str, part: Part[Vector]) -> str:
+    def known(self, label: str, part: Part[Vector]) -> Sentence:
         """Work out a vector that is known before the crossing."""
 
-    def line(self, part: Part[Vector], point: str, meeting: str) -> str:
+    def line(self, part: Part[Vector], point: str, meeting: str) -> Sentence:
         """Say why the next vertex lies on the line along I or D."""
         letter, pole = part.of.name, next(iter(self.spots))
         place = self.scene.say("the pole") if part.of.tail == pole else point
         phrase = self.lines[letter].format(self.panel)
-        return self.scene.caption(phrase, point=place, meeting=meeting, axis="O" + letter)
+        return self.scene.say(phrase, point=place, meeting=meeting, axis="O" + letter)
 
-    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[Vector], str]]) -> str:
+    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[Vector], str]]) -> Sentence:
         """Say what lies where the two lines cross."""
-        return self.scene.caption("crossing", letter=letter)
+        return self.scene.say("crossing", letter=letter)
 
-    def measured(self, label: str, part: Part[Vector]) -> str:
+    def measured(self, label: str, part: Part[Vector]) -> Sentence:
         """Measure a result off the polygon."""
         value, unit = self.figure(self.found[part.of.owner]), Unit(self.unit)
-        return self.scene.caption(
+        return self.scene.say(
             "turning measured", label=label, symbol=part.symbol, value=value, unit=unit
         )
 
@@ -145,22 +146,24 @@ class _Turning(_Half):
         last = self.along("D", one, four, "absolute", symbol=symbols[4], called="14")
         return self.play(VectorEquation(_chain(*first), _chain(last), "4"), [one], "bodies pole")
 
-    def known(self, label: str, part: Part[Vector]) -> str:
+    def known(self, label: str, part: Part[Vector]) -> Sentence:
         """Work out how the crank turns, or how ω₄₂ turns with OI."""
         if part.of.owner == "axis":
             return self._turned(label)
         value = self.figure(self.rates.of_crank(self.order), given=True)
-        parts = {"label": label, "symbol": part.symbol, "value": value, "unit": Unit(self.unit)}
-        return self.scene.caption("bodies given", axis="OA", **parts)
+        unit = Unit(self.unit)
+        return self.scene.say(
+            "bodies given", axis="OA", label=label, symbol=part.symbol, value=value, unit=unit
+        )
 
-    def _turned(self, label: str) -> str:
+    def _turned(self, label: str) -> Sentence:
         """Say how ω₄₂ turns with OI."""
         omega, _, tau, _ = (abs(float(rate)) for rate in self.rates.moving)
         factors = self.figure(omega, "rad/s"), self.figure(tau, "rad/s")
         value = self.figure(abs(float(self.rates.about_i(self.order)[1])))
-        self.scene.figures.product(value, *factors)
-        return self.scene.caption(
+        return self.scene.say(
             "bodies turned frame",
+            product("value", "omega", "tau"),
             label=label,
             symbol=RELATIVE[1],
             omega=factors[0],
@@ -196,44 +199,44 @@ class _Sliding(_Half):
         drawing = self.play(VectorEquation(first, second, "a4"), [a, d], "spatial pole")
         return replace(drawing, unit=self.unit)
 
-    def known(self, label: str, part: Part[Vector]) -> str:
+    def known(self, label: str, part: Part[Vector]) -> Sentence:
         """Work out how A turns about I or D."""
         return self._about_i(label) if part.of.owner == "axis" else self._about_d(label)
 
-    def _about_d(self, label: str) -> str:
+    def _about_d(self, label: str) -> Sentence:
         """Say how A turns with the rocker about D."""
         rate, arm = self.rates.of_rocker(self.order), self.rates.ground
         turn = self.figure(abs(rate), ("rad/s", "rad/s²")[self.order - 1])
         lever = self.figure(abs(arm), self.unit, given=True)
         value = self.figure(abs(rate * arm))
-        self.scene.figures.product(value, turn, lever)
-        symbol = "ωα"[self.order - 1] + subscript(4)
-        parts = {"label": label, "symbol": symbol, "turn": turn, "lever": lever, "value": value}
-        return self.scene.caption("spatial about D", unit=Unit(self.unit), **parts)
+        return self.scene.say(
+            "spatial about D",
+            product("value", "turn", "lever"),
+            label=label,
+            symbol="ωα"[self.order - 1] + subscript(4),
+            turn=turn,
+            lever=lever,
+            value=value,
+            unit=Unit(self.unit),
+        )
 
-    def _about_i(self, label: str) -> str:
+    def _about_i(self, label: str) -> Sentence:
         """Say how A turns about I, as a point of the rocker that is seen from the crank."""
         omega, sliding, tau, rising = (float(rate) for rate in self.rates.moving)
         across = self.figure(abs(float(self.rates.of_a(self.order)[1])))
-        parts = {"label": label, "value": across, "unit": Unit(self.unit)}
+        parts: dict[str, SentencePart] = {"label": label, "value": across}
+        parts["unit"] = Unit(self.unit)
         if self.order == 1:
             turn, lever = self.figure(abs(omega), "rad/s"), self.figure(abs(self.rates.height))
-            self.scene.figures.product(across, turn, lever)
-            return self.scene.caption("spatial about I velocity", turn=turn, lever=lever, **parts)
+            worked = product("value", "turn", "lever")
+            return self.scene.say(
+                "spatial about I velocity", worked, turn=turn, lever=lever, **parts
+            )
         sums = self.rates.grown[0] * self.rates.height, omega * rising, sliding * tau
         sign = 1.0 if sum(map(float, sums)) >= 0.0 else -1.0
-        addends = [self.figure(sign * float(each)) for each in sums]
-        self.scene.figures.sum(across, *addends)
-        return self.scene.caption("spatial about I acceleration", sum=self._sum(addends), **parts)
-
-    def _sum(self, addends: Sequence[Figure]) -> str:
-        """Write a sum, in which what is negative is taken away."""
-        first, *others = addends
-        text = str(first)
-        for each in others:
-            sign = MINUS if each.value < 0.0 else "+"
-            text += f" {sign} {replace(each, value=abs(each.value))}"
-        return text
+        addends = Terms(tuple(self.figure(sign * float(each)) for each in sums))
+        worked = total("value", "sum")
+        return self.scene.say("spatial about I acceleration", worked, sum=addends, **parts)
 
 
 def _chain(*parts: Part[Vector]) -> Chain[Vector]:

@@ -10,8 +10,8 @@ import cmath
 import math
 from typing import Any
 
+from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing
-from vad.strokes.figures import Figure
 from vad.strokes.sheet import Arc, Arrow, Bearing, Block, Curve, Dot, Equation, Note, Term
 from vad.strokes.space.scene_in_space import SceneInSpace
 from vad.strokes.space.screw_rates import ScrewRates
@@ -52,10 +52,10 @@ class _Views(ViewsPen):
         self._slides()
         self._bodies()
         self._screw()
-        say = self.scene.say
+        write = self.scene.write
         notes = (
-            Note(self.star + (NOTE - 0.8j * RAY) * self.reach, say("spatial star")),
-            Note(self.rose - NOTE * self.reach, say("spatial rose")),
+            Note(self.star + (NOTE - 0.8j * RAY) * self.reach, write("spatial star")),
+            Note(self.rose - NOTE * self.reach, write("spatial rose")),
         )
         return self.finished(self._equation(), notes)
 

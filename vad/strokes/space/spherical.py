@@ -49,7 +49,7 @@ class SphericalScene(SceneInSpace):
 
     def _bodies(self, order: int) -> Bodies:
         words = BodyWords(self, order, self.rates)
-        remark = self.say("bodies remark")
+        remark = self.write("bodies remark")
         return Bodies(self.rates, words, _AXES, _ROWS, _MEASURED, True, remark, centre=0j)
 
     def unit_of(self, order: Order) -> str:
@@ -71,5 +71,6 @@ class SphericalScene(SceneInSpace):
 
     def rows(self, diagrams: Sequence[Diagram]) -> list[Row]:
         """Return the rows of the results, each with its axis."""
-        names = self.language.name
-        return [replace(row, title=names(_BODIES[row.key][0])) for row in super().rows(diagrams)]
+        return [
+            replace(row, title=self.name(_BODIES[row.key][0])) for row in super().rows(diagrams)
+        ]

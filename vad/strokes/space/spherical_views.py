@@ -12,8 +12,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from vad.kinematics.space.numbers import Vector3, cross, difference, dot, over, scaled
+from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing
-from vad.strokes.figures import Figure
 from vad.strokes.sheet import Arc, Arrow, Bearing, Curve, Dot, Ellipse, Equation, Kind, Note, Term
 from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.space.scene_in_space import SceneInSpace
@@ -62,7 +62,7 @@ class _Views(ViewsPen):
         self._links()
         self._axis()
         notes = tuple(
-            Note(at, self.scene.say("spherical along", axis="O" + letter))
+            Note(at, self.scene.write("spherical along", axis="O" + letter))
             for letter, at in NOTES.items()
         )
         equation = Equation(
@@ -169,7 +169,7 @@ class _Views(ViewsPen):
         phrase: str,
         link: str | None = None,
         reveals: tuple[str, ...] = (),
-        **parts: object,
+        **parts: Any,
     ) -> None:
         """Draw a link: the arc of a great circle between two axes."""
         cosine = dot(start, end)

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, ClassVar
 
+from vad.strokes.arithmetic import Calculation, Figure
 from vad.strokes.diagram import Drawing
-from vad.strokes.figures import Figure, Unit
+from vad.strokes.sentences import SentencePart, Text, Unit
 from vad.strokes.sheet import Component, Ellipse, Equation, Kind, Note, Shape, Stroke, StrokePart
-from vad.written import with_unit
 
 if TYPE_CHECKING:
     from vad.strokes.space.scene_in_space import SceneInSpace
@@ -44,19 +44,21 @@ class ViewsPen:
         link: str | None = None,
         body: bool = False,
         reveals: tuple[str, ...] = (),
-        **parts: object,
+        calculations: tuple[Calculation, ...] = (),
+        **parts: SentencePart,
     ) -> None:
         """Draw a stroke, a ``body`` as thick as links are; ``parts`` fill in its phrase."""
-        caption = self.scene.caption(f"{self.topic} {phrase}", unit=Unit(self.scene.unit), **parts)
+        unit = Unit(self.scene.unit)
+        said = self.scene.say(f"{self.topic} {phrase}", *calculations, unit=unit, **parts)
         component: Component | None = "link" if body else None
         part = StrokePart.named(name)
         self.strokes.append(
-            Stroke(kind, label, shape, caption, link, component, reveals=reveals, part=part)
+            Stroke(kind, label, shape, said, link, component, reveals=reveals, part=part)
         )
 
     def leave_out(self) -> None:
         """Keep the last stroke among those that are not drawn in this pose."""
-        self.zeros.append(replace(self.strokes.pop(), caption="", reveals=()))
+        self.zeros.append(replace(self.strokes.pop(), said="", reveals=()))
 
     def finished(self, equation: Equation, notes: Sequence[Note]) -> Drawing:
         """Return all strokes, with the equation below them and what stands beside the views."""
@@ -75,9 +77,9 @@ class ViewsPen:
         """Return a parameter that is an angle."""
         return self.given(self.sizes[name])
 
-    def degrees(self, angle: Figure) -> str:
+    def degrees(self, angle: Figure) -> Text:
         """Write an angle beside its arc."""
-        return with_unit(str(angle), "°")
+        return self.scene.write("degrees", angle=angle)
 
 
 def circle(centre: complex, radius: float, start: float = 0.0, sweep: float = 360.0) -> Ellipse:

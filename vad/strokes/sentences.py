@@ -1,0 +1,245 @@
+"""Sentences as data: a phrase of the language files, and the parts that fill its gaps.
+
+Strokes carry their captions so.  A sentence becomes text when somebody reads it: the parts say by
+their types what is a number, a unit, a noun or a symbol, and the `Voice` says in which language it
+is spoken and how numbers are written.  A script says one by ``scene.say("crossing", letter="c")``;
+a number in it is a `Figure`, a unit a `Unit`, a link or slide a `Noun`, and any other text the
+letters of points, vectors and quantities.  What a sentence calculates is said before its parts:
+``scene.say("whole", product("value", "rate", "size"), value=…, rate=…, size=…)``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, TypeAlias
+
+from vad.strokes.arithmetic import Calculation, Figure
+from vad.strokes.notation import Notation
+from vad.words import Gap, Language, Piece, text_of
+from vad.written import MINUS, squared
+
+
+@dataclass(slots=True)
+class Unit:
+    """A unit, as data have it: mm/s where the sheet writes m/s."""
+
+    name: str
+
+
+@dataclass(slots=True)
+class Noun:
+    """A name of the language files: a link, a slide, a title.
+
+    Attributes
+    ----------
+    name
+        What the program calls it.
+    generic
+        What it is, link or slider: a name of unknown gender stands behind that.  Empty where it
+        stands alone, as in a title.
+    of
+        What follows it, whatever its article: "of A".
+    """
+
+    name: str
+    generic: str = "link"
+    of: Sentence | None = None
+
+
+@dataclass(slots=True)
+class Listed:
+    """Several parts, one after the other, with a sign between them."""
+
+    items: tuple[SentencePart, ...]
+    between: str
+
+
+@dataclass(slots=True)
+class Terms:
+    """The sum of numbers, in which what is negative is taken away."""
+
+    addends: tuple[Figure, ...]
+
+
+@dataclass(slots=True)
+class Voice:
+    """In which language a sheet speaks, and how it writes numbers.
+
+    While strokes are drawn, the notation is not complete: it knows how many digits the numbers
+    need when the last calculation is noted down.
+    """
+
+    language: str = "en"
+    notation: Notation = field(default_factory=Notation)
+
+    def pieces(self, part: SentencePart) -> tuple[Piece, ...]:
+        """Return what a part says, stretch by stretch."""
+        return tuple(_pieces(part, self, Language(self.language)))
+
+    def text(self, part: SentencePart) -> str:
+        """Return what a part says, as a string."""
+        return text_of(self.pieces(part))
+
+
+@dataclass(slots=True)
+class Sentence:
+    """What is said, which is not yet said in any language.
+
+    Attributes
+    ----------
+    phrase
+        The key of a phrase in the language files.
+    parts
+        What fills its gaps, by their names.
+    calculations
+        What it calculates, by the names of its parts.
+    voice
+        Who speaks it where nobody else is asked to: that of the sheet.
+
+    Examples
+    --------
+    >>> said = Sentence("crossing", {"letter": "c"})
+    >>> str(said)
+    'c is where the two lines cross.'
+    >>> Voice("de").text(said)
+    'c liegt, wo sich die beiden Geraden schneiden.'
+    """
+
+    phrase: str
+    parts: Mapping[str, SentencePart] = field(default_factory=dict)
+    calculations: tuple[Calculation, ...] = ()
+    voice: Voice = field(default_factory=Voice, compare=False, repr=False)
+    _set: tuple[Piece, ...] = field(default=(), init=False, compare=False, repr=False)
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """What it says, stretch by stretch; kept from the first time on."""
+        if not self._set:
+            self._set = self.voice.pieces(self)
+        return self._set
+
+    def __str__(self) -> str:
+        return text_of(self.pieces)
+
+    def __hash__(self) -> int:
+        return hash(self.phrase)
+
+    def figures(self, names: tuple[str | float, ...]) -> Iterator[Figure]:
+        """Yield the numbers of parts, those of a sum one by one."""
+        for name in names:
+            part = self.parts[name] if isinstance(name, str) else Figure(name, given=True)
+            if isinstance(part, Terms):
+                yield from part.addends
+            else:
+                assert isinstance(part, Figure)
+                yield part
+
+
+#: What fills a gap.  A bare string is the letters of a point, a vector, a line or a quantity.
+SentencePart: TypeAlias = str | Figure | Unit | Noun | Listed | Terms | Sentence
+
+
+class Text(str):
+    """A label, a title or a note as it is read, with the part that it says.
+
+    Examples
+    --------
+    >>> title = Text.of(Noun("crank", ""), Voice("de"))
+    >>> title, title.said
+    ('Kurbel', Noun(name='crank', generic='', of=None))
+    """
+
+    __slots__ = ("pieces", "said")
+    said: SentencePart
+    pieces: tuple[Piece, ...]
+
+    @classmethod
+    def of(cls, said: SentencePart, voice: Voice) -> Text:
+        """Return what a part says in a voice."""
+        pieces = voice.pieces(said)
+        return cls.kept(text_of(pieces), said, pieces)
+
+    @classmethod
+    def kept(cls, text: str, said: SentencePart, pieces: tuple[Piece, ...] = ()) -> Text:
+        """Return a text as somebody else has set it."""
+        made = cls(text)
+        made.said, made.pieces = said, pieces
+        return made
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Text.kept, (str(self), self.said, self.pieces)
+
+
+def pieces_of(said: str | Sentence) -> tuple[Piece, ...]:
+    """Return what a caption, label or note consists of; a plain string is but words."""
+    if isinstance(said, Text | Sentence):
+        return said.pieces
+    return (Piece(said),)
+
+
+def _pieces(
+    part: SentencePart, voice: Voice, language: Language, article: str = ""
+) -> Iterator[Piece]:
+    notation = voice.notation
+    if isinstance(part, str):
+        yield Piece(part, "symbol")
+    elif isinstance(part, Figure):
+        text = notation.number(part.value, part.unit, part.given)
+        yield Piece(squared(text) if part.power == 2 else text, "figure")
+    elif isinstance(part, Unit):
+        yield Piece(notation.unit(part.name), "unit")
+    elif isinstance(part, Sentence):
+        speaker = language.speaker(part.phrase)
+        for each in speaker.template(part.phrase):
+            if isinstance(each, Gap):
+                yield from _pieces(part.parts[each.name], voice, speaker, each.article)
+            else:
+                yield each
+    elif isinstance(part, Noun):
+        yield Piece(language.noun(part.name, article, part.generic))
+        if part.of:
+            yield Piece(" ")
+            yield from _pieces(part.of, voice, language)
+    elif isinstance(part, Terms):
+        first, *others = part.addends
+        yield from _pieces(first, voice, language)
+        for addend in others:
+            yield Piece(f" {MINUS} " if addend.value < 0.0 else " + ")
+            yield from _pieces(replace(addend, value=abs(addend.value)), voice, language)
+    else:
+        for number, item in enumerate(part.items):
+            if number:
+                yield Piece(part.between)
+            yield from _pieces(item, voice, language)
+
+
+@dataclass(frozen=True)
+class Saying:
+    """A motion, the language of what is said of it, and all that is calculated in that."""
+
+    motion: Any
+    language: Language
+    voice: Voice = field(init=False)
+    #: The sentences with calculations, in the order in which they are said.
+    calculated: list[Sentence] = field(default_factory=list, init=False)
+
+    def __post_init__(self) -> None:
+        """Begin to speak, with as many digits as numbers usually have."""
+        voice = Voice(self.language.code, Notation(self.language.point))
+        object.__setattr__(self, "voice", voice)
+
+    def say(self, phrase: str, *calculations: Calculation, **parts: SentencePart) -> Sentence:
+        """Return a sentence, and note down what it calculates."""
+        sentence = Sentence(phrase, parts, calculations, self.voice)
+        if calculations:
+            self.calculated.append(sentence)
+        return sentence
+
+    def write(self, phrase: str, **parts: SentencePart) -> Text:
+        """Return a label, a title or a note at once, in which no number is calculated."""
+        return Text.of(Sentence(phrase, parts), self.voice)
+
+    def name(self, name: str) -> Text:
+        """Return a name of the language files."""
+        return Text.of(Noun(name, generic=""), self.voice)

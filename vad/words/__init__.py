@@ -1,0 +1,204 @@
+"""The words of every language: one file per language, for captions, boards and pages alike.
+
+`vad.words.en` says how such a file is written.  What a language leaves out is said in English, a
+whole table or a single phrase.  The files are Python and not TOML because Python compiles a file
+once: a drawing waits a tenth of the time for its words.  Other packages bring languages by the
+entry point group ``vad.languages``, each a module like `vad.words.en`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import cache, lru_cache
+from importlib import import_module
+from string import Formatter
+from typing import Any, Literal, NamedTuple
+
+from vad.found import all_names, from_packages, names_in, one_of_all
+
+#: Where other packages say which languages they bring.
+GROUP = "vad.languages"
+#: The language that has every phrase.
+ENGLISH = "en"
+
+Kind = Literal["words", "symbol", "figure", "unit"]
+
+
+class Piece(NamedTuple):
+    """A stretch of what is said: words, a symbol such as ω₃ or b′, a number or a unit."""
+
+    text: str
+    kind: Kind = "words"
+
+
+class Gap(NamedTuple):
+    """A place in a phrase that is filled in: the name of the part, and the article it takes."""
+
+    name: str
+    article: str = ""
+
+
+#: What a phrase consists of, in the order in which it is said.
+Template = tuple[Piece | Gap, ...]
+
+
+def languages() -> tuple[str, ...]:
+    """Return the codes of the languages of this package."""
+    return names_in("words")
+
+
+def all_languages() -> tuple[str, ...]:
+    """Return the codes of all languages, those of other packages last."""
+    return all_names(languages(), GROUP)
+
+
+@cache
+def template(phrase: str) -> Template:
+    """Return what a phrase consists of.
+
+    Examples
+    --------
+    >>> [each[0] for each in template("2·*v* = {rate} {rad/s}")]
+    ['2·', 'v', ' = ', 'rate', ' ', 'rad/s']
+    """
+    found: list[Piece | Gap] = []
+    for fixed, name, article, _ in Formatter().parse(phrase):
+        kinds: tuple[Kind, Kind] = ("words", "symbol")
+        for number, text in enumerate(fixed.split("*")):
+            if text:
+                found.append(Piece(text, kinds[number % 2]))
+        if name is not None:
+            found.append(Piece(name, "unit") if "/" in name else Gap(name, article or ""))
+    return tuple(found)
+
+
+def text_of(pieces: Iterable[Piece]) -> str:
+    """Return what pieces spell."""
+    return "".join([piece[0] for piece in pieces])
+
+
+class Language:
+    """The words of one language.
+
+    Parameters
+    ----------
+    code
+        Its two letters.
+
+    Attributes
+    ----------
+    point
+        Its decimal sign.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If neither this package nor another one has it.
+
+    Examples
+    --------
+    >>> Language("de").name("crank"), Language("de").say("and", first="a", last="d")
+    ('Kurbel', 'a und d')
+    """
+
+    def __init__(self, code: str) -> None:
+        self.code = code
+        self._tables = _tables(code)
+        self.point = self._tables.point
+
+    def say(self, phrase: str, **texts: str) -> str:
+        """Return a phrase with texts in its gaps."""
+        found = self.template(phrase)
+        return "".join([texts[each.name] if isinstance(each, Gap) else each[0] for each in found])
+
+    def pieces(self, phrase: str) -> tuple[Piece, ...]:
+        """Return a phrase without gaps."""
+        return tuple(each for each in self.template(phrase) if isinstance(each, Piece))
+
+    def template(self, phrase: str) -> Template:
+        """Return a phrase, in English where this language has it not."""
+        return self.speaker(phrase)._tables.template(phrase)
+
+    def speaker(self, phrase: str) -> Language:
+        """Return the language in which a phrase is said: this one, or English."""
+        return self if phrase in self._tables.phrases else Language(ENGLISH)
+
+    def name(self, name: str) -> str:
+        """Return a name or title in this language; one that no language has stays itself."""
+        return self._tables.name(name)
+
+    def noun(self, name: str, article: str = "", generic: str = "link") -> str:
+        """Return a name as a sentence has it, with the article for which a phrase asks.
+
+        A name of unknown gender stands behind what it is, its ``generic`` name if it has one.
+
+        Examples
+        --------
+        >>> Language("de").noun("crank", "des"), Language("de").noun("wing", "der")
+        ('der Kurbel', 'das Glied wing')
+        """
+        return self._tables.noun(name, article, generic)
+
+    def page(self, table: str) -> Mapping[str, str]:
+        """Return what pages say: the table ``PLAYER``, ``SPOKEN`` or ``WINDOW``."""
+        return self._tables.page(table)
+
+
+class _Tables:
+    """The tables of a language's file, each in English where it has none of its own."""
+
+    def __init__(self, module: Any) -> None:
+        self.phrases: Mapping[str, str] = _table(module, "PHRASES")
+        self.point: str = getattr(module, "POINT", ".")
+        self._module = module
+        self._articles: Mapping[str, Mapping[str, str]] = _table(module, "ARTICLES")
+        self._genders: Mapping[str, str] = _table(module, "GENDERS")
+        self._tied: tuple[str, ...] = getattr(module, "TIED", ())
+        self.template = lru_cache(maxsize=None)(self._template)
+        self.name = lru_cache(maxsize=256)(self._name)
+        self.noun = lru_cache(maxsize=256)(self._noun)
+        self.page = lru_cache(maxsize=None)(self._page)
+
+    def _template(self, phrase: str) -> Template:
+        text = self.phrases[phrase]
+        for tied in self._tied:
+            text = text.replace(tied, tied.replace(" ", "\N{NO-BREAK SPACE}"))
+        return template(text)
+
+    def _name(self, name: str) -> str:
+        names = _table(self._module, "NAMES")
+        return names.get(name) or _english("NAMES").get(name) or name.replace("_", " ")
+
+    def _noun(self, name: str, article: str, generic: str) -> str:
+        known = name in self._genders or not self._articles or not generic
+        said, rest = self.name(name), ""
+        if not known:
+            said, rest = self.name(generic), f" {said}"
+        forms = self._articles.get(self._genders.get(name if known else generic, ""), {})
+        if article:
+            said = forms.get(article.lower(), f"{article.lower()} {{}}").format(said)
+        if article[:1].isupper():
+            said = said[0].upper() + said[1:]
+        return said + rest
+
+    def _page(self, table: str) -> Mapping[str, str]:
+        return {**_english(table), **_table(self._module, table)}
+
+
+@cache
+def _tables(code: str) -> _Tables:
+    """Return the tables of a language of this package or another one."""
+    own = languages()
+    one_of_all("language", code, own, GROUP)
+    return _Tables(
+        import_module(f"{__name__}.{code}") if code in own else from_packages(GROUP)[code]
+    )
+
+
+def _english(table: str) -> Mapping[str, str]:
+    return _table(import_module(f"{__name__}.{ENGLISH}"), table)
+
+
+def _table(module: Any, name: str) -> Mapping[str, Any]:
+    found: Mapping[str, Any] = getattr(module, name, {})
+    return found

@@ -1,0 +1,714 @@
+"""Was die Lehrerin sagt und was auf Tafel und Seite steht, auf Deutsch (Schreibweise: en.py)."""
+
+#: Was zu den Strichen gesagt wird, und was an der Tafel steht.
+PHRASES = {
+    # Seite
+    "results": "Ergebnisse",
+    "given": "gegeben",
+    "colon": ": ",
+    "legend": "grau: gegeben",
+    "coriolis rule": "Coriolis: *v* um 90° mit *ω* gedreht",
+    # Umlauf
+    "stroke": "Hub",
+    "forward": "Hinlauf",
+    "return": "Rücklauf",
+    "ratio": "Verhältnis",
+    "swings": "{part} schwingt zwischen {low} und {high}",
+    "slides": "{part} läuft zwischen {low} und {high}",
+    # Lageplan
+    "fixed": "{letter} ist ein festes Gelenk.",
+    "fixed point": "{letter} ist ein fester Punkt.",
+    "guides cross": "{letter}, wo sich die Führungen schneiden, ist fest.",
+    "guide": "{head} kann sich nur längs seiner Führung bewegen.",
+    "guide point": (
+        "{head} kann sich nur längs seiner Führung bewegen; {tail} ist ein fester Punkt der "
+        "Führung."
+    ),
+    "slot": "{head} gleitet im Schlitz {link:des}.",
+    "driven bar": "{link:Der} {bar} = {size} {unit} steht bei {angle}°.",
+    "driven slide": "{slide:Der} {head} steht bei {symbol} = {value} {unit} auf seiner Führung.",
+    "driven slide from": (
+        "{slide:Der} {head} steht bei {symbol} = {value} {unit} auf seiner Führung, von {tail} aus "
+        "gemessen."
+    ),
+    "angle": "Der Winkel {link:des} wird von der *x*-Achse gegen den Uhrzeigersinn gemessen.",
+    "compass": "{head} liegt auf dem Kreis um {tail} mit dem Radius {bar} = {size} {unit}.",
+    "compass strut": (
+        "{head} liegt auf dem Kreis um {tail} mit dem Radius {bar} = {size} {unit}, der gegebenen "
+        "Länge {link:des}."
+    ),
+    "lever line": "{link:Der} geht von {tail} aus durch {pin}.",
+    "slot line": "Der Schlitz {link:des} geht durch {pin}, und {head} liegt auf seiner Geraden.",
+    "found": "{letter} liegt im Schnittpunkt.",
+    "arcs cross": "{letter} liegt, wo sich die beiden Bögen schneiden.",
+    "on guide": "{letter} liegt, wo der Bogen die Führung schneidet.",
+    "on slot": "{letter} liegt, wo die Gerade des Schlitzes die Führung schneidet.",
+    "on lever": "{letter} ist der Punkt {link:des}, der in dieser Lage unter {pin} liegt.",
+    "bar": "{link:Der} {bar} steht bei {symbol} = {angle}°.",
+    "block": "{slide:Der} {head} steht bei {symbol} = {value} {unit}.",
+    "block from": (
+        "{slide:Der} {head} steht bei {symbol} = {value} {unit}, von {tail} aus gemessen."
+    ),
+    "plate": "{link:Der} ist ein starres Stück mit den Ecken {corners}.",
+    "third point": (
+        "{letter} liegt, wo sich die beiden Bögen schneiden: das Dreieck {corners} behält seinen "
+        "Sinn."
+    ),
+    "on link slot": "{letter} liegt, wo der Bogen die Gerade des Schlitzes schneidet.",
+    "in slot": "{head} liegt auf der Geraden des Schlitzes {link:des}.",
+    "tip": "{letter} liegt auf {link:dem}, {size} {unit} von {tail} entfernt.",
+    "tip against": (
+        "{letter} liegt auf {link:dem}, {size} {unit} von {tail} entfernt auf der anderen Seite."
+    ),
+    # Polygone
+    "pole velocity": (
+        "Der Pol: feste Punkte haben die Geschwindigkeit null, also liegen {letters} hier."
+    ),
+    "pole acceleration": (
+        "Der Pol: feste Punkte haben die Beschleunigung null, also liegen {letters} hier."
+    ),
+    "pole velocity one": (
+        "Der Pol: der feste Punkt {point} hat die Geschwindigkeit null, also liegt {letters} hier."
+    ),
+    "pole acceleration one": (
+        "Der Pol: der feste Punkt {point} hat die Beschleunigung null, also liegt {letters} hier."
+    ),
+    "on the guide": "{letter} ({point} auf der Führung)",
+    "still": "Der Antrieb steht still und mit ihm alles andere: das Polygon ist sein Pol.",
+    "velocity of": "die Geschwindigkeit von {head}",
+    "velocity of relative": "die Geschwindigkeit von {head} gegenüber {tail}",
+    "acceleration of": "die Beschleunigung von {head}",
+    "acceleration of relative": "die Beschleunigung von {head} gegenüber {tail}",
+    "tangential velocity whole": (
+        "{label} = {omega}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Sinn von {omega}: "
+        "{whose}."
+    ),
+    "normal": (
+        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, von {head} nach {tail}."
+    ),
+    "normal whole": (
+        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, von {head} nach {tail}: "
+        "{whose}."
+    ),
+    "tangential acceleration": (
+        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Sinn von {alpha}."
+    ),
+    "tangential acceleration whole": (
+        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Sinn von {alpha}: "
+        "{whose}."
+    ),
+    "sliding velocity": (
+        "{label} = {value} {unit}, {way}: die gegebene Geschwindigkeit längs {line:des}."
+    ),
+    "sliding acceleration": (
+        "{label} = {value} {unit}, {way}: die gegebene Beschleunigung längs {line:des}."
+    ),
+    "coriolis": (
+        "{label} = 2·{omega}·*v* = 2 × {rate} × {speed} = {value} {unit}, *v* um 90° mit {omega} "
+        "gedreht."
+    ),
+    "across velocity": (
+        "Durch {point} senkrecht zu {bar}: gegenüber {tail} kann sich {head} nur so bewegen, also "
+        "liegt {meeting} auf dieser Geraden."
+    ),
+    "across velocity strut": (
+        "Durch {point} senkrecht zu {bar}: außer längs {bar} zu gleiten kann sich {head} nur quer "
+        "dazu bewegen, also liegt {meeting} auf dieser Geraden."
+    ),
+    "across acceleration": (
+        "Durch {point} senkrecht zu {bar}: der Tangentialanteil {alpha}·{bar} ist noch unbekannt, "
+        "also liegt {meeting} auf dieser Geraden."
+    ),
+    "along velocity": (
+        "Durch {point} parallel {line:zum}: anders kann sich {slide:der} {head} nicht bewegen, "
+        "also liegt {meeting} auf dieser Geraden."
+    ),
+    "along velocity slot": (
+        "Durch {point} parallel {line:zum}: {line:im} kann sich {slide:der} {head} nur so bewegen, "
+        "also liegt {meeting} auf dieser Geraden."
+    ),
+    "along velocity link": (
+        "Durch {point} parallel {line:zum}: auf {line:dem} kann sich {slide:der} {head} nur so "
+        "bewegen, also liegt {meeting} auf dieser Geraden."
+    ),
+    "along acceleration": (
+        "Durch {point} parallel {line:zum}: der Gleitanteil ist noch unbekannt, also liegt "
+        "{meeting} auf dieser Geraden."
+    ),
+    "crossing": "{letter} liegt, wo sich die beiden Geraden schneiden.",
+    "crossing zero": "{letter} liegt, wo sich die beiden Geraden schneiden: {found}.",
+    "zero": "bei {point}, also ist {symbol} null",
+    "pole crossing": (
+        "Der Pol {letter} liegt, wo sich die beiden Geraden schneiden: {point} steht still."
+    ),
+    "measured omega": (
+        "{label} = {value} {unit}, also {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
+        "{sense}: von {tail} aus gesehen läuft {head} {way}."
+    ),
+    "measured omega absolute": (
+        "{label} = {value} {unit}, also {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
+        "{sense}: {label} ist die Geschwindigkeit von {head}, {way}."
+    ),
+    "measured omega strut": (
+        "{label} = {value} {unit}, also {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
+        "{sense}: quer zu {bar} läuft {head} {way}."
+    ),
+    "measured alpha": (
+        "{label} = {value} {unit}, also {alpha} = {label}/{bar} = {value}/{size} = {rate} "
+        "{rad/s²}, {sense}."
+    ),
+    "measured sliding velocity": (
+        "{label} = {value} {unit}: {slide:der} {head} gleitet längs {line:des} {way}, {symbol} = "
+        "{rate} {unit}."
+    ),
+    "measured sliding acceleration": (
+        "{label} = {value} {unit}, {way}: längs {line:des} hat {slide:der} {head} die "
+        "Beschleunigung {symbol} = {rate} {unit}."
+    ),
+    "whole": "{label} = {value} {unit}, {whose}.",
+    "image velocity": "dem Geschwindigkeitsbild",
+    "image acceleration": "dem Beschleunigungsbild",
+    "image": (
+        "{letter} aus {image} {link:des}: {part} = {whole}·{bar}/{base} = {known} × "
+        "{size}/{length} = {own} {unit}{also}."
+    ),
+    "image against": (
+        "{letter} aus {image} {link:des}, auf der anderen Seite: {part} = {whole}·{bar}/{base} = "
+        "{known} × {size}/{length} = {own} {unit}{also}."
+    ),
+    "image similar": (
+        "{letter} aus {image} {link:des}: {triangle} ist ähnlich zu {corners}, im gleichen Sinn "
+        "beschriftet: {part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
+    ),
+    "image line": (
+        "Durch {point} unter dem Winkel {corner} = {angle}° gegen {side}, im Sinn des Glieds: "
+        "{meeting} liegt auf dieser Geraden."
+    ),
+    "image alike velocity": (
+        "{letter} fällt auf {point}: {link:der} dreht sich in diesem Augenblick nicht, alle Punkte "
+        "haben dieselbe Geschwindigkeit."
+    ),
+    "image alike acceleration": (
+        "{letter} fällt auf {point}: alle Punkte {link:des} haben in diesem Augenblick dieselbe "
+        "Beschleunigung."
+    ),
+    "image whose": ", {whose}",
+    "image other": "; {label} = {value} {unit}",
+    # Wörter
+    "and": "{first} und {last}",
+    "the pole": "den Pol",
+    "of point": "von {head}",
+    "parallel": "∥ {line}",
+    "degrees": "{angle}°",
+    "at scale": "{what} 1 : {share}",
+    "counter-clockwise": "gegen den Uhrzeigersinn",
+    "clockwise": "im Uhrzeigersinn",
+    "right": "nach rechts",
+    "left": "nach links",
+    "up": "nach oben",
+    "down": "nach unten",
+    # --- das sphärische Gelenkviereck und Pläne von Körpern
+    # Lageplan
+    "spherical along": "längs {axis}",
+    "spherical outline": (
+        "Die Kugel, senkrecht zur Gestellebene gesehen: ihr Umriss ist der Großkreis des Gestells."
+    ),
+    "spherical axes": "Die Achsen *OA* und *OD* liegen im Blatt: ihre Richtungen sind wahr.",
+    "spherical O": "Alle Achsen schneiden sich in *O*, der Mitte der Kugel.",
+    "spherical shaft": "Ein Glied dreht sich um *O*{letter}.",
+    "spherical bearing": "Seine Welle ist im Gestell gelagert.",
+    "spherical fixed": "In {letter} durchstößt eine feste Achse die Kugel.",
+    "spherical ground": "*A* und *D* sind die festen Achsen, {size}° voneinander entfernt.",
+    "spherical circle": "*B* dreht sich um *OA*: sein Kreis erscheint als Strecke.",
+    "spherical rose": "Längs {axis} gesehen erscheint der Winkel in wahrer Größe.",
+    "spherical reference A": "Er wird vom Bogen *AD* aus gemessen.",
+    "spherical reference D": (
+        "Er wird vom Bogen *AD* aus gemessen, der über *D* hinaus verlängert ist."
+    ),
+    "spherical true A": "Die Kurbel steht bei {angle}°.",
+    "spherical angle A": "Ihr Winkel zählt von außen gesehen gegen den Uhrzeigersinn.",
+    "spherical true D": "Die Schwinge steht bei {symbol} = {angle}°.",
+    "spherical angle D": "Es ist {symbol}.",
+    "spherical crank": "Die Kurbel *AB* = {size}° steht bei {angle}°.",
+    "spherical B": "An ihrem Ende liegt *B*.",
+    "spherical about B": "*C* liegt auf dem Kreis um *B* mit dem Radius *BC* = {size}°.",
+    "spherical about D": (
+        "*C* liegt auf dem Kreis um *D* mit dem Radius *DC* = {size}°, der als Strecke erscheint."
+    ),
+    "spherical C": "*C* liegt, wo sich die beiden Kreise schneiden.",
+    "spherical coupler": "Die Koppel *BC*: sie steht in *B* bei {b}° und in *C* bei {c}°.",
+    "spherical rocker": "Die Schwinge *DC*.",
+    "spherical great circle": "Der Großkreis der Koppel wird bis zum Umriss verfolgt.",
+    "spherical I": "Dort, in *I*, trifft er den Großkreis des Gestells.",
+    "spherical OI": (
+        "Die Ebenen von Koppel und Gestell schneiden sich in *OI*: um diese Achse dreht sich die "
+        "Schwinge gegenüber der Kurbel."
+    ),
+    # Pläne von Körpern
+    "bodies remark": "1 2 4 in der Gestellebene, 2 3 4 in der Koppelebene, umgeklappt",
+    "bodies pole velocity": "Der Pol: das Gestell, 1, dreht sich nicht.",
+    "bodies pole acceleration": "Der Pol: das Gestell, 1′, hat keine Winkelbeschleunigung.",
+    "bodies given": "{label} = {symbol} = {value} {unit}, längs {axis}.",
+    "bodies turned frame": (
+        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: {symbol} dreht sich "
+        "mit *OI* in der Gestellebene."
+    ),
+    "bodies turned coupler": (
+        "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: auch in der "
+        "Koppelebene dreht sich {symbol} mit *OI*."
+    ),
+    "bodies line 24 velocity": (
+        "Durch {point} parallel zu *OI*: nur *OI* liegt in der Gestellebene und in der "
+        "Koppelebene, also dreht sich Körper 4 gegenüber Körper 2 um *OI*, und {meeting} liegt auf "
+        "dieser Geraden."
+    ),
+    "bodies line 24 acceleration": (
+        "Durch {point} parallel zu *OI*: um wie viel die Drehung längs *OI* wächst, ist noch "
+        "unbekannt, also liegt {meeting} auf dieser Geraden."
+    ),
+    "bodies line 14": (
+        "Durch {point} parallel zu *OD*: um eine andere Gerade dreht sich die Schwinge nicht, also "
+        "liegt {meeting} auf dieser Geraden."
+    ),
+    "bodies fold": (
+        "Die Koppelebene wird um *OI* in das Blatt umgeklappt: *OB* und *OC* liegen in wahrer "
+        "Richtung."
+    ),
+    "bodies line 23": (
+        "Durch {point} parallel zum umgeklappten *OB*, {arc}° von *OI*: um *OB* dreht sich die "
+        "Koppel gegenüber der Kurbel, also liegt {meeting} auf dieser Geraden."
+    ),
+    "bodies line 43": (
+        "Durch {point} parallel zu *OC*, {arc}° von *OI*: um *OC* dreht sich die Koppel gegenüber "
+        "der Schwinge, also liegt {meeting} auf dieser Geraden."
+    ),
+    "bodies sines": (
+        "{label} = {symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
+        "{di}°."
+    ),
+    # --- das Kreuzgelenk
+    # Lageplan
+    "hooke along": "längs Welle 2 gesehen",
+    "hooke plan": "Ebene der Wellen",
+    "hooke shaft 2": "Unten die Ebene der Wellen in wahrer Größe: Welle 2 treibt an.",
+    "hooke bearing": "Welle {shaft} dreht sich im Gestell.",
+    "hooke shaft 4": "Welle 4 wird angetrieben.",
+    "hooke axes": "Die Wellen schneiden sich in *O*.",
+    "hooke angle": "Der Beugewinkel zwischen den Wellen ist {angle}°.",
+    "hooke O": "Oben *O*, längs Welle 2 gesehen.",
+    "hooke plane": "Längs Welle 2 gesehen ist die Ebene der Wellen die Waagerechte.",
+    "hooke circle": "*P* dreht sich um Welle 2: längs ihr gesehen auf einem Kreis.",
+    "hooke OP": "*P*, der Zapfen von Gabel 2, steht bei {angle}°: *OP* ist ein Arm des Kreuzes.",
+    "hooke theta 2": "Sein Winkel wird von der Ebene der Wellen aus gemessen.",
+    "hooke ellipse": (
+        "*Q* dreht sich um Welle 4: dieser Kreis erscheint als Ellipse, in der Breite mal cos "
+        "{angle}°."
+    ),
+    "hooke OQ": (
+        "*OQ* steht senkrecht auf *OP*; *P* liegt in der Ebene dieser Ansicht, also erscheint der "
+        "rechte Winkel als solcher: *Q* liegt auf dieser Geraden."
+    ),
+    "hooke Q": "*Q*, der Zapfen von Gabel 4, liegt, wo die Gerade die Ellipse schneidet.",
+    "hooke arm": "*OQ* ist der andere Arm des Kreuzes.",
+    "hooke turned": "Parallel zur Ebene der Wellen wird *Q* in diese Ansicht gedreht.",
+    "hooke ratio": "tan {theta} / cos {shafts}",
+    "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
+    "hooke tangent": "tan {theta}",
+    "hooke theta 4": (
+        "Dort ist sein Winkel in wahrer Größe zu sehen: {theta} = {value}°, denn tan {theta} = "
+        "{ratio}."
+    ),
+    "hooke projectors": "*P* und *Q* im Grundriss: senkrecht darunter.",
+    "hooke P plan": "Der Arm von *P* im Grundriss.",
+    "hooke Q plan": (
+        "Der Arm von *Q* im Grundriss: Kreuz 3 schwenkt um *ψ_P* = {at_p}° um *P*, um *ψ_Q* = "
+        "{at_q}° um *Q*."
+    ),
+    "hooke yoke": "Gabel {shaft} hält den Zapfen {pin}.",
+    "hooke fork": "Gabel {shaft}, längs Welle 2 gesehen.",
+    "hooke PQ": "Die Gerade von {one} nach {other} auf der anderen Seite der Ebene der Wellen.",
+    "hooke T": "Sie durchstößt diese Ebene in *T*.",
+    "hooke T below": "*T* wird in den Grundriss gelotet.",
+    "hooke T plan": "Senkrecht darunter liegt *T* im Grundriss.",
+    "hooke OT": "In *OT* schneidet die Ebene des Kreuzes die der Wellen.",
+    # Polygone
+    "hooke speeds": "Drehzahlen über einen Umlauf",
+    "hooke shaft": "Welle {shaft}",
+    "hooke line 24 velocity": (
+        "Durch {point} parallel zu *OT*: gegenüber Gabel 2 kann sich Gabel 4 nur um Geraden in der "
+        "Ebene des Kreuzes drehen; in der Ebene der Wellen ist nur *OT* eine, also liegt {meeting} "
+        "auf dieser Geraden."
+    ),
+    "hooke line 24 acceleration": (
+        "Durch {point} parallel zu *OT*: um wie viel die Drehung längs *OT* wächst, ist noch "
+        "unbekannt, also liegt {meeting} auf dieser Geraden."
+    ),
+    "hooke line 14": (
+        "Durch {point} parallel zu Welle 4: um eine andere Gerade dreht sie sich nicht, also liegt "
+        "{meeting} auf dieser Geraden."
+    ),
+    "hooke fold": "Die Ebene des Kreuzes wird um *OT* in die der Wellen umgeklappt.",
+    "hooke line 23": (
+        "Durch {point} parallel zum umgeklappten *OP*: um *OP* dreht sich das Kreuz gegenüber "
+        "Gabel 2, also liegt {meeting} auf dieser Geraden."
+    ),
+    "hooke line 43": (
+        "Durch {point} parallel zu *OQ*, senkrecht zur anderen Geraden: {meeting} liegt auf dem "
+        "Thaleskreis über 24."
+    ),
+    "hooke turned frame": (
+        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*: {symbol} dreht sich "
+        "mit *OT*."
+    ),
+    "turning measured": "{label} = {symbol} = {value} {unit}.",
+    # --- das räumliche Gelenkviereck
+    # Lage
+    "spatial star": "längs *DA*",
+    "spatial rose": "längs *OA*",
+    "spatial a": "Die Achse *a* der Kurbel liegt fest.",
+    "spatial d": "Ebenso die Achse *d* der Schwinge.",
+    "spatial AD": (
+        "*AD* = {size} {unit} ist ihre gemeinsame Normale; *d* ist gegen *a* um {twist}° "
+        "geschränkt."
+    ),
+    "spatial shaft": "Die Kurbel dreht sich um *a*.",
+    "spatial bearing": "Ein Lager hält sie: sie gleitet nicht.",
+    "spatial A": "*A* ist der Fußpunkt der gemeinsamen Normalen auf *a*.",
+    "spatial D sleeve": (
+        "In ihrer Hülse im Gestell dreht sich die Schwinge um *d* und gleitet auf *d*."
+    ),
+    "spatial D": "*D* ist der Fußpunkt der gemeinsamen Normalen auf *d*.",
+    "spatial crank": "Die Kurbel *AB* = {size} {unit} steht bei {angle}°.",
+    "spatial circle": "Längs *a* gesehen läuft *B* auf einem Kreis.",
+    "spatial reference": "Der Winkel zählt von *AD* an.",
+    "spatial true": "Hier erscheint die Kurbel in wahrer Richtung.",
+    "spatial angle": "Ihr Winkel ist {angle}°.",
+    "spatial b": (
+        "Ihre Achse in *B* steht senkrecht auf *AB* und ist gegen *a* um {twist}° geschränkt."
+    ),
+    "spatial B sleeve": "In ihrer Hülse bei *B* dreht sich und gleitet die Koppel.",
+    "spatial directions": (
+        "Die Richtungen sind die des sphärischen Viergelenks mit den Bögen {ground}°, {crank}°, "
+        "{coupler}°, {rocker}°: Längen drehen nichts."
+    ),
+    "spatial true directions": "Längs *DA* gesehen liegen *OA* und *OD* in der Zeichenebene.",
+    "spatial I": (
+        "Dort schneiden sich Gestellebene und Koppelebene in *OI*, *τ* = {tau}° von *OA*: um *OI* "
+        "dreht sich die Schwinge gegenüber der Kurbel."
+    ),
+    "spatial c": "Von dort hat die Achse in *C* ihre Richtung.",
+    "spatial slides B": (
+        "Drei Längen schließen die Kette: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
+    ),
+    "spatial slides C": "*s_C* = {c} {unit}, von der Schwinge bis zum Fußpunkt von *BC*.",
+    "spatial slides D": "*s_D* = {d} {unit}, von *D* bis zum Fußpunkt der Schwinge.",
+    "spatial coupler": (
+        "Die Koppel: von ihrer Welle in *B* längs der gemeinsamen Normalen *BC* = {size} {unit}."
+    ),
+    "spatial C sleeve": "Bei *C* führt sie die Schwinge in einer Hülse.",
+    "spatial rocker": (
+        "Die Schwinge *DC* = {size} {unit} mit ihren Wellen in *C* und *D*: *θ₄* = {theta}°."
+    ),
+    "spatial C": "*C* ist der Fußpunkt von *BC* auf seiner Achse.",
+    "spatial screw": (
+        "Um *I* dreht sich die Schwinge gegenüber der Kurbel, und sie gleitet längs *I*."
+    ),
+    "spatial H": "*I* schneidet *AD* rechtwinklig in *H*: *AH* = {height} {unit}.",
+    # die unteren Polygone
+    "spatial pole velocity": (
+        "Darunter *A* als Punkt der Schwinge; im Pol *A* und *D* des Gestells, die stillstehen."
+    ),
+    "spatial pole acceleration": (
+        "Darunter *A* als Punkt der Schwinge; im Pol *A* und *D* des Gestells, die stillstehen."
+    ),
+    "spatial about I velocity": (
+        "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: als Punkt der Schwinge "
+        "dreht sich *A* gegenüber der Kurbel um *I*."
+    ),
+    "spatial about I acceleration": (
+        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*: *A* "
+        "dreht sich schneller um *I*, und *I* bewegt sich selbst."
+    ),
+    "spatial about D": (
+        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: mit der Schwinge "
+        "dreht sich *A* um *D*."
+    ),
+    "spatial along I velocity": (
+        "Durch {point} parallel zu *OI*: wie schnell *A* längs *I* gleitet, ist noch unbekannt, "
+        "also liegt {meeting} auf dieser Geraden."
+    ),
+    "spatial along I acceleration": (
+        "Durch {point} parallel zu *OI*: der Anteil längs *I* ist noch unbekannt, also liegt "
+        "{meeting} auf dieser Geraden."
+    ),
+    "spatial along D velocity": (
+        "Durch {point} parallel zu *OD*: wie schnell *A* längs *d* gleitet, ist noch unbekannt, "
+        "also liegt {meeting} auf dieser Geraden."
+    ),
+    "spatial along D acceleration": (
+        "Durch {point} parallel zu *OD*: der Anteil längs *d* ist noch unbekannt, also liegt "
+        "{meeting} auf dieser Geraden."
+    ),
+    # --- das Gelenkviereck mit Kugelgelenken
+    # Lageplan
+    "balls A": "Unten die Kurbel, längs der Achse von *A* gesehen.",
+    "balls crank path": "Dort läuft *B* auf einem Kreis in wahrer Gestalt.",
+    "balls crank": "Die Kurbel *AB* = {size} {unit} steht bei {angle}°.",
+    "balls crank angle": "Ihr Winkel wird vom gemeinsamen Lot beider Achsen aus gemessen.",
+    "balls D": "Oben die Schwinge, längs der Achse von *D* gesehen.",
+    "balls rocker path": "Dort läuft *C* auf einem Kreis in wahrer Gestalt.",
+    "balls A front": "*A* in dieser Ansicht.",
+    "balls B front": "*B* in dieser Ansicht: senkrecht darüber.",
+    "balls AB front": "Die Kurbel in dieser Ansicht.",
+    "balls compass": (
+        "*B* steht {height} {unit} {side} der Ebene des Kreises von *C*: von hier gesehen ist *C* "
+        "um √({size}² − {height}²) = {reach} {unit} von *B* entfernt."
+    ),
+    "balls C": "*C* liegt, wo sich die beiden Kreise schneiden.",
+    "balls BC front": "Die Koppel *BC*.",
+    "balls rocker": "Die Schwinge *DC* steht bei {theta} = {angle}°.",
+    "balls rocker angle": "Auch ihr Winkel wird vom gemeinsamen Lot aus gemessen.",
+    "balls C top": "*C* in der unteren Ansicht: senkrecht darunter.",
+    "balls D top": "*D* in der unteren Ansicht.",
+    "balls DC top": "Die Schwinge in der unteren Ansicht.",
+    "balls BC top": "Die Koppel in der unteren Ansicht.",
+    "balls BC third": (
+        "Rechts, senkrecht zu *BC* und zur Bahn von *C* gesehen: beide dort in wahrer Länge."
+    ),
+    "balls plane": "Die Ebene durch *B* senkrecht zu *BC* erscheint dort als Gerade.",
+    "balls line": "Die Bahn von *C*: ihre Richtung hat die Geschwindigkeit von *C*.",
+    "balls ahead": "vor",
+    "balls behind": "hinter",
+    "balls front": "längs *D* gesehen",
+    "balls top": "längs *A* gesehen",
+    "balls third": "*BC* und Bahn von *C* in wahrer Länge",
+    # Pläne
+    "balls path": "Bahn von *C*",
+    "balls remark": "gesehen wie *BC* rechts im Lageplan; die Koppel dreht sich nicht um *BC*",
+    "balls tangential velocity": (
+        "{label} ist die Geschwindigkeit von *B*, {symbol}·{ends} = {rate} × {size} = {value} "
+        "{unit}: diese Ansicht zeigt davon {seen} {unit}."
+    ),
+    "balls tangential acceleration": (
+        "{label} ist {symbol}·{ends} = {rate} × {size} = {value} {unit}, senkrecht zu {ends}: "
+        "diese Ansicht zeigt davon {seen} {unit}."
+    ),
+    "balls normal": (
+        "{label} ist {symbol}²·{ends} = {rate} × {size} = {value} {unit}, von {head} nach {tail}: "
+        "diese Ansicht zeigt davon {seen} {unit}."
+    ),
+    "balls normal BC": (
+        "{label} = {speed}/{size} = {seen} {unit}, das Quadrat der Geschwindigkeit von *C* "
+        "gegenüber *B* durch *BC*, von *C* nach *B* in wahrer Länge."
+    ),
+    "balls line BC velocity": (
+        "Durch {point} senkrecht zu *BC*: die Koppel behält ihre Länge, also liegt {meeting} in "
+        "einer Ebene senkrecht zu *BC*, und die ist diese Gerade."
+    ),
+    "balls line DC velocity": (
+        "Durch {point} parallel zur Bahn von *C*: *C* kann sich nur so bewegen, also liegt "
+        "{meeting} auf dieser Geraden, die in wahrer Länge erscheint."
+    ),
+    "balls line BC acceleration": (
+        "Durch {point} senkrecht zu *BC*: längs *BC* ist alles angetragen, also liegt {meeting} in "
+        "einer Ebene senkrecht zu *BC*, und die ist diese Gerade."
+    ),
+    "balls line DC acceleration": (
+        "Durch {point} parallel zur Bahn von *C*: der tangentiale Teil {symbol}·*DC* ist noch "
+        "unbekannt, also liegt {meeting} auf dieser Geraden."
+    ),
+    "balls coupler velocity": (
+        "{label} = {value} {unit} hier und {off} {unit} aus dem Papier heraus: zusammen {whole} "
+        "{unit}, also {symbol} = {whole}/{size} = {rate} {rad/s}."
+    ),
+    "balls coupler acceleration": (
+        "{label} = {value} {unit} hier und {off} {unit} aus dem Papier heraus: zusammen {whole} "
+        "{unit}, also {symbol} = {whole}/{size} = {rate} {rad/s²}."
+    ),
+    "balls rocker velocity": (
+        "{label} = {value} {unit} ist die Geschwindigkeit von *C*, also {symbol} = {label}/*DC* = "
+        "{value}/{size} = {rate} {rad/s}, {sense}."
+    ),
+    "balls rocker acceleration": (
+        "{label} = {value} {unit}, also {symbol} = {label}/*DC* = {value}/{size} = {rate} "
+        "{rad/s²}, {sense}."
+    ),
+    "balls whole": "{label} = {value} {unit} in dieser Ansicht, {whose}.",
+}
+
+#: Namen von Getrieben, Diagrammen, Gliedern, Schiebern und Maßen.
+NAMES = {
+    "Position": "Lage",
+    "Velocity": "Geschwindigkeit",
+    "Acceleration": "Beschleunigung",
+    "Four-bar": "Gelenkviereck",
+    "Slider–crank": "Schubkurbel",
+    "Crank and slotted lever": "Schwingende Kurbelschleife",
+    "Whitworth quick return": "Umlaufende Kurbelschleife",
+    "Elliptical trammel": "Ellipsenzirkel",
+    "Scotch yoke": "Kreuzschubkurbel",
+    "Double slider": "Doppelschieber",
+    "Gate actuator": "Torantrieb",
+    "crank": "Kurbel",
+    "coupler": "Koppel",
+    "rocker": "Schwinge",
+    "rod": "Stange",
+    "lever": "Schleife",
+    "link": "Glied",
+    "arm": "Arm",
+    "actuator": "Zylinder",
+    "cylinder": "Zylinder",
+    "piston": "Kolben",
+    "pin": "Bolzen",
+    "ground": "Gestell",
+    "slider": "Schieber",
+    "block": "Stein",
+    "ram": "Stößel",
+    "yoke": "Kreuzschieber",
+    "stroke": "Hub",
+    "guide": "Führung",
+    "slot": "Schlitz",
+    "offset": "Versatz",
+    "tracer": "Zeichenpunkt",
+    "ram_height": "Stößelhöhe",
+    "ground_angle": "Gestellwinkel",
+    "guide_a": "Führung A",
+    "guide_b": "Führung B",
+    "Spherical four-bar": "Sphärisches Viergelenk",
+    "Hooke’s joint": "Kreuzgelenk",
+    "driving": "Antriebswelle",
+    "driven": "Abtriebswelle",
+    "cross": "Kreuz",
+    "shaft_angle": "Beugewinkel",
+    "Spatial four-bar": "Räumliches Viergelenk",
+    "axis": "Achse",
+    "Spatial four-bar with ball joints": "Räumliches Viergelenk mit Kugelgelenken",
+    "ground_twist": "Kreuzungswinkel",
+    "crank_offset": "Kurbelversatz",
+    "rocker_offset": "Schwingenversatz",
+}
+
+#: Das Geschlecht dessen, wovon Sätze sprechen.
+GENDERS = {
+    "crank": "f",
+    "coupler": "f",
+    "rocker": "f",
+    "rod": "f",
+    "lever": "f",
+    "link": "n",
+    "arm": "m",
+    "actuator": "m",
+    "cylinder": "m",
+    "piston": "m",
+    "pin": "m",
+    "slider": "m",
+    "block": "m",
+    "ram": "m",
+    "yoke": "m",
+    "guide": "f",
+    "slot": "m-es",
+    "driving": "f",
+    "driven": "f",
+    "cross": "n-es",
+    "axis": "f",
+}
+
+#: Der männliche Artikel, nach dem ein Satz fragt, und was daraus je nach Geschlecht wird.
+_M = {"der": "der {}", "des": "des {}s", "dem": "dem {}", "zum": "zum {}", "im": "im {}"}
+ARTICLES = {
+    "m": _M,
+    "m-es": _M | {"des": "des {}es"},
+    "f": {"der": "die {}", "des": "der {}", "dem": "der {}", "zum": "zur {}", "im": "in der {}"},
+    "n": _M | {"der": "das {}"},
+}
+
+#: Das Dezimalzeichen.
+POINT = ","
+
+#: Knöpfe und Texte der Seite einer Lektion.
+PLAYER = {
+    "play": "Abspielen",
+    "pause": "Anhalten",
+    "first": "Zum Anfang",
+    "back": "Einen Strich zurück",
+    "forward": "Einen Strich weiter",
+    "last": "Zum Ende",
+    "speed": "Tempo",
+    "strokes": "Alle Striche",
+    "theme": "Tafel oder Papier",
+    "full-screen": "Vollbild",
+    "keys": "Tasten",
+    "letters": "Tasten aus einem Zeichen",
+    "close": "Schließen",
+    "scrub": "Gezeichnete Striche",
+    "drawn": "{panel}: {done} von {count} Strichen gezeichnet",
+    "begin": "Noch ist nichts gezeichnet. Abspielen oder Strich für Strich weitergehen.",
+    "controls": "Abspieler",
+    "parts": "Diagramme",
+    "key-space": "Leertaste",
+    "key-home": "Pos1",
+    "key-end": "Ende",
+    "key-up": "Bild↑",
+    "key-down": "Bild↓",
+}
+
+#: Zeichen, wie sie vorgelesen werden; „^“ ist eine Potenz.
+SPOKEN = {
+    "√": "Wurzel aus ",
+    "⟂": "senkrecht zu",
+    "∥": "parallel zu",
+    "′": " Strich",
+    "̇": " Punkt",
+    "̈": " zwei Punkte",
+    "″": " zwei Strich",
+    "·": " mal ",
+    "×": " mal ",
+    "+": " plus ",
+    "−": "minus ",
+    "=": "gleich",
+    "/": " durch ",
+    "/s": " pro Sekunde",
+    "°": " Grad",
+    "^": "hoch {}",
+    "^2": "Quadrat",
+    "α": "Alpha",
+    "β": "Beta",
+    "θ": "Theta",
+    "τ": "tau",
+    "ψ": "psi",
+    "ω": "Omega",
+    "φ": "Phi",
+}
+
+#: Was das Fenster von ``vad gui`` sagt.
+WINDOW = {
+    "title": "vad: Geschwindigkeits- und Beschleunigungspläne",
+    "language": "Sprache",
+    "mechanism": "Mechanismus",
+    "dimensions": "Abmessungen",
+    "assembly": "Einbaulage",
+    "motion": "Antrieb",
+    "angle": "Winkel θ",
+    "position": "Lage",
+    "open": "offen",
+    "crossed": "gekreuzt",
+    "upper": "oben",
+    "lower": "unten",
+    "left": "links",
+    "right": "rechts",
+    "parallel": "parallel",
+    "draw": "Zeichnen",
+    "reset": "Zurücksetzen",
+    "lock": "Maßstäbe behalten",
+    "link": "Link kopieren",
+    "linked": "Der Link ist kopiert.",
+    "save": "Speichern als",
+    "saving": "Wird gespeichert …",
+    "saved": "Gespeichert: {name}",
+    "retry": "Noch einmal",
+    "try": "nimm {values}",
+    "stopped": "vad gui ist beendet. Starte es im Terminal neu.",
+    "handle": "Von Hand bewegen: {name}",
+    "controls": "Was eingestellt ist",
+    "slider": "{name}, Schieber",
+}

@@ -1,0 +1,635 @@
+"""What captions, boards and pages say, in English: the file from which a translation is made.
+
+How a phrase is written:
+
+- ``{link}`` is a gap, which the program fills in; in a language with genders ``{link:der}``
+  asks for a noun with its article (`ARTICLES`), ``{link:Der}`` at the beginning of a sentence;
+- ``*v*`` is a symbol: its letters are set in italics and read out one by one;
+- ``{rad/s²}``, a gap with a stroke in it, is that unit;
+- everything else is said as it stands.
+
+What another language leaves out of a table is said as it stands here.
+"""
+
+#: What is said of strokes, and what stands on the board.
+PHRASES = {
+    # the page
+    "results": "Results",
+    "given": "given",
+    "colon": ": ",
+    "legend": "grey: given",
+    "coriolis rule": "Coriolis: *v* turned 90° with *ω*",
+    # a turn
+    "stroke": "stroke",
+    "forward": "forward",
+    "return": "return",
+    "ratio": "ratio",
+    "swings": "{part} swings between {low} and {high}",
+    "slides": "{part} moves between {low} and {high}",
+    # position
+    "fixed": "{letter} is a fixed pivot.",
+    "fixed point": "{letter} is a fixed point.",
+    "guides cross": "{letter}, where the guides cross, is fixed.",
+    "guide": "{head} can only move along its guide.",
+    "guide point": "{head} can only move along its guide; {tail} is a fixed point of the guide.",
+    "slot": "{head} slides in the slot of the {link}.",
+    "driven bar": "The {link} {bar} = {size} {unit} stands at {angle}°.",
+    "driven slide": "The {slide} {head} stands at {symbol} = {value} {unit} on its guide.",
+    "driven slide from": (
+        "The {slide} {head} stands at {symbol} = {value} {unit} on its guide, measured from {tail}."
+    ),
+    "angle": "The angle of the {link} is measured counter-clockwise from the *x* axis.",
+    "compass": "{head} lies on the circle about {tail} with radius {bar} = {size} {unit}.",
+    "compass strut": (
+        "{head} lies on the circle about {tail} with radius {bar} = {size} {unit}, the given "
+        "length of the {link}."
+    ),
+    "lever line": "The {link} from {tail} passes through {pin}.",
+    "slot line": "The slot of the {link} passes through {pin}, and {head} lies on its line.",
+    "found": "{letter} is where they meet.",
+    "arcs cross": "{letter} is where the two arcs cross.",
+    "on guide": "{letter} is where the arc meets the guide.",
+    "on slot": "{letter} is where the line of the slot meets the guide.",
+    "on lever": "{letter} is the point of the {link} that lies under {pin} in this pose.",
+    "bar": "The {link} {bar} stands at {symbol} = {angle}°.",
+    "block": "The {slide} {head} stands at {symbol} = {value} {unit}.",
+    "block from": "The {slide} {head} stands at {symbol} = {value} {unit}, measured from {tail}.",
+    "plate": "The {link} is one rigid piece with the corners {corners}.",
+    "third point": "{letter} is where the two arcs cross: the triangle {corners} keeps its sense.",
+    "on link slot": "{letter} is where the arc meets the line of the slot.",
+    "in slot": "{head} lies on the line of the slot of the {link}.",
+    "tip": "{letter} lies on the {link}, {size} {unit} from {tail}.",
+    "tip against": "{letter} lies on the {link}, {size} {unit} from {tail} on the other side.",
+    # polygons
+    "pole velocity": "The pole: every fixed point has zero velocity, so {letters} lie here.",
+    "pole acceleration": (
+        "The pole: every fixed point has zero acceleration, so {letters} lie here."
+    ),
+    "pole velocity one": (
+        "The pole: the fixed point {point} has zero velocity, so {letters} lies here."
+    ),
+    "pole acceleration one": (
+        "The pole: the fixed point {point} has zero acceleration, so {letters} lies here."
+    ),
+    "on the guide": "{letter} ({point} on the guide)",
+    "still": "The driver stands still, and so does everything else: the polygon is its pole.",
+    "velocity of": "the velocity of {head}",
+    "velocity of relative": "the velocity of {head} relative to {tail}",
+    "acceleration of": "the acceleration of {head}",
+    "acceleration of relative": "the acceleration of {head} relative to {tail}",
+    "tangential velocity whole": (
+        "{label} = {omega}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} in the sense of "
+        "{omega}: {whose}."
+    ),
+    "normal": (
+        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, from {head} towards {tail}."
+    ),
+    "normal whole": (
+        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, from {head} towards {tail}: "
+        "{whose}."
+    ),
+    "tangential acceleration": (
+        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} in the sense of "
+        "{alpha}."
+    ),
+    "tangential acceleration whole": (
+        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} in the sense of "
+        "{alpha}: {whose}."
+    ),
+    "sliding velocity": "{label} = {value} {unit}, {way}: the given velocity along the {line}.",
+    "sliding acceleration": (
+        "{label} = {value} {unit}, {way}: the given acceleration along the {line}."
+    ),
+    "coriolis": (
+        "{label} = 2·{omega}·*v* = 2 × {rate} × {speed} = {value} {unit}, *v* turned 90° with "
+        "{omega}."
+    ),
+    "across velocity": (
+        "Through {point}, perpendicular to {bar}: relative to {tail}, {head} can move no other "
+        "way, so {meeting} lies on this line."
+    ),
+    "across velocity strut": (
+        "Through {point}, perpendicular to {bar}: besides sliding along {bar}, {head} can only "
+        "move across it, so {meeting} lies on this line."
+    ),
+    "across acceleration": (
+        "Through {point}, perpendicular to {bar}: the tangential part {alpha}·{bar} is not known "
+        "yet, so {meeting} lies on this line."
+    ),
+    "along velocity": (
+        "Through {point}, parallel to the {line}: the {slide} {head} can move no other way, so "
+        "{meeting} lies on this line."
+    ),
+    "along velocity slot": (
+        "Through {point}, parallel to the {line}: in the {line} the {slide} {head} can move no "
+        "other way, so {meeting} lies on this line."
+    ),
+    "along velocity link": (
+        "Through {point}, parallel to the {line}: on the {line} the {slide} {head} can move no "
+        "other way, so {meeting} lies on this line."
+    ),
+    "along acceleration": (
+        "Through {point}, parallel to the {line}: the sliding part is not known yet, so {meeting} "
+        "lies on this line."
+    ),
+    "crossing": "{letter} is where the two lines cross.",
+    "crossing zero": "{letter} is where the two lines cross: {found}.",
+    "zero": "at {point}, so {symbol} is zero",
+    "pole crossing": "The pole {letter} is where the two lines cross: {point} stands still.",
+    "measured omega": (
+        "{label} = {value} {unit}, so {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
+        "{sense}: {head} moves {way} as seen from {tail}."
+    ),
+    "measured omega absolute": (
+        "{label} = {value} {unit}, so {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
+        "{sense}: {label} is the velocity of {head}, {way}."
+    ),
+    "measured omega strut": (
+        "{label} = {value} {unit}, so {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
+        "{sense}: across {bar}, {head} moves {way}."
+    ),
+    "measured alpha": (
+        "{label} = {value} {unit}, so {alpha} = {label}/{bar} = {value}/{size} = {rate} {rad/s²}, "
+        "{sense}."
+    ),
+    "measured sliding velocity": (
+        "{label} = {value} {unit}: the {slide} {head} slides {way} along the {line}, {symbol} = "
+        "{rate} {unit}."
+    ),
+    "measured sliding acceleration": (
+        "{label} = {value} {unit}, {way}: along the {line} the {slide} {head} has {symbol} = "
+        "{rate} {unit}."
+    ),
+    "whole": "{label} = {value} {unit}, {whose}.",
+    "image velocity": "the velocity image",
+    "image acceleration": "the acceleration image",
+    "image": (
+        "{letter} by {image} of the {link}: {part} = {whole}·{bar}/{base} = {known} × "
+        "{size}/{length} = {own} {unit}{also}."
+    ),
+    "image against": (
+        "{letter} by {image} of the {link}, on the other side: {part} = {whole}·{bar}/{base} = "
+        "{known} × {size}/{length} = {own} {unit}{also}."
+    ),
+    "image similar": (
+        "{letter} by {image} of the {link}: {triangle} is similar to {corners}, lettered in the "
+        "same sense: {part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
+    ),
+    "image line": (
+        "Through {point} at the angle {corner} = {angle}° from {side}, in the sense of the link: "
+        "{meeting} lies on this line."
+    ),
+    "image alike velocity": (
+        "{letter} falls on {point}: the {link} does not turn at this instant, so all its points "
+        "have the same velocity."
+    ),
+    "image alike acceleration": (
+        "{letter} falls on {point}: all points of the {link} have the same acceleration at this "
+        "instant."
+    ),
+    "image whose": ", {whose}",
+    "image other": "; {label} = {value} {unit}",
+    # words
+    "and": "{first} and {last}",
+    "the pole": "the pole",
+    "of point": "of {head}",
+    "parallel": "∥ {line}",
+    "degrees": "{angle}°",
+    "at scale": "{what} 1 : {share}",
+    "counter-clockwise": "counter-clockwise",
+    "clockwise": "clockwise",
+    "right": "to the right",
+    "left": "to the left",
+    "up": "upwards",
+    "down": "downwards",
+    # --- the spherical four-bar, and polygons of bodies
+    # position
+    "spherical along": "along {axis}",
+    "spherical outline": (
+        "The sphere, seen square to the plane of the frame: its outline is the great circle of the "
+        "frame."
+    ),
+    "spherical axes": "The axes *OA* and *OD* lie in the paper: their directions are true.",
+    "spherical O": "All axes meet at *O*, the centre of the sphere.",
+    "spherical shaft": "*A* link turns about *O*{letter}.",
+    "spherical bearing": "Its shaft is held in the frame.",
+    "spherical fixed": "{letter} is where a fixed axis pierces the sphere.",
+    "spherical ground": "*A* and *D* are the fixed axes, {size}° apart.",
+    "spherical circle": "*B* turns about *OA*: its circle is seen on edge.",
+    "spherical rose": "Seen along {axis}, the angle is true.",
+    "spherical reference A": "It is measured from the arc *AD*.",
+    "spherical reference D": "It is measured from the arc *AD*, prolonged beyond *D*.",
+    "spherical true A": "The crank stands at {angle}°.",
+    "spherical angle A": "Its angle counts counter-clockwise, seen from outside.",
+    "spherical true D": "The rocker stands at {symbol} = {angle}°.",
+    "spherical angle D": "It is {symbol}.",
+    "spherical crank": "The crank *AB* = {size}° stands at {angle}°.",
+    "spherical B": "*B* is at its end.",
+    "spherical about B": "*C* lies on the circle about *B* with radius *BC* = {size}°.",
+    "spherical about D": (
+        "*C* lies on the circle about *D* with radius *DC* = {size}°, which is seen on edge."
+    ),
+    "spherical C": "*C* is where the two circles cross.",
+    "spherical coupler": "The coupler *BC*: it stands at {b}° at *B* and at {c}° at *C*.",
+    "spherical rocker": "The rocker *DC*.",
+    "spherical great circle": "The great circle of the coupler is followed to the outline.",
+    "spherical I": "There, at *I*, it meets the great circle of the frame.",
+    "spherical OI": (
+        "The planes of coupler and frame meet in *OI*: about it the rocker turns against the crank."
+    ),
+    # polygons of bodies
+    "bodies remark": "1 2 4 in the plane of the frame, 2 3 4 in that of the coupler, laid over",
+    "bodies pole velocity": "The pole: the frame, 1, does not turn.",
+    "bodies pole acceleration": "The pole: the frame, 1′, has no angular acceleration.",
+    "bodies given": "{label} = {symbol} = {value} {unit}, along {axis}.",
+    "bodies turned frame": (
+        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: {symbol} turns with "
+        "*OI* in the plane of the frame."
+    ),
+    "bodies turned coupler": (
+        "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: in the plane of the "
+        "coupler {symbol} turns with *OI*, too."
+    ),
+    "bodies line 24 velocity": (
+        "Through {point}, parallel to *OI*: in the planes of frame and coupler alike lies *OI* "
+        "alone, so about it body 4 turns against body 2, and {meeting} lies on this line."
+    ),
+    "bodies line 24 acceleration": (
+        "Through {point}, parallel to *OI*: by how much the turning grows along *OI* is not known "
+        "yet, so {meeting} lies on this line."
+    ),
+    "bodies line 14": (
+        "Through {point}, parallel to *OD*: the rocker turns about no other line, so {meeting} "
+        "lies on this line."
+    ),
+    "bodies fold": (
+        "The plane of the coupler is laid over into the paper, about *OI*: *OB* and *OC* lie in "
+        "true direction."
+    ),
+    "bodies line 23": (
+        "Through {point}, parallel to *OB* as laid over, {arc}° from *OI*: about *OB* the coupler "
+        "turns against the crank, so {meeting} lies on this line."
+    ),
+    "bodies line 43": (
+        "Through {point}, parallel to *OC*, {arc}° from *OI*: about *OC* the coupler turns against "
+        "the rocker, so {meeting} lies on this line."
+    ),
+    "bodies sines": (
+        "{label} = {symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
+        "{di}°."
+    ),
+    # --- Hooke’s joint
+    # position
+    "hooke along": "seen along shaft 2",
+    "hooke plan": "plane of the shafts",
+    "hooke shaft 2": "Below, the plane of the shafts in true size: shaft 2 drives.",
+    "hooke bearing": "Shaft {shaft} turns in the frame.",
+    "hooke shaft 4": "Shaft 4 is driven.",
+    "hooke axes": "The shafts meet at *O*.",
+    "hooke angle": "The angle between the shafts is {angle}°.",
+    "hooke O": "Above, *O* as seen along shaft 2.",
+    "hooke plane": "Seen along shaft 2, the plane of the shafts is the horizontal line.",
+    "hooke circle": "*P* turns about shaft 2: seen along it, on a circle.",
+    "hooke OP": "*P*, the pin of yoke 2, stands at {angle}°: *OP* is one arm of the cross.",
+    "hooke theta 2": "Its angle is measured from the plane of the shafts.",
+    "hooke ellipse": (
+        "*Q* turns about shaft 4: this circle is seen as an ellipse, its width times cos {angle}°."
+    ),
+    "hooke OQ": (
+        "*OQ* is square to *OP*; *P* stands in the plane of this view, so the right angle is seen: "
+        "*Q* is on this line."
+    ),
+    "hooke Q": "*Q*, the pin of yoke 4, is where the line meets the ellipse.",
+    "hooke arm": "*OQ* is the other arm of the cross.",
+    "hooke turned": "Parallel to the plane of the shafts, *Q* is turned into this view.",
+    "hooke ratio": "tan {theta} / cos {shafts}",
+    "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
+    "hooke tangent": "tan {theta}",
+    "hooke theta 4": "There its angle is true: {theta} = {value}°, for tan {theta} = {ratio}.",
+    "hooke projectors": "*P* and *Q* in the plan: straight below.",
+    "hooke P plan": "The arm of *P* in the plan.",
+    "hooke Q plan": (
+        "The arm of *Q* in the plan: cross 3 swings by *ψ_P* = {at_p}° about *P*, by *ψ_Q* = "
+        "{at_q}° about *Q*."
+    ),
+    "hooke yoke": "Yoke {shaft} holds the pin {pin}.",
+    "hooke fork": "Yoke {shaft} as seen along shaft 2.",
+    "hooke PQ": "The line from {one} to {other}, on the far side of the plane of the shafts.",
+    "hooke T": "It pierces that plane at *T*.",
+    "hooke T below": "*T* is taken down into the plan.",
+    "hooke T plan": "Straight below, *T* stands in the plan.",
+    "hooke OT": "*OT* is where the plane of the cross cuts that of the shafts.",
+    # the polygons
+    "hooke speeds": "speeds over a turn",
+    "hooke shaft": "shaft {shaft}",
+    "hooke line 24 velocity": (
+        "Through {point}, parallel to *OT*: against yoke 2, yoke 4 can turn only about lines in "
+        "the plane of the cross; in the plane of the shafts only *OT* is one, so {meeting} lies on "
+        "this line."
+    ),
+    "hooke line 24 acceleration": (
+        "Through {point}, parallel to *OT*: by how much the turning grows along *OT* is not known "
+        "yet, so {meeting} lies on this line."
+    ),
+    "hooke line 14": (
+        "Through {point}, parallel to shaft 4: it turns about no other line, so {meeting} lies on "
+        "this line."
+    ),
+    "hooke fold": "The plane of the cross is laid over into that of the shafts, about *OT*.",
+    "hooke line 23": (
+        "Through {point}, parallel to *OP* as laid over: about *OP* the cross turns against yoke "
+        "2, so {meeting} lies on this line."
+    ),
+    "hooke line 43": (
+        "Through {point}, parallel to *OQ*, square to the other line: {meeting} lies on the circle "
+        "over 24."
+    ),
+    "hooke turned frame": (
+        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*: {symbol} turns with "
+        "*OT*."
+    ),
+    "turning measured": "{label} = {symbol} = {value} {unit}.",
+    # --- the spatial four-bar
+    # position
+    "spatial star": "along *DA*",
+    "spatial rose": "along *OA*",
+    "spatial a": "The axis *a* of the crank is fixed.",
+    "spatial d": "So is the axis *d* of the rocker.",
+    "spatial AD": (
+        "*AD* = {size} {unit} is their common normal; *d* is twisted against *a* by {twist}°."
+    ),
+    "spatial shaft": "The crank turns about *a*.",
+    "spatial bearing": "It is held in a bearing: it does not slide.",
+    "spatial A": "*A* is where the common normal meets *a*.",
+    "spatial D sleeve": (
+        "In its sleeve in the frame the rocker turns about *d* and slides along it."
+    ),
+    "spatial D": "*D* is where the common normal meets *d*.",
+    "spatial crank": "The crank *AB* = {size} {unit} stands at {angle}°.",
+    "spatial circle": "Seen along *a*, *B* runs on a circle.",
+    "spatial reference": "The angle is measured from *AD*.",
+    "spatial true": "Here the crank is seen in true direction.",
+    "spatial angle": "Its angle is {angle}°.",
+    "spatial b": "Its axis at *B* is square to *AB*, and twisted against *a* by {twist}°.",
+    "spatial B sleeve": "In its sleeve at *B* the coupler turns and slides.",
+    "spatial directions": (
+        "The directions are those of the spherical four-bar with arcs {ground}°, {crank}°, "
+        "{coupler}°, {rocker}°: lengths turn nothing."
+    ),
+    "spatial true directions": "Seen along *DA*, they lie in the paper: *OA* and *OD* are true.",
+    "spatial I": (
+        "There the planes of frame and coupler meet in *OI*, *τ* = {tau}° from *OA*: about it the "
+        "rocker turns against the crank."
+    ),
+    "spatial c": "From there the axis at *C* has its direction.",
+    "spatial slides B": (
+        "Three lengths close the loop: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
+    ),
+    "spatial slides C": "*s_C* = {c} {unit}, from the rocker to the foot of *BC*.",
+    "spatial slides D": "*s_D* = {d} {unit}, from *D* to the foot of the rocker.",
+    "spatial coupler": (
+        "The coupler: from its shaft in *B* along the common normal *BC* = {size} {unit}."
+    ),
+    "spatial C sleeve": "At *C* it holds the rocker in a sleeve.",
+    "spatial rocker": (
+        "The rocker *DC* = {size} {unit} with its shafts in *C* and *D*: *θ₄* = {theta}°."
+    ),
+    "spatial C": "*C* is the foot of *BC* on its axis.",
+    "spatial screw": "About *I* the rocker turns against the crank, and it slides along *I*.",
+    "spatial H": "*I* crosses *AD* at *H*, square to it: *AH* = {height} {unit}.",
+    # the lower polygons
+    "spatial pole velocity": (
+        "Below, *A* as a point of the rocker; at the pole *A* and *D* of the frame, which stand "
+        "still."
+    ),
+    "spatial pole acceleration": (
+        "Below, *A* as a point of the rocker; at the pole *A* and *D* of the frame, which stand "
+        "still."
+    ),
+    "spatial about I velocity": (
+        "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* as a point of the "
+        "rocker turns against the crank about *I*."
+    ),
+    "spatial about I acceleration": (
+        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*: it turns "
+        "faster about *I*, and *I* itself moves."
+    ),
+    "spatial about D": (
+        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: with the rocker it "
+        "turns about *D*."
+    ),
+    "spatial along I velocity": (
+        "Through {point}, parallel to *OI*: how fast it slides along *I* is not known yet, so "
+        "{meeting} lies on this line."
+    ),
+    "spatial along I acceleration": (
+        "Through {point}, parallel to *OI*: what is along *I* is not known yet, so {meeting} lies "
+        "on this line."
+    ),
+    "spatial along D velocity": (
+        "Through {point}, parallel to *OD*: how fast it slides along *d* is not known yet, so "
+        "{meeting} lies on this line."
+    ),
+    "spatial along D acceleration": (
+        "Through {point}, parallel to *OD*: what is along *d* is not known yet, so {meeting} lies "
+        "on this line."
+    ),
+    # --- the ball-jointed four-bar
+    # position
+    "balls A": "Below, the crank as seen along the axis of *A*.",
+    "balls crank path": "There *B* runs on a circle in true shape.",
+    "balls crank": "The crank *AB* = {size} {unit} stands at {angle}°.",
+    "balls crank angle": "Its angle is measured from the common normal of both axes.",
+    "balls D": "Above, the rocker as seen along the axis of *D*.",
+    "balls rocker path": "There *C* runs on a circle in true shape.",
+    "balls A front": "*A* in this view.",
+    "balls B front": "*B* in this view: straight above.",
+    "balls AB front": "The crank in this view.",
+    "balls compass": (
+        "*B* stands {height} {unit} {side} the plane of the circle of *C*: seen from here, *C* is "
+        "√({size}² − {height}²) = {reach} {unit} from *B*."
+    ),
+    "balls C": "*C* is where both circles meet.",
+    "balls BC front": "The coupler *BC*.",
+    "balls rocker": "The rocker *DC* stands at {theta} = {angle}°.",
+    "balls rocker angle": "Its angle is measured from the common normal, too.",
+    "balls C top": "*C* in the view below: straight below.",
+    "balls D top": "*D* in the view below.",
+    "balls DC top": "The rocker in the view below, its circle on edge or at a slant.",
+    "balls BC top": "The coupler in the view below.",
+    "balls BC third": (
+        "To the right, seen square to *BC* and to the path of *C*: both are there in true length."
+    ),
+    "balls plane": "The plane through *B* square to *BC* is there seen as a line.",
+    "balls line": "The path of *C*: its velocity lies along this line.",
+    "balls ahead": "in front of",
+    "balls behind": "behind",
+    "balls front": "seen along *D*",
+    "balls top": "seen along *A*",
+    "balls third": "*BC* and path of *C* in true length",
+    # polygons
+    "balls path": "path of *C*",
+    "balls remark": "seen as *BC* to the right of the views; the coupler does not spin about *BC*",
+    "balls tangential velocity": (
+        "{label} is the velocity of *B*, {symbol}·{ends} = {rate} × {size} = {value} {unit}: this "
+        "view sees {seen} {unit} of it."
+    ),
+    "balls tangential acceleration": (
+        "{label} is {symbol}·{ends} = {rate} × {size} = {value} {unit}, square to {ends}: this "
+        "view sees {seen} {unit} of it."
+    ),
+    "balls normal": (
+        "{label} is {symbol}²·{ends} = {rate} × {size} = {value} {unit}, from {head} towards "
+        "{tail}: this view sees {seen} {unit} of it."
+    ),
+    "balls normal BC": (
+        "{label} = {speed}/{size} = {seen} {unit}, the square of the velocity of *C* relative to "
+        "*B* over *BC*, from *C* towards *B* in true length."
+    ),
+    "balls line BC velocity": (
+        "Through {point}, perpendicular to *BC*: the coupler keeps its length, so {meeting} lies "
+        "in a plane square to *BC*, which is this line."
+    ),
+    "balls line DC velocity": (
+        "Through {point}, parallel to the path of *C*: *C* can move no other way, so {meeting} "
+        "lies on this line, which is in true length."
+    ),
+    "balls line BC acceleration": (
+        "Through {point}, perpendicular to *BC*: along *BC* all is laid off, so {meeting} lies in "
+        "a plane square to *BC*, which is this line."
+    ),
+    "balls line DC acceleration": (
+        "Through {point}, parallel to the path of *C*: the tangential part {symbol}·*DC* is not "
+        "known yet, so {meeting} lies on this line."
+    ),
+    "balls coupler velocity": (
+        "{label} = {value} {unit} here and {off} {unit} off the paper: together {whole} {unit}, so "
+        "{symbol} = {whole}/{size} = {rate} {rad/s}."
+    ),
+    "balls coupler acceleration": (
+        "{label} = {value} {unit} here and {off} {unit} off the paper: together {whole} {unit}, so "
+        "{symbol} = {whole}/{size} = {rate} {rad/s²}."
+    ),
+    "balls rocker velocity": (
+        "{label} = {value} {unit} is the velocity of *C*, so {symbol} = {label}/*DC* = "
+        "{value}/{size} = {rate} {rad/s}, {sense}."
+    ),
+    "balls rocker acceleration": (
+        "{label} = {value} {unit}, so {symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, "
+        "{sense}."
+    ),
+    "balls whole": "{label} = {value} {unit} in this view, {whose}.",
+}
+
+#: Names of mechanisms, diagrams, links, slides and parameters that differ from the program's own.
+NAMES = {
+    "guide_a": "guide A",
+    "guide_b": "guide B",
+    "driving": "driving shaft",
+    "driven": "driven shaft",
+    "shaft_angle": "shaft angle",
+    "ground_twist": "twist",
+    "crank_offset": "crank offset",
+    "rocker_offset": "rocker offset",
+}
+
+#: The gender of nouns, which chooses their article: English has none.
+GENDERS: dict[str, str] = {}
+
+#: By gender, what becomes of the article for which a phrase asks.
+ARTICLES: dict[str, dict[str, str]] = {}
+
+#: The decimal sign.
+POINT = "."
+
+#: Buttons and texts of a lesson's page.
+PLAYER = {
+    "play": "Play",
+    "pause": "Pause",
+    "first": "To the start",
+    "back": "Back one stroke",
+    "forward": "Forward one stroke",
+    "last": "To the end",
+    "speed": "Speed",
+    "strokes": "All strokes",
+    "theme": "Board or paper",
+    "full-screen": "Full screen",
+    "keys": "Keys",
+    "letters": "Single-key shortcuts",
+    "close": "Close",
+    "scrub": "Strokes drawn",
+    "drawn": "{panel}: {done} of {count} strokes drawn",
+    "begin": "Nothing is drawn yet. Play, or take one stroke at a time.",
+    "controls": "Player",
+    "parts": "Diagrams",
+    "key-space": "Space",
+    "key-home": "Home",
+    "key-end": "End",
+    "key-up": "PgUp",
+    "key-down": "PgDn",
+}
+
+#: Signs as they are read out; "^" is a power.
+SPOKEN = {
+    "√": "square root of ",
+    "⟂": "perpendicular to",
+    "∥": "parallel to",
+    "′": " prime",
+    "̇": " dot",
+    "̈": " double dot",
+    "″": " double prime",
+    "·": " times ",
+    "×": " times ",
+    "+": " plus ",
+    "−": "minus ",
+    "=": "equals",
+    "/": " over ",
+    "/s": " per second",
+    "°": " degrees",
+    "^": "to the power {}",
+    "^2": "squared",
+    "α": "alpha",
+    "β": "beta",
+    "θ": "theta",
+    "τ": "tau",
+    "ψ": "psi",
+    "ω": "omega",
+    "φ": "phi",
+}
+
+#: What the window of ``vad gui`` says.
+WINDOW = {
+    "title": "vad: velocity and acceleration polygons",
+    "language": "Language",
+    "mechanism": "Mechanism",
+    "dimensions": "Dimensions",
+    "assembly": "Assembly",
+    "motion": "Input motion",
+    "angle": "angle θ",
+    "omega": "ω",
+    "alpha": "α",
+    "position": "position",
+    "velocity": "v",
+    "acceleration": "a",
+    "open": "open",
+    "crossed": "crossed",
+    "upper": "upper",
+    "lower": "lower",
+    "left": "left",
+    "right": "right",
+    "parallel": "parallel",
+    "draw": "Draw it",
+    "reset": "Reset",
+    "lock": "Keep the scales",
+    "link": "Copy link",
+    "linked": "The link is copied.",
+    "save": "Save as",
+    "saving": "Saving …",
+    "saved": "Saved: {name}",
+    "retry": "Try again",
+    "try": "try {values}",
+    "stopped": "vad gui has stopped. Start it again in the terminal.",
+    "handle": "Turn by hand: {name}",
+    "controls": "What is set",
+    "slider": "{name}, slider",
+}

@@ -1,0 +1,709 @@
+"""Ce que dit le professeur, au tableau et sur la page, en français (notation : voir en.py)."""
+
+#: Ce qui se dit des traits, et ce qui est écrit au tableau.
+PHRASES = {
+    # la page
+    "results": "Résultats",
+    "given": "donné",
+    "legend": "gris : donné",
+    "colon": " : ",
+    "coriolis rule": "Coriolis : *v* tournée de 90° dans le sens de *ω*",
+    # un tour
+    "stroke": "course",
+    "forward": "aller",
+    "return": "retour",
+    "ratio": "rapport",
+    "swings": "{part} oscille entre {low} et {high}",
+    "slides": "{part} se déplace entre {low} et {high}",
+    # position
+    "fixed": "{letter} est un pivot fixe.",
+    "fixed point": "{letter} est un point fixe.",
+    "guides cross": "{letter}, où se croisent les glissières, est fixe.",
+    "guide": "{head} ne peut se déplacer que le long de sa glissière.",
+    "guide point": (
+        "{head} ne peut se déplacer que le long de sa glissière ; {tail} est un point fixe de la "
+        "glissière."
+    ),
+    "slot": "{head} glisse dans la rainure {link:du}.",
+    "driven bar": "{link:Le} {bar} = {size} {unit} fait un angle de {angle}° avec l’axe *x*.",
+    "driven slide": "{slide:Le} {head} se trouve en {symbol} = {value} {unit} sur sa glissière.",
+    "driven slide from": (
+        "{slide:Le} {head} se trouve en {symbol} = {value} {unit} sur sa glissière, mesuré depuis "
+        "{tail}."
+    ),
+    "angle": "L’angle {link:du} se mesure depuis l’axe *x*, dans le sens trigonométrique.",
+    "compass": "{head} est sur le cercle de centre {tail} et de rayon {bar} = {size} {unit}.",
+    "compass strut": (
+        "{head} est sur le cercle de centre {tail} et de rayon {bar} = {size} {unit}, la longueur "
+        "donnée {link:du}."
+    ),
+    "lever line": "{link:Le} part de {tail} et passe par {pin}.",
+    "slot line": "La rainure {link:du} passe par {pin}, et {head} est sur son axe.",
+    "found": "{letter} est à leur intersection.",
+    "arcs cross": "{letter} est à l’intersection des deux arcs.",
+    "on guide": "{letter} est à l’intersection de l’arc et de la glissière.",
+    "on slot": "{letter} est à l’intersection de la glissière et de l’axe de la rainure.",
+    "on lever": "{letter} est le point {link:du} qui se trouve sous {pin} dans cette position.",
+    "bar": "{link:Le} {bar} fait un angle {symbol} = {angle}° avec l’axe *x*.",
+    "block": "{slide:Le} {head} se trouve en {symbol} = {value} {unit}.",
+    "block from": "{slide:Le} {head} se trouve en {symbol} = {value} {unit}, mesuré depuis {tail}.",
+    "plate": "{link:Le} est une pièce rigide de sommets {corners}.",
+    "third point": (
+        "{letter} est à l’intersection des deux arcs : le triangle {corners} garde son sens."
+    ),
+    "on link slot": "{letter} est à l’intersection de l’arc et de l’axe de la rainure.",
+    "in slot": "{head} est sur l’axe de la rainure {link:du}.",
+    "tip": "{letter} est sur {link:le}, à {size} {unit} de {tail}.",
+    "tip against": "{letter} est sur {link:le}, à {size} {unit} de {tail}, de l’autre côté.",
+    # polygones
+    "pole velocity": "Le pôle : la vitesse de tout point fixe est nulle, donc {letters} sont ici.",
+    "pole acceleration": (
+        "Le pôle : l’accélération de tout point fixe est nulle, donc {letters} sont ici."
+    ),
+    "pole velocity one": (
+        "Le pôle : la vitesse du point fixe {point} est nulle, donc {letters} est ici."
+    ),
+    "pole acceleration one": (
+        "Le pôle : l’accélération du point fixe {point} est nulle, donc {letters} est ici."
+    ),
+    "on the guide": "{letter} ({point} sur la glissière)",
+    "still": (
+        "L’élément moteur est immobile, et tout le reste aussi : le polygone se réduit à son pôle."
+    ),
+    "velocity of": "la vitesse de {head}",
+    "velocity of relative": "la vitesse de {head} par rapport à {tail}",
+    "acceleration of": "l’accélération de {head}",
+    "acceleration of relative": "l’accélération de {head} par rapport à {tail}",
+    "tangential velocity whole": (
+        "{label} = {omega}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} dans le sens de "
+        "{omega} : {whose}."
+    ),
+    "normal": "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, de {head} vers {tail}.",
+    "normal whole": (
+        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, de {head} vers {tail} : "
+        "{whose}."
+    ),
+    "tangential acceleration": (
+        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} dans le sens de "
+        "{alpha}."
+    ),
+    "tangential acceleration whole": (
+        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} dans le sens de "
+        "{alpha} : {whose}."
+    ),
+    "sliding velocity": "{label} = {value} {unit}, {way} : la vitesse donnée le long {line:du}.",
+    "sliding acceleration": (
+        "{label} = {value} {unit}, {way} : l’accélération donnée le long {line:du}."
+    ),
+    "coriolis": (
+        "{label} = 2·{omega}·*v* = 2 × {rate} × {speed} = {value} {unit}, *v* tournée de 90° dans "
+        "le sens de {omega}."
+    ),
+    "across velocity": (
+        "Par {point}, perpendiculairement à {bar} : par rapport à {tail}, {head} ne peut pas se "
+        "déplacer autrement, donc {meeting} est sur cette droite."
+    ),
+    "across velocity strut": (
+        "Par {point}, perpendiculairement à {bar} : hormis son glissement le long de {bar}, {head} "
+        "ne peut se déplacer qu’en travers, donc {meeting} est sur cette droite."
+    ),
+    "across acceleration": (
+        "Par {point}, perpendiculairement à {bar} : la composante tangentielle {alpha}·{bar} n’est "
+        "pas encore connue, donc {meeting} est sur cette droite."
+    ),
+    "along velocity": (
+        "Par {point}, parallèlement {line:au} : {slide:le} {head} ne peut pas se déplacer "
+        "autrement, donc {meeting} est sur cette droite."
+    ),
+    "along velocity slot": (
+        "Par {point}, parallèlement {line:au} : dans {line:le}, {slide:le} {head} ne peut pas se "
+        "déplacer autrement, donc {meeting} est sur cette droite."
+    ),
+    "along velocity link": (
+        "Par {point}, parallèlement {line:au} : sur {line:le}, {slide:le} {head} ne peut pas se "
+        "déplacer autrement, donc {meeting} est sur cette droite."
+    ),
+    "along acceleration": (
+        "Par {point}, parallèlement {line:au} : la composante de glissement n’est pas encore "
+        "connue, donc {meeting} est sur cette droite."
+    ),
+    "crossing": "{letter} est à l’intersection des deux droites.",
+    "crossing zero": "{letter} est à l’intersection des deux droites : {found}.",
+    "zero": "en {point}, donc {symbol} vaut zéro",
+    "pole crossing": (
+        "Le pôle {letter} est à l’intersection des deux droites : {point} est immobile."
+    ),
+    "measured omega": (
+        "{label} = {value} {unit}, donc {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
+        "{sense} : vu de {tail}, {head} se déplace {way}."
+    ),
+    "measured omega absolute": (
+        "{label} = {value} {unit}, donc {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
+        "{sense} : {label} est la vitesse de {head}, {way}."
+    ),
+    "measured omega strut": (
+        "{label} = {value} {unit}, donc {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
+        "{sense} : perpendiculairement à {bar}, {head} se déplace {way}."
+    ),
+    "measured alpha": (
+        "{label} = {value} {unit}, donc {alpha} = {label}/{bar} = {value}/{size} = {rate} "
+        "{rad/s²}, {sense}."
+    ),
+    "measured sliding velocity": (
+        "{label} = {value} {unit} : {slide:le} {head} glisse {way} le long {line:du}, {symbol} = "
+        "{rate} {unit}."
+    ),
+    "measured sliding acceleration": (
+        "{label} = {value} {unit}, {way} : le long {line:du}, l’accélération {slide:du} {head} est "
+        "{symbol} = {rate} {unit}."
+    ),
+    "whole": "{label} = {value} {unit}, {whose}.",
+    "image velocity": "l’image des vitesses",
+    "image acceleration": "l’image des accélérations",
+    "image": (
+        "{letter} par {image} {link:du} : {part} = {whole}·{bar}/{base} = {known} × "
+        "{size}/{length} = {own} {unit}{also}."
+    ),
+    "image against": (
+        "{letter} par {image} {link:du}, de l’autre côté : {part} = {whole}·{bar}/{base} = {known} "
+        "× {size}/{length} = {own} {unit}{also}."
+    ),
+    "image similar": (
+        "{letter} par {image} {link:du} : {triangle} est semblable à {corners}, désigné dans le "
+        "même sens : {part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
+    ),
+    "image line": (
+        "Par {point}, à l’angle {corner} = {angle}° de {side}, dans le sens de la pièce : "
+        "{meeting} est sur cette droite."
+    ),
+    "image alike velocity": (
+        "{letter} tombe sur {point} : {link:le} ne tourne pas à cet instant, tous ses points ont "
+        "la même vitesse."
+    ),
+    "image alike acceleration": (
+        "{letter} tombe sur {point} : tous les points {link:du} ont à cet instant la même "
+        "accélération."
+    ),
+    "image whose": ", {whose}",
+    "image other": " ; {label} = {value} {unit}",
+    # mots
+    "and": "{first} et {last}",
+    "the pole": "le pôle",
+    "of point": "de {head}",
+    "parallel": "∥ {line}",
+    "degrees": "{angle}°",
+    "at scale": "{what} 1 : {share}",
+    "counter-clockwise": "dans le sens trigonométrique",
+    "clockwise": "dans le sens horaire",
+    "right": "vers la droite",
+    "left": "vers la gauche",
+    "up": "vers le haut",
+    "down": "vers le bas",
+    # --- le quadrilatère sphérique et les polygones de corps
+    # position
+    "spherical along": "suivant {axis}",
+    "spherical outline": (
+        "La sphère, vue perpendiculairement au plan du bâti : son contour est le grand cercle du "
+        "bâti."
+    ),
+    "spherical axes": "Les axes *OA* et *OD* sont dans la feuille : leurs directions sont vraies.",
+    "spherical O": "Tous les axes se coupent en *O*, le centre de la sphère.",
+    "spherical shaft": "Un élément tourne autour de *O*{letter}.",
+    "spherical bearing": "Son arbre est porté par le bâti.",
+    "spherical fixed": "En {letter}, un axe fixe perce la sphère.",
+    "spherical ground": "*A* et *D* sont les axes fixes, à {size}° l’un de l’autre.",
+    "spherical circle": "*B* tourne autour de *OA* : son cercle est vu par la tranche.",
+    "spherical rose": "Vu suivant {axis}, l’angle est en vraie grandeur.",
+    "spherical reference A": "Il se mesure à partir de l’arc *AD*.",
+    "spherical reference D": "Il se mesure à partir de l’arc *AD*, prolongé au-delà de *D*.",
+    "spherical true A": "La manivelle est à {angle}°.",
+    "spherical angle A": "Son angle se compte dans le sens direct, vu de l’extérieur.",
+    "spherical true D": "Le balancier est à {symbol} = {angle}°.",
+    "spherical angle D": "C’est {symbol}.",
+    "spherical crank": "La manivelle *AB* = {size}° est à {angle}°.",
+    "spherical B": "*B* est à son extrémité.",
+    "spherical about B": "*C* est sur le cercle de centre *B* et de rayon *BC* = {size}°.",
+    "spherical about D": (
+        "*C* est sur le cercle de centre *D* et de rayon *DC* = {size}°, vu par la tranche."
+    ),
+    "spherical C": "*C* est à l’intersection des deux cercles.",
+    "spherical coupler": "La bielle *BC* : elle est à {b}° en *B* et à {c}° en *C*.",
+    "spherical rocker": "Le balancier *DC*.",
+    "spherical great circle": "On suit le grand cercle de la bielle jusqu’au contour.",
+    "spherical I": "Là, en *I*, il rencontre le grand cercle du bâti.",
+    "spherical OI": (
+        "Les plans de la bielle et du bâti se coupent suivant *OI* : c’est autour de cet axe que "
+        "le balancier tourne par rapport à la manivelle."
+    ),
+    # polygones de corps
+    "bodies remark": "1 2 4 dans le plan du bâti, 2 3 4 dans celui de la bielle, rabattu",
+    "bodies pole velocity": "Le pôle : le bâti, 1, ne tourne pas.",
+    "bodies pole acceleration": "Le pôle : le bâti, 1′, n’a pas d’accélération angulaire.",
+    "bodies given": "{label} = {symbol} = {value} {unit}, suivant {axis}.",
+    "bodies turned frame": (
+        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI* : {symbol} tourne avec "
+        "*OI* dans le plan du bâti."
+    ),
+    "bodies turned coupler": (
+        "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI* : dans le plan de la "
+        "bielle aussi, {symbol} tourne avec *OI*."
+    ),
+    "bodies line 24 velocity": (
+        "Par {point}, parallèlement à *OI* : seul *OI* est à la fois dans le plan du bâti et dans "
+        "celui de la bielle, donc le corps 4 tourne autour de *OI* par rapport au corps 2, et "
+        "{meeting} est sur cette droite."
+    ),
+    "bodies line 24 acceleration": (
+        "Par {point}, parallèlement à *OI* : on ne sait pas encore de combien la rotation croît "
+        "suivant *OI*, donc {meeting} est sur cette droite."
+    ),
+    "bodies line 14": (
+        "Par {point}, parallèlement à *OD* : le balancier ne tourne autour d’aucune autre droite, "
+        "donc {meeting} est sur cette droite."
+    ),
+    "bodies fold": (
+        "Le plan de la bielle est rabattu sur la feuille autour de *OI* : *OB* et *OC* y sont en "
+        "vraie direction."
+    ),
+    "bodies line 23": (
+        "Par {point}, parallèlement à *OB* rabattu, à {arc}° de *OI* : la bielle tourne autour de "
+        "*OB* par rapport à la manivelle, donc {meeting} est sur cette droite."
+    ),
+    "bodies line 43": (
+        "Par {point}, parallèlement à *OC*, à {arc}° de *OI* : la bielle tourne autour de *OC* par "
+        "rapport au balancier, donc {meeting} est sur cette droite."
+    ),
+    "bodies sines": (
+        "{label} = {symbol} = {value} {unit} : *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
+        "{di}°."
+    ),
+    # --- le joint de Cardan
+    # position
+    "hooke along": "vu suivant l’arbre 2",
+    "hooke plan": "plan des arbres",
+    "hooke shaft 2": "En bas, le plan des arbres en vraie grandeur : l’arbre 2 est moteur.",
+    "hooke bearing": "L’arbre {shaft} tourne dans le bâti.",
+    "hooke shaft 4": "L’arbre 4 est mené.",
+    "hooke axes": "Les arbres se coupent en *O*.",
+    "hooke angle": "L’angle de brisure entre les arbres vaut {angle}°.",
+    "hooke O": "En haut, *O* vu suivant l’arbre 2.",
+    "hooke plane": "Vu suivant l’arbre 2, le plan des arbres est l’horizontale.",
+    "hooke circle": "*P* tourne autour de l’arbre 2 : vu suivant lui, sur un cercle.",
+    "hooke OP": (
+        "*P*, le tourillon de la fourche 2, est à {angle}° : *OP* est un bras du croisillon."
+    ),
+    "hooke theta 2": "Son angle se mesure à partir du plan des arbres.",
+    "hooke ellipse": (
+        "*Q* tourne autour de l’arbre 4 : ce cercle est vu comme une ellipse, de largeur "
+        "multipliée par cos {angle}°."
+    ),
+    "hooke OQ": (
+        "*OQ* est perpendiculaire à *OP* ; *P* est dans le plan de cette vue, donc l’angle droit "
+        "se voit : *Q* est sur cette droite."
+    ),
+    "hooke Q": (
+        "*Q*, le tourillon de la fourche 4, est à l’intersection de la droite et de l’ellipse."
+    ),
+    "hooke arm": "*OQ* est l’autre bras du croisillon.",
+    "hooke turned": "Parallèlement au plan des arbres, *Q* est ramené dans cette vue.",
+    "hooke ratio": "tan {theta} / cos {shafts}",
+    "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
+    "hooke tangent": "tan {theta}",
+    "hooke theta 4": (
+        "Là, son angle est en vraie grandeur : {theta} = {value}°, car tan {theta} = {ratio}."
+    ),
+    "hooke projectors": "*P* et *Q* dans le plan : à l’aplomb.",
+    "hooke P plan": "Le bras de *P* dans le plan.",
+    "hooke Q plan": (
+        "Le bras de *Q* dans le plan : le croisillon 3 pivote de *ψ_P* = {at_p}° autour de *P*, de "
+        "*ψ_Q* = {at_q}° autour de *Q*."
+    ),
+    "hooke yoke": "La fourche {shaft} tient le tourillon {pin}.",
+    "hooke fork": "La fourche {shaft}, vue suivant l’arbre 2.",
+    "hooke PQ": "La droite de {one} à {other}, de l’autre côté du plan des arbres.",
+    "hooke T": "Elle perce ce plan en *T*.",
+    "hooke T below": "*T* est reporté dans le plan.",
+    "hooke T plan": "À l’aplomb, *T* est dans le plan.",
+    "hooke OT": "*OT* est l’intersection du plan du croisillon et de celui des arbres.",
+    # polygones
+    "hooke speeds": "vitesses sur un tour",
+    "hooke shaft": "l’arbre {shaft}",
+    "hooke line 24 velocity": (
+        "Par {point}, parallèlement à *OT* : par rapport à la fourche 2, la fourche 4 ne peut "
+        "tourner qu’autour de droites du plan du croisillon ; dans le plan des arbres, *OT* est la "
+        "seule, donc {meeting} est sur cette droite."
+    ),
+    "hooke line 24 acceleration": (
+        "Par {point}, parallèlement à *OT* : la croissance de la rotation suivant *OT* n’est pas "
+        "encore connue, donc {meeting} est sur cette droite."
+    ),
+    "hooke line 14": (
+        "Par {point}, parallèlement à l’arbre 4 : il ne tourne autour d’aucune autre droite, donc "
+        "{meeting} est sur cette droite."
+    ),
+    "hooke fold": "Le plan du croisillon est rabattu sur celui des arbres autour de *OT*.",
+    "hooke line 23": (
+        "Par {point}, parallèlement à *OP* rabattu : autour de *OP*, le croisillon tourne par "
+        "rapport à la fourche 2, donc {meeting} est sur cette droite."
+    ),
+    "hooke line 43": (
+        "Par {point}, parallèlement à *OQ*, perpendiculairement à l’autre droite : {meeting} est "
+        "sur le cercle de diamètre 24."
+    ),
+    "hooke turned frame": (
+        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT* : {symbol} tourne avec "
+        "*OT*."
+    ),
+    "turning measured": "{label} = {symbol} = {value} {unit}.",
+    # --- le quadrilatère spatial
+    # position
+    "spatial star": "suivant *DA*",
+    "spatial rose": "suivant *OA*",
+    "spatial a": "L’axe *a* de la manivelle est fixe.",
+    "spatial d": "De même l’axe *d* du balancier.",
+    "spatial AD": (
+        "*AD* = {size} {unit} est leur normale commune ; *d* est tourné de {twist}° par rapport à "
+        "*a*."
+    ),
+    "spatial shaft": "La manivelle tourne autour de *a*.",
+    "spatial bearing": "Un palier la tient : elle ne glisse pas.",
+    "spatial A": "*A* est le pied de la normale commune sur *a*.",
+    "spatial D sleeve": (
+        "Dans son fourreau du bâti, le balancier tourne autour de *d* et glisse suivant *d*."
+    ),
+    "spatial D": "*D* est le pied de la normale commune sur *d*.",
+    "spatial crank": "La manivelle *AB* = {size} {unit} est à {angle}°.",
+    "spatial circle": "Vu suivant *a*, *B* décrit un cercle.",
+    "spatial reference": "L’angle se compte à partir de *AD*.",
+    "spatial true": "Ici, la manivelle est vue dans sa vraie direction.",
+    "spatial angle": "Son angle est {angle}°.",
+    "spatial b": (
+        "Son axe en *B* est perpendiculaire à *AB*, et tourné de {twist}° par rapport à *a*."
+    ),
+    "spatial B sleeve": "Dans son fourreau en *B*, la bielle tourne et glisse.",
+    "spatial directions": (
+        "Les directions sont celles du quadrilatère sphérique d’arcs {ground}°, {crank}°, "
+        "{coupler}°, {rocker}° : les longueurs ne font rien tourner."
+    ),
+    "spatial true directions": "Vus suivant *DA*, *OA* et *OD* sont dans le plan du dessin.",
+    "spatial I": (
+        "Les plans du bâti et de la bielle s’y coupent suivant *OI*, *τ* = {tau}° de *OA* : autour "
+        "de *OI* le balancier tourne par rapport à la manivelle."
+    ),
+    "spatial c": "De là, l’axe en *C* a sa direction.",
+    "spatial slides B": (
+        "Trois longueurs ferment la chaîne : *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
+    ),
+    "spatial slides C": "*s_C* = {c} {unit}, du balancier jusqu’au pied de *BC*.",
+    "spatial slides D": "*s_D* = {d} {unit}, de *D* jusqu’au pied du balancier.",
+    "spatial coupler": (
+        "La bielle : de son arbre en *B*, le long de la normale commune *BC* = {size} {unit}."
+    ),
+    "spatial C sleeve": "En *C*, elle guide le balancier dans un fourreau.",
+    "spatial rocker": (
+        "Le balancier *DC* = {size} {unit} avec ses arbres en *C* et en *D* : *θ₄* = {theta}°."
+    ),
+    "spatial C": "*C* est le pied de *BC* sur son axe.",
+    "spatial screw": (
+        "Autour de *I*, le balancier tourne par rapport à la manivelle, et il glisse suivant *I*."
+    ),
+    "spatial H": "*I* coupe *AD* en *H*, à angle droit : *AH* = {height} {unit}.",
+    # les polygones du bas
+    "spatial pole velocity": (
+        "Dessous, *A* comme point du balancier ; au pôle, *A* et *D* du bâti, qui sont immobiles."
+    ),
+    "spatial pole acceleration": (
+        "Dessous, *A* comme point du balancier ; au pôle, *A* et *D* du bâti, qui sont immobiles."
+    ),
+    "spatial about I velocity": (
+        "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI* : comme point du "
+        "balancier, *A* tourne par rapport à la manivelle autour de *I*."
+    ),
+    "spatial about I acceleration": (
+        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI* : *A* "
+        "tourne plus vite autour de *I*, et *I* se déplace."
+    ),
+    "spatial about D": (
+        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD* : avec le balancier, "
+        "*A* tourne autour de *D*."
+    ),
+    "spatial along I velocity": (
+        "Par {point}, parallèlement à *OI* : on ne sait pas encore à quelle vitesse *A* glisse "
+        "suivant *I*, donc {meeting} est sur cette droite."
+    ),
+    "spatial along I acceleration": (
+        "Par {point}, parallèlement à *OI* : la part suivant *I* n’est pas encore connue, donc "
+        "{meeting} est sur cette droite."
+    ),
+    "spatial along D velocity": (
+        "Par {point}, parallèlement à *OD* : on ne sait pas encore à quelle vitesse *A* glisse "
+        "suivant *d*, donc {meeting} est sur cette droite."
+    ),
+    "spatial along D acceleration": (
+        "Par {point}, parallèlement à *OD* : la part suivant *d* n’est pas encore connue, donc "
+        "{meeting} est sur cette droite."
+    ),
+    # --- le quadrilatère à rotules
+    # position
+    "balls A": "En bas, la manivelle vue suivant l’axe de *A*.",
+    "balls crank path": "*B* y décrit un cercle en vraie grandeur.",
+    "balls crank": "La manivelle *AB* = {size} {unit} est à {angle}°.",
+    "balls crank angle": "Son angle est mesuré depuis la perpendiculaire commune aux deux axes.",
+    "balls D": "En haut, le balancier vu suivant l’axe de *D*.",
+    "balls rocker path": "*C* y décrit un cercle en vraie grandeur.",
+    "balls A front": "*A* dans cette vue.",
+    "balls B front": "*B* dans cette vue : juste au-dessus.",
+    "balls AB front": "La manivelle dans cette vue.",
+    "balls compass": (
+        "*B* est à {height} {unit} {side} le plan du cercle de *C* : vu d’ici, *C* est à √({size}² "
+        "− {height}²) = {reach} {unit} de *B*."
+    ),
+    "balls C": "*C* est à l’intersection des deux cercles.",
+    "balls BC front": "La bielle *BC*.",
+    "balls rocker": "Le balancier *DC* est à {theta} = {angle}°.",
+    "balls rocker angle": "Son angle aussi est mesuré depuis la perpendiculaire commune.",
+    "balls C top": "*C* dans la vue du bas : juste au-dessous.",
+    "balls D top": "*D* dans la vue du bas.",
+    "balls DC top": "Le balancier dans la vue du bas.",
+    "balls BC top": "La bielle dans la vue du bas.",
+    "balls BC third": (
+        "À droite, vus perpendiculairement à *BC* et à la trajectoire de *C* : tous deux en vraie "
+        "grandeur."
+    ),
+    "balls plane": "Le plan passant par *B* et perpendiculaire à *BC* y est vu comme une droite.",
+    "balls line": "La trajectoire de *C* : sa vitesse est suivant cette droite.",
+    "balls ahead": "devant",
+    "balls behind": "derrière",
+    "balls front": "vu suivant *D*",
+    "balls top": "vu suivant *A*",
+    "balls third": "*BC* et trajectoire de *C* en vraie grandeur",
+    # polygones
+    "balls path": "trajectoire de *C*",
+    "balls remark": "vu comme *BC* à droite des vues ; la bielle ne tourne pas autour de *BC*",
+    "balls tangential velocity": (
+        "{label} est la vitesse de *B*, {symbol}·{ends} = {rate} × {size} = {value} {unit} : cette "
+        "vue en montre {seen} {unit}."
+    ),
+    "balls tangential acceleration": (
+        "{label} est {symbol}·{ends} = {rate} × {size} = {value} {unit}, perpendiculaire à {ends} "
+        ": cette vue en montre {seen} {unit}."
+    ),
+    "balls normal": (
+        "{label} est {symbol}²·{ends} = {rate} × {size} = {value} {unit}, de {head} vers {tail} : "
+        "cette vue en montre {seen} {unit}."
+    ),
+    "balls normal BC": (
+        "{label} = {speed}/{size} = {seen} {unit}, le carré de la vitesse de *C* par rapport à *B* "
+        "divisé par *BC*, de *C* vers *B* en vraie grandeur."
+    ),
+    "balls line BC velocity": (
+        "Par {point}, perpendiculairement à *BC* : la bielle garde sa longueur, donc {meeting} est "
+        "dans un plan perpendiculaire à *BC*, qui est cette droite."
+    ),
+    "balls line DC velocity": (
+        "Par {point}, parallèlement à la trajectoire de *C* : *C* ne peut pas se déplacer "
+        "autrement, donc {meeting} est sur cette droite, vue en vraie grandeur."
+    ),
+    "balls line BC acceleration": (
+        "Par {point}, perpendiculairement à *BC* : suivant *BC* tout est porté, donc {meeting} est "
+        "dans un plan perpendiculaire à *BC*, qui est cette droite."
+    ),
+    "balls line DC acceleration": (
+        "Par {point}, parallèlement à la trajectoire de *C* : la partie tangentielle {symbol}·*DC* "
+        "n’est pas encore connue, donc {meeting} est sur cette droite."
+    ),
+    "balls coupler velocity": (
+        "{label} = {value} {unit} ici et {off} {unit} hors du papier : en tout {whole} {unit}, "
+        "donc {symbol} = {whole}/{size} = {rate} {rad/s}."
+    ),
+    "balls coupler acceleration": (
+        "{label} = {value} {unit} ici et {off} {unit} hors du papier : en tout {whole} {unit}, "
+        "donc {symbol} = {whole}/{size} = {rate} {rad/s²}."
+    ),
+    "balls rocker velocity": (
+        "{label} = {value} {unit} est la vitesse de *C*, donc {symbol} = {label}/*DC* = "
+        "{value}/{size} = {rate} {rad/s}, {sense}."
+    ),
+    "balls rocker acceleration": (
+        "{label} = {value} {unit}, donc {symbol} = {label}/*DC* = {value}/{size} = {rate} "
+        "{rad/s²}, {sense}."
+    ),
+    "balls whole": "{label} = {value} {unit} dans cette vue, {whose}.",
+}
+
+#: Noms des mécanismes, des diagrammes, des pièces et des dimensions.
+NAMES = {
+    "Position": "Position",
+    "Velocity": "Vitesse",
+    "Acceleration": "Accélération",
+    "Four-bar": "Quadrilatère articulé",
+    "Slider–crank": "Bielle-manivelle",
+    "Crank and slotted lever": "Coulisse oscillante",
+    "Whitworth quick return": "Coulisse tournante de Whitworth",
+    "Elliptical trammel": "Ellipsographe",
+    "Scotch yoke": "Joug écossais",
+    "Double slider": "Double coulisseau",
+    "Gate actuator": "Vérin de portail",
+    "crank": "manivelle",
+    "coupler": "bielle",
+    "rocker": "balancier",
+    "rod": "bielle",
+    "lever": "coulisse",
+    "link": "barre",
+    "arm": "bras",
+    "actuator": "vérin",
+    "cylinder": "vérin",
+    "piston": "piston",
+    "pin": "axe",
+    "ground": "bâti",
+    "slider": "coulisseau",
+    "block": "coulisseau",
+    "ram": "bélier",
+    "yoke": "joug",
+    "stroke": "course",
+    "guide": "glissière",
+    "slot": "rainure",
+    "offset": "désaxage",
+    "tracer": "point traceur",
+    "ram_height": "hauteur du bélier",
+    "ground_angle": "angle du bâti",
+    "guide_a": "glissière A",
+    "guide_b": "glissière B",
+    "Spherical four-bar": "Quadrilatère sphérique",
+    "Hooke’s joint": "Joint de Cardan",
+    "driving": "arbre moteur",
+    "driven": "arbre mené",
+    "cross": "croisillon",
+    "shaft_angle": "angle de brisure",
+    "Spatial four-bar": "Quadrilatère spatial",
+    "axis": "axe",
+    "Spatial four-bar with ball joints": "Quadrilatère spatial à rotules",
+    "ground_twist": "angle des axes",
+    "crank_offset": "décalage de la manivelle",
+    "rocker_offset": "décalage du balancier",
+}
+
+#: Le genre de ce dont parlent les phrases.
+GENDERS = {
+    "crank": "f",
+    "coupler": "f",
+    "rocker": "m",
+    "rod": "f",
+    "lever": "f",
+    "link": "f",
+    "arm": "m",
+    "actuator": "m",
+    "cylinder": "m",
+    "piston": "m",
+    "pin": "m",
+    "slider": "m",
+    "block": "m",
+    "ram": "m",
+    "yoke": "m",
+    "guide": "f",
+    "slot": "f",
+    "driving": "m",
+    "driven": "m",
+    "cross": "m",
+    "axis": "m",
+}
+
+#: L’article masculin que demande une phrase, et ce qu’il devient selon le genre.
+ARTICLES = {
+    "m": {"le": "le {}", "du": "du {}", "au": "au {}"},
+    "f": {"le": "la {}", "du": "de la {}", "au": "à la {}"},
+}
+
+#: Le signe décimal.
+POINT = ","
+
+#: Aucune ligne ne commence par ces signes : l’espace qui les précède est insécable.
+TIED = (" :", " ;")
+
+#: Boutons et textes de la page d’une leçon.
+PLAYER = {
+    "play": "Lire",
+    "pause": "Pause",
+    "first": "Au début",
+    "back": "Un trait en arrière",
+    "forward": "Un trait en avant",
+    "last": "À la fin",
+    "speed": "Vitesse",
+    "strokes": "Tous les traits",
+    "theme": "Tableau ou papier",
+    "full-screen": "Plein écran",
+    "keys": "Touches",
+    "letters": "Raccourcis d’un seul signe",
+    "close": "Fermer",
+    "scrub": "Traits dessinés",
+    "drawn": "{panel} : {done} traits dessinés sur {count}",
+    "begin": "Rien n’est encore dessiné. Lire, ou avancer trait par trait.",
+    "controls": "Lecteur",
+    "parts": "Diagrammes",
+    "key-space": "Espace",
+    "key-home": "Début",
+    "key-end": "Fin",
+    "key-up": "Page↑",
+    "key-down": "Page↓",
+}
+
+#: Les signes tels qu’on les lit à voix haute ; « ^ » est une puissance.
+SPOKEN = {
+    "√": "racine de ",
+    "⟂": "perpendiculaire à",
+    "∥": "parallèle à",
+    "′": " prime",
+    "̇": " point",
+    "̈": " deux points",
+    "″": " seconde",
+    "·": " fois ",
+    "×": " fois ",
+    "+": " plus ",
+    "−": "moins ",
+    "=": "égale",
+    "/": " sur ",
+    "/s": " par seconde",
+    "°": " degrés",
+    "^": "puissance {}",
+    "^2": "au carré",
+    "α": "alpha",
+    "β": "bêta",
+    "θ": "thêta",
+    "τ": "tau",
+    "ψ": "psi",
+    "ω": "oméga",
+    "φ": "phi",
+}
+
+#: Ce que dit la fenêtre de ``vad gui``.
+WINDOW = {
+    "title": "vad : polygones des vitesses et des accélérations",
+    "language": "Langue",
+    "mechanism": "Mécanisme",
+    "dimensions": "Dimensions",
+    "assembly": "Montage",
+    "motion": "Mouvement d’entrée",
+    "angle": "angle θ",
+    "position": "position",
+    "open": "ouvert",
+    "crossed": "croisé",
+    "upper": "en haut",
+    "lower": "en bas",
+    "left": "à gauche",
+    "right": "à droite",
+    "parallel": "parallèle",
+    "draw": "Tracer",
+    "reset": "Réinitialiser",
+    "lock": "Garder les échelles",
+    "link": "Copier le lien",
+    "linked": "Le lien est copié.",
+    "save": "Enregistrer en",
+    "saving": "Enregistrement …",
+    "saved": "Enregistré : {name}",
+    "retry": "Réessayer",
+    "try": "essayer {values}",
+    "stopped": "vad gui est arrêté. Relancez-le dans le terminal.",
+    "handle": "Déplacer à la main : {name}",
+    "controls": "Ce qui est réglé",
+    "slider": "{name}, curseur",
+}
