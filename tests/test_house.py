@@ -24,7 +24,9 @@ def imported(text: str) -> set[str]:
 
 
 def test_no_file_is_long():
-    assert [str(path) for path, text in FILES.items() if len(text.splitlines()) > LONGEST] == []
+    """The words of a language are one table, however long."""
+    files = {path: text for path, text in FILES.items() if path.parent.name != "words"}
+    assert [str(path) for path, text in files.items() if len(text.splitlines()) > LONGEST] == []
 
 
 def test_every_module_says_what_lives_in_it():
