@@ -51,7 +51,7 @@ def polygon(scene: SceneInSpace, seen: Seen, order: int) -> Drawing:
         tuple(pencil.zeros),
         () if pencil.resting else (of_chains(first.side, second.side),),
         loops=tuple(player.begins),
-        remark=scene.language.say("balls remark"),
+        remark=scene.write("balls remark"),
         coincident=pencil.coincident,
     )
 
