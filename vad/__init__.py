@@ -30,9 +30,7 @@ if TYPE_CHECKING:
     from vad.export.sheet_json import sheet_from_json
     from vad.files.loading import load, mechanism
     from vad.kinematics.motion import Motion, Motions, solve
-    from vad.lecture.lesson import Lesson
-    from vad.lecture.still import Still, still
-    from vad.lecture.timeline import animate
+    from vad.lecture.lesson import Lesson, Still, animate, still
     from vad.lecture.turn import Turn, turn
     from vad.mechanisms import MECHANISMS, Mechanism
     from vad.mechanisms.crank_slotted_lever import CrankSlottedLever
@@ -107,12 +105,12 @@ _HOMES = {
     "Sheet": "vad.strokes.sheet",
     "multiples": "vad.strokes.multiples",
     "Multiples": "vad.strokes.multiples",
-    "animate": "vad.lecture.timeline",
+    "animate": "vad.lecture.lesson",
     "Lesson": "vad.lecture.lesson",
     "turn": "vad.lecture.turn",
     "Turn": "vad.lecture.turn",
-    "still": "vad.lecture.still",
-    "Still": "vad.lecture.still",
+    "still": "vad.lecture.lesson",
+    "Still": "vad.lecture.lesson",
     "save": "vad.export",
     "batch": "vad.batches.batch",
     "sweep": "vad.batches.sweep",

@@ -21,9 +21,7 @@ from typing import Any
 
 from vad.displayed import Displayed
 from vad.export import picture_png, save
-from vad.lecture.lesson import Lesson
-from vad.lecture.still import Still
-from vad.lecture.timeline import SMALLEST
+from vad.lecture.lesson import SMALLEST, Lesson, Still
 from vad.lecture.turn import Turn
 from vad.page.document import document
 from vad.painting.posed import Posed, posed

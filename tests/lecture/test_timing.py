@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import vad
-from vad.lecture.timeline import CLOSING, GLIDE, OPENING, SETTLE, growth, rest
+from vad.lecture.lesson import CLOSING, GLIDE, OPENING, SETTLE, growth, rest
 from vad.strokes.sheet import Arrow, Dot, Fold, Kind, Stroke
 
 # Seconds that a stroke grows; a vector of no length takes the second, between them it is linear.

@@ -13,8 +13,7 @@ from playwright.sync_api import Browser
 import vad
 from tests.browser import opened
 from tests.page.lessons import PARTS, lesson_of, page_of, pixels, scrub, show
-from vad.lecture.easing import smooth
-from vad.lecture.moment import Moment, done, drawing, finished
+from vad.lecture.moment import Moment, done, drawing, finished, smooth
 from vad.page.parts import page_plan
 from vad.painting.film import redraw
 from vad.style import load_style

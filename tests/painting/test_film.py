@@ -9,9 +9,8 @@ import pytest
 
 import vad
 from tests.plan.sheets import slider_crank
-from vad.lecture.lesson import Lesson
+from vad.lecture.lesson import Lesson, animate
 from vad.lecture.moment import moment, moments
-from vad.lecture.timeline import animate
 from vad.painting.film import EMPTY, filmed, redraw
 from vad.painting.posed import board_of
 from vad.style import load_style, style_names

@@ -13,7 +13,7 @@ import vad
 from tests.painting.readers import centres, operations, pdf_bytes, pdf_pixels, pdf_text
 from tests.painting.test_same_picture import sheet_of
 from vad.export import lesson_pdf, picture_pdf
-from vad.lecture.still import still
+from vad.lecture.lesson import still
 from vad.painting.agg_painter import AggPainter
 from vad.painting.painter import play
 from vad.painting.pdf_painter import PdfPainter

@@ -76,7 +76,7 @@ def contrast(one: str, other: str) -> float:
 
 def test_laying_out_needs_no_pyplot():
     code = (
-        "import sys; import vad.painting.film, vad.lecture.timeline;"
+        "import sys; import vad.painting.film, vad.lecture.lesson;"
         "assert 'matplotlib' not in sys.modules;"
         "from tests.plan.sheets import slider_crank;"
         "from vad.painting.posed import picture; picture(slider_crank());"

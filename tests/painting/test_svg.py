@@ -16,7 +16,7 @@ from tests.painting.readers import fonts
 from tests.painting.test_same_picture import sheet_of
 from vad.errors import UsageError
 from vad.export import picture_svg
-from vad.lecture.still import Still
+from vad.lecture.lesson import Still
 from vad.painting.posed import posed
 from vad.painting.svg_painter import SvgPainter
 from vad.plan.lettering.glyphs import width

@@ -8,8 +8,7 @@ import vad
 from tests.strokes.calculations import chains
 from tests.strokes.motions import drawn, everything, in_every_language, poses
 from vad.kinematics.motion import Motion
-from vad.lecture.still import still
-from vad.lecture.timeline import animate
+from vad.lecture.lesson import animate, still
 from vad.strokes.sheet import Cell, Panel, Sheet
 
 Name = tuple[str, str]  # of a cell: panel, row, symbol

@@ -22,8 +22,7 @@ from vad.errors import InputError, UsageError, VadError, one_of, shown, unknown
 from vad.export import FOLDER, FORMATS, options_of, own_options
 from vad.files.tables import Source, parsed, text_of
 from vad.found import one_of_all
-from vad.lecture.lesson import Lesson
-from vad.lecture.timeline import checked
+from vad.lecture.lesson import Lesson, checked
 from vad.mechanisms.link_points import link_points
 from vad.plan.format import paper_names
 from vad.strokes.diagrams import DIAGRAMS

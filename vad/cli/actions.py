@@ -19,8 +19,7 @@ import vad
 from vad.cli.process import check_interrupt, signals_held_back, wait_for_signal
 from vad.errors import AssemblyError, UsageError, VadError
 from vad.export import FOLDER, FORMATS, format_of, own_options
-from vad.lecture.lesson import Lesson
-from vad.lecture.still import Still
+from vad.lecture.lesson import Lesson, Still
 from vad.lecture.turn import Turn
 from vad.mechanisms import Mechanism
 from vad.strokes.multiples import Multiples

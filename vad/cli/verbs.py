@@ -16,8 +16,7 @@ from vad.cli.options import NamedOption, path, places, several, size
 from vad.cli.process import say
 from vad.errors import UsageError
 from vad.export import FOLDER, FORMATS, formats
-from vad.lecture.lesson import Lesson
-from vad.lecture.still import Still
+from vad.lecture.lesson import Lesson, Still
 from vad.plan.format import paper_names
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.sheet import Sheet

@@ -39,8 +39,7 @@ from typing import (
 from vad.errors import InputError, UsageError, shown
 from vad.export import files
 from vad.found import names_in
-from vad.lecture.lesson import Lesson
-from vad.lecture.still import Still
+from vad.lecture.lesson import Lesson, Still
 from vad.lecture.turn import Turn
 from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet

@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import BinaryIO
 
 from vad.export.frames import Progress
-from vad.lecture.lesson import Lesson
-from vad.lecture.still import still
+from vad.lecture.lesson import Lesson, still
 from vad.painting.painter import play
 from vad.painting.pdf_painter import PdfPainter
 from vad.painting.posed import board_of

@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import BinaryIO
 
 from vad.export.frames import Progress
-from vad.lecture.lesson import Lesson
-from vad.lecture.timeline import animate
+from vad.lecture.lesson import Lesson, animate
 from vad.page.document import document
 from vad.painting.posed import STYLE
 from vad.strokes.sheet import Sheet

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from typing import BinaryIO
 
 from vad.errors import UsageError
-from vad.lecture.still import Still
+from vad.lecture.lesson import Still
 from vad.lecture.turn import Turn
 from vad.painting.pdf_painter import PdfPainter
 from vad.painting.posed import posed

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import BinaryIO
 
-from vad.lecture.still import Still
+from vad.lecture.lesson import Still
 from vad.lecture.turn import Turn
 from vad.painting.posed import posed
 from vad.painting.svg_painter import SvgPainter, Text

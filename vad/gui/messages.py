@@ -15,7 +15,7 @@ from typing import Any, Self, TypeVar
 from vad import units
 from vad.errors import InputError, UsageError, one_of, shown, unknown
 from vad.files.examples import EXTENSION
-from vad.lecture.timeline import check_size
+from vad.lecture.lesson import check_size
 from vad.mechanisms import MECHANISMS, Mechanism
 from vad.mechanisms.mechanism import NUMBERS
 

@@ -1,14 +1,24 @@
-"""When each stroke is drawn: a sheet laid out in time, as whole frames.
+"""A sheet that is drawn stroke by stroke: how long each grows and rests, and the page at one step.
 
-In comes a sheet, out goes a `Lesson`; how a frame looks is known only to `vad.plan`.
+In comes a sheet, out goes a `Lesson` in whole frames.  How a frame looks is known only to
+`vad.plan`.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+import contextlib
+import operator
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from itertools import accumulate, pairwise
+from numbers import Real
+from typing import Any
 
 from vad.displayed import Displayed
-from vad.strokes.sheet import Panel, Sheet, Stroke
+from vad.errors import UsageError, one_of, shown
+from vad.found import names_in, one_of_all
+from vad.lecture.moment import Moment, done, drawing
+from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,3 +83,297 @@ class Lesson(Displayed):
     def duration(self) -> float:
         """The running time in seconds."""
         return self.frames / self.fps
+
+
+#: Seconds that a stroke grows; of a vector, if it is the panel's longest.
+GROWTH = {
+    "fixed": 0.4,
+    "guide": 0.8,
+    "pole": 0.3,
+    "angle": 0.8,
+    "known": 1.2,
+    "construction": 1.5,
+    "intersection": 0.3,
+    "result": 1.2,
+}
+FOLD = 1.0  # a plane that is laid over
+SHORT = 0.75  # of the time, for a vector of no length
+WORDS_PER_SECOND = 5.0
+BREATH = 0.3  # after a caption has been read
+LEAST_REST = 0.5
+GLIDE = 0.8
+SETTLE = 0.8
+OPENING = 0.8
+CLOSING = 4.0
+LOOK = 1.5  # at what is on the board already
+
+FPS = (1.0, 240.0)
+SPEED = (0.01, 1000.0)
+SMALLEST = (320, 240)
+LARGEST = (7680, 4320)
+
+
+def animate(
+    sheet: Sheet,
+    fps: float = 30,
+    size: tuple[int, int] = (1280, 720),
+    speed: float = 1.0,
+    style: str = "paper",
+    loop: int = 1,
+) -> Lesson:
+    """Return the lesson in which ``sheet`` is drawn stroke by stroke.
+
+    Parameters
+    ----------
+    sheet
+        What is drawn.
+    fps
+        Frames per second, 1 to 240.
+    size
+        Width and height in pixels, 320×240 to 7680×4320.
+    speed
+        Divides all times: 2 is twice as fast.
+    style
+        The name of a style.
+    loop
+        The number of the loop, and so of the dyad, with which the pencil starts: in every panel
+        those before it are on the board already.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If a value is out of its range, or the style unknown.
+    """
+    if not isinstance(sheet, Sheet):
+        raise UsageError(f"sheet: must be what vad.draw returns, got {shown(sheet)}")
+    _check_loop(sheet, loop)
+    fps, size, speed = checked(fps, size, speed, style)
+
+    def count(seconds: float) -> int:
+        return max(1, round(seconds / speed * fps))
+
+    steps: list[Step] = []
+    clock = 0.0
+    for panel in sheet.halves:
+        longest = max(map(_length, panel.strokes), default=0.0)
+        for index, stroke in enumerate(panel.strokes):
+            last = index + 1 == len(panel.strokes)
+            begun = panel.loops[loop - 1] if loop > 1 else 0
+            glide, settle = (GLIDE, SETTLE) if last and opens(sheet, panel) else (0.0, 0.0)
+            if index < begun:
+                grow, hold = 0.0, LOOK if index + 1 == begun else 0.0
+            else:
+                grow = growth(stroke, longest)
+                hold = rest(stroke, grow)
+            times = grow, hold, glide, settle
+            # Whole frames are counted from the start, so that roundings do not add up.
+            seconds = list(accumulate(times, initial=clock))
+            ends = [round(second / speed * fps) for second in seconds]
+            lasts = (end - start for start, end in pairwise(ends))
+            steps.append(Step(panel, index, *lasts, there=index < begun))
+            clock = seconds[-1]
+    return Lesson(sheet, tuple(steps), count(OPENING), count(CLOSING), fps, size, style)
+
+
+def _check_loop(sheet: Sheet, loop: int) -> None:
+    """Check that a sheet has a loop of a number."""
+    count = max(len(panel.loops) for panel in sheet.panels)
+    if isinstance(loop, bool) or not isinstance(loop, int) or not 1 <= loop <= max(count, 1):
+        hint = "this mechanism has one loop" if count < 2 else f"try 2, of its {count} loops"
+        raise UsageError(f"loop: must be between 1 and {max(count, 1)}, got {shown(loop)}", hint)
+
+
+def opens(sheet: Sheet, panel: Panel) -> bool:
+    """Tell whether a panel stands large while it is drawn: a mechanism before its polygons."""
+    return panel is sheet.panels[0] and panel.picture != "vectors" and len(sheet.panels) > 1
+
+
+def growth(stroke: Stroke, longest: float) -> float:
+    """Return how many seconds a stroke takes to draw; the ``longest`` vector takes most."""
+    seconds = FOLD if isinstance(stroke.shape, Fold) else GROWTH[stroke.kind]
+    if not isinstance(stroke.shape, Arrow) or not longest:
+        return seconds
+    return seconds * (SHORT + (1.0 - SHORT) * _length(stroke) / longest)
+
+
+def rest(stroke: Stroke, grown: float) -> float:
+    """Return how many seconds a stroke rests that has grown for ``grown``.
+
+    Over both its caption can be read.
+    """
+    reading = len(stroke.caption.split()) / WORDS_PER_SECOND
+    return max(reading + BREATH - grown, LEAST_REST)
+
+
+def _length(stroke: Stroke) -> float:
+    """Return the length of a vector, 0 for what is none."""
+    shape = stroke.shape
+    return abs(shape.end - shape.start) if isinstance(shape, Arrow) else 0.0
+
+
+def checked(
+    fps: float, size: tuple[int, int], speed: float, style: str
+) -> tuple[float, tuple[int, int], float]:
+    """Return rate, size and speed of a film as plain numbers.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        For a film that cannot be, or an unknown style.
+    """
+    one_of_all("style", style, names_in("style"), "vad.styles")
+    return (
+        _number("fps", fps, FPS, "try --fps 30"),
+        check_size(size),
+        _number("speed", speed, SPEED, "try --speed 1"),
+    )
+
+
+def _number(name: str, value: object, ends: tuple[float, float], hint: str) -> float:
+    """Return a number in its range; NaN is out of every range."""
+    if isinstance(value, Real) and not isinstance(value, bool):
+        with contextlib.suppress(OverflowError, TypeError):  # beyond every float; a span of time
+            number = float(value)
+            if ends[0] <= number <= ends[1]:
+                return number
+    got = shown(value)
+    raise UsageError(f"{name}: must be between {ends[0]:g} and {ends[1]:g}, got {got}", hint)
+
+
+def check_size(size: tuple[int, int]) -> tuple[int, int]:
+    """Return width and height as whole numbers.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        For a size that no picture can have.
+    """
+    hint = "try 1280x720"
+    try:
+        width, height = (int(side) for side in size if isinstance(side, Real))
+        whole = (width, height) == tuple(size) and not isinstance(size, str | bytes)
+    except (TypeError, ValueError, OverflowError):
+        whole = False
+    if not whole:
+        message = f"size: must be a width and a height in pixels, got {shown(size)}"
+        raise UsageError(message, hint)
+    ends = zip(SMALLEST, (width, height), LARGEST, strict=True)
+    if not all(low <= side <= high for low, side, high in ends):
+        smallest, largest, got = (
+            "x".join(map(shown, each)) for each in (SMALLEST, LARGEST, (width, height))
+        )
+        raise UsageError(f"size: must be between {smallest} and {largest}, got {got}", hint)
+    return width, height
+
+
+#: How much of a construction is drawn while it stands still.
+AT_WORK = 0.7
+#: More of them are too many steps, and with very many Python makes no number of them.
+_DIGITS = 9
+
+
+@dataclass(frozen=True, slots=True)
+class Still(Displayed):
+    """The page of a lesson at a step, which is counted from 1.
+
+    A construction is shown while it is drawn, so that its tool is seen at work; all else is done.
+    """
+
+    lesson: Lesson
+    step: int
+
+    @property
+    def moment(self) -> Moment:
+        """The state of the board."""
+        if self.lesson.steps[self.step - 1].stroke.kind == "construction":
+            return Moment(drawing(self.step - 1), AT_WORK)
+        return Moment(done(self.step))
+
+    @property
+    def drawn(self) -> Sheet:
+        """The strokes that are there, and the rows with what is given or has been measured."""
+        strokes: dict[str, tuple[Stroke, ...]] = {}
+        for step in self.lesson.steps[: self.step]:
+            strokes[step.panel.name] = (*strokes.get(step.panel.name, ()), step.stroke)
+        return part(self.lesson.sheet, strokes)
+
+
+def part(sheet: Sheet, strokes: Mapping[str, tuple[Stroke, ...]]) -> Sheet:
+    """Return what there is of a sheet when of each panel some strokes are drawn, by its name.
+
+    Panels without any are left out, and so are values that have not been measured yet.
+    """
+    panels = tuple(filter(None, (_part(panel, strokes) for panel in sheet.panels)))
+    known = {
+        (half.name, key)
+        for panel in panels
+        for half in panel.halves
+        for stroke in half.strokes
+        for key in stroke.reveals
+    }
+    rows = []
+    for row in sheet.rows:
+        cells = {
+            panel.name: tuple(
+                cell
+                for half, measured in sheet.panel(panel.name).measures(row)
+                for cell in measured
+                if cell.given or (half.name, row.key) in known
+            )
+            for panel in panels
+        }
+        if any(cells.values()):
+            rows.append(replace(row, cells=cells))
+    rate = sheet.driver.rate if any(panel.name == "velocity" for panel in panels) else 0.0
+    driver = replace(sheet.driver, rate=rate)
+    return replace(sheet, panels=panels, rows=tuple(rows), driver=driver)
+
+
+def _part(panel: Panel | None, strokes: Mapping[str, tuple[Stroke, ...]]) -> Panel | None:
+    """Return what there is of a panel, None for nothing."""
+    if panel is None or not strokes.get(panel.name):
+        return None
+    return replace(panel, strokes=strokes[panel.name], below=_part(panel.below, strokes))
+
+
+def still(lesson: Lesson, step: int | str) -> Still:
+    """Return the page of a lesson at one step.
+
+    Parameters
+    ----------
+    lesson
+        The lesson.
+    step
+        Its number, from 1, over the whole lesson; or ``"velocity:4"``, the fourth of a panel.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If there is no such step.
+    """
+    if not isinstance(lesson, Lesson):
+        raise UsageError(f"lesson: must be what vad.animate returns, got {shown(lesson)}")
+    panel, colon, number = step.rpartition(":") if isinstance(step, str) else ("", "", step)
+    places: dict[str, list[int]] = {
+        name: [i for i, each in enumerate(lesson.steps, 1) if each.panel.column == name]
+        for name in (each.name for each in lesson.sheet.panels)
+    }
+    steps = places[one_of("panel", panel, places)] if colon else range(1, len(lesson.steps) + 1)
+    where = f"the {panel} panel" if colon else "the lesson"
+    place = _place(number)
+    if place is None:
+        raise UsageError(f"{shown(step)} is not a step", hint="as in 4 or velocity:4")
+    if not 1 <= place <= len(steps):
+        got = shown(number).strip("'")
+        raise UsageError(f"there is no step {got}: {where} has {len(steps)}, from 1 on")
+    return Still(lesson, steps[place - 1])
+
+
+def _place(number: Any) -> int | None:
+    """Return the number of a step, or None for what is none."""
+    if isinstance(number, str):
+        return int(number.strip()[:_DIGITS]) if number.strip().isdecimal() else None
+    try:
+        return None if isinstance(number, bool) else operator.index(number)
+    except TypeError:
+        return None

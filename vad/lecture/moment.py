@@ -10,9 +10,21 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from vad.lecture.easing import smooth
-from vad.lecture.lesson import Lesson
+if TYPE_CHECKING:
+    from vad.lecture.lesson import Lesson
+
+
+def smooth(share: float) -> float:
+    """Start and end gently: the cubic 3t² − 2t³.
+
+    Examples
+    --------
+    >>> smooth(0.0), smooth(0.5), smooth(1.0)
+    (0.0, 0.5, 1.0)
+    """
+    return share * share * (3.0 - 2.0 * share)
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from vad.displayed import Displayed
 from vad.errors import DeadCentreError, InputError
-from vad.lecture.timeline import checked
+from vad.lecture.lesson import checked
 from vad.strokes.sheet import Sheet
 
 if TYPE_CHECKING:

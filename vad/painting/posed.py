@@ -9,10 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.errors import UsageError
-from vad.lecture.lesson import Lesson
+from vad.lecture.lesson import Lesson, Still, check_size, part
 from vad.lecture.moment import Moment
-from vad.lecture.still import Still, part
-from vad.lecture.timeline import check_size
 from vad.lecture.turn import Turn
 from vad.painting.agg_painter import AggPainter
 from vad.painting.painter import Painter, play

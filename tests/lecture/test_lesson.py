@@ -11,9 +11,8 @@ import pytest
 
 from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
-from vad.lecture.easing import smooth
-from vad.lecture.moment import Moment, done, drawing, finished, moment, moments
-from vad.lecture.timeline import animate, rest
+from vad.lecture.lesson import animate, rest
+from vad.lecture.moment import Moment, done, drawing, finished, moment, moments, smooth
 from vad.lecture.turn import turn
 from vad.mechanisms.four_bar import FourBar
 
