@@ -20,9 +20,12 @@ from tests.browser import launched, opened
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
-# A shell lets what it starts in the background ignore an interrupt, and that is inherited.
+# A shell lets what it starts in the background ignore an interrupt, and nohup lets it ignore a
+# hang-up; programs inherit that.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 #: Of the cases of an exhaustive test one in so many runs usually, and always the first.
 ONE_IN = 4
