@@ -104,3 +104,25 @@ def line_moved(line: dict, placed) -> dict:
     if "x" in line:
         return {"through": placed(complex(line["x"])), "angle": 90 + ANGLE, **name}
     return {**line, "angle": line["angle"] + ANGLE} if "angle" in line else line
+
+
+@pytest.mark.parametrize("links", [("coupler", "rocker"), ("rocker", "coupler")])
+def test_the_order_of_the_links_in_a_file_does_not_matter(links):
+    """The loop begins with the link that hangs on the crank, and has the same bits."""
+    lengths = {"coupler": {"BC": 120}, "rocker": {"DC": 80}}
+    kind = vad.mechanism(
+        fixed={"A": [0, 0], "D": {"from": "A", "length": 100, "angle": 0}},
+        links={"crank": {"AB": 40}, **{name: lengths[name] for name in links}},
+        driver={"crank": {"angle": 60, "omega": 10}},
+        assembly={"C": "upper"},
+    )
+    (loop,) = kind().linkage().loops
+    assert [[bar.ends for bar in chain] for chain in (loop.first, loop.second)] == [
+        ["AB", "BC"],
+        ["DC"],
+    ]
+    mine, own = vad.solve(kind(), alpha=3.0), vad.solve(vad.FourBar(), alpha=3.0)
+    assert mine.to_dict()["links"] == own.to_dict()["links"]
+    assert mine.to_dict()["points"] == {
+        letter: own.to_dict()["points"][letter] for letter in mine.points
+    }

@@ -43,7 +43,7 @@ class Mobility(NamedTuple):
 
 
 def mobility(description: Description) -> Mobility:
-    """Count bodies and joints."""
+    """Count the bodies and joints of a mechanism."""
     cylinders = sum(link.cylinder for link in description.links.values())
     bodies = 1 + len(description.links) + len(description.guides) + cylinders
     pins = sum(max(0, _bodies_at(description, point) - 1) for point in description.points)
@@ -84,7 +84,7 @@ def check_mobility(source: Source, description: Description) -> Mobility:
 
 
 def _check_connected(source: Source, description: Description) -> None:
-    """Refuse links that hang together with nothing that is fixed."""
+    """Refuse links that no chain of points joins to the frame."""
     groups = [set(link.points) for link in description.links.values()]
     joined = set(description.fixed)
     for guide in description.guides.values():
@@ -105,7 +105,7 @@ def _check_connected(source: Source, description: Description) -> None:
 
 
 def _check_guided(source: Source, description: Description) -> None:
-    """Refuse what slides by itself."""
+    """Refuse a point that slides without belonging to a link."""
     through = [getattr(guide.line, "through", "") for guide in description.guides.values()]
     for point in description.guides:
         if not (point in through or point in description.fixed or description.links_at(point)):
@@ -124,7 +124,7 @@ def _bodies_at(description: Description, point: str) -> int:
 
 @dataclass(frozen=True)
 class Dyad:
-    """What is found in one step.
+    """A pair of links or slides that is located in one step.
 
     Attributes
     ----------
@@ -133,11 +133,11 @@ class Dyad:
     point
         The point in which its two chains meet.
     links
-        The links that it finds, that which the driver moves first.
+        The links that it locates, first the one that hangs on a moving point.
     guides
-        The guides whose slides it finds.
+        The guides whose slides it locates.
     points
-        The points that it finds, the one in which its chains meet first.
+        The points that it locates, first the one in which its chains meet.
     """
 
     kind: str
@@ -155,7 +155,7 @@ class Dyad:
 
     @property
     def reversible(self) -> bool:
-        """Whether its points can be at two places once a slot is counted from either side."""
+        """Whether its points can be at two places, or a slot can be counted from either side."""
         return self.two_places or (self.kind == "RPR" and bool(self.points))
 
     def __str__(self) -> str:
@@ -164,7 +164,10 @@ class Dyad:
 
 @dataclass
 class _Known:
-    """What is known so far: points with how many dyads lie before them, links and sliders."""
+    """The links and points that are known so far.
+
+    ``points`` tells of each known point whether it moves; fixed points do not.
+    """
 
     description: Description
     driver: Driver
@@ -182,18 +185,20 @@ class _Known:
                 self.points[guide.point] = True
 
     def learn(self, link: Link) -> None:
-        """Take in a link with all its points; the driver moves them."""
+        """Add a link and its points, which move unless they are fixed."""
         self.links.add(link.name)
         for point in link.points:
             self.points.setdefault(point, True)
 
-    def one_of(self, link: Link, but: str = "") -> str | None:
-        """Return the first known point of a link, a fixed one before a moving one."""
-        here = [point for point in link.points if point in self.points and point != but]
-        return min(here, key=lambda point: self.points[point], default=None)
+    def point_of(self, link: Link) -> str | None:
+        """Return the known point of an unknown link, if there is one.
+
+        There is one at most: two known points would locate the link without a dyad.
+        """
+        return next((point for point in link.points if point in self.points), None)
 
     def line(self, guide: Guide) -> bool:
-        """Tell whether it is known where a guide's line is."""
+        """Tell whether the line of a guide is known."""
         line = guide.line
         if isinstance(line, FrameLine):
             return True
@@ -203,7 +208,7 @@ class _Known:
 
 
 def dyads(description: Description, driver: Driver | None = None) -> list[Dyad]:
-    """Return the dyads in the order in which they are found.
+    """Return the dyads in the order of drawing.
 
     Raises
     ------
@@ -229,7 +234,7 @@ def dyads(description: Description, driver: Driver | None = None) -> list[Dyad]:
 
 
 class UndividedError(InputError):
-    """What is left can only be found together."""
+    """A mechanism that is not made of dyads: the links that are missing form a larger group."""
 
     def __init__(self, missing: list[str]) -> None:
         super().__init__(
@@ -278,7 +283,7 @@ def _divides(description: Description, name: str) -> bool:
 
 
 def _dyads(known: _Known) -> Iterator[Dyad]:
-    """Yield the dyads that can be found next, in the file's order."""
+    """Yield the dyads that can be located next, in the order of the file."""
     description = known.description
     unknown = [link for link in description.links.values() if link.name not in known.links]
     for link in unknown:
@@ -297,21 +302,21 @@ def _dyads(known: _Known) -> Iterator[Dyad]:
 
 
 def _between_lines(known: _Known, link: Link) -> Iterator[Dyad]:
-    """Yield the dyad of a link that is turned while two of its points slide on known lines."""
+    """Yield the dyad of a driven link of which two points slide on known lines."""
     guides = [known.description.guides[p] for p in link.points if p in known.description.guides]
     if len(guides) > 1 and all(map(known.line, guides[:2])):
         yield Dyad("PRP", guides[1].point, (link,), tuple(guides[:2]))
 
 
 def _with_link(known: _Known, link: Link, unknown: list[Link]) -> Iterator[Dyad]:
-    """Yield the dyads of which a link is the first."""
+    """Yield the dyads that begin with a link."""
     guides = known.description.guides
-    held = known.one_of(link)
+    held = known.point_of(link)
     if held is None:
         return
     for guide in guides.values():  # a known point in the slot of the link
         slot = isinstance(guide.line, LinkLine) and guide.line.link == link.name
-        if slot and guide.point in known.points and known.one_of(link, but=guide.point):
+        if slot and guide.point in known.points:
             yield Dyad("RPR", guide.point, (link,), (guide,))
     for point in link.points:
         if point in known.points:
@@ -321,7 +326,7 @@ def _with_link(known: _Known, link: Link, unknown: list[Link]) -> Iterator[Dyad]
         for other in unknown:
             free = not other.cylinder or other.name == known.driver.name
             if other is not link and free and point in other.points:
-                far = known.one_of(other)
+                far = known.point_of(other)
                 if far is not None:
                     moved = known.points[far] and not known.points[held]
                     moved = (moved and not link.cylinder) or other.cylinder
