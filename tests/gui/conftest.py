@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 from starlette.testclient import TestClient
 
-from vad.gui.endpoints import application
 from vad.gui.guard import Key
 from vad.gui.messages import ExportQuestion
+from vad.gui.server import application
 
 PORT = 8765
 HOME = f"http://127.0.0.1:{PORT}"

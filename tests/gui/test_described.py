@@ -15,11 +15,10 @@ from starlette.testclient import TestClient
 import vad
 from tests.browser import opened, until
 from vad.files.examples import example_path
-from vad.gui.endpoints import application
 from vad.gui.guard import Key
 from vad.gui.messages import ExportQuestion
-from vad.gui.server import served
-from vad.gui.settable import entry
+from vad.gui.server import application, served
+from vad.gui.window import entry
 from vad.mechanisms import MECHANISMS
 
 HOME = "http://127.0.0.1:8765"

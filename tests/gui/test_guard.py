@@ -10,7 +10,7 @@ from threading import Event
 import pytest
 from starlette.testclient import TestClient
 
-import vad.gui.endpoints
+import vad.gui.server
 from tests.gui.conftest import HOME, PORT
 from vad.errors import ExportError
 from vad.gui.guard import LONGEST, Key
@@ -120,7 +120,7 @@ def test_a_second_film_waits(client: TestClient, monkeypatch):
         over.wait(10)
         return b"film", "film.mp4"
 
-    monkeypatch.setattr(vad.gui.endpoints, "saved", slow)
+    monkeypatch.setattr(vad.gui.server, "saved", slow)
     with client, ThreadPoolExecutor() as pool:
         first = pool.submit(client.post, "/api/export/mp4", json=POSE)
         assert begun.wait(10)

@@ -16,16 +16,13 @@ import numpy as np
 import vad
 from vad.errors import AssemblyError, DeadCentreError, VadError
 from vad.gui.grip import grip
-from vad.gui.messages import PoseQuestion, Scales
-from vad.gui.problems import problem
+from vad.gui.messages import PoseQuestion, Scales, problem
 from vad.kinematics.motion import Motion
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
 from vad.page.ink import Inker
-from vad.page.panels import picture, scale_bar
-from vad.page.results_table import measured_cells, values_of
+from vad.page.parts import Words, measured_cells, picture, scale_bar, values_of
 from vad.page.themed import Inks
-from vad.page.wording import Words
 from vad.painting.posed import SIZE
 from vad.painting.svg_text import Faces
 from vad.plan.format import screen

@@ -1,25 +1,48 @@
-"""The server on this machine: in comes what the page opens on, out goes the address to open.
+"""The server on this machine: its routes, its address, and how it ends.
 
-It takes 127.0.0.1 and nothing else, and there is no option that says otherwise.
+A request that the guard lets pass is answered with a page, a pose, a lesson or a file.  Poses and
+lessons are worked out one at a time, for there is one who looks, and so where they are asked for: a
+thread of their own would cost a move half a millisecond.  A film is made beside them, and a second
+one is put off.  The server takes 127.0.0.1 and nothing else, and there is no option that says
+otherwise.
 """
 
 from __future__ import annotations
 
 import contextlib
+import json
 import socket
 import time
-from collections.abc import Iterator
+from collections.abc import Awaitable, Callable, Iterator
+from dataclasses import replace
 from threading import Event, Thread
+from typing import Any
+from urllib.parse import quote
 
+import anyio.to_thread
 import uvicorn
+from anyio import CapacityLimiter, WouldBlock
+from starlette.applications import Starlette
+from starlette.middleware import Middleware
+from starlette.middleware.trustedhost import TrustedHostMiddleware
+from starlette.requests import Request
+from starlette.responses import HTMLResponse, JSONResponse, Response
+from starlette.routing import Route
+from starlette.types import ASGIApp
 
-from vad.errors import ExportError
-from vad.gui.endpoints import application
-from vad.gui.guard import Key
-from vad.gui.messages import ExportQuestion
+from vad.errors import ExportError, VadError
+from vad.gui.fair import lesson
+from vad.gui.guard import HOSTS, Guard, Key, Manners, RefusalError
+from vad.gui.live import pose
+from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion, Question, problem, read
+from vad.gui.saving import MEDIA, Closing, saved
+from vad.gui.window import window
+from vad.words import languages
 
 _HOST = "127.0.0.1"
 _PATIENCE = 1  # seconds for what is being sent when the server ends
+_RETRY = {"retry-after": "5"}
+Endpoint = Callable[[Request], Awaitable[Response]]
 
 
 @contextlib.contextmanager
@@ -75,3 +98,105 @@ def _listening(port: int) -> socket.socket:
         message = f"--port: {port} cannot be had: {reason.lower()}"
         raise ExportError(message, hint="--port 0 takes one that is free") from None
     return listener
+
+
+def application(key: Key, start: ExportQuestion, closing: Closing) -> ASGIApp:
+    """Return the server's application.
+
+    Parameters
+    ----------
+    key
+        What opens it.
+    start
+        What is set when the page opens.
+    closing
+        Set when the server is to end; a film in the making ends with it.
+    """
+    filming = CapacityLimiter(1)
+
+    async def page(request: Request) -> Response:
+        code = request.query_params.get("lang", start.language)
+        shown = replace(start, language=code if code in languages() else start.language)
+        nonce = request.state.nonce
+        return HTMLResponse(window(shown, nonce))
+
+    def answer(kind: type[Question], work: Callable[[Any], dict[str, Any]]) -> Endpoint:
+        async def asked(request: Request) -> Response:
+            question = read(kind, await _json(request), start.kinds)
+            return _reply(_told(work, question))
+
+        return _explained(asked)
+
+    async def export(request: Request) -> Response:
+        extension = request.path_params["extension"]
+        if extension not in MEDIA:
+            raise RefusalError(404, "there is no such format")
+        question = read(ExportQuestion, await _json(request), start.kinds)
+        try:
+            filming.acquire_on_behalf_of_nowait(request)
+        except WouldBlock:
+            busy = {"message": "another file is being made", "hint": None, "kind": "busy"}
+            return JSONResponse({"error": busy}, 503, _RETRY)
+        try:
+            data, name = await anyio.to_thread.run_sync(saved, question, extension, closing)
+        except VadError as error:
+            return _reply({"error": problem(error, question.fields)})
+        finally:
+            filming.release_on_behalf_of(request)
+        headers = {"content-disposition": _attached(name)}
+        return Response(data, media_type=MEDIA[extension], headers=headers)
+
+    routes = [
+        Route("/", page, methods=["GET"]),
+        Route("/api/pose", answer(PoseQuestion, pose), methods=["POST"]),
+        Route("/api/lesson", answer(LessonQuestion, lesson), methods=["POST"]),
+        Route("/api/export/{extension}", _explained(export), methods=["POST"]),
+    ]
+    middleware = [
+        Middleware(Manners),
+        Middleware(TrustedHostMiddleware, allowed_hosts=HOSTS, www_redirect=False),
+        Middleware(Guard, key=key),
+    ]
+    return Starlette(routes=routes, middleware=middleware)
+
+
+def _told(work: Callable[[Any], dict[str, Any]], question: Question) -> dict[str, Any]:
+    """Return an answer, or what went wrong where a user can do something about it."""
+    try:
+        return work(question)
+    except VadError as error:
+        return {"error": problem(error, question.fields)}
+
+
+def _explained(endpoint: Endpoint) -> Endpoint:
+    """Answer a question that no page of ours asks with what is wrong with it."""
+
+    async def asked(request: Request) -> Response:
+        try:
+            return await endpoint(request)
+        except VadError as error:
+            return _reply({"error": problem(error)}, 422)
+
+    return asked
+
+
+def _attached(name: str) -> str:
+    """Return what tells a browser to save a file under its name, which may have any letters."""
+    plain = quote(name)
+    return (
+        f'attachment; filename="{name}"'
+        if plain == name
+        else f"attachment; filename*=UTF-8''{plain}"
+    )
+
+
+async def _json(request: Request) -> object:
+    try:
+        return json.loads(await request.body())
+    except (ValueError, RecursionError):
+        raise RefusalError(400, "the question is not JSON") from None
+
+
+def _reply(data: dict[str, Any], status: int = 200) -> Response:
+    text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
+    return Response(text, status, media_type="application/json")

@@ -15,8 +15,15 @@ from typing import TYPE_CHECKING, Any
 from vad.errors import VadError, one_of
 from vad.gui.fair import lesson
 from vad.gui.live import pose
-from vad.gui.messages import ExportQuestion, Kinds, LessonQuestion, PoseQuestion, Question, read
-from vad.gui.problems import problem
+from vad.gui.messages import (
+    ExportQuestion,
+    Kinds,
+    LessonQuestion,
+    PoseQuestion,
+    Question,
+    problem,
+    read,
+)
 from vad.gui.saving import MEDIA, saved
 from vad.gui.window import window
 from vad.mechanisms import MECHANISMS

@@ -1,39 +1,46 @@
-"""The window as a page: in comes what is set when it opens, out goes HTML with all it needs."""
+"""The window as a page: in comes what is set when it opens, out goes HTML with all it needs.
+
+The boxes and sliders are made from the mechanisms' own fields.
+"""
 
 from __future__ import annotations
 
+import dataclasses
 import json
+import math
 import string
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from html import escape
 from importlib.resources import files
 from string import Template
+from typing import Any
 
+from vad.files.loading import WrittenMechanism
 from vad.gui.messages import ExportQuestion
 from vad.gui.saving import MEDIA
-from vad.gui.settable import entry
+from vad.kinematics.reach import closing_range
+from vad.mechanisms import Mechanism
+from vad.mechanisms.mechanism import NUMBERS
 from vad.page.document import asset, colours, player
 from vad.page.themed import themes
 from vad.painting.svg_text import FACES, Faces
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import chosen
 from vad.style import load_style
+from vad.units import scene_unit
 from vad.words import Language, languages
 
 #: The parts of its script, in order.
-SCRIPTS = (
-    "window.js",
-    "controls.js",
-    "questions.js",
-    "stage.js",
-    "hand.js",
-    "address.js",
-    "buttons.js",
-)
+SCRIPTS = ("window.js", "stage.js", "hand.js", "buttons.js")
 #: What may be written of mechanisms that are yet to be set.
 _LETTERS = string.digits + string.ascii_letters + string.punctuation + " \u00a0"
 _SIGNS = "ÄÖÜäöüßÀÉàâçéèêëîïôùûœ’«»−×·°′″⟂∥²³→…–₀₁₂₃₄₅₆₇₈₉αβγδθλμπρφψωΔΩ"
+_TURN, _HALF = (0.0, 360.0), (-180.0, 180.0)
+_LONGEST, _SHORTEST = 3.0, 0.05  # of a default length, at the ends of its slider
+_FASTEST = 3.0  # of a default rate
+_STEPS = 50  # of a default, at most
+_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")  # as in O₂
 
 
 def window(start: ExportQuestion, nonce: str, head: str = "") -> str:
@@ -92,3 +99,95 @@ def _faces() -> str:
 
 def _file(name: str) -> str:
     return (files(__package__) / name).read_text("utf-8")
+
+
+def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
+    """Return what can be set of one mechanism.
+
+    Returns
+    -------
+    dict
+        ``title``; ``name`` of its files; ``unit`` of lengths; ``parameters`` and ``inputs`` with
+        name, label, unit, default (null where there is none), the ends of the slider and its step;
+        ``assemblies``, for each point that is placed (or for "", where there is one choice for the
+        mechanism) its label and the choices, each with name and label, the first of them the
+        default.
+    """
+    say, known = Language(language), {each.name: each for each in dataclasses.fields(kind)}
+    unit = str(known["length_unit"].default)
+    numbers = [each for each in known.values() if each.metadata["quantity"] in NUMBERS]
+    lengths: list[Any] = [e.default for e in numbers if e.metadata["quantity"] == "length"]
+    longest = max((abs(float(each)) for each in lengths if each), default=1.0)
+    texts = Language(language).page("WINDOW")
+    return {
+        "title": say.name(kind.title),
+        "name": kind.name,
+        "unit": unit,
+        "parameters": [
+            _box(each.name, say.name(each.name), each.metadata["quantity"], unit, each.default)
+            | _slider(each, longest)
+            for each in numbers
+        ],
+        "inputs": [
+            _box(name, texts[name], name, unit, value) | _travel(kind, name)
+            for name, value in kind.inputs.items()
+        ],
+        "assemblies": [
+            [point, point.translate(_LOWERED), [[name, texts.get(name, name)] for name in names]]
+            for point, names in _choices(kind).items()
+        ],
+    }
+
+
+def _choices(kind: type[Mechanism]) -> Mapping[str, Sequence[str]]:
+    """Return the ways of assembly by point; "" where they are those of the whole mechanism."""
+    if issubclass(kind, WrittenMechanism):
+        return kind.written.words
+    field = next(each for each in dataclasses.fields(kind) if each.name == "assembly")
+    return {"": field.metadata["choices"]}
+
+
+def _box(name: str, label: str, quantity: str, unit: str, default: Any) -> dict[str, Any]:
+    written = scene_unit(quantity, unit).replace("deg", "°").replace("^2", "²")
+    return {"name": name, "label": label, "unit": written, "default": default}
+
+
+def _slider(field: dataclasses.Field[Any], longest: float) -> dict[str, float]:
+    """Return the ends of a parameter's slider, and its step."""
+    if field.metadata["quantity"] == "angle":
+        return _ends(*_HALF, 1.0)
+    default: Any = field.default
+    usual = abs(default or longest)
+    if field.metadata["signed"]:
+        return _ends(-longest, longest, _step(longest))
+    step = _step(usual)
+    lowest = max(step, step * round(_SHORTEST * usual / step))
+    return _ends(lowest, _LONGEST * usual, step)
+
+
+def _travel(kind: type[Mechanism], name: str) -> dict[str, float]:
+    """Return the ends of an input's slider, and its step."""
+    place, speed, *_ = kind.inputs
+    if name == "angle":
+        return _ends(*_TURN, 1.0)
+    if name == place:
+        ranges = closing_range(kind())
+        low, high = min(low for low, _ in ranges), max(high for _, high in ranges)
+        return _ends(low, high, _step(max(-low, high)) / 10.0)
+    usual = abs(kind.inputs[name]) or (kind.inputs[speed] ** 2 if name != speed else 0.0) or 1.0
+    return _ends(-_FASTEST * usual, _FASTEST * usual, _step(usual))
+
+
+def _ends(low: float, high: float, step: float) -> dict[str, float]:
+    return {"low": low, "high": high, "step": step}
+
+
+def _step(usual: float) -> float:
+    """Return the power of ten that makes a usual value some tens of steps.
+
+    Examples
+    --------
+    >>> _step(60.0), _step(0.7)
+    (1.0, 0.01)
+    """
+    return 10.0 ** math.floor(math.log10(usual / _STEPS))

@@ -1,32 +1,51 @@
-"""The parts of a page: in comes a lesson, out go HTML for the places of a page and data to move it.
+"""The parts of a lesson's page: its panels, its table of results, its list of strokes, its data.
 
+In comes a lesson, out goes HTML for each place of the page and what the player needs to move it.
 The file, the live page and the notebook are made of the same parts, and played by the same script.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
+from itertools import islice, pairwise, repeat
 from typing import Any
 
 from vad.lecture.lesson import Lesson, Step
-from vad.page.ink import Inker
-from vad.page.panels import panel_section
-from vad.page.results_table import table
+from vad.lecture.moment import drawing
+from vad.page.ink import Inker, when
 from vad.page.spoken import spoken
-from vad.page.themed import Inks
-from vad.page.wording import Words
+from vad.page.themed import Inks, lettered
 from vad.painting.posed import SIZE
+from vad.painting.svg_elements import number
 from vad.painting.svg_text import Faces
 from vad.plan.board import Plan, plan
 from vad.plan.format import screen
-from vad.plan.lettering.runs import roman, said
+from vad.plan.geometry import Rect
+from vad.plan.items import FOREVER
+from vad.plan.lettering.glyphs import width
+from vad.plan.lettering.runs import Runs, bold, roman, said, symbols
 from vad.plan.lettering.wrapping import tied
+from vad.plan.marks import line
+from vad.plan.opening import reach
+from vad.plan.page.changing import measuring
+from vad.plan.page.columns import CLEAR, EQUALS, VALUES, Columns, alike
+from vad.plan.page.entries import SIZE as ENTRY
+from vad.plan.page.foot import REMARK_SIZE, Piece, compose
+from vad.plan.page.heads import APART, TITLE
+from vad.plan.page.table import table as laid_out
+from vad.plan.stated_scale import bar
 from vad.strokes.sentences import pieces_of
+from vad.strokes.sheet import Cell, Panel, Row
 from vad.strokes.words import parameters
 from vad.style import load_style
 from vad.words import Language
+from vad.written import with_unit
+
+PADDING = 0.25 * ENTRY  # behind a symbol
+_ITALIC = ("italic", "bolditalic")
+_SCRIPTS = {-1: "sub", 0: "", 1: "sup"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +59,7 @@ class Parts:
     data
         What the script plays: ``first`` strokes and ``panels`` by name and title, ``times`` of
         each stroke (seconds that it grows and rests), ``spoken`` captions, ``grow`` (see
-        `vad.page.growths`) and ``words``.
+        `vad.page.ink`) and ``words``.
     lines
         How many lines captions take.
     looks
@@ -128,3 +147,173 @@ def _listed(lesson: Lesson, step: Step, words: Words) -> tuple[str, str]:
     place = f"#step={step.panel.column}:{lesson.place(step)}"
     item = f'<li><a href="{place}">{words.of(said(tied(pieces)))}</a></li>'
     return item, spoken(pieces, lesson.sheet.language)
+
+
+def panel_section(board: Plan, panel: Panel, inker: Inker, words: Words) -> str:
+    """Return a panel: its head, its drawing, and its equations."""
+    begun = when([(drawing(board.sketches[panel.name].setting.first), FOREVER)])
+    wide = board.page.panels[panel.name].drawing.width * board.form.unit
+    name = words.of(roman(panel.title), light=False, heavy=True)
+    return (
+        f'<section class="panel" style="--w:{number(wide)}">'
+        f'<div class="top"{begun}><h2>{name}</h2>{scale_bar(board, panel, words)}</div>'
+        f"{picture(board, panel, inker)}"
+        f'<div class="foot"{begun}>{_foot(board, panel, inker, words)}</div></section>'
+    )
+
+
+def scale_bar(board: Plan, panel: Panel, words: Words) -> str:
+    """Return the scale of a panel; nothing where it has none."""
+    sketch, place = board.sketches[panel.name], board.page.panels[panel.name]
+    if sketch.scale.bare:
+        return ""
+    room = place.drawing.width - width(bold(roman(panel.title)), TITLE) - APART
+    length, runs = bar(panel, sketch.scale, room, board.sheet.notation)
+    return (
+        f'<p class="scale"><span class="bar" style="--n:{number(length * board.form.unit)}">'
+        f"</span>{words.of(runs)}</p>"
+    )
+
+
+def picture(board: Plan, panel: Panel, inker: Inker) -> str:
+    """Return the drawing of a panel, which knows where its ink ends."""
+    area = board.page.panels[panel.name].drawing
+    ink = reach(item for item in board.items if item.region == panel.name)
+    top, low = min(area.top, ink.top + 0.01), max(area.bottom, ink.bottom - 0.01)
+    cut = [(area.top - top) / area.width, (top - low) / area.width]
+    return (
+        f'<div class="drawing" style="--cut:{number(cut[0], 4)};--ink:{number(cut[1], 4)}">'
+        f'<svg viewBox="{inker.view(area)}" role="img" aria-label="{escape(panel.title)}">'
+        f"{inker.drawing(board, panel.name)}</svg></div>"
+    )
+
+
+def _foot(board: Plan, panel: Panel, inker: Inker, words: Words) -> str:
+    foot = compose(panel, board.page.panels[panel.name].drawing.width)
+    lines = ("".join(_piece(board, piece, inker, words) for piece in line) for line in foot.lines)
+    size = number(foot.size * board.form.unit)
+    remark = " ".join(words.of(runs) for runs in foot.remark)
+    small = number(REMARK_SIZE * board.form.unit)
+    said = f'<p class="remark" style="--n:{small}">{remark}</p>' if remark else ""
+    return said + "".join(f'<p style="--n:{size}">{line}</p>' for line in lines)
+
+
+def _piece(board: Plan, piece: Piece, inker: Inker, words: Words) -> str:
+    """Return a sign, or a term in its ink, grey until its stroke is inked."""
+    space = f"margin-left:{number(piece.space)}em" if piece.space else ""
+    colour, beats = "", ""
+    if piece.term:
+        setting = board.sketches[piece.half].setting
+        colour = f";color:{lettered(inker.inks.style.colour('row', setting.row(piece.term.link)))}"
+        if piece.term.stroke:
+            inked = setting.after(setting.panel.number(piece.term.stroke))
+            beats = when([(inked, FOREVER)])
+    says = f' style="{(space + colour).strip(";")}"' if space or colour else ""
+    return f"<span{beats}{says}>{words.of(piece.runs)}</span>"
+
+
+def table(plan: Plan, key: float, inker: Inker, words: Words) -> str:
+    """Return the results of a sheet; ``key`` is the length of the line before a row's name."""
+    sheet, say = plan.sheet, Language(plan.sheet.language).say
+    values = values_of(plan, key)
+    heads = "".join(f'<th scope="col">{words.of(roman(p.title))}</th>' for p in sheet.panels)
+    rows = "".join(
+        f'<tr role="row"><th scope="row" role="rowheader">{_key(number, key, inker)}'
+        f"{words.of(roman(row.title + ' ') + symbols(row.letters))}</th>"
+        + "".join(measured_cells(plan, panel, row, words, values) for panel in sheet.panels)
+        + "</tr>"
+        for number, row in enumerate(sheet.rows)
+    )
+    lefts = [place.drawing.left for place in plan.page.panels.values()]
+    ends = [lefts[0], lefts[0] + values, *lefts[1:], plan.page.right]
+    widths = [end - start for start, end in pairwise(ends)]
+    columns = "".join(f'<col style="width:{100 * each / sum(widths):.2f}%">' for each in widths)
+    legend = words.of(roman(say("legend"))) if _has_given(sheet.rows) else ""
+    return (
+        f'<table role="table"><caption class="unseen">{words.of(roman(say("results")))}</caption>'
+        f'<colgroup>{columns}</colgroup><thead class="unseen"><tr><td></td>{heads}</tr></thead>'
+        f'<tbody role="rowgroup">{rows}</tbody></table><p class="legend">{legend}</p>'
+    )
+
+
+def _key(number: int, key: float, inker: Inker) -> str:
+    """Return the line of a row in its ink, on a view of its own."""
+    mark = line([complex(0.0, 0.5), complex(key, 0.5)], "key", number)
+    view = inker.view(Rect(0.0, 0.48, key, 0.52))
+    return f'<svg class="key" viewBox="{view}" aria-hidden="true">{inker.mark(mark)}</svg>'
+
+
+def values_of(plan: Plan, key: float) -> float:
+    """Return how far behind the margin the first cells begin."""
+    laid = laid_out(plan.sheet, plan.page, key)
+    return laid.values if isinstance(laid, Columns) else VALUES
+
+
+def measured_cells(plan: Plan, panel: Panel, row: Row, words: Words, values: float) -> str:
+    """Return what a panel measures of a row, as one cell of the table.
+
+    Where it has not the room, it leaves out units that the column has above, then it shrinks.
+    """
+    cells = row.cells.get(panel.name, ())
+    room = plan.page.panels[panel.name].drawing.width
+    room -= values if panel is plan.sheet.panels[0] else 0.0
+    readings = [_reading(plan, cell) for cell in cells]
+    need = _need(cells, readings)
+    if need > room and alike(cells, panel.name, plan.sheet.rows):
+        readings = [_reading(plan, cell, bare=True) for cell in cells]
+        need = _need(cells, readings)
+    small = f' style="font-size:{100 * room / need:.0f}%"' if need > room else ""
+    written = map(_cell, cells, readings, repeat(words))
+    halves = []
+    for half, measured in panel.measures(row):
+        _, since = measuring(plan.sketches[half.name].setting, row, measured)
+        own = "".join(islice(written, len(measured)))
+        halves.append(f"<div{when([(since, FOREVER)])}{small}>{own}</div>")
+    whole = "".join(halves)
+    return f'<td role="cell">{whole if len(halves) == 1 else f"<div>{whole}</div>"}</td>'
+
+
+def _need(cells: Sequence[Cell], readings: Sequence[Runs]) -> float:
+    """Return the width of cells side by side, as the style sheet sets them."""
+    signs = [width(symbols(cell.symbol), ENTRY) + PADDING for cell in cells]
+    wide = sum(
+        width(reading, ENTRY) + max(EQUALS, sign)
+        for reading, sign in zip(readings, signs, strict=True)
+    )
+    return wide + CLEAR * (len(cells) - 1)
+
+
+def _cell(cell: Cell, reading: Runs, words: Words) -> str:
+    symbol, value = words.of(symbols(cell.symbol)), words.of(reading, heavy=not cell.given)
+    given = " given" if cell.given else ""
+    return f'<span class="cell{given}"><span class="symbol">{symbol}</span>{value}</span>'
+
+
+def _reading(plan: Plan, cell: Cell, bare: bool = False) -> Runs:
+    notation = plan.sheet.notation
+    number = notation.number(cell.value, cell.unit, cell.given)
+    unit = "" if bare else notation.unit(cell.unit)
+    return roman("= " + with_unit(number, unit).replace(" ", "\u00a0"))
+
+
+def _has_given(rows: tuple[Row, ...]) -> bool:
+    return any(c.given for row in rows for cells in row.cells.values() for c in cells)
+
+
+class Words:
+    """Writes runs, and notes down the letters that their fonts need."""
+
+    def __init__(self, faces: Faces) -> None:
+        self._faces = faces
+
+    def of(self, runs: Runs, *, light: bool = True, heavy: bool = False) -> str:
+        """Return runs as HTML; ``heavy`` and ``light`` say where the page sets them bold or not."""
+        for each in (*(runs if light else ()), *(bold(runs) if heavy else ())):
+            self._faces.add(each.face, each.text)
+        text = ""
+        for run in runs:
+            words = escape(run.text)
+            words = f"<i>{words}</i>" if run.face in _ITALIC else words
+            script = _SCRIPTS[run.script]
+            text += f"<{script}>{words}</{script}>" if script else words
+        return text.replace("</i><i>", "").replace("</sub><sub>", "")

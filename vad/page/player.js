@@ -56,7 +56,7 @@ function arc(part, x, y, radius, start, sweep, degrees = 0, narrow = 1) {
   return part > 0 ? `M${at(start)}A${radius} ${narrow * radius} ${degrees} ${flags} ${at(start + turn)}` : "";
 }
 
-// Shows a growing mark at a share; at 1 it is as it stays. See vad/page/growths.py.
+// Shows a growing mark at a share; at 1 it is as it stays. See vad/page/ink.py.
 function growing(mark, [kind, knots, x, y, ...bow]) {
   const elements = mark.localName === "g" ? [...mark.children] : [mark];
   const data = elements.map((each) => each.getAttribute("d")), radii = elements.map((each) => +each.getAttribute("r"));
