@@ -16,7 +16,7 @@ from tests.plan.overlaps import overlaps
 from tests.strokes.named import dot, stroke, vector
 from vad.export.sheet_json import sheet_from_json, to_text
 from vad.kinematics.space.crossed_shafts import UniversalSolver
-from vad.strokes.scenes import scene_of
+from vad.strokes.draw import scene_of
 from vad.strokes.sheet import Arc, Curve, Line, PolarInset, Sheet
 from vad.strokes.space.hooke_views import PLAN
 from vad.words import Language, languages

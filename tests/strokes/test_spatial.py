@@ -16,7 +16,7 @@ from tests.plan.overlaps import overlaps
 from tests.strokes.named import dot, stroke, vector
 from vad.export.sheet_json import to_text
 from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.scenes import scene_of
+from vad.strokes.draw import scene_of
 from vad.strokes.sheet import Curve, Line, Panel, Sheet
 from vad.strokes.space.screw_rates import ScrewRates
 from vad.strokes.space.spatial_places import seen

@@ -24,7 +24,7 @@ from vad.kinematics.motion import Motions
 from vad.kinematics.solver import Solver
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import roman
-from vad.strokes.members import members_of
+from vad.strokes.scene import members_of
 from vad.style import Style, load_style
 from vad.units import scene_unit
 from vad.words import Language

@@ -14,10 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.kinematics.motion import solve
-from vad.strokes.diagram import Spot
+from vad.strokes.diagram import POSITION, Spot
 from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.order import POSITION
-from vad.strokes.scenes import AnyScene, scene_of
+from vad.strokes.draw import AnyScene, scene_of
 from vad.strokes.sheet import BELOW
 from vad.words import Language
 

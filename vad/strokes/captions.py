@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from vad.kinematics.linkage import Bar, Slide, Step, length_of
 from vad.strokes.arithmetic import Figure, product
-from vad.strokes.chains import StepVector
+from vad.strokes.loops import StepVector
 from vad.strokes.scene import Scene, image_letter, point_of
 from vad.strokes.sentences import Listed, Noun, Sentence, SentencePart, Unit
 from vad.strokes.vector_equations import Part

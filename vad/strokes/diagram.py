@@ -1,4 +1,4 @@
-"""What a kind of diagram declares: how it is drawn, where it stands, and what it measures.
+"""Kinds of diagrams: what is drawn, where it stands, what it measures; and orders of derivatives.
 
 In comes the scene of a pose, out goes a `Panel`; a kind is one file of `vad.strokes.diagrams`.
 """
@@ -22,11 +22,54 @@ from vad.strokes.sheet import (
     Picture,
     Stroke,
 )
+from vad.written import per_second
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
-    from vad.strokes.order import Order
-    from vad.strokes.scenes import AnyScene
+    from vad.strokes.draw import AnyScene
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """An order of derivative.
+
+    Attributes
+    ----------
+    number
+        0, 1 or 2: so many times a position is differentiated.
+    panel
+        The name of its diagram; points and slides call their quantity so, too.
+    rate
+        What a link calls its quantity: "angle", "omega" or "alpha".
+    symbol, sliding
+        The letters of what turns and of what slides.
+    unit
+        The unit of what turns.
+    """
+
+    number: int
+    panel: str
+    rate: str
+    symbol: str
+    sliding: str
+    unit: str
+
+    def unit_of(self, length: str) -> str:
+        """Return the unit of what slides.
+
+        Examples
+        --------
+        >>> [order.unit_of("mm") for order in ORDERS]
+        ['mm', 'mm/s', 'mm/s²']
+        """
+        return per_second(length, self.number)
+
+
+POSITION = Order(0, "position", "angle", "θ", "s", "°")
+VELOCITY = Order(1, "velocity", "omega", "ω", "v", "rad/s")
+ACCELERATION = Order(2, "acceleration", "alpha", "α", "a", "rad/s²")
+#: All orders, by their numbers.
+ORDERS = POSITION, VELOCITY, ACCELERATION
 
 
 @dataclass(frozen=True, slots=True)

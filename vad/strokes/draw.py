@@ -2,21 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from vad.errors import InputError, UsageError, one_of, shown
 from vad.kinematics.linkage import points_of
 from vad.kinematics.motion import Motion, solve
+from vad.kinematics.space.balls import BallSolver
+from vad.kinematics.space.crossed_shafts import UniversalSolver
+from vad.kinematics.space.sphere import SphereSolver
 from vad.strokes.arithmetic import settled
-from vad.strokes.canonical import canonical
+from vad.strokes.construct import construct
+from vad.strokes.diagram import Drawing, Order
 from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.finishing import finished, without_noise
+from vad.strokes.finishing import canonical, finished, without_noise
 from vad.strokes.notation import Notation, in_metres
-from vad.strokes.scenes import scene_of
+from vad.strokes.polygon import polygon
+from vad.strokes.scene import Scene
 from vad.strokes.sentences import Noun, Text, Voice
-from vad.strokes.sheet import TWIST, Arrow, Panel, Row, Sheet, driver_of
+from vad.strokes.sheet import (
+    TWIST,
+    Arrow,
+    Panel,
+    Row,
+    Sheet,
+    driver_of,
+)
+from vad.strokes.space.balls import BallScene
+from vad.strokes.space.hooke import HookeScene
+from vad.strokes.space.scene_in_space import SceneInSpace
+from vad.strokes.space.spatial import SpatialScene
+from vad.strokes.space.spherical import SphericalScene
 from vad.words import Language
 
 if TYPE_CHECKING:
@@ -168,3 +185,30 @@ def _largest(rows: list[Row], panels: tuple[Panel, ...]) -> dict[str, float]:
         largest[half.unit] = size
     largest["rad/s²"] = max(largest.get("rad/s²", 0.0), largest.get("rad/s", 0.0) ** 2)
     return largest
+
+
+class PlaneScene(Scene):
+    """One pose of a mechanism in the plane, with what is drawn of it."""
+
+    def drawing(self, order: Order) -> Drawing:
+        """Return the construction of the mechanism, or a polygon."""
+        return polygon(self, order.number) if order.number else construct(self)
+
+
+AnyScene = Scene | SceneInSpace
+
+#: The scene of each solver in space, by whether anything slides.
+IN_SPACE: Mapping[tuple[type, bool], type[SceneInSpace]] = {
+    (UniversalSolver, False): HookeScene,
+    (SphereSolver, False): SphericalScene,
+    (SphereSolver, True): SpatialScene,
+    (BallSolver, False): BallScene,
+}
+
+
+def scene_of(motion: Motion, language: Language) -> AnyScene:
+    """Return the scene of a motion, whose solver tells the plane from space."""
+    solver = motion.solver
+    kind: Any = IN_SPACE.get((type(solver), bool(solver.slides)), PlaneScene)
+    scene: AnyScene = kind(motion, language)
+    return scene

@@ -91,8 +91,8 @@ def _checked(at: Sequence[float]) -> list[float]:
 
 def _place(motion: Motion) -> Cell:
     """Return the place of the driver with its symbol, as it was given."""
-    from vad.strokes.order import POSITION
-    from vad.strokes.scenes import scene_of
+    from vad.strokes.diagram import POSITION
+    from vad.strokes.draw import scene_of
     from vad.words import Language
 
     scene = scene_of(motion, Language("en"))

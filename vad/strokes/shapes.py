@@ -1,6 +1,7 @@
-"""The shapes of strokes: points, vectors, lines, curves and parts of machines, as frozen data.
+"""The shapes of strokes as frozen data, and the small drawings beside a polygon.
 
-Coordinates are complex numbers in the panel's own unit, x to the right and y up.
+Shapes are points, vectors, lines, curves and parts of machines.  Coordinates are complex numbers in
+the panel's own unit, x to the right and y up.
 """
 
 from __future__ import annotations
@@ -172,3 +173,44 @@ class Fold:
 
 
 Shape = Dot | Arrow | Line | Arc | Guide | Block | Plate | Curve | Ellipse | Bearing | Fold
+
+
+@dataclass(frozen=True, slots=True)
+class CoriolisInset:
+    """The rule of the Coriolis component in true directions (unit vectors).
+
+    ``slot`` is the direction of the turning link, ``sliding`` that of the block relative to
+    it, ``coriolis`` the result; ``sense`` is +1 for a counter-clockwise ω.  It is shown from
+    the stroke called ``stroke`` on.
+    """
+
+    link: str
+    slide: str
+    slot: complex
+    sliding: complex
+    coriolis: complex
+    sense: int
+    stroke: str
+
+
+@dataclass(frozen=True, slots=True)
+class PolarInset:
+    """Speeds over a turn of the driver, each laid off along the driver's direction.
+
+    ``circle`` is the radius on which ``driver`` runs, ``curve`` that of ``driven``, which begins
+    with the driver at 0°; ``ray`` is the present one.  Both agree at the ``dots``.  ``title`` and
+    ``range`` are said above and below, and it is shown from the stroke called ``stroke`` on.
+    """
+
+    driver: str
+    driven: str
+    circle: float
+    curve: tuple[complex, ...]
+    ray: complex
+    dots: tuple[complex, ...]
+    title: str
+    range: str
+    stroke: str
+
+
+Inset = CoriolisInset | PolarInset

@@ -26,7 +26,6 @@ from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
 from vad.displayed import Displayed
-from vad.strokes.insets import CoriolisInset, Inset, PolarInset
 from vad.strokes.notation import Notation
 from vad.strokes.sentences import Sentence
 from vad.strokes.shapes import (
@@ -34,13 +33,16 @@ from vad.strokes.shapes import (
     Arrow,
     Bearing,
     Block,
+    CoriolisInset,
     Curve,
     Dot,
     Ellipse,
     Fold,
     Guide,
+    Inset,
     Line,
     Plate,
+    PolarInset,
     Shape,
 )
 

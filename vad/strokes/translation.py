@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from vad.strokes.insets import PolarInset
 from vad.strokes.sentences import Sentence, Text, Voice
+from vad.strokes.shapes import PolarInset
 from vad.strokes.sheet import Equation, Note, Panel, Sheet, Stroke, Term
 from vad.words import Language
 

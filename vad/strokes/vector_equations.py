@@ -1,15 +1,18 @@
 """Vector equations, which a polygon draws: two chains of vectors that end at one vertex.
 
-In the plane they are the loops of a linkage, in space those of bodies that turn.  Whoever draws
-them needs to know neither: every vector and every part of it bears its own letters.
+In the plane they are the loops of a linkage, in space those of bodies that turn.  Who draws them
+needs to know neither: every vector and every part of it bears its own letters.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Generic, TypeVar
+from typing import TYPE_CHECKING, Generic, TypeVar
 
-from vad.strokes.sheet import Component, StrokePart
+from vad.strokes.sheet import Component, Equation, StrokePart, Term
+
+if TYPE_CHECKING:
+    from vad.kinematics.linkage import Step
 
 #: Vectors shorter than this share of the longest one of a panel are zero.
 NOTHING = 1e-12
@@ -173,3 +176,37 @@ class VectorEquation(Generic[V]):
     def longest(self) -> float:
         """The length of the longest part."""
         return max(chain.longest for chain in self.chains)
+
+
+@dataclass
+class Side:
+    """The vectors of one chain in the order in which they were drawn.
+
+    ``start`` is the one from the pole to the vertex from which it begins, if that is another.
+    """
+
+    start: Term | None = None
+    entries: list[tuple[Step | Vector, Term]] = field(default_factory=list)
+
+    def add(self, step: Step | Vector, term: Term) -> None:
+        """Append one vector of a step."""
+        self.entries.append((step, term))
+
+    def has(self, step: Step | Vector) -> bool:
+        """Tell whether a vector of ``step`` has been drawn."""
+        return any(other is step for other, _ in self.entries)
+
+    def forward(self) -> list[Term]:
+        """Return the vectors that run with the chain."""
+        begun = [self.start] if self.start else []
+        return begun + [term for step, term in self.entries if not step.reverse]
+
+    def backward(self) -> list[Term]:
+        """Return the vectors that run against it, so that each begins where the last ended."""
+        return [term for step, term in reversed(self.entries) if step.reverse]
+
+
+def of_chains(first: Side, second: Side) -> Equation:
+    """Return ``first = second`` of chains whose vectors all run with them."""
+    nothing = [Term("0", None, None)]
+    return Equation(tuple(first.forward() or nothing), tuple(second.forward() or nothing))

@@ -1,6 +1,5 @@
 """The acceleration polygon."""
 
-from vad.strokes.diagram import Diagram
-from vad.strokes.order import ACCELERATION
+from vad.strokes.diagram import ACCELERATION, Diagram
 
 DIAGRAM = Diagram.of_order(ACCELERATION, rank=2, picture="vectors")

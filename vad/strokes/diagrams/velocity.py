@@ -1,6 +1,5 @@
 """The velocity polygon."""
 
-from vad.strokes.diagram import Diagram
-from vad.strokes.order import VELOCITY
+from vad.strokes.diagram import VELOCITY, Diagram
 
 DIAGRAM = Diagram.of_order(VELOCITY, rank=1, picture="vectors")

@@ -8,8 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from vad.strokes.diagram import Drawing, Spot
-from vad.strokes.order import VELOCITY, Order
+from vad.strokes.diagram import VELOCITY, Drawing, Order, Spot
 from vad.strokes.sheet import Cell
 from vad.strokes.space import balls_polygons, balls_views
 from vad.strokes.space.balls_said import BODIES

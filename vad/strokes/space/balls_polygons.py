@@ -11,16 +11,13 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.space.numbers import difference, dot
-from vad.strokes.diagram import Drawing
-from vad.strokes.equations import of_chains
-from vad.strokes.order import ORDERS
-from vad.strokes.pencil import Pencil
-from vad.strokes.player import Player
+from vad.strokes.diagram import ORDERS, Drawing
+from vad.strokes.player import Pencil, Player
 from vad.strokes.scene import image_letter
 from vad.strokes.space.balls_said import BallWords
 from vad.strokes.space.balls_seen import TILT, Seen
 from vad.strokes.space.body_rates import place
-from vad.strokes.vector_equations import Chain, Part, Vector, VectorEquation
+from vad.strokes.vector_equations import Chain, Part, Vector, VectorEquation, of_chains
 
 if TYPE_CHECKING:
     from vad.strokes.sheet import Component

@@ -10,10 +10,8 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from vad.strokes.diagram import Drawing
-from vad.strokes.order import ORDERS
-from vad.strokes.pencil import Pencil
-from vad.strokes.player import Player
+from vad.strokes.diagram import ORDERS, Drawing
+from vad.strokes.player import Pencil, Player
 from vad.strokes.sentences import SentencePart
 from vad.strokes.sheet import Component, Ellipse, Equation, Fold, Stroke, StrokePart, Term
 from vad.strokes.space.body_rates import BodyRates

@@ -17,7 +17,7 @@ import numpy as np
 from vad.kinematics.space.instant_axis import K, Z
 from vad.kinematics.space.numbers import Vector3, added, cross, dot, over, scaled
 from vad.kinematics.space.sphere import SphereSolver
-from vad.strokes.order import ORDERS
+from vad.strokes.diagram import ORDERS
 from vad.strokes.vector_equations import NOTHING
 from vad.written import PRIME
 

@@ -8,8 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from vad.strokes.diagram import Drawing, Spot
-from vad.strokes.order import Order
+from vad.strokes.diagram import Drawing, Order, Spot
 from vad.strokes.sheet import Cell
 from vad.strokes.space import hooke_polygons, hooke_views
 from vad.strokes.space.body_rates import BodyRates

@@ -13,8 +13,7 @@ from vad.strokes.sheet import Cell, Row
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import MotionInSpace
-    from vad.strokes.diagram import Diagram, Drawing, Spot
-    from vad.strokes.order import Order
+    from vad.strokes.diagram import Diagram, Drawing, Order, Spot
 
 
 @dataclass(frozen=True)

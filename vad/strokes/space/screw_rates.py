@@ -17,8 +17,7 @@ import numpy as np
 from vad.kinematics.space.instant_axis import InstantAxis
 from vad.kinematics.space.numbers import Vector3, dual, real
 from vad.kinematics.space.sphere import SphereSolver
-from vad.strokes.diagram import Spot
-from vad.strokes.order import ORDERS
+from vad.strokes.diagram import ORDERS, Spot
 from vad.written import PRIME
 
 if TYPE_CHECKING:

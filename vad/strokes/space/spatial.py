@@ -6,8 +6,7 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
 
-from vad.strokes.diagram import Drawing, Spot
-from vad.strokes.order import Order
+from vad.strokes.diagram import Drawing, Order, Spot
 from vad.strokes.sheet import Cell
 from vad.strokes.space import spatial_polygons, spatial_views
 from vad.strokes.space.scene_in_space import SceneInSpace

@@ -13,14 +13,12 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from vad.strokes.arithmetic import Figure, product, total
 from vad.strokes.diagram import Drawing
-from vad.strokes.equations import of_chains
-from vad.strokes.pencil import Pencil
-from vad.strokes.player import Player
+from vad.strokes.player import Pencil, Player
 from vad.strokes.sentences import Sentence, SentencePart, Terms, Unit
 from vad.strokes.sheet import Component
 from vad.strokes.space.body_words import TURNED
 from vad.strokes.space.screw_rates import ScrewRates
-from vad.strokes.vector_equations import Chain, Part, Vector, VectorEquation
+from vad.strokes.vector_equations import Chain, Part, Vector, VectorEquation, of_chains
 from vad.written import per_second, subscript
 
 if TYPE_CHECKING:

@@ -7,8 +7,7 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
-from vad.strokes.diagram import Diagram, Drawing, Spot
-from vad.strokes.order import Order
+from vad.strokes.diagram import Diagram, Drawing, Order, Spot
 from vad.strokes.sheet import Cell, Row
 from vad.strokes.space import spherical_views
 from vad.strokes.space.body_polygon import Bodies, polygon_of_bodies

@@ -1,4 +1,7 @@
-"""The loop equations of a linkage as vector equations: each step with its components."""
+"""The loops of a linkage as vector equations, each step with its components, and as written.
+
+A polygon draws the equation; under its panel it is written from the vectors that are drawn.
+"""
 
 from __future__ import annotations
 
@@ -7,12 +10,11 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, cast
 
-from vad.kinematics.linkage import Bar, Scalar, Slide, Step, scalar_of
-from vad.strokes.members import Members
-from vad.strokes.scene import Scene, image_letter
+from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, scalar_of
+from vad.strokes.scene import Members, Scene, image_letter
 from vad.strokes.sentences import Sentence, Text, Voice
-from vad.strokes.sheet import Component
-from vad.strokes.vector_equations import Chain, Part, Vector, VectorEquation
+from vad.strokes.sheet import Component, Equation, Plate, Stroke, Term
+from vad.strokes.vector_equations import Chain, Part, Side, Vector, VectorEquation
 
 SUBSCRIPT_N = "ₙ"
 
@@ -180,3 +182,51 @@ def _coriolis_last(vectors: Sequence[StepVector]) -> tuple[StepVector, ...]:
     struts = {each.owner for each in late}
     bars = (each.step for each in vectors if isinstance(each.step, Bar))
     return late if any(bar.length in struts for bar in bars) else ()
+
+
+def equation(loop: Loop, first: Side, second: Side) -> Equation:
+    """Return ``first = second`` with every vector on the side on which it counts positive.
+
+    A block that slides on a lever is written as the student reads it: lever, then block, equals
+    crank (dq + qb = ab).
+    """
+    if not loop.first[-1].reverse:
+        left, right = first.forward() + second.backward(), second.forward()
+    elif loop.second[-1].reverse:
+        left = first.backward() + second.forward()
+        right = first.forward() + second.backward()
+    else:
+        left, right = second.forward() + first.backward(), first.forward()
+    nothing = [Term("0", None, None)]
+    return Equation(tuple(left or nothing), tuple(right or nothing))
+
+
+def of_position(scene: Scene, loop: Loop, strokes: Sequence[Stroke]) -> Equation:
+    """Return the equation of a loop of the mechanism itself as drawn, a ground link added."""
+    fixed = scene.members.fixed
+    sides = Side(), Side()
+    start = [chain[0].start for chain in (loop.first, loop.second)]
+    second_start = start[1]
+    if start[0] != start[1] and start[0] in fixed:
+        if fixed[start[0]] == fixed[start[1]]:
+            second_start = start[0]
+        else:
+            sides[1].start = Term(start[0] + start[1], None, None)
+    for chain, side in zip((loop.first, loop.second), sides, strict=True):
+        for step in chain:
+            if isinstance(step, Slide) and isinstance(step.along, str):
+                continue  # the bar carries its length
+            tail, head = scene.members.ends(step)
+            if side is sides[1] and step is chain[0] and tail == start[1]:
+                tail = second_start
+            label = tail + head
+            side.add(step, Term(label, scalar_of(step).name, _drawn(step, strokes)))
+    return equation(loop, *sides)
+
+
+def _drawn(step: Step, strokes: Sequence[Stroke]) -> str | None:
+    """Return the name of the stroke that draws a step: its own bar or block, or its plate."""
+    own = f"{step.ends}.bar" if isinstance(step, Bar) else f"{step.ends}.block"
+    link = scalar_of(step).name
+    plates = (s.name for s in strokes if isinstance(s.shape, Plate) and s.link == link)
+    return next((s.name for s in strokes if s.name == own), next(plates, None))
