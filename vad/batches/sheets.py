@@ -29,6 +29,7 @@ from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.sheet import Sheet
 from vad.style import GROUP, style_names
 from vad.units import check_length_unit
+from vad.words import GROUP as LANGUAGES
 from vad.words import languages
 
 #: The files of a sheet whose name begins so are left to be filled in; all others are keys.
@@ -105,7 +106,7 @@ WORDS: dict[str, Callable[[object], Any]] = {
     "files": _files,
     "blank": _panels,
     "panels": _panels,
-    "language": lambda value: one_of("language", value, languages()),
+    "language": lambda value: one_of_all("language", value, languages(), LANGUAGES),
     "style": lambda value: one_of_all("style", value, style_names(), GROUP),
     "paper": lambda value: one_of("paper", value, paper_names()),
     "fps": lambda value: _film(fps=value)[0],

@@ -22,6 +22,7 @@ from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.sheet import Sheet
 from vad.style import GROUP as STYLES
 from vad.style import style_names
+from vad.words import GROUP as LANGUAGES
 from vad.words import languages
 
 _SHEET = [
@@ -34,7 +35,7 @@ _SHEET = [
         help=f"some of {', '.join(DIAGRAMS)}  [all]",
     ),
     NamedOption("style", "style", style_names(), "how it looks  [paper]", STYLES),
-    NamedOption("language", "language", languages(), "of titles and captions  [en]"),
+    NamedOption("language", "language", languages(), "of titles and captions  [en]", LANGUAGES),
 ]
 _SIZE = click.Option(["--size"], callback=size(), metavar="WxH", help="in pixels  [1280x720]")
 _PAPER = NamedOption("paper", "paper", paper_names(), "a PDF in true scale, to be measured")

@@ -37,7 +37,7 @@ from vad.gui.live import pose
 from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion, Question, problem, read
 from vad.gui.saving import MEDIA, Closing, saved
 from vad.gui.window import window
-from vad.words import languages
+from vad.words import all_languages
 
 _HOST = "127.0.0.1"
 _PATIENCE = 1  # seconds for what is being sent when the server ends
@@ -116,7 +116,7 @@ def application(key: Key, start: ExportQuestion, closing: Closing) -> ASGIApp:
 
     async def page(request: Request) -> Response:
         code = request.query_params.get("lang", start.language)
-        shown = replace(start, language=code if code in languages() else start.language)
+        shown = replace(start, language=code if code in all_languages() else start.language)
         nonce = request.state.nonce
         return HTMLResponse(window(shown, nonce))
 

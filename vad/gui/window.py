@@ -29,7 +29,7 @@ from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import chosen
 from vad.style import load_style
 from vad.units import scene_unit
-from vad.words import Language, languages
+from vad.words import Language, all_languages
 
 #: The parts of its script, in order.
 SCRIPTS = ("window.js", "stage.js", "hand.js", "buttons.js")
@@ -71,7 +71,7 @@ def window(start: ExportQuestion, nonce: str, head: str = "") -> str:
         player=player(code, titles),
         strokes=escape(own["strokes"]),
         mechanisms=_options({name: each["title"] for name, each in entries.items()}),
-        languages=_options({each: each.upper() for each in languages()}),
+        languages=_options({each: each.upper() for each in all_languages()}),
         formats="".join(_button(extension) for extension in MEDIA),
         data=json.dumps(data, ensure_ascii=False).replace("<", "\\u003c"),
         script=asset("player.js") + "".join(map(_file, SCRIPTS)),

@@ -14,6 +14,7 @@ from importlib import import_module
 from string import Formatter
 from typing import Any, Literal, NamedTuple
 
+from vad.errors import InputError
 from vad.found import all_names, from_packages, names_in, one_of_all
 
 #: Where other packages say which languages they bring.
@@ -94,6 +95,8 @@ class Language:
     ------
     vad.errors.UsageError
         If neither this package nor another one has it.
+    vad.errors.InputError
+        If another package's module is none.
 
     Examples
     --------
@@ -190,9 +193,12 @@ def _tables(code: str) -> _Tables:
     """Return the tables of a language of this package or another one."""
     own = languages()
     one_of_all("language", code, own, GROUP)
-    return _Tables(
-        import_module(f"{__name__}.{code}") if code in own else from_packages(GROUP)[code]
-    )
+    if code in own:
+        return _Tables(import_module(f"{__name__}.{code}"))
+    module = from_packages(GROUP)[code]
+    if not isinstance(getattr(module, "PHRASES", None), Mapping):
+        raise InputError(f"language '{code}': has no table PHRASES", hint="as vad.words.en has it")
+    return _Tables(module)
 
 
 def _english(table: str) -> Mapping[str, str]:

@@ -79,7 +79,7 @@ from vad.strokes.sheet import (
     StrokePart,
     Term,
 )
-from vad.words import all_languages
+from vad.words import all_languages, languages
 
 #: A unit as the JSON of ``vad solve`` spells it: mm/s^2.
 UNIT = Form(
@@ -192,7 +192,8 @@ _PARAMETERS = many(row(TEXT, NUMBER, UNIT))
 
 
 def _read_language(value: Any, place: str) -> str:
-    return one_of(all_languages()).read(value, place)  # type: ignore[no-any-return]
+    known = languages() if value in languages() else all_languages()
+    return one_of(known).read(value, place)  # type: ignore[no-any-return]
 
 
 ELLIPSE = record(

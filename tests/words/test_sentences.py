@@ -1,0 +1,153 @@
+"""Sentences as data: what they calculate, and the same sheet in another language."""
+
+from __future__ import annotations
+
+import json
+import math
+import pickle
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+import vad
+from tests.strokes.calculations import FIGURE, Side, chains
+from tests.strokes.poses import MECHANISMS, sheets
+from vad.errors import UsageError
+from vad.export.sheet_json import sheet_from_json, to_dict, to_text
+from vad.files.examples import example_names, example_path
+from vad.strokes.sheet import Sheet
+from vad.words import languages
+
+FLOATS = 1e-9
+EXAMPLES = example_names()
+
+
+def poses_of(name: str) -> Iterator[Sheet]:
+    """Yield sheets of a mechanism or an example."""
+    if name in MECHANISMS:
+        yield from sheets(MECHANISMS[name], steps=2)
+    else:
+        yield vad.draw(vad.solve(vad.load(example_path(name))()))
+
+
+def strokes(data: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """Yield the strokes in the JSON of a sheet."""
+    for panel in data["panels"].values():
+        yield from panel["strokes"]
+        yield from panel.get("below", {"strokes": []})["strokes"]
+
+
+def numbers(said: dict[str, Any], names: list[str | float]) -> list[tuple[float, int]]:
+    """Return the numbers of the parts of a sentence in JSON, each with its power."""
+    found = []
+    for name in names:
+        part = said["parts"][name] if isinstance(name, str) else {"figure": name}
+        for each in part.get("terms", [part]):
+            found.append((each["figure"], each.get("power", 1)))
+    return found
+
+
+def calculated(said: dict[str, Any]) -> Iterator[tuple[float, float]]:
+    """Yield the results of a sentence in JSON, and what its numbers make."""
+    for each in said.get("calculations", []):
+        ((result, _),) = numbers(said, [each["result"]])
+        operands = numbers(said, each["operands"])
+        values = [value for value, _ in operands]
+        match each["operation"]:
+            case "product":
+                yield result, math.prod(value**power for value, power in operands)
+            case "sum":
+                yield result, sum(values)
+            case "hypotenuse":
+                yield result, math.hypot(*values)
+            case "leg":
+                yield result, math.sqrt(values[0] ** 2 - values[1] ** 2)
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", [*MECHANISMS, *EXAMPLES])
+def test_the_json_alone_tells_what_every_caption_calculates(name: str) -> None:
+    for sheet in poses_of(name):
+        for stroke in strokes(json.loads(to_text(sheet))):
+            results = list(calculated(stroke["caption_said"]))
+            for result, made in results:
+                assert result == pytest.approx(made, rel=FLOATS, abs=1e-9), stroke["caption"]
+            assert bool(results) >= any(in_figures(stroke["caption"])), stroke["caption"]
+
+
+def in_figures(caption: str) -> Iterator[bool]:
+    """Tell of the equations of a caption whether one has numbers on both sides."""
+    for chain in chains(caption):
+        sides = [side for side in chain.sides if isinstance(side, Side) and side.in_figures]
+        yield chain.result is not None and any(len(side.factors) > 1 for side in sides)
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", [*MECHANISMS, *EXAMPLES])
+def test_every_number_of_a_caption_is_in_its_data(name: str) -> None:
+    """What is written in figures is a figure, but for right angles and the 2 of Coriolis."""
+    for sheet in poses_of(name):
+        for half in sheet.halves:
+            for stroke in half.strokes:
+                kinds = [piece.text for piece in stroke.said.pieces if piece.kind == "words"]
+                fixed = {found for text in kinds for found in FIGURE.findall(text)}
+                assert fixed <= {"1", "2", "3", "4", "24", "90"}, stroke.caption
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("code", languages())
+@pytest.mark.parametrize("name", [*MECHANISMS, *EXAMPLES])
+def test_a_sheet_is_read_in_another_language(name: str, code: str) -> None:
+    for sheet in poses_of(name):
+        read = sheet_from_json(to_text(sheet), language=code)
+        motion_drawn = to_dict(read)
+        assert motion_drawn["language"] == code
+        again = sheet_from_json(to_text(read), language="en")
+        assert to_dict(again) == to_dict(sheet)
+
+
+@pytest.mark.parametrize("code", languages())
+@pytest.mark.parametrize("name", list(vad.MECHANISMS))
+def test_what_is_read_in_a_language_is_what_is_drawn_in_it(name: str, code: str) -> None:
+    motion = vad.solve(vad.MECHANISMS[name](), **RATES.get(name, {"alpha": 7.0}))
+    english, drawn = vad.draw(motion), vad.draw(motion, language=code)
+    read = vad.sheet_from_json(to_text(english), language=code)
+    assert read == drawn
+    assert to_text(read) == to_text(drawn)
+
+
+RATES = {
+    "double-slider": {"acceleration": 3.0},
+    "gate-actuator": {"acceleration": 0.1},
+}
+
+
+def test_an_unknown_language_is_refused() -> None:
+    text = to_text(vad.draw(vad.solve(vad.FourBar())))
+    with pytest.raises(UsageError, match="unknown language 'xx'"):
+        vad.sheet_from_json(text, language="xx")
+
+
+def test_an_edited_caption_stays_as_it_is_and_no_sentence_is_left_of_it() -> None:
+    data = to_dict(vad.draw(vad.solve(vad.FourBar())))
+    first, second = data["panels"]["velocity"]["strokes"][:2]
+    first["caption"] = "Here we begin."
+    second["caption_said"]["phrase"] = "a phrase of the next program"
+    sheet = vad.sheet_from_json(data)
+    said = [stroke.said for stroke in sheet.panel("velocity").strokes[:2]]
+    assert said == ["Here we begin.", second["caption"]]
+    assert vad.sheet_from_json(data, language="de").panels[1].strokes[0].caption == said[0]
+
+
+def test_what_is_no_part_of_a_sentence_is_refused_with_its_place() -> None:
+    data = to_dict(vad.draw(vad.solve(vad.FourBar())))
+    data["panels"]["velocity"]["strokes"][1]["caption_said"]["parts"]["value"] = {"figures": 3}
+    with pytest.raises(vad.InputError, match=r"strokes\[1\].caption_said.parts.value: must be a"):
+        vad.sheet_from_json(data)
+
+
+def test_sheets_go_to_other_processes() -> None:
+    sheet = vad.draw(vad.solve(vad.FourBar()), language="de")
+    again = pickle.loads(pickle.dumps(sheet))
+    assert again == sheet and to_text(again) == to_text(sheet)
