@@ -17,8 +17,7 @@ from vad.strokes.sheet import Sheet
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
-    from vad.lecture.course import Course
-    from vad.lecture.cycle import Cycle
+    from vad.lecture.cycle import Course, Cycle
     from vad.mechanisms.mechanism import Mechanism
 
 SECONDS = 8.0
@@ -153,7 +152,7 @@ def turn(
     (200, 8.0)
     """
     from vad.kinematics.motion import Motion, solve
-    from vad.lecture.course import course
+    from vad.lecture.cycle import course
     from vad.strokes.draw import chosen
     from vad.words import Language
 

@@ -11,8 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vad.lecture.course import Course
-from vad.lecture.cycle import Curve, Cycle
+from vad.lecture.cycle import Course, Curve, Cycle
 from vad.plan.geometry import Rect
 from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, roman, symbols

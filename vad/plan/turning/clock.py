@@ -5,8 +5,7 @@ In come a cycle and the course of the driver, out go marks.
 
 from __future__ import annotations
 
-from vad.lecture.course import Course
-from vad.lecture.cycle import Cycle
+from vad.lecture.cycle import Course, Cycle
 from vad.plan.geometry import Rect
 from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, roman
