@@ -22,7 +22,40 @@ from vad.style.paper import STYLE as PAPER
 STYLE = replace(PAPER, name="blueprint", background="#103060", text="#FFFFFF")
 """
 
+SWING = """
+from dataclasses import dataclass
+from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of
+from vad.mechanisms.mechanism import Mechanism, length
+
+@dataclass(frozen=True)
+class Swing(Mechanism):
+    '''A crank moves a slider, as in any pump.'''
+
+    name = "swing"
+    title = "Swing"
+    letters = "ABC"
+    links = {"crank": "AB", "rod": "BC"}
+    slides = {"slider": "C"}
+    crank: float = length(30.0, "length of AB")
+    rod: float = length(90.0, "length of BC")
+
+    def linkage(self) -> Linkage:
+        loop = Loop((Bar("AB", "crank", self.crank), Bar("BC", "rod", self.rod)),
+                    (Slide("AC", "slider", 0.0),))
+        return Linkage(angle_of("crank"), (loop,))
+"""
+
+SPANISH = """
+PHRASES = {"pole velocity one": "El polo: {letters} no se mueve."}
+NAMES = {"Velocity": "Velocidad"}
+"""
+
 ENTRY_POINTS = """
+[vad.mechanisms]
+swing = far_away.swing:Swing
+lost = far_away.nothing
+[vad.languages]
+es = far_away.spanish
 [vad.styles]
 blueprint = far_away.blueprint:STYLE
 module = far_away.blueprint
@@ -39,6 +72,8 @@ def installed(tmp_path: Path) -> Path:
     package.mkdir()
     (package / "__init__.py").write_text("")
     (package / "blueprint.py").write_text(BLUEPRINT)
+    (package / "swing.py").write_text(SWING)
+    (package / "spanish.py").write_text(SPANISH)
     metadata.mkdir()
     (metadata / "METADATA").write_text("Metadata-Version: 2.1\nName: far-away\nVersion: 1.0\n")
     (metadata / "entry_points.txt").write_text(ENTRY_POINTS)
@@ -108,3 +143,45 @@ def test_packages_are_not_asked_for_a_name_that_is_known(monkeypatch):
 def test_an_unknown_name(name):
     with pytest.raises(UsageError, match="unknown style"):
         one_of_all("style", name, names_in("style"), "vad.styles")
+
+
+def test_a_mechanism_a_style_and_a_language_of_another_package_in_one_picture(installed):
+    listed = call(installed, "list").stdout
+    assert "\nswing " in listed and "A crank moves a slider, as in any pump." in listed
+    assert "\nlost " in listed and "cannot be loaded" in listed
+    words = ("swing", "--crank", "20", "--style", "blueprint", "--language", "es")
+    done = call(installed, "draw", *words, "-o", "swing.svg")
+    assert (done.returncode, done.stderr) == (0, "")
+    drawn = (installed / "swing.svg").read_text("utf-8")
+    assert "El polo: " in drawn
+    assert "Velocidad" in drawn
+    assert "#103060" in drawn
+    assert "measured" in drawn or "crosses" in drawn or "meet" in drawn  # the rest in English
+    done = call(installed, "draw", "four-bar", "--language", "ess", "-o", "a.svg")
+    assert "did you mean 'es'?" in done.stderr
+
+
+def test_a_class_s_sheets_may_be_of_another_package(installed):
+    (installed / "sheets.csv").write_text(
+        "mechanism,crank,style,language,files\nswing,25,blueprint,es,key.svg\n"
+    )
+    done = call(installed, "batch", "sheets.csv", "-o", "class")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "Velocidad" in (installed / "class" / "001-key.svg").read_text("utf-8")
+
+
+def test_the_window_offers_what_other_packages_bring(installed):
+    code = (
+        "import vad; from vad.gui.window import window;"
+        "from vad.gui.messages import ExportQuestion;"
+        "print(window(ExportQuestion.of(vad.SliderCrank(), {}, language='es'), ''))"
+    )
+    path = os.pathsep.join([str(ROOT), str(installed)])
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PYTHONPATH": path},
+        check=True,
+    )
+    assert '<option value="es">ES</option>' in done.stdout

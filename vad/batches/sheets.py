@@ -27,7 +27,8 @@ from vad.mechanisms.link_points import link_points
 from vad.plan.format import paper_names
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.sheet import Sheet
-from vad.style import GROUP, style_names
+from vad.style import GROUP as STYLES
+from vad.style import style_names
 from vad.units import check_length_unit
 from vad.words import GROUP as LANGUAGES
 from vad.words import languages
@@ -107,7 +108,7 @@ WORDS: dict[str, Callable[[object], Any]] = {
     "blank": _panels,
     "panels": _panels,
     "language": lambda value: one_of_all("language", value, languages(), LANGUAGES),
-    "style": lambda value: one_of_all("style", value, style_names(), GROUP),
+    "style": lambda value: one_of_all("style", value, style_names(), STYLES),
     "paper": lambda value: one_of("paper", value, paper_names()),
     "fps": lambda value: _film(fps=value)[0],
     "size": lambda value: _film(size=value)[1],
