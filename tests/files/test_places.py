@@ -139,3 +139,16 @@ C = "parallel"
     b, c = motion.point("B").position, motion.point("C").position
     assert c - b == pytest.approx([150 + 20j] * 5)
     assert motion.link("wheel").omega == pytest.approx([10.0] * 5)
+
+
+def test_a_slot_through_the_pivot_has_one_place_and_a_slot_beside_it_two():
+    """The place is told where there are two; a slot through the pivot may be counted backward."""
+    beside, through = written(LEVER), written(LEVER.replace(", offset = 25", ""))
+    assert beside().assembly == {"C": "upper"}
+    assert through().assembly == {}
+    for kind in (beside, through):
+        upper, lower = (
+            vad.solve(kind(assembly={"C": word})).point("C").position for word in ("upper", "lower")
+        )
+        assert upper.imag > 0 > lower.imag
+        assert abs(upper + 150j) == pytest.approx(260) == abs(lower + 150j)

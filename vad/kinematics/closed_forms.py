@@ -34,12 +34,12 @@ from vad.kinematics.numbers import (
     vector,
 )
 
-# The values next to which a sine or cosine is expanded.
+# A sine or cosine is written as a distance from the nearest of these values.
 CENTRES = (-1, 0, 1)
 
 
 class OpenLoopError(AssemblyError):
-    """The chains of one pose miss each other by ``miss``, in the solver's length unit."""
+    """The chains of a pose do not meet: they miss by ``miss``, in the solver's unit of length."""
 
     def __init__(self, miss: float) -> None:
         super().__init__(f"the links miss by {miss}")
@@ -49,10 +49,11 @@ class OpenLoopError(AssemblyError):
 def root_of_factors(
     low: Number, high: Number, both: Number, scale_low: Number, scale_high: Number
 ) -> Number:
-    """Return √(low·high); a factor within 8 ε of its scale below zero counts as zero.
+    """Return √(low·high); a factor that is less than 8 ε of its scale below zero counts as zero.
 
-    ``both`` is their exact sum: where it is small, what rounding adds to one factor is thus taken
-    from the other, and at right angles leaves the product alone.
+    ``both`` is the exact sum of the factors.  With it only the smaller factor is used: what
+    rounding adds to one factor is taken from the other.  At right angles, where both are equal,
+    the product then hardly changes.
     """
     short = (low < -8 * EPSILON * scale_low) | (high < -8 * EPSILON * scale_high)
     least = select(short, math.nan, not_below(0.0, minimum(low, high)))
@@ -61,15 +62,15 @@ def root_of_factors(
 
 @dataclass(frozen=True)
 class GroundedCrank:
-    """The gap c + t·u of a loop whose only known moving bar is a pin of the driven crank.
+    """The gap c + t·u of a loop in which a pin of the driven crank is all that moves.
 
-    It is seen in the loop's own axes, in which u, the pin's direction, is the crank's after
+    The unit vector u points to the pin, in the axes of the loop; it is that of the crank, turned by
     ``turn``.
 
-    Where crank and ground are nearly in line the gap is a small difference of large lengths;
-    their differences are formed once, exactly, and what the angle adds is formed without
-    cancellation.  This keeps ω to full accuracy at change points.  Where the cosine is 0 or ±½
-    nothing is rounded, and a dead centre is found exactly.
+    Where crank and ground are nearly in line the gap is a small difference of large lengths.  The
+    differences of lengths are formed once, exactly, and what depends on the angle is added without
+    cancellation.  Thus ω keeps its accuracy at change points.  Where the cosine is 0 or ±½ nothing
+    is rounded, and a dead centre is found exactly.
     """
 
     c: complex
@@ -78,16 +79,16 @@ class GroundedCrank:
 
     @property
     def lead(self) -> float:
-        """By how much the pin is ahead of the crank, as the loop sees it, in degrees."""
+        """The angle from the crank to the pin, in the axes of the loop, in degrees."""
         return math.degrees(math.atan2(self.turn.imag, self.turn.real))
 
     def pin(self, crank: Number) -> Number:
-        """Return the pin's unit vector, as the loop sees it."""
+        """Return the unit vector of the pin, in the axes of the loop."""
         return turned(crank, self.turn)
 
     def gap(self, u: Number) -> Number:
         """Return the gap for the pin's unit vector ``u``."""
-        if self.c.real == 0.0:  # nothing cancels, and a small cosine keeps its digits
+        if self.c.real == 0.0:  # nothing cancels here, and a small cosine keeps its digits
             return self.t * u + self.c
         centre, short = nearest(u.real, u.imag)
         return self.gap_from(u, centre, short)
@@ -99,7 +100,7 @@ class GroundedCrank:
 
 
 class Triangle(NamedTuple):
-    """A gap with the two bars over it: |E|², σ² - |E|², |E|² - δ², r and q."""
+    """The gap E with the bars r and q over it: E, |E|², (r+q)² - |E|², |E|² - (r-q)², r and q."""
 
     gap: Number
     square: Number
@@ -157,11 +158,12 @@ class TwoAngles:
         root = root_of_factors(
             below, above, 4.0 * r * q, square + spread, square + difference * difference
         )
-        # Both feet from Heron's factor: the short bar's from no difference of the long ones.
+        # Both projections come from a factor of Heron's formula: that of a short bar is no
+        # difference of long ones.
         along = above + (2.0 * difference) * r, (2.0 * difference) * q - above
         sideways = self.side * root
-        # Over no gap the bars fold onto each other and may turn together; a strut without length
-        # may point anywhere.
+        # Over a gap of length zero both bars lie on each other and may turn together.  A strut of
+        # length zero may point anywhere.
         twice = 2.0 * square
         at_r, at_q = nonzero(twice * r), nonzero(twice * q)
         first = times(gap, vector(along[0] / at_r, sideways / at_r))
@@ -171,7 +173,7 @@ class TwoAngles:
 
     @staticmethod
     def miss(triangle: Triangle) -> float:
-        """Return by how much the gap of one pose is too long or too short."""
+        """Return by how much the gap of a single pose is too long or too short."""
         length = math.sqrt(triangle.square)
         return max(length - (triangle.r + triangle.q), abs(triangle.r - triangle.q) - length)
 
@@ -179,9 +181,9 @@ class TwoAngles:
 class AngleAndLength:
     """A bar r from the gap onto a line along g: z = E + s·g (angle and length unknown).
 
-    Over a grounded crank g is 1: there the pin's sine gives the height.  Where the gap is
-    ``rounded``, being found from other loops, what is left of a bar that stands across the line
-    may be rounding alone.
+    Over a grounded crank g is 1, and the sine of the pin gives the height.  A gap that comes from
+    other loops is ``rounded``: where the bar stands across the line, what is left along the line
+    may be rounding alone, and counts as zero.
     """
 
     def __init__(
@@ -202,15 +204,15 @@ class AngleAndLength:
         below, above, height = self._rise(gap, g, u)
         spread = self.r + abs(height)
         root = self.side * root_of_factors(below, above, 2.0 * self.r, spread, spread)
-        r = nonzero(self.r)  # a bar that is nothing beside others
+        r = nonzero(self.r)  # a bar may have length zero in a unit that suits the others
         return vector(root / r, height / r), root - dot(g, gap), -root / r
 
     def miss(self, gap: Number, g: Number, u: Number) -> float:
-        """Return by how much the line of one pose is too far away."""
+        """Return by how much the line of a single pose is out of reach."""
         return float(abs(self._rise(gap, g, u)[2]) - self.r)
 
     def _rise(self, gap: Number, g: Number, u: Number) -> tuple[Number, Number, Number]:
-        """Return r - h, r + h and h, the height to which the bar rises from the line."""
+        """Return r - h, r + h and h, the component of the bar across the line."""
         if self.crank is None:
             height = cross(g, gap)
             below, above = self.r - height, self.r + height
@@ -228,9 +230,9 @@ class AngleAndLength:
 
 
 def slot(pin: Number) -> tuple[Number, Number]:
-    """Return the unit vector and the length of a vector: a slotted link that points at its pin.
+    """Return the unit vector and the length of a vector, of a slotted link that points to its pin.
 
-    With the pin on the pivot the length is zero and the unit vector NaN.
+    Where the pin is on the pivot, the length is zero and the unit vector is NaN.
     """
     length = sqrt(dot(pin, pin))
     return over(pin, nonzero(length)), length
@@ -239,7 +241,8 @@ def slot(pin: Number) -> tuple[Number, Number]:
 def offset_slot(pin: Number, aside: float, side: float) -> tuple[Number, Number, Number]:
     """Return u and s of (s + i·aside)·u = pin, and the sine of u and the pin's own normal.
 
-    The slot of a link runs ``aside`` to the left of its pivot; s is positive on the side +1.0.
+    The slot runs at the distance ``aside`` to the left of the pivot; s is positive for the side
+    +1.0.
     """
     length = sqrt(dot(pin, pin))
     low, high = length - abs(aside), length + abs(aside)
@@ -262,9 +265,10 @@ def crossing(target: Number, p: Number, q: Number, sine: Number) -> tuple[Number
 
 
 class Strut:
-    """A driven length r and a bar q over a fixed gap: the triangle and the angle against r.
+    """A strut of driven length r and a bar q over a fixed gap.
 
-    Heron's factors lose nothing where the two sides that may be long are subtracted first.
+    The factors of Heron's formula lose no digit when the two sides that may be long are subtracted
+    first.
     """
 
     def __init__(self, gap: complex, q: float) -> None:
@@ -276,7 +280,7 @@ class Strut:
         self._power = (q - self.length) * (q + self.length)
 
     def triangle(self, r: Number) -> Triangle:
-        """Return the triangle."""
+        """Return the triangle for a length of the strut."""
         f, q = self.length, self.q
         if self._short_bar:
             e = r - f

@@ -43,14 +43,14 @@ class ReferenceFrame:
     steps
         All bars and slides.
     fixed
-        The fixed points by name, from the pivot, in that unit and frame.
+        The fixed points by name: vectors from the pivot in this unit and these axes.
     places
-        Those of them that the user gave by their coordinates, in the user's unit and axes.
+        The fixed points that the user gave by coordinates, in the user's unit and axes.
     guides
         The directions of the guides on which bars end, by link, in the user's axes.
     found_along
-        The turn of the bar by which each link is found: along that bar runs the unit vector that
-        a pose has of the link, so that nothing is turned there and back.
+        The turn of the bar by which each link is found.  The unit vector that a pose has of the
+        link points along this bar, so that nothing is turned there and back.
     """
 
     def __init__(self, linkage: Linkage) -> None:
@@ -87,7 +87,7 @@ class ReferenceFrame:
         return complex(times(vector / self.scale, self.turn.conjugate()))
 
     def between(self, tail: str, head: str) -> complex:
-        """Return the vector from one fixed point to another, rounded once where both are given."""
+        """Return the vector from one fixed point to another; of given points it is rounded once."""
         if tail in self.places and head in self.places:
             return self._inward(self.places[head] - self.places[tail])
         return self.fixed[head] - self.fixed[tail]
@@ -115,32 +115,32 @@ class ReferenceFrame:
         return sqrt(ahead * ahead + aside * aside) if aside else ahead
 
     def reach(self, bar: Bar, pose: Pose) -> tuple[Number, float]:
-        """Return how far a bar with a slide's length reaches along the slide's line, and aside."""
+        """Return how far a bar that carries a slide reaches along its line, and beside it."""
         offset = bar.offset / self.scale
         return pose.length[str(bar.length)] + offset.real, offset.imag
 
     def unit(self, link: str, pose: Pose, turn: complex = 1.0 + 0j) -> Number:
-        """Return the unit vector of a link, or one that is turned against it."""
+        """Return the unit vector of a link, or that vector turned by ``turn``."""
         along = self.found_along.get(link, 1.0)
         return turned(pose.unit[link], 1.0 + 0j if turn == along else turn * along.conjugate())
 
     def heading(self, bar: Bar, pose: Pose) -> Number:
-        """Return the unit vector along which a bar of positive length points."""
+        """Return the unit vector from the tail of a bar to its head."""
         unit = self.unit(bar.link, pose, bar.turn)
         if not bar.offset.imag:
             return unit
         return times(unit, over(vector(*self.reach(bar, pose)), self.size(bar, pose)))
 
     def line(self, slide: Slide, pose: Pose | None) -> Number:
-        """Return the unit vector along which a slide slides."""
+        """Return the unit vector of the line of a slide."""
         if isinstance(slide.along, str):
             return self.unit(slide.along, pose, slide.turn) if pose else math.nan
         return self._lines[slide.name]
 
     def displacement(self, step: Step, pose: Pose) -> Number:
-        """Return the vector from tail to head, less a slide's shift.
+        """Return the vector from tail to head; that of a slide begins at the zero of its line.
 
-        On a turning link that is zero: there the bar carries the length.
+        That of a slide on a turning link is zero, because the link's bar has the length.
         """
         if isinstance(step, Bar):
             unit = self.unit(step.link, pose, step.turn)
@@ -152,11 +152,11 @@ class ReferenceFrame:
         return pose.length[step.name] * self._lines[step.name]
 
     def unknown_direction(self, step: Step, pose: Pose) -> Number:
-        """Return the direction of what the driver does not dictate: across a bar, along a slide."""
+        """Return the direction of an unknown component: across a bar, or along a slide."""
         return across(self.heading(step, pose)) if isinstance(step, Bar) else self.line(step, pose)
 
     def components(self, step: Step, pose: Pose, rates: tuple[Rates, ...]) -> Iterator[Component]:
-        """Yield the parts of a step's velocity (one order in ``rates``) or acceleration (two).
+        """Yield the components of the velocity (one order in ``rates``) or acceleration (two).
 
         With u the unit vector and r the length, the derivatives of r·u are
         ṙ·u + ωr·iu and r̈·u - ω²r·u + αr·iu + 2ωṙ·iu.
@@ -203,12 +203,12 @@ Costs = tuple[dict[str, float], Callable[[Step], float]]
 
 
 class Routes:
-    """The shortest way from a fixed point to each letter, and the motion summed along it.
+    """The best route from a fixed point to each point, and the motion summed along it.
 
     Attributes
     ----------
     letters
-        Every letter that can be reached.
+        The points that can be reached.
     """
 
     def __init__(self, frame: ReferenceFrame) -> None:
@@ -218,13 +218,13 @@ class Routes:
         self.letters = frozenset(self._places)
 
     def guide(self, letter: str) -> Slide | None:
-        """Return the line of the frame on which a point slides, if nothing else leads to it."""
+        """Return the guide of a point to which this guide alone leads, else None."""
         hops = self._places[letter][1]
         step = hops[0][1] if len(hops) == 1 else None
         return step if isinstance(step, Slide) and isinstance(step.along, float) else None
 
     def pin(self, letter: str) -> Bar | None:
-        """Return a bar of the driven crank, if a point is always at its head."""
+        """Return the bar of the driven crank at whose head a point always is, else None."""
         start, hops = self._places[letter]
         way, crank = hops[0] if hops else (0, None)
         if not isinstance(crank, Bar) or angle_of(crank.link) != self._frame.linkage.driver:
@@ -234,7 +234,7 @@ class Routes:
         return crank if start in self._frame.places and forward and blocks else None
 
     def start(self, letter: str) -> str:
-        """Return the fixed point at which the way to a point begins."""
+        """Return the fixed point at which the route to a point begins."""
         return self._places[letter][0]
 
     def position(self, letter: str, pose: Pose) -> Number:
@@ -256,19 +256,19 @@ class Routes:
 
 
 def _place_costs(frame: ReferenceFrame) -> Costs:
-    """Cost lengths, for a short way rounds least."""
+    """Let a route cost its length: a short one rounds least."""
 
     def cost(step: Step) -> float:
         if isinstance(step, Slide):
             return 1.0 if isinstance(step.along, str) else 1e-9
-        # A lever's point under its block is where the pin is.
+        # The point of a lever under its block is where the pin is, and better found by the pin.
         return 3.0 if isinstance(step.length, str) else abs(frame.size(step))
 
     return {letter: abs(place) for letter, place in frame.fixed.items()}, cost
 
 
 def _motion_costs(frame: ReferenceFrame) -> Costs:
-    """Cost steps; guides of the frame round least."""
+    """Let a route cost the number of its steps; a guide of the frame rounds least."""
 
     def cost(step: Step) -> float:
         return 0.5 if isinstance(step, Slide) and isinstance(step.along, float) else 1.0
@@ -279,13 +279,13 @@ def _motion_costs(frame: ReferenceFrame) -> Costs:
 def _shortest(
     frame: ReferenceFrame, start: dict[str, float], cost: Callable[[Step], float]
 ) -> dict[str, Route]:
-    """Return the best route to each letter, from letters with the given costs.
+    """Return the best route to each point; ``start`` is the cost of beginning at a fixed point.
 
-    That is one over what is found early, for a later loop may be near a dead centre; and of those
-    the point's own guide, then the cheapest.
+    The best route uses what early loops find, because a later loop may be near a dead centre.  Of
+    such routes the best is the guide of the point itself, then the cheapest one.
     """
     found = {
-        # Of two lines that cross, each length has an error of its own.
+        # Where two lines cross, each of the two lengths has an error of its own.
         scalar: number + all(each.kind == "length" for each in pair)
         for number, pair in enumerate(frame.linkage.unknowns)
         for scalar in pair

@@ -22,10 +22,10 @@ SignedStep = tuple[int, Step]
 
 
 class LoopSolver:
-    """One loop: its position by a closed form, its rates by one crossing.
+    """One loop: its position by a closed form, its rates by one crossing of two lines.
 
-    With ``way`` the sign of a step in second chain less first, the loop says that the sum of
-    ``way`` · step vanishes.  The gap is the part of this sum that is known.
+    The loop says that the sum of ``way`` · step is zero, where ``way`` is the sign of a step in the
+    difference of the second chain and the first.  The gap is the known part of this sum.
     """
 
     #: Whether the loop can be assembled in two ways.
@@ -51,7 +51,7 @@ class LoopSolver:
             if isinstance(step, Slide) and not step.through_tail:
                 self.offset += way * frame.shift(step)
         pin = self._pin()
-        #: The loop's own x axis, in which it closes; that of the frame where its gap has no form.
+        #: The x axis in which the loop is closed, in the frame; the offset is along this axis.
         self.axis, self.offset = self.own_axes(bool(pin))
         self.crank: GroundedCrank | None = None
         if pin:
@@ -65,14 +65,14 @@ class LoopSolver:
         ground = self.offset.real * frame.scale
         self.ground = (1, Bar("".join(starts), GROUND, ground, turn=self.axis))
         known = [self.ground] if self.inverted else self.known
-        #: What moves by known amounts, for velocities and for accelerations.
+        #: The steps with known components: of the velocity, and of the acceleration.
         self.moving = known, [*known, *ordered]
-        #: The copies that stand still or turn with the crank, where links are of equal length.
+        #: What links of equal length copy: in some poses they stand still or turn with the crank.
         self.equal: EqualLinks | None = None
         self.prepare()
 
     def _pin(self) -> tuple[int, Bar] | None:
-        """Return the bar of the driven crank, where it is all that moves in the gap."""
+        """Return the bar of the driven crank, if nothing else moves in the gap."""
         if len(self.known) != 1:
             return None
         way, bar = self.known[0]
@@ -81,7 +81,7 @@ class LoopSolver:
         return (way, bar) if angle_of(bar.link) == self.frame.linkage.driver else None
 
     def own_axes(self, grounded: bool) -> tuple[complex, complex]:
-        """Return the x axis in which least is lost, and the offset seen along it."""
+        """Return the x axis in which rounding loses least, and the offset in its direction."""
         return 1.0 + 0j, self.offset
 
     def along_ground(self) -> tuple[complex, complex]:
@@ -92,10 +92,10 @@ class LoopSolver:
         return self.offset / size, complex(size)
 
     def _longer_crank(self) -> bool:
-        """Tell whether the loop is better seen from its crank: kinematic inversion.
+        """Tell whether rates are better found as seen from the crank: kinematic inversion.
 
-        A crank much longer than the ground takes the other links round with it.  Seen from the
-        crank the short ground is all that turns, and nothing large has to cancel.
+        A crank that is longer than the ground takes the other links round with it.  Seen from the
+        crank only the short ground turns, and no large rates cancel.
         """
         guided = any(
             isinstance(s.along, float) for s in (self.step, self.other) if isinstance(s, Slide)
@@ -111,7 +111,7 @@ class LoopSolver:
             raise InputError("each of a loop's two chains must end with one unknown bar")
 
     def prepare(self) -> None:
-        """Form what does not depend on the pose."""
+        """Calculate what does not depend on the pose."""
 
     def close(self, pose: Pose) -> None:
         """Find the two unknowns of the position and write them into ``pose``."""
@@ -122,7 +122,7 @@ class LoopSolver:
         raise TypeError(f"{type(self).__name__} always closes")
 
     def place(self, pose: Pose) -> None:
-        """Find the two unknowns of the position, those of equal links without any rounding."""
+        """Find the two unknowns of the position; what equal links copy has no rounding."""
         self.close(pose)
         if self.equal:
             self.equal.place(pose)
@@ -134,14 +134,14 @@ class LoopSolver:
             self.equal.move(pose, rates[-1])
 
     def limits(self) -> list[float]:
-        """Return where it just closes, of a driver that alone moves its gap, in closed form.
+        """Return the places of the driver at which the loop just closes, if they have closed forms.
 
-        These are angles in degrees in the frame, or lengths in the solver's unit.
+        They are angles in degrees in the frame, or lengths in the solver's unit.
         """
         return []
 
     def why_dead(self) -> str:
-        """Say what is the matter at a dead centre of this loop."""
+        """Say why the loop has no rates at a dead centre."""
         names = " and ".join(scalar_of(step).name for step in (self.step, self.other))
         return f"dead centre: the construction lines of {names} are parallel and do not cross"
 
@@ -152,7 +152,7 @@ class LoopSolver:
         total: Number = self.offset
         for way, step in self.known:
             if isinstance(step, Bar) and step.length in self._unknown_lengths:
-                if step.offset:  # a known link's bar to the zero of its slot
+                if step.offset:  # the link is known: this leads to the zero of its slot
                     unit = self.frame.unit(step.link, pose, step.turn)
                     total = total + way * times(unit, step.offset / self.frame.scale)
             else:
@@ -165,7 +165,7 @@ class LoopSolver:
         return self.crank.pin(crank) if self.crank else crank
 
     def lay(self, pose: Pose, bar: Bar, heading: Number) -> None:
-        """Write the link of a bar into ``pose``, by where the bar points in the loop's own axes."""
+        """Write a bar's link into ``pose``; in the loop's axes the bar points to ``heading``."""
         pose.unit[bar.link] = turned(heading, self.axis)
 
     def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
@@ -184,7 +184,7 @@ class LoopSolver:
                 found.sliding[step.name] = rate
 
     def motion(self, steps: Iterable[SignedStep], pose: Pose, rates: tuple[Rates, ...]) -> Number:
-        """Return the sum of what is known of the motion of ``steps``."""
+        """Return the sum of the known components of the motion of ``steps``."""
         total: Number = 0.0
         for way, step in steps:
             for _, direction, amount in self.frame.components(step, pose, rates):
@@ -193,12 +193,12 @@ class LoopSolver:
         return total
 
     def radius(self, bar: Bar, pose: Pose) -> Number:
-        """Return the length at which an unknown bar turns."""
+        """Return the radius at which the head of an unknown bar turns about its tail."""
         return self.frame.size(bar, pose)
 
 
 def _forward(step: Step) -> Step:
-    """Return a bar of negative length as one of positive length that points the other way."""
+    """Return a bar of negative length as one of positive length in the opposite direction."""
     if isinstance(step, Bar) and isinstance(step.length, float) and step.length < 0.0:
         return replace(step, length=-step.length, turn=-step.turn)
     return step
@@ -209,21 +209,21 @@ Copy = tuple[str, float]
 
 
 class EqualLinks:
-    """What is unknown in a loop, where it is a copy of what is known.
+    """The unknown links of a loop, in the poses in which they copy known ones.
 
     Parameters
     ----------
     crank
         The crank's pin.
     turns
-        How the pin lies in the axes of the driven link, and the loop's own x axis in those of the
-        ground, by the names of both.
+        By name: the direction of the pin in the axes of the driven link, and that of the loop's x
+        axis in the axes of the ground.
     copies
-        For each unknown bar what it copies.
+        For each unknown bar the link that it copies, with its sense.
     slide
         The slide that stands still, if one is unknown.
     applies
-        Whether a pose is of this kind, by its pin's unit vector.
+        Tells from the unit vector of the pin whether they do so in a pose.
     """
 
     def __init__(
@@ -246,7 +246,7 @@ class EqualLinks:
         return self._applies(self._crank.pin(pose.unit[self._driver]))
 
     def place(self, pose: Pose) -> None:
-        """Write what stands, and what turns with the crank, into the closed ``pose``."""
+        """Write the links that stand still, or turn with the crank, into a closed ``pose``."""
         here = self._here(pose)
         for link, (source, turn) in self._copies.items():
             copy = turned(pose.unit[source], turn)
@@ -270,7 +270,7 @@ def equal_bars(
 ) -> EqualLinks | None:
     """Return the copies of two bars r and q over the gap c + t·u, if there are any.
 
-    There r·z - q·w = c + t·u, and one of z and w may be ±u, the other the ground's direction.
+    The loop is r·z - q·w = c + t·u.  One of z and w may be ±u, the other ± the ground's direction.
     """
     (driver,) = turns.keys() - {GROUND}
     (first, r), (second, q) = sizes.items()

@@ -40,7 +40,7 @@ from vad.kinematics.state import GROUND, Pose, Rates
 def loop_solver(
     frame: ReferenceFrame, side: float, loop: Loop, unknowns: tuple[Scalar, ...]
 ) -> LoopSolver:
-    """Return the solver of a loop, by what is unknown in it."""
+    """Return the solver of a loop, which depends on its unknowns."""
     steps = {scalar_of(step): step for _, step in loop.steps() if scalar_of(step) in unknowns}
     bars = [step for step in steps.values() if isinstance(step, Bar)]
     lengths = {length_of(bar.length) for bar in bars if isinstance(bar.length, str)}
@@ -64,7 +64,7 @@ class TwoAnglesLoop(LoopSolver):
     other: Bar
 
     def prepare(self) -> None:
-        """Form the triangle's constants."""
+        """Calculate the constants of the triangle."""
         self.check_ends()
         bars = self.step, self.other
         if not all(isinstance(bar.length, float) for bar in bars):
@@ -80,7 +80,7 @@ class TwoAnglesLoop(LoopSolver):
             self._see_from(self.step if sizes[0] > sizes[1] else self.other)
 
     def own_axes(self, grounded: bool) -> tuple[complex, complex]:
-        """See the gap along the ground."""
+        """Put the x axis along the ground, if the crank's pin alone moves the gap."""
         return self.along_ground() if grounded else super().own_axes(grounded)
 
     def limits(self) -> list[float]:
@@ -90,7 +90,7 @@ class TwoAnglesLoop(LoopSolver):
         return triangle_limits(self.crank, self.frame.size(self.step), self.frame.size(self.other))
 
     def _see_from(self, longest: Bar) -> None:
-        """Choose the bar from which `cross` sees the loop."""
+        """Choose the bar from which `cross` sees the loop: the longest link."""
         self._longest = longest
         first = longest is self.step
         self._shorter = self.other if first else self.step
@@ -117,10 +117,11 @@ class TwoAnglesLoop(LoopSolver):
         return self._closure.miss(self.triangle(pose))
 
     def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
-        """Find ω or α of both bars: seen from the longer one, if no link is longer.
+        """Find ω or α of both bars, as seen from the longer one if it is the longest link.
 
-        There the gap turns as a whole, against it the shorter bar.  Of two long bars side by side
-        the rates' difference is then found by itself, not as a small difference of large ones.
+        Seen from there the gap turns as a whole, and the shorter bar turns against it.  Where two
+        long bars lie side by side, the difference of their rates is then found by itself, and not
+        as a small difference of large numbers.
         """
         if self._longest is None:
             super().cross(pose, rates, sine)
@@ -142,7 +143,7 @@ class StrutLoop(TwoAnglesLoop):
     """A strut whose length is driven, and a bar, over a fixed gap."""
 
     def prepare(self) -> None:
-        """Form the triangle's constants."""
+        """Calculate the constants of the triangle."""
         super().prepare()
         strut = self.step.length == self.frame.linkage.driver.name
         if not all(isinstance(s, Slide) and s.along == self.step.link for _, s in self.known):
@@ -156,11 +157,11 @@ class StrutLoop(TwoAnglesLoop):
             self._see_from(self.step)
 
     def own_axes(self, grounded: bool) -> tuple[complex, complex]:
-        """See the gap along the ground, whatever moves."""
+        """Put the x axis along the ground, whatever moves."""
         return self.along_ground()
 
     def limits(self) -> list[float]:
-        """Return the lengths at which strut and bar are in line."""
+        """Return the lengths of the strut at which strut and bar are in line."""
         return strut_limits(abs(self.offset), self.frame.size(self.other))
 
     def triangle(self, pose: Pose) -> Triangle:
@@ -170,7 +171,7 @@ class StrutLoop(TwoAnglesLoop):
     def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
         """Find ω or α of both, in the axes of the strut.
 
-        There the angles of the triangle are all that counts, and they come from lengths alone.
+        In these axes only the angles of the triangle matter, and they come from lengths alone.
         """
         strut, arm = self.frame.size(self.step, pose), self.frame.size(self.other)
         at_arm, at_ground = self._strut.projections(strut)
@@ -181,14 +182,14 @@ class StrutLoop(TwoAnglesLoop):
         super().cross(seen, rates, sine)
 
 
-# Opposite sides whose lengths differ by a larger part are not equal.
+# Opposite sides are equal if their lengths differ by no more than this, relatively.
 _ALIKE = 1e-12
 
 
 class ParallelLoop(LoopSolver):
     """Two unknown bars, each as long as the known vector of the other chain, and parallel to it.
 
-    It runs through its change points: nothing is divided there, and the rates are copies.
+    It runs through its change points, because nothing is divided there and its rates are copies.
     """
 
     two_ways = True
@@ -197,7 +198,7 @@ class ParallelLoop(LoopSolver):
     other: Bar
 
     def prepare(self) -> None:
-        """Find what each bar copies: a link, and how the bar lies in that link's axes."""
+        """Find what each bar copies: a link, and the direction of the bar in that link's axes."""
         self.check_ends()
         if len(self.known) != (1 if self.offset else 2):
             raise InputError("parallel: a parallelogram has two known sides and two unknown ones")
@@ -245,18 +246,18 @@ class AngleAndLengthLoop(LoopSolver):
     other: Slide
 
     def own_axes(self, grounded: bool) -> tuple[complex, complex]:
-        """See a grounded crank's gap along the guide."""
+        """Put the x axis along the guide, if the crank's pin alone moves the gap."""
         if not grounded or isinstance(self.other.along, str):
             return super().own_axes(grounded)
         line = self._guide(None)
         return line, self.offset if line == 1.0 else self.offset * line.conjugate()
 
     def _guide(self, pose: Pose | None) -> Number:
-        """Return the direction of the line as the bar sees it, in the frame."""
+        """Return the direction of the line, with the sign that it has for the bar, in the frame."""
         return -self.way * self.other_way * self.frame.line(self.other, pose)
 
     def prepare(self) -> None:
-        """Turn the loop so that the bar leads from the gap to the line."""
+        """Turn the signs so that the bar leads from the gap to the line."""
         frame, way = self.frame, -self.way
         self._moving = isinstance(self.other.along, str)
         if self._moving:
@@ -273,10 +274,10 @@ class AngleAndLengthLoop(LoopSolver):
             self.equal = equal_rod(crank, self.turns, self.side, self.step, size, self.other.name)
 
     def _see_from_slot(self) -> None:
-        """See a bar that is longer than its gap from the link with the slot.
+        """See the rates of a bar that is longer than its gap from the link with the slot.
 
-        There it hardly turns, and nothing large has to cancel; seen from the ground it goes round
-        nearly as that link does.
+        From there the bar hardly turns, and no large rates cancel; as seen from the ground it turns
+        nearly as fast as that link.
         """
         bars = [(way, bar) for way, bar in self.known if isinstance(bar, Bar)]
         rest = [(way, bar) for way, bar in bars if bar.link != self.other.along]
@@ -294,7 +295,7 @@ class AngleAndLengthLoop(LoopSolver):
         self.moving = rest, [*rest, (self.way, self.step), (self.other_way, self.other)]
 
     def limits(self) -> list[float]:
-        """Return where the bar stands across its guide."""
+        """Return the places of the driver at which the bar stands across its guide."""
         frame, size = self.frame, self.frame.size(self.step)
         if self.crank:
             height = -self.way * self.offset.imag
@@ -325,7 +326,7 @@ class AngleAndLengthLoop(LoopSolver):
         return self._closure.miss(*self._approach(pose))
 
     def _approach(self, pose: Pose) -> tuple[Number, Number, Number]:
-        """Return the gap as the bar sees it, the line, and the grounded crank's pin if any."""
+        """Return the gap with the bar's sign, the line, and the pin of a grounded crank if any."""
         gap = -self.way * self.gap(pose)
         if self.crank:
             return gap, 1.0, self.pin(pose)
@@ -333,27 +334,27 @@ class AngleAndLengthLoop(LoopSolver):
 
 
 class SlotLoop(LoopSolver):
-    """A bar whose length is that of its slide: angle and length are the gap's own.
+    """A bar whose length is that of its slide: its angle and its length are those of the gap.
 
-    A slot through the bar's tail leaves one place, from which `Loop.side` alone counts its length
-    forward or backward; a slot aside of it leaves two.
+    With a slot through the tail of the bar there is one place; `Loop.side` says whether the length
+    counts forward or backward.  With a slot beside the tail there are two places.
     """
 
     step: Bar
     other: Slide
 
     def own_axes(self, grounded: bool) -> tuple[complex, complex]:
-        """See the gap along the ground."""
+        """Put the x axis along the ground."""
         return self.along_ground() if grounded else super().own_axes(grounded)
 
     def prepare(self) -> None:
-        """Measure the slot."""
+        """Calculate where the slot is in the axes of the bar."""
         offset = self.step.offset / self.frame.scale
         self._ahead, self._aside = offset.real, offset.imag
         self.two_ways = self._aside != 0.0
 
     def limits(self) -> list[float]:
-        """Return the crank angles at which a slot aside only just reaches its pin."""
+        """Return the crank angles at which a slot beside its pivot only just reaches the pin."""
         if self.crank is None or self.crank.c == 0.0 or not self._aside:
             return []
         return triangle_limits(self.crank, abs(self._aside), 0.0)

@@ -71,7 +71,7 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
     turns = solver.driver.kind == "angle"
     # Beyond this, squares of rates times lengths would leave the range of double precision.
     largest = 1e60 * (1.0 if turns else solver.scale)
-    # What is left out is the mechanism's own default, which is never refused.
+    # An input that is left out has the mechanism's own default, which is never refused.
     given = dict(mechanism.inputs) | {
         name: checked(name, value, math.inf if name == "angle" else largest)
         for name, value in inputs.items()
@@ -248,13 +248,13 @@ def checked(name: str, value: object, largest: float) -> Number:
         than ``largest``.
     """
     if type(value) is float and -largest <= value <= largest and math.isfinite(value):
-        return value  # the usual case, first
+        return value  # the usual case
     if _is_number(value):
         return _one(name, value, largest)
     array = _many(name, value)
     with np.errstate(invalid="ignore"):
         array[~(np.isfinite(array) & (np.abs(array) <= largest))] = np.nan
-    array.flags.writeable = False  # what is solved from it would no longer belong to it
+    array.flags.writeable = False  # a later change would not be solved
     return array
 
 
@@ -271,7 +271,7 @@ def _one(name: str, value: Any, largest: float) -> float:
 
 
 def _many(name: str, value: object) -> NDArray[np.float64]:
-    """Return a new array; what numpy would make numbers of, such as text and dates, is refused."""
+    """Return a new array; text and dates are refused, though numpy makes numbers of them."""
     if np.ma.is_masked(value):
         hint = "array.filled(numpy.nan) gives NaN, which is answered with NaN"
         raise InputError(f"{name}: must not be masked, for a mask would be lost", hint)
@@ -291,7 +291,7 @@ def _many(name: str, value: object) -> NDArray[np.float64]:
 
 
 def _is_number(value: object) -> bool:
-    # To Python, a truth value is a number, and so is numpy's span of time.
+    # In Python a truth value counts as a number, and in numpy a span of time does, too.
     return isinstance(value, numbers.Real | Decimal) and not isinstance(
         value, bool | np.timedelta64
     )

@@ -1,8 +1,8 @@
-"""Arithmetic that reads alike for a pose and for a recording: floats in, floats out.
+"""Arithmetic on floats and on recorded numbers alike.
 
 A plane vector is a complex number, an angle is in degrees.  In a recording every real number is a
-`Recorded`, and a plane vector a `RecordedVector`.  Both see the same IEEE operations, bit for bit:
-products of two vectors are therefore written out, and no branch depends on a number.
+`Recorded`, and a plane vector is a `RecordedVector`.  Both go through the same IEEE operations, bit
+for bit.  Therefore products of two vectors are written out, and no branch depends on a number.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from vad.kinematics.recording import OPERATIONS, Recorded, RecordedVector
 # A real or complex number, or a recorded one.
 Number = Any
 
-# What the results of a motion are: numbers of one pose unless said otherwise, or arrays of many.
+# The types of the results of a motion: numbers of one pose by default, or arrays of many poses.
 if TYPE_CHECKING:
     from typing_extensions import TypeVar
 
@@ -147,7 +147,7 @@ def direction(degrees: Number, least: float = 0.0) -> Number:
 
 
 def vector(x: Number, y: Number) -> Number:
-    """Return the plane vector with the parts ``x`` and ``y``."""
+    """Return the plane vector with the coordinates ``x`` and ``y``."""
     if isinstance(x, Recorded) or isinstance(y, Recorded):
         return RecordedVector(x, y)
     return complex(x, y)
@@ -169,7 +169,7 @@ def dot(a: Number, b: Number) -> Number:
 
 
 def times(a: Number, b: Number) -> Number:
-    """Return the product of two plane vectors, of which one turns the other."""
+    """Return the complex product of two plane vectors: a unit vector turns the other one."""
     return vector(a.real * b.real - a.imag * b.imag, a.real * b.imag + a.imag * b.real)
 
 
@@ -186,18 +186,18 @@ def over(a: Number, length: Number) -> Number:
 
 
 def settled(value: Number, least: Number) -> Number:
-    """Return a value, or zero where it is less than ``least`` on either side."""
+    """Return a value, or zero where its size is less than ``least``."""
     return select(abs(value) < least, 0.0, value)
 
 
 def nearest(x: Number, other: Number) -> tuple[Number, Number]:
     """Write a sine or cosine as x = centre - short, with centre -1, 0 or 1.
 
-    ``other`` is the cosine or sine.  Near ±1 ``short`` keeps its relative accuracy, near 0 it is x
-    itself: where that is 0 or ±½ exactly, nothing is rounded.
+    ``other`` is the cosine or sine of the same angle.  Near ±1 ``short`` keeps its relative
+    accuracy; near 0 it is -x, and where x is exactly 0 or ±½ nothing is rounded.
     """
     centre = _done("round", x)
-    # One of the two terms is zero: as arithmetic this costs less than a choice at random angles.
+    # One of the two terms is zero.  At random angles this arithmetic costs less than a choice.
     return centre, centre * (other * other / (1.0 + abs(x))) - (1.0 - abs(centre)) * x
 
 
@@ -216,7 +216,7 @@ def degrees_of(value: Number, base: float = 0.0) -> Number:
     >>> degrees_of(-1j), degrees_of(complex(1, -1e-300)), degrees_of(1j, 45.0)
     (270.0, 0.0, 135.0)
     """
-    if abs(base) > 90.0:  # half a turn less of both: a small angle from no large ones
+    if abs(base) > 90.0:  # turn both by half a turn: a small angle is no difference of large ones
         value, base = vector(-value.real, -value.imag), base - math.copysign(180.0, base)
     degrees = _done("arctan2", value.imag, value.real) * _DEGREE
     return positive(difference(degrees, -base) if base else degrees)

@@ -30,8 +30,9 @@ if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
 
 
-# Farther than this from a limit nothing is hidden between two points of the grid: as the sine at
-# which construction lines cross, or as a length by which the links miss, of the largest one.
+# A limit hides between two points of the grid only where they are nearer to it than this.  Measured
+# are the sine at which construction lines cross, or the length by which the links miss, in the
+# solver's unit.
 _NEAR = 0.2
 _STRIDE = 5  # the search takes one point of the grid in so many
 _GOLDEN = 0.5 * (5**0.5 - 1.0)
@@ -106,12 +107,12 @@ def travels(mechanism: Mechanism, samples: int = 721) -> Mapping[str, tuple[floa
 
 
 def _farthest(frame: ReferenceFrame) -> float:
-    """Return a position that no driven slide exceeds."""
+    """Return a length that the position of a driven slide never exceeds."""
     return sum(_sizes(frame)) / _steepness(frame)
 
 
 def _sizes(frame: ReferenceFrame) -> list[float]:
-    """Return the lengths of all bars in the user's unit, and how far fixed points and lines are."""
+    """Return the lengths of all bars, and the distances of fixed points and lines."""
     lengths = [step.length for step in frame.steps if isinstance(step, Bar)]
     lengths += [frame.linkage.ground[1]] if frame.linkage.ground else []
     guides = [s for s in frame.steps if isinstance(s, Slide) and isinstance(s.along, float)]
@@ -121,7 +122,7 @@ def _sizes(frame: ReferenceFrame) -> list[float]:
 
 
 def _steepness(frame: ReferenceFrame) -> float:
-    """Return the least sine between two guides: the flatter they cross, the farther they reach."""
+    """Return the least sine between two guides: a slide gets far where guides cross flat."""
     guides = [s for s in frame.steps if isinstance(s, Slide) and isinstance(s.along, float)]
     lines = [frame.line(guide, None) for guide in guides]
     sines = [abs(cross(p, q)) for p, q in combinations(lines, 2)]
@@ -129,9 +130,9 @@ def _steepness(frame: ReferenceFrame) -> float:
 
 
 def _hidden(solver: AnySolver, grid: NDArray[np.float64]) -> list[float]:
-    """Return places on the other side of a limit than both of their neighbours in the grid.
+    """Return places beyond a limit that the grid does not show: both neighbours are on one side.
 
-    They are looked for about each place that is nearer to a limit than its neighbours are.
+    They are searched for around each place that is nearer to a limit than its neighbours are.
     """
     loops = solver.searched
     if not loops:
@@ -162,7 +163,7 @@ def _nearness(solver: AnySolver, value: float, loops: list[int]) -> tuple[bool, 
 def _beyond(
     solver: AnySolver, low: float, high: float, closed: bool, loops: list[int]
 ) -> list[float]:
-    """Return a place that closes where the ends do not, or the reverse, if there is one."""
+    """Return a place that closes though both ends do not, or the reverse, if there is one."""
     places = approach(solver, low, high, loops)
     return next(([place] for place, closes, _ in places if closes != closed), [])
 
@@ -187,7 +188,7 @@ def approach(
 def _edge(
     solver: AnySolver, inside: float, outside: float, edges: NDArray[np.float64], tolerance: float
 ) -> float:
-    """Return the limit between two values of which exactly one closes."""
+    """Return the limit between two places of which exactly one closes."""
     for end in (inside, outside):
         if end in edges:
             return end
@@ -211,7 +212,7 @@ _SAME = 1e-6
 
 
 class ChangePoint(NamedTuple):
-    """A place of the driver at which a loop's construction lines are parallel, and it goes on.
+    """A place of the driver at which a loop folds flat and two motions go on from there.
 
     Attributes
     ----------
@@ -228,7 +229,7 @@ class ChangePoint(NamedTuple):
     parallel: bool
 
     def words(self, unit: str) -> str:
-        """Say it, with the unit of the driver's place.
+        """Return the sentence about it; ``unit`` is that of the driver's place.
 
         Examples
         --------
@@ -243,7 +244,7 @@ class ChangePoint(NamedTuple):
 def change_points(mechanism: Mechanism) -> tuple[ChangePoint, ...]:
     """Return the change points within the range that closes, by loop and place.
 
-    A loop that is `parallel` has none: it goes on as it is.
+    A loop that is declared `parallel` has none, because it stays a parallelogram.
 
     Examples
     --------
@@ -276,7 +277,7 @@ def _flat_places(solver: Solver, number: int, low: float, high: float) -> Iterat
     exact = solver.limits()
     grid = np.union1d(np.linspace(low, high, _SAMPLES), exact)
     grid = grid[(grid >= low) & (grid <= high)]
-    if turns and high - low == 360.0:  # round and round
+    if turns and high - low == 360.0:  # the first place follows the last one
         grid = np.concatenate([grid, grid[1:2] + 360.0])
     sines = np.abs(solver.sines(grid)[number])
     for i in range(1, len(grid) - 1):
@@ -287,7 +288,7 @@ def _flat_places(solver: Solver, number: int, low: float, high: float) -> Iterat
             if closes and near < sine:
                 place, sine = other, near
         if sine < _FLAT:
-            marks = np.append(exact, 0.0)  # and zero, where symmetry puts it
+            marks = np.append(exact, 0.0)  # symmetry puts change points at zero, too
             same = marks[np.abs(marks - place) < _SAME * (high - low)]
             place = same[0] if same.size else place
             yield float(positive(place - 360.0 * (place >= 360.0)) if turns else place)

@@ -24,11 +24,11 @@ from vad.kinematics.state import Pose, Rates
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
 
-# As many numbers has a vector in space, and the axis of an array that holds it.
+# The number of coordinates of a vector in space.
 _AXES = 3
-# Where in them stands whether the links close: after the first input.
+# Of the known numbers, the one after the first input tells whether the links close.
 _CLOSES = 1
-# So far from a dead centre a place is looked for that has rates: degrees, or of a typical length.
+# The step from a dead centre to a place that may have rates: in degrees, or of the solver's unit.
 _ASIDE = {"angle": 2.0, "length": 0.02}
 
 
@@ -53,7 +53,7 @@ class Solution(Generic[Truth]):
         self.many = any(map(is_array, values))
         self.shape = _broadcast(inputs) if self.many else ()
         self._evaluation = Evaluation(solver, values)
-        # Inputs and numbers of the orders that were asked for, each with those below.
+        # For each order that was asked for: all inputs and numbers up to this order.
         self._known: list[tuple[Any, ...]] = []
 
     @property
@@ -73,7 +73,7 @@ class Solution(Generic[Truth]):
 
     @property
     def linkage(self) -> Linkage:
-        """The loops that are solved in the plane."""
+        """The loops of a mechanism in the plane."""
         return self.plane.linkage
 
     @property
@@ -92,12 +92,12 @@ class Solution(Generic[Truth]):
 
     @property
     def velocity(self) -> Rates:
-        """First derivatives of one pose, in the solver's unit: all of them, or none."""
+        """First derivatives of one pose, in the solver's unit; at a dead centre an error."""
         return self._complete(self.rates(1)[0])
 
     @property
     def acceleration(self) -> Rates:
-        """Second derivatives of one pose, in the solver's unit: all of them, or none."""
+        """Second derivatives of one pose, in the solver's unit; at a dead centre an error."""
         return self._complete(self.rates(2)[1])
 
     def _complete(self, rates: Rates) -> Rates:
@@ -106,16 +106,16 @@ class Solution(Generic[Truth]):
         return rates
 
     def rates(self, orders: int) -> tuple[Rates, ...]:
-        """Return the first derivatives of one pose; what has none at a dead centre is NaN."""
+        """Return the first so many orders of rates of one pose; those that do not exist are NaN."""
         self.pose  # noqa: B018  # raises where the links do not close
         return self._evaluation.rates(orders)
 
     def dead_centre(self) -> DeadCentreError:
-        """Return the error of a single pose in which what was asked for is undetermined."""
+        """Return the error of a single pose in which a result does not exist."""
         return DeadCentreError(self.solver.why_dead(self.pose), hint=self._beside())
 
     def _beside(self) -> str | None:
-        """Name a place of the driver near by at which everything has rates, if there is one."""
+        """Return a hint that names a place near by at which all rates exist, if there is one."""
         (name, value), *_ = self._inputs.items()
         kind = self.solver.driver.kind
         step = _ASIDE[kind] * (self.solver.scale if kind == "length" else 1.0)
@@ -141,7 +141,7 @@ class Solution(Generic[Truth]):
     def read(self, result: Result) -> Number:
         """Return a result in the user's units: a number, or a new array.
 
-        Of a pose that does not close nothing is known, not even what the driver dictates.
+        A pose that does not close has no results, not even those that the driver dictates.
 
         Raises
         ------
@@ -189,7 +189,7 @@ class Solution(Generic[Truth]):
         return found.reshape((*self.shape, _AXES) if in_space else self.shape)
 
     def _find(self, order: int) -> tuple[Any, ...]:
-        """Return the inputs and the numbers of an order and those below, of many as flat arrays."""
+        """Return the inputs and all numbers up to an order; those of many poses as flat arrays."""
         while len(self._known) <= order:
             number = len(self._known)
             below = self._known[-1] if number else ()
@@ -197,7 +197,7 @@ class Solution(Generic[Truth]):
             new: tuple[Any, ...]
             if not self.many:
                 new = program.one(*below, given)
-            elif not number:  # once for each place of the driver
+            elif not number:  # positions are found once for each place of the driver
                 place = np.asarray(given)
                 pose = program.many([place.ravel()], place.size)
                 new = tuple(self._spread(x.reshape(place.shape)) for x in pose)
@@ -207,7 +207,7 @@ class Solution(Generic[Truth]):
         return self._known[order]
 
     def _spread(self, value: Number) -> Number:
-        """Return an array in the shape of all inputs, and flat."""
+        """Return an array flat, in the broadcast shape of all inputs; a number as it is."""
         return np.broadcast_to(value, self.shape).ravel() if is_array(value) else value
 
 
@@ -251,7 +251,7 @@ def _range_in_words(low: float, high: float, unit: str) -> str:
 
 
 def _shortest(solver: AnySolver, place: float) -> str | None:
-    """Write a place with as few digits, four at least, as still close."""
+    """Write a place with the fewest digits, at least four, with which the links close."""
     for digits in range(4, 18):
         text = f"{place + 0.0:.{digits}g}"
         try:

@@ -36,13 +36,14 @@ if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
 
 
-# The square of a smaller sine would leave the range, and with it ω at a change point.
+# The square of a smaller sine would leave the range of double precision, and ω at a change point
+# with it.
 LEAST_SINE = 1e-100
 
 
 @lru_cache(maxsize=64)
 def solver_of(mechanism: Mechanism) -> AnySolver:
-    """Return the solver of a mechanism, of the plane or of space, made once."""
+    """Return the solver of a mechanism in the plane or in space; it is made once."""
     linkage, side = mechanism.marked(), -1.0 if mechanism.assembly == "crossed" else 1.0
     if isinstance(linkage, Linkage):
         return Solver(linkage, side)
@@ -50,7 +51,7 @@ def solver_of(mechanism: Mechanism) -> AnySolver:
 
 
 class Solver(AnySolver):
-    """The loops of a linkage, each with its closed form.
+    """The solver of a linkage in the plane: its loops, each with its closed form.
 
     Parameters
     ----------
@@ -84,7 +85,7 @@ class Solver(AnySolver):
 
     @cached_property
     def routes(self) -> Routes:
-        """The ways along which points are reached."""
+        """The routes from fixed points to all points."""
         return Routes(self.frame)
 
     @property
@@ -166,29 +167,29 @@ class Solver(AnySolver):
         return dead.why_dead() if dead else "the result is undetermined at this dead centre"
 
     def _dead(self, pose: Pose) -> LoopSolver | None:
-        """Return the first loop whose lines are parallel."""
+        """Return the first loop whose construction lines are parallel, if any."""
         loops = zip(self.loops, pose.sine, strict=True)
         return next((one for one, sine in loops if sine == 0.0 and not one.loop.parallel), None)
 
     def miss_in_words(self, miss: float, length_unit: str) -> str:
-        """Say by how much the links of a pose miss each other."""
+        """Say by how much the chains of a pose miss each other."""
         return f"{miss * self.scale:.4g} {length_unit}"
 
 
 def guide_of(linkage: Linkage, slide: str) -> str | None:
-    """Return the name of the turning link on which a slide slides, if it does."""
+    """Return the turning link on which a slide slides; None on a line of the frame."""
     steps = (step for loop in linkage.loops for _, step in loop.steps())
     lines = [step.along for step in steps if isinstance(step, Slide) and step.name == slide]
     return next((line for line in lines if isinstance(line, str)), None)
 
 
 def heading(guide: Slide) -> complex:
-    """Return the direction of a guide in the user's axes, where turning there and back is exact."""
+    """Return the direction of a guide in the user's axes, without turning there and back."""
     return complex(direction(fold(float(guide.along))))
 
 
 def _angle(evaluation: Evaluation, name: str, order: int) -> Number:
-    """Return a link's direction: as it was given, or as seen along its guide where it has one."""
+    """Return a link's direction: as it was given, or read from its guide if it ends on one."""
     frame, pose = evaluation.solver.plane.frame, evaluation.pose
     if angle_of(name) == frame.linkage.driver:
         return positive(evaluation.driver_angle)

@@ -1,4 +1,4 @@
-"""What the solver passes on: a pose, its rates, and the components of one step's motion."""
+"""A pose, its rates, and the components of the motion of one bar or slide."""
 
 from __future__ import annotations
 
@@ -10,15 +10,16 @@ from vad.kinematics.numbers import Number
 ComponentName = Literal["normal", "tangential", "coriolis", "sliding"]
 
 
-#: The link that stands still, along the frame's x axis; seen from another link it turns.
+#: The frame as a link: it lies along the x axis and stands still, but seen from another link it
+#: turns.
 GROUND = "ground"
 
 
 class Component(NamedTuple):
-    """One part of a step's velocity or acceleration: ``amount`` along the unit ``direction``.
+    """One component of a velocity or acceleration: ``amount`` along the unit vector ``direction``.
 
-    ``name`` is the textbook's: normal, tangential, coriolis or sliding.  An ``amount`` of None
-    stands for the unknown one, of which only the direction is known yet.
+    Its ``name`` is normal, tangential, coriolis or sliding.  The ``amount`` of an unknown component
+    is None; only its direction is known.
     """
 
     name: ComponentName
@@ -28,12 +29,20 @@ class Component(NamedTuple):
 
 @dataclass(slots=True)
 class Pose:
-    """Where everything is: unit vectors of links (and of the ground), lengths of slides.
+    """Where everything is.
 
-    That of a link runs along the bar by which it is found: `ReferenceFrame.unit` is the link's own.
-    ``sine`` holds, loop by loop, the sine of the angle at which its construction lines cross.
-    ``leaning`` holds the unit vectors of bars as seen along the guides on which they end, where
-    those are turned against the frame: their angles lose no digit by turning there and back.
+    Attributes
+    ----------
+    unit
+        The unit vector of each link and of the ground.  It points along the bar by which the link
+        is found; `vad.kinematics.frame.ReferenceFrame.unit` gives that of the link itself.
+    length
+        The length of each slide.
+    sine
+        For each loop, the sine of the angle at which its construction lines cross.
+    leaning
+        The unit vectors of bars that end on a guide which is turned against the frame, in the axes
+        of that guide.  An angle read from them has no rounding from turning there and back.
     """
 
     unit: dict[str, Number]
@@ -53,13 +62,13 @@ class Pose:
 
 @dataclass(slots=True)
 class Rates:
-    """First or second derivatives: of every link's angle and of every slide's length."""
+    """First or second derivatives of the angle of every link and the length of every slide."""
 
     turning: dict[str, Number]
     sliding: dict[str, Number]
 
     def seen_from(self, link: str) -> Rates:
-        """Return the rates as seen from a link, about which the ground turns the other way."""
+        """Return the rates as seen from a link; from there the ground turns the other way."""
         spin = self.turning[link]
         turning = {name: rate - spin for name, rate in self.turning.items() if name != link}
         return Rates({**turning, link: 0.0, GROUND: -spin}, self.sliding)
