@@ -130,9 +130,12 @@ def settled(notation: Notation, sentences: Iterable[Sentence]) -> Notation:
     alike: dict[str, list[_Typed]] = defaultdict(list)
 
     def typed(figure: Figure) -> _Typed:
-        number = _Typed(figure, notation)
-        alike[number.key].append(number)
-        return number
+        again = alike[key(figure.value)]
+        for number in again:
+            if number.figure == figure:
+                return number
+        again.append(_Typed(figure, notation))
+        return again[-1]
 
     noted = [(sentence, each) for sentence in sentences for each in sentence.calculations]
     calculations = []
@@ -160,6 +163,8 @@ class _Typed:
 
     Attributes
     ----------
+    figure
+        The number in its sentence.
     key
         By what the notation finds it again.
     number, factor
@@ -167,24 +172,25 @@ class _Typed:
     """
 
     def __init__(self, figure: Figure, notation: Notation) -> None:
-        self.key = key(figure.value)
+        self.figure, self.key = figure, key(figure.value)
         self._value = notation.scaled(figure.value, figure.unit)
         self._unit = notation.unit(figure.unit)
-        self._given, self._power = figure.given, figure.power
         self.read(0)
 
     def read(self, digits: int) -> None:
         """Read what is printed with so many digits at least."""
         self._digits = digits
-        self.number = Decimal(plain(self._value, self._unit, self._given, digits))
+        self.number = Decimal(plain(self._value, self._unit, self.figure.given, digits))
         self.factor = self.number
-        if self._power != 1:
-            self.factor = _EXACT.power(self.number, self._power)
+        if self.figure.power != 1:
+            self.factor = _EXACT.power(self.number, self.figure.power)
+        exponent = int(self.number.as_tuple().exponent)
+        self._last = Decimal((0, (1,), exponent))  # one unit of the last place
 
     @property
     def count(self) -> int:
         """The significant digits of the number as it is written."""
-        if self._given:
+        if self.figure.given:
             return max(GIVEN, self._digits)
         return max(MEASURED, len(self.number.as_tuple().digits))
 
@@ -195,8 +201,7 @@ class _Typed:
 
     def agrees(self, calculated: Decimal) -> bool:
         """Tell whether a calculation gives what is printed, and that clearly: no tie."""
-        last = Decimal((0, (1,), int(self.number.as_tuple().exponent)))
-        return 2 * abs(_EXACT.subtract(calculated, self.number)) < last
+        return 2 * abs(_EXACT.subtract(calculated, self.number)) < self._last
 
 
 def _to_refine(result: _Typed, factors: list[_Typed]) -> _Typed | None:

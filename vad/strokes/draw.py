@@ -20,7 +20,7 @@ from vad.strokes.finishing import canonical, finished, without_noise
 from vad.strokes.notation import Notation, in_metres
 from vad.strokes.polygon import polygon
 from vad.strokes.scene import Scene
-from vad.strokes.sentences import Noun, Text, Voice
+from vad.strokes.sentences import named
 from vad.strokes.sheet import (
     TWIST,
     Arrow,
@@ -138,7 +138,7 @@ def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, 
 
     Where they are too many for a line, coordinates are left out first, and then the last.
     """
-    plain, unit, voice = type(mechanism), mechanism.length_unit, Voice(language)
+    plain, unit = type(mechanism), mechanism.length_unit
     shown: list[tuple[str, float, str]] = []
     values = mechanism.parameters()
     for name, value in values.items():
@@ -148,7 +148,7 @@ def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, 
         if metadata["quantity"] != "angle":
             shown.append(
                 (
-                    Text.of(Noun(name, generic=""), voice),
+                    named(name, language),
                     value,
                     unit if metadata["quantity"] == "length" else "",
                 )
@@ -158,7 +158,7 @@ def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, 
             continue
         usual = value == plain.__dataclass_fields__[name].default and not value % 90.0
         if "between" in metadata or (value and not usual):
-            shown.append((Text.of(Noun(name, generic=""), voice), value, "°"))
+            shown.append((named(name, language), value, "°"))
     for name, (link, distance, *angle) in mechanism.points.items():
         tail, head = points_of(mechanism.links[link])
         shown.append((tail + name, distance, unit))

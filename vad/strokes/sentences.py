@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from typing import Any, TypeAlias
 
 from vad.strokes.arithmetic import Calculation, Figure
@@ -171,6 +172,18 @@ class Text(str):
         return Text.kept, (str(self), self.said, self.pieces)
 
 
+@lru_cache(maxsize=1024)
+def named(name: str, code: str) -> Text:
+    """Return a name of the language files, as titles have it.
+
+    Examples
+    --------
+    >>> named("crank", "de"), named("ground_twist", "en")
+    ('Kurbel', 'twist')
+    """
+    return Text.of(Noun(name, generic=""), Voice(code))
+
+
 def pieces_of(said: str | Sentence) -> tuple[Piece, ...]:
     """Return what a caption, label or note consists of; a plain string is but words."""
     if isinstance(said, Text | Sentence):
@@ -242,4 +255,4 @@ class Saying:
 
     def name(self, name: str) -> Text:
         """Return a name of the language files."""
-        return Text.of(Noun(name, generic=""), self.voice)
+        return named(name, self.language.code)
