@@ -10,7 +10,7 @@ import pytest
 import vad
 from vad.gui.live import board_of
 from vad.plan.labels.vertices import corners
-from vad.plan.live.live_board import LiveBoard, LivePose
+from vad.plan.live_board import LiveBoard, LivePose
 from vad.plan.marks import Bow, Outline, Polygon, Polyline
 from vad.strokes.sheet import Sheet
 

@@ -15,11 +15,11 @@ from tests.plan.sheet_of_views import sheet_of_views
 from vad.export.sheet_json import sheet_from_json, to_text
 from vad.plan.format import screen
 from vad.plan.items import Item
-from vad.plan.live.live_board import LiveBoard
+from vad.plan.live_board import LiveBoard
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Polygon
 from vad.plan.page.captioning import caption_lines
 from vad.plan.pictures.curves import curve_of
-from vad.plan.pictures.views import views_scale
+from vad.plan.scaling import views_scale
 from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.moving_views import MovingViews

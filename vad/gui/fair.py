@@ -12,7 +12,7 @@ from vad.gui.live import FORM, LINES, board_of, grips, listed, scale_of
 from vad.gui.messages import LessonQuestion
 from vad.page.parts import parts
 from vad.plan.board import plan
-from vad.plan.live.calm_scale import calm_scale
+from vad.plan.scaling import calm_scale
 from vad.strokes.draw import chosen
 from vad.style import load_style
 

@@ -10,7 +10,7 @@ from typing import Any
 import vad
 from vad.kinematics.motion import Motion
 from vad.plan.format import Format
-from vad.plan.live.live_views import held_arc, tip_of
+from vad.plan.pictures.views import held_arc, tip_of
 from vad.plan.scale import Scale
 from vad.strokes.sheet import Arrow, Block, Sheet
 

@@ -26,7 +26,7 @@ from vad.page.themed import Inks
 from vad.painting.posed import SIZE
 from vad.painting.svg_text import Faces
 from vad.plan.format import screen
-from vad.plan.live.live_board import LiveBoard
+from vad.plan.live_board import LiveBoard
 from vad.plan.scale import Scale
 from vad.strokes.draw import chosen
 from vad.strokes.sheet import Panel, Sheet

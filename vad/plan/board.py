@@ -25,8 +25,8 @@ from vad.plan.page.foot import Foot, compose
 from vad.plan.page.halves import height_of_halves
 from vad.plan.page.measured import lines_of
 from vad.plan.page.title import title_marks
-from vad.plan.pictures.folds import folds
-from vad.plan.pictures.kinds import sketched
+from vad.plan.pictures import sketched
+from vad.plan.pictures.views import folds
 from vad.plan.scale import Scale, is_tall
 from vad.plan.sharing import OVERLAP, rooms
 from vad.plan.sketch import Setting, Sketch

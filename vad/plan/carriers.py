@@ -6,7 +6,7 @@ poses.
 
 from __future__ import annotations
 
-from vad.strokes.sheet import Block, Guide, Panel, Stroke
+from vad.strokes.sheet import Block, Guide, Panel, Shape, Stroke
 
 
 def carries_block(panel: Panel, stroke: Stroke) -> bool:
@@ -14,10 +14,11 @@ def carries_block(panel: Panel, stroke: Stroke) -> bool:
     return stroke.link is not None and bool(panel.body(stroke.link).carries)
 
 
-def block_on(panel: Panel, bar: Stroke) -> Block | None:
+def block_on(panel: Panel, bar: Stroke) -> Stroke | None:
     """Return the block that slides on a bar, which ends there, if its way is known."""
-    block = _block_along(panel, bar)
-    return block if block and any(block.travel) else None
+    stroke = block_along(panel, bar)
+    known = stroke and isinstance(stroke.shape, Block) and any(stroke.shape.travel)
+    return stroke if known else None
 
 
 def is_yoke(panel: Panel, link: str | None) -> bool:
@@ -25,21 +26,17 @@ def is_yoke(panel: Panel, link: str | None) -> bool:
     return link is not None and any(ride.slot for ride in panel.body(link).carries)
 
 
-def block_in(panel: Panel, slot: Stroke) -> Block | None:
-    """Return the block of a slot."""
-    return _block_along(panel, slot)
-
-
-def _block_along(panel: Panel, bearer: Stroke) -> Block | None:
-    """Return the block that slides along a bar or a slot, if it is drawn."""
+def block_along(panel: Panel, bearer: Stroke) -> Stroke | None:
+    """Return the block that slides along a bar or in a slot, if it is drawn."""
     rides = (ride for ride in panel.body(bearer.link).carries if ride.along == bearer.name)
     numbers = (panel.find(ride.block) for ride in rides)
-    shapes = (panel.strokes[number].shape for number in numbers if number is not None)
-    return next((shape for shape in shapes if isinstance(shape, Block)), None)
+    strokes = (panel.strokes[number] for number in numbers if number is not None)
+    return next((stroke for stroke in strokes if isinstance(stroke.shape, Block)), None)
 
 
-def ends_of_travel(block: Block) -> tuple[complex, complex]:
+def ends_of_travel(block: Shape) -> tuple[complex, complex]:
     """Return the two places between which a block gets along its line."""
+    assert isinstance(block, Block)
     back, ahead = (block.at + by * block.direction for by in block.travel)
     return back, ahead
 
@@ -58,6 +55,6 @@ def reached(panel: Panel) -> list[complex]:
                 back, ahead = ends_of_travel(stroke.shape)
                 points += [back, 2 * ahead - back]
             case Guide(side=None):
-                block = block_in(panel, stroke)
-                points += ends_of_travel(block) if block else ()
+                block = block_along(panel, stroke)
+                points += ends_of_travel(block.shape) if block else ()
     return points

@@ -84,3 +84,9 @@ class Rect:
 def direction_of(start: complex, end: complex) -> complex:
     """Return the unit vector from ``start`` to ``end``, 0 where they coincide."""
     return cmath.rect(1.0, cmath.phase(end - start)) if abs(end - start) > SHORTEST else 0j
+
+
+def bar_corners(start: complex, end: complex, wide: float) -> list[complex]:
+    """Return the corners of a straight part from ``start`` to ``end``, ``wide`` across."""
+    half = wide / 2 * 1j * direction_of(end, start)
+    return [start + half, end + half, end - half, start - half]

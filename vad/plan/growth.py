@@ -13,6 +13,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+SMALLEST = 0.05  # of a dot, as it begins to swell
+
 #: A shape as it is at a share, None while nothing of it shows, and its share of alpha.
 Grown = tuple[Any, float]
 
@@ -121,6 +123,11 @@ class Fading:
 
 Wandering = Sliding | Turning | Scaling
 Growth = Trimming | Fading | Wandering
+
+
+def swelling(centre: complex) -> Scaling:
+    """Return how a dot comes about."""
+    return Scaling(centre, ((SMALLEST, SMALLEST), (1.0, 1.0)))
 
 
 def between(knots: Sequence[tuple[float, complex]], share: float) -> complex:

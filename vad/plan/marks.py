@@ -9,8 +9,9 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from typing import Any, Protocol
 
 from vad.plan.growth import Growth, Trimming
 from vad.plan.lettering.runs import Runs
@@ -154,6 +155,13 @@ class Lettering:
 Outline = Polyline | Polygon | Disc | Bow | Lettering
 
 
+class Hanging(Protocol):
+    """What a mark states: on which solved points and directions its shape hangs."""
+
+    def posed(self, solved: Any) -> Outline | None:
+        """Return the shape in a pose (`vad.plan.anchors.Solved`); None where none of it shows."""
+
+
 @dataclass(frozen=True, slots=True)
 class Mark:
     """A shape in its role.
@@ -172,6 +180,9 @@ class Mark:
         The width of its line, as a share of the role's.
     alpha
         How much of the role's alpha it has.
+    hangs
+        On what the shape hangs, one of the shapes of `vad.plan.anchors`; None for what stands on
+        the page itself.
     """
 
     shape: Outline
@@ -180,6 +191,7 @@ class Mark:
     growth: Growth | None = None
     width: float = 1.0
     alpha: float = 1.0
+    hangs: Hanging | None = field(default=None, compare=False, repr=False)
 
     def at(self, share: float) -> Mark | None:
         """Return the mark when ``share`` of its stroke is drawn, None while nothing shows."""

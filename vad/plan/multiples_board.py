@@ -20,9 +20,9 @@ from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark
 from vad.plan.page.heads import TITLE, head
 from vad.plan.page.title import title_marks
-from vad.plan.pictures.kinds import sketched
-from vad.plan.pictures.views import views_scale
+from vad.plan.pictures import sketched
 from vad.plan.scale import Scale, fill
+from vad.plan.scaling import views_scale
 from vad.plan.sharing import rooms
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.stated_scale import SIZE as SCALE

@@ -6,13 +6,17 @@ Every drawing function of this folder adds to a `Sketch`; nothing moves later.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Literal
 
 from vad.lecture.moment import done, drawing
+from vad.plan.anchors import Anchor, Hung, Solved, Strip
 from vad.plan.geometry import Rect
 from vad.plan.items import ALWAYS, FOREVER, Item, Level, Span
-from vad.plan.labels.obstacles import Obstacles
-from vad.plan.marks import Mark
+from vad.plan.labels.obstacles import PIXEL, Obstacles
+from vad.plan.marks import Mark, Polyline
+from vad.plan.roles import BLOCK_RIM
 from vad.plan.scale import Scale
 from vad.strokes.sheet import Panel, Sheet, Stroke
 
@@ -85,6 +89,57 @@ class Setting:
         return self.over(len(self.panel.strokes) - 1)
 
 
+#: When marks of a stroke come and go: while it is drawn, when it is done, when the next one is
+#: begun, when the panel is finished.
+When = Literal["during", "after", "over", "end", "never"]
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """Marks of one stroke that come and go together."""
+
+    level: Level
+    marks: tuple[Hung, ...]
+    since: When = "during"
+    until: When = "never"
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """One stroke on the page, as it hangs on solved points in all poses.
+
+    Attributes
+    ----------
+    parts
+        Its marks.
+    blocks
+        What labels keep clear of: lines through anchors with their half widths, and dots, which
+        are lines of one anchor.
+    light
+        The light beneath it while a vector of its link is drawn elsewhere.
+    slot
+        A slot whose edges and middle labels keep clear of.
+    """
+
+    parts: tuple[Part, ...]
+    blocks: tuple[tuple[tuple[Anchor, ...], float], ...] = ()
+    light: Hung | None = None
+    slot: Strip | None = None
+
+    def block(self, obstacles: Obstacles, solved: Solved, span: Span = ALWAYS) -> None:
+        """Add it to what labels keep clear of, as it hangs in a pose."""
+        for anchors, half in self.blocks:
+            places = solved.places(anchors)
+            if len(places) == 1:
+                obstacles.disc(places[0], half, span)
+            else:
+                obstacles.line(places, half, span)
+        edges = self.slot.posed(solved) if self.slot else None
+        if self.slot and isinstance(edges, Polyline):
+            obstacles.line(edges.pieces[0], BLOCK_RIM / 2, span)
+            obstacles.line(self.slot.ends(solved), 2.0 * PIXEL, span)
+
+
 @dataclass
 class Sketch:
     """Everything that one panel can show.
@@ -101,6 +156,8 @@ class Sketch:
         What stands there, and the labels among it.
     lights
         The light beneath each link or slide, for when a vector of it is drawn elsewhere.
+    finished
+        True for one pose of a turn or under the hand: of all strokes that which stays, as it stays.
     """
 
     setting: Setting
@@ -109,6 +166,12 @@ class Sketch:
     items: list[Item] = field(default_factory=list)
     tags: list[Tag] = field(default_factory=list)
     lights: dict[str, list[Mark]] = field(default_factory=dict)
+    finished: bool = False
+
+    @cached_property
+    def solved(self) -> Solved:
+        """The solved points and directions of the panel, on which its marks hang."""
+        return Solved(self.setting.panel, self.scale)
 
     def add(
         self,
@@ -119,8 +182,54 @@ class Sketch:
         until: int = FOREVER,
     ) -> None:
         """Add what ``stroke`` draws; None for what belongs to no stroke."""
+        if self.finished:
+            if until <= self.setting.end:
+                return
+            since = 0
+            marks = (replace(mark, growth=None) if mark.growth else mark for mark in marks)
         shown = tuple(marks)
         if shown:
             panel = self.setting.panel
             name = panel.full(stroke.name) if stroke else ""
             self.items.append(Item(name, panel.column, level, shown, since, until))
+
+    def hang(
+        self,
+        index: int,
+        level: Level,
+        marks: Iterable[Hung],
+        since: When = "during",
+        until: When = "never",
+    ) -> None:
+        """Add what stroke number ``index`` draws, as it hangs in this pose."""
+        if not self.finished or until == "never":
+            posed = (mark.posed(self.solved, grows=not self.finished) for mark in marks)
+            shown = (mark for mark in posed if mark)
+            stroke = self.setting.panel.strokes[index]
+            self.add(stroke, level, self._beat(since, index), shown, self._beat(until, index))
+
+    def put(self, index: int, piece: Piece, spanned: bool = False) -> None:
+        """Add stroke number ``index`` with its obstacles, which come with it where ``spanned``."""
+        for part in piece.parts:
+            self.hang(index, part.level, part.marks, part.since, part.until)
+        span = (self.setting.during(index), FOREVER) if spanned else ALWAYS
+        piece.block(self.obstacles, self.solved, span)
+        if piece.light and not self.finished:
+            light = piece.light.posed(self.solved)
+            link = self.setting.panel.strokes[index].link
+            self.lights.setdefault(link or "", []).extend([light] if light else [])
+
+    def _beat(self, when: When, index: int) -> int:
+        """Return a beat of stroke number ``index``."""
+        setting = self.setting
+        match when:
+            case "during":
+                return setting.during(index)
+            case "after":
+                return setting.after(index)
+            case "over":
+                return setting.over(index)
+            case "end":
+                return setting.end
+            case "never":
+                return FOREVER

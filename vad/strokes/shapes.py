@@ -32,6 +32,12 @@ class Arrow:
     head: str
     cylinder: float = 0.0
 
+    @property
+    def foot(self) -> complex:
+        """Where the rod of a strut comes out of its cylinder."""
+        span = self.end - self.start
+        return self.start + self.cylinder * span / abs(span) if span else self.start
+
 
 @dataclass(frozen=True, slots=True)
 class Line:

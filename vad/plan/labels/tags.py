@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from vad.plan.anchors import Anchor
 from vad.plan.growth import Growth
 from vad.plan.items import Level, Span
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import APART, CLEARANCE, Placed, Wish, beside, place
-from vad.plan.labels.vertices import text_at
+from vad.plan.labels.vertices import hung_text, text_at
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import Runs, symbols
 from vad.plan.marks import line
@@ -28,20 +29,22 @@ def add_tag(
     sketch: Sketch,
     stroke: Stroke,
     text: str,
-    ends: tuple[complex, complex],
+    ends: tuple[Anchor, Anchor],
     size: float,
     span: Span,
     since: int,
     growth: Growth | None = None,
 ) -> None:
-    """Write ``text`` beside the line between ``ends``, nearest its middle.
+    """Write ``text`` beside the line between ``ends``, nearest its middle; it hangs on the first.
 
     It keeps clear of all that shows in its ``span`` of beats, and appears at ``since``.
     """
     runs, row = symbols(text), sketch.setting.row(stroke.link)
-    placed = _along(sketch.obstacles.during(span), *ends, runs, size)
+    start, end = sketch.solved.places(ends)
+    placed = _along(sketch.obstacles.during(span), start, end, runs, size)
     sketch.obstacles.box(placed.box, span)
-    marks = [replace(text_at(runs, runs, placed.centre, size, "tag", row), growth=growth)]
+    said = hung_text(text_at(runs, runs, placed.centre, size, "tag", row), ends[0], start)
+    marks = [replace(said, growth=growth)]
     if placed.leader:
         sketch.obstacles.line(placed.leader, PIXEL, span)
         marks.insert(0, line(placed.leader, "leader", growth=growth))

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import combinations
 
+from vad.plan.anchors import Anchor, Beside
 from vad.plan.carriers import reached
 from vad.plan.geometry import direction_of
 from vad.plan.items import FOREVER, Level, Span
@@ -33,11 +34,11 @@ LEADING = 1.15 * LETTER
 class Vertex:
     """A dot with its letters, amid its ``points``: so it covers the ends of all their strokes.
 
-    ``letters`` holds the number of the stroke that brings each, ``ways`` are the directions of
-    the strokes that meet there.
+    ``points`` are places on the page, each with what it hangs on.  ``letters`` holds the number of
+    the stroke that brings each, ``ways`` are the directions of the strokes that meet there.
     """
 
-    points: list[complex]
+    points: dict[complex, Anchor]
     letters: dict[str, int]
     ways: list[complex] = field(default_factory=list)
 
@@ -45,6 +46,12 @@ class Vertex:
     def at(self) -> complex:
         """The middle of the dot."""
         return sum(self.points, 0j) / len(self.points)
+
+    @property
+    def anchor(self) -> Anchor:
+        """On what the dot hangs."""
+        first, *more = self.points.values()
+        return Anchor((*first.points, *(each.points[0] for each in more)), first.terms)
 
     @property
     def since(self) -> int:
@@ -89,28 +96,29 @@ def find_vertices(panel: Panel, scale: Scale) -> list[Vertex]:
     """Return the vertices of ``panel`` in the order in which they appear."""
     found: list[Vertex] = []
 
-    def vertex(letters: str, at: complex, since: int) -> Vertex:
+    def vertex(letters: str, at: complex, since: int, point: str | int) -> Vertex:
         names = [letter.strip() for letter in letters.split(",") if letter.strip()]
         for spot in found:
             if abs(spot.at - at) < COINCIDENT and spot.letters.keys() >= set(names):
                 return spot
-        found.append(Vertex([at], dict.fromkeys(names, since)))
+        anchor = Anchor.of(panel.strokes[since].name, point)
+        found.append(Vertex({at: anchor}, dict.fromkeys(names, since)))
         return found[-1]
 
     for index, stroke in enumerate(panel.strokes):
         shape = stroke.shape
         if isinstance(shape, Dot):
-            vertex(stroke.label, scale(shape.at), index)
+            vertex(stroke.label, scale(shape.at), index, "at")
         elif isinstance(shape, Arrow):
             start, end = scale(shape.start), scale(shape.end)
             way = direction_of(start, end)
-            vertex(shape.tail, start, index).ways.append(way)
-            vertex(shape.head, end, index).ways.append(-way)
+            vertex(shape.tail, start, index, "start").ways.append(way)
+            vertex(shape.head, end, index, "end").ways.append(-way)
         elif isinstance(shape, Plate):
             places = list(map(scale, shape.corners))
-            for letter, at in zip(shape.letters, places, strict=True):
+            for number, (letter, at) in enumerate(zip(shape.letters, places, strict=True)):
                 ways = [direction_of(at, other) for other in places if other != at]
-                vertex(letter, at, index).ways.extend(ways)
+                vertex(letter, at, index, number).ways.extend(ways)
     return [spot for spot in _merged(found) if spot.letters]
 
 
@@ -119,8 +127,7 @@ def _merged(vertices: list[Vertex]) -> list[Vertex]:
     for one, other in combinations(vertices, 2):
         if abs(one.at - other.at) < COINCIDENT:
             letters = sorted((other.letters | one.letters).items(), key=lambda each: each[1])
-            points = list(dict.fromkeys(one.points + other.points))
-            both = Vertex(points, dict(letters), one.ways + other.ways)
+            both = Vertex(one.points | other.points, dict(letters), one.ways + other.ways)
             return _merged([both if v is one else v for v in vertices if v is not other])
     return vertices
 
@@ -132,6 +139,13 @@ def text_at(
     shape = typeset(whole)
     middle = complex(shape.left + shape.right, shape.bottom + shape.top) / 2
     return Mark(Lettering(runs, centre - middle * size, size), role, row)
+
+
+def hung_text(text: Mark, anchor: Anchor, at: complex) -> Mark:
+    """Return a text that hangs on an anchor, which is ``at`` this place on the page."""
+    shape = text.shape
+    assert isinstance(shape, Lettering)
+    return replace(text, hangs=Beside(anchor, shape.at - at, shape.runs, shape.size))
 
 
 def label_vertices(
@@ -180,5 +194,5 @@ def _letter(sketch: Sketch, vertex: Vertex, placed: Placed) -> None:
             above = 1j * LEADING * ((len(rows) - 1) / 2 - number)
             if known:
                 text = text_at(_set(known), _set(row), placed.centre + above, LETTER, "letter")
-                texts.append(text)
+                texts.append(hung_text(text, vertex.anchor, vertex.at))
         sketch.add(strokes[index], Level.LABEL, setting.after(index), texts, until)

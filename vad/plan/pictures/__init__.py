@@ -1,1 +1,69 @@
-"""The pictures in the panels: the skeleton of the mechanism, and vectors laid tip to tail."""
+"""The pictures in the panels: a skeleton, vectors tip to tail, or views of a mechanism in space.
+
+Each is one picture in different poses: a still or a lesson is drawn of one, a turn and what is
+under the hand of many.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from vad.plan.labels.vertices import corners
+from vad.plan.pictures import polygon
+from vad.plan.pictures.polygon import Polygon
+from vad.plan.pictures.skeleton import Skeleton, angle_centre
+from vad.plan.pictures.views import Views
+from vad.plan.scale import Scale, fill
+from vad.plan.scaling import calm_scale, mechanism_scale, views_scale
+from vad.plan.sketch import Setting, Sketch
+from vad.plan.turning.dimension import add_dimension
+from vad.strokes.sheet import Panel
+
+Picture = Skeleton | Polygon | Views
+
+
+def sketched(setting: Setting) -> Sketch:
+    """Return all that a lesson shows of a panel, and leaves standing in a still."""
+    panel, scale = setting.panel, setting.scale
+    match panel.picture:
+        case "skeleton":
+            usual = fill(corners(panel), setting.room, True, setting.centimetre)
+            return Skeleton(setting, [panel], scale or usual).draw()
+        case "views":
+            return Views(setting, [panel], scale or views_scale(setting, [panel])).draw()
+        case "vectors":
+            return polygon.draw(setting)
+
+
+def over_turn(setting: Setting, poses: Sequence[Panel]) -> Picture:
+    """Return the picture of a panel over a whole turn, at one scale for all of its poses."""
+    match setting.panel.picture:
+        case "skeleton":
+            skeleton = Skeleton(setting, poses, mechanism_scale(setting, poses), angle=False)
+            for travel in skeleton.travels:
+                add_dimension(skeleton.still, *travel, skeleton.crowds)
+            return skeleton
+        case "views":
+            return Views(setting, poses, views_scale(setting, poses))
+        case "vectors":
+            return polygon.over_turn(setting, poses)
+
+
+def over_reach(setting: Setting, poses: Sequence[Panel]) -> Skeleton | Views:
+    """Return the picture of a mechanism for the hand, over all that its driver reaches."""
+    if setting.panel.picture == "views":
+        return Views(setting, poses, views_scale(setting, poses))
+    centres = {angle_centre(pose) for pose in poses} - {None}
+    return Skeleton(setting, poses, mechanism_scale(setting, poses), angle=len(centres) == 1)
+
+
+def resized(picture: Skeleton | Views, setting: Setting, before: Scale | None) -> Skeleton | Views:
+    """Return a mechanism with other dimensions, in which all stands where it stood.
+
+    It keeps the scale of the pose before while it fits.
+    """
+    scale = calm_scale(setting.panel, setting.room, before or picture.scale)
+    if isinstance(picture, Views):
+        return Views(setting, [setting.panel], replace(scale, bare=True), picture)
+    return Skeleton(setting, [setting.panel], scale, picture.angle, picture)

@@ -1,27 +1,80 @@
-"""The construction lines of a polygon, with their names, right angles and the set square.
+"""Constructions: lines and compass arcs with their names, right angles, set square and compass.
 
-In come a panel's strokes and its scale, out go lines that live until a result is inked over them.
+In come a panel's strokes and its scale, out go lines that live until a result is inked over them,
+and the teacher's tools, which move with the pencil.
 """
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import pairwise, product
 
-from vad.plan.growth import Fading, Trimming
+from vad.plan.anchors import RIGHT, Anchor, Hung, Solved
+from vad.plan.geometry import SHORTEST, Rect
+from vad.plan.growth import Fading, Growth, Sliding, Trimming, Turning
 from vad.plan.items import FOREVER, Level, Span, together
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.tags import SIZE, SMALL_SIZE, add_tag
-from vad.plan.marks import Mark, line
-from vad.plan.pictures.arrows import PlacedVector
-from vad.plan.pictures.straight import construction_end
-from vad.plan.pictures.tools import SQUARE, STUB, pencil, place_square, right_angle
+from vad.plan.marks import Bow, Mark, Polyline, area, disc, line
+from vad.plan.pictures.vectors import PlacedVector
 from vad.plan.roles import CONSTRUCTION
 from vad.plan.sketch import Sketch
-from vad.strokes.sheet import Line, Panel
+from vad.strokes.sheet import Arc, Line, Panel
+
+OVERSHOOT = 0.06  # of a line, past its crossing
+STUB = 0.080
+SQUARE = 0.022
+PENCIL = 0.0085
+LONG_LEG = 0.26
+SHORT_LEG = math.tan(math.radians(30))  # of the long one
+SIZES = (1.0, 0.85, 0.7, 0.55, 0.4, 0.3)
+LEAD = 0.035
+WINDOW = 0.42
+HINGE = 0.012
+RISES = (1.0, 0.8, 0.6, 0.4)  # of the hinge, as shares of the best
 
 #: How the name of a line comes about: when the pencil has passed it.
 COMING = Fading(((0.25, 0.0), (0.6, 1.0)))
+
+
+@dataclass(frozen=True, slots=True)
+class Ray:
+    """On what a construction line hangs: it runs through a point along a direction, as far as seen.
+
+    It ends past its crossing, but in its room; it may run ``aside`` of the point, in a lane.
+    """
+
+    stroke: str
+    aside: complex
+    room: Rect
+
+    def posed(self, solved: Solved) -> Polyline:
+        """Return the line in a pose."""
+        shape: Line = solved.shape(self.stroke)
+        start, until = (solved.scale(z) + self.aside for z in (shape.through, shape.until))
+        return Polyline(((start, construction_end(start, shape.direction, until, self.room)),))
+
+
+@dataclass(frozen=True, slots=True)
+class CompassArc:
+    """On what a compass arc hangs: its centre and its radius, which are solved.
+
+    Of an arc with a room shows the stretch that lies in it and holds the middle of the arc, which
+    the construction is after; where that lies elsewhere, all of it.
+    """
+
+    stroke: str
+    room: Rect | None = None
+
+    def posed(self, solved: Solved) -> Bow:
+        """Return the arc in a pose."""
+        shape: Arc = solved.shape(self.stroke)
+        scale = solved.scale
+        arc = Bow(scale(shape.centre), shape.radius * scale.factor, shape.start, shape.sweep)
+        return visible_part(arc, self.room) if self.room else arc
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,6 +86,11 @@ class PlacedLine:
     way: complex
     row: int | None
     span: Span
+    hangs: Ray
+
+    def mark(self, role: str, growth: Growth | None = None) -> Mark:
+        """Return the line in a role."""
+        return replace(line((self.start, self.end), role, self.row, growth), hangs=self.hangs)
 
 
 def line_of(sketch: Sketch, index: int, vectors: Mapping[int, PlacedVector]) -> PlacedLine:
@@ -40,20 +98,20 @@ def line_of(sketch: Sketch, index: int, vectors: Mapping[int, PlacedVector]) -> 
 
     It runs in the lane of the vector that is inked over it.
     """
-    setting, scale = sketch.setting, sketch.scale
+    setting = sketch.setting
     stroke = setting.panel.strokes[index]
     shape = stroke.shape
     assert isinstance(shape, Line)
     result = inked_by(setting.panel, index)
     aside = 0j if result is None else vectors[result].lane.aside
-    start, until = scale(shape.through) + aside, scale(shape.until) + aside
-    end = construction_end(start, shape.direction, until, setting.room)
+    ray = Ray(stroke.name, aside, setting.room)
+    ((start, end),) = ray.posed(sketch.solved).pieces
     if setting.panel.picture == "views":
         gone = setting.over(crossed_at(setting.panel, index))
     else:
         gone = setting.after(len(setting.panel.strokes) - 1 if result is None else result)
     span = setting.during(index), gone
-    return PlacedLine(start, end, shape.direction, setting.row(stroke.link), span)
+    return PlacedLine(start, end, shape.direction, setting.row(stroke.link), span, ray)
 
 
 def inked_by(panel: Panel, index: int) -> int | None:
@@ -76,24 +134,15 @@ def crossed_at(panel: Panel, index: int) -> int:
     return next(found, len(panel.strokes) - 1)
 
 
-def drawn_line(start: complex, end: complex, row: int | None) -> tuple[Mark, Mark, Mark]:
-    """Return the light beneath a construction line, the line, and the pencil at its tip."""
-    ends, grows = (start, end), Trimming()
-    return (
-        line(ends, "construction light", row, grows),
-        line(ends, "construction", row, grows),
-        pencil(start, end, row),
-    )
-
-
 def add_drawn_line(sketch: Sketch, index: int, placed: PlacedLine) -> None:
-    """Add a construction line as it is drawn, heavy until it is inked over."""
-    setting = sketch.setting
-    stroke, during = setting.panel.strokes[index], setting.during(index)
-    light, heavy, tip = drawn_line(placed.start, placed.end, placed.row)
-    sketch.add(stroke, Level.CONSTRUCTION, during, [light], setting.over(index))
+    """Add a construction line as it is drawn, heavy until it is inked over, and the pencil."""
+    setting, grows = sketch.setting, Trimming()
+    stroke, during, over = setting.panel.strokes[index], setting.during(index), setting.over(index)
+    light, heavy = (placed.mark(role, grows) for role in ("construction light", "construction"))
+    tip = pencil(placed.start, placed.end, placed.row)
+    sketch.add(stroke, Level.CONSTRUCTION, during, [light], over)
     sketch.add(stroke, Level.CONSTRUCTION, during, [heavy], placed.span[1])
-    sketch.add(stroke, Level.CONSTRUCTION, during, [tip], setting.over(index))
+    sketch.add(stroke, Level.CONSTRUCTION, during, [tip], over)
 
 
 def add_square(sketch: Sketch, index: int, placed: PlacedLine) -> None:
@@ -111,7 +160,7 @@ def add_square(sketch: Sketch, index: int, placed: PlacedLine) -> None:
 def add_construction(sketch: Sketch, index: int, placed: PlacedLine) -> None:
     """Add a construction line of a polygon, which stays when it is inked over, but faint."""
     stroke = sketch.setting.panel.strokes[index]
-    faint = line([placed.start, placed.end], "construction done", placed.row)
+    faint = placed.mark("construction done")
     sketch.add(stroke, Level.CONSTRUCTION, placed.span[1], [faint])
     add_drawn_line(sketch, index, placed)
     span = placed.span[0], FOREVER
@@ -126,6 +175,11 @@ def name_construction(
     shape = stroke.shape
     assert isinstance(shape, Line)
     start, span = placed.start, placed.span
+    through, at = Anchor.of(stroke.name, "through"), sketch.scale(shape.through)
+
+    def hung(spot: complex) -> Anchor:
+        return through + (spot - at) * RIGHT
+
     if shape.square_to:
         middle = sum(points, 0j) / max(len(points), 1)
         stub, length = _stub(start, placed.way, middle, sketch.obstacles.during(span))
@@ -135,8 +189,10 @@ def name_construction(
             tip = start + length * stub
             sketch.obstacles.line([start, tip], PIXEL, span)
             foot = start + 0.6 * (tip - start)
-            add_tag(sketch, stroke, shape.square_to, (foot, tip), SMALL_SIZE, span, span[0], COMING)
-    add_tag(sketch, stroke, stroke.label, (start, placed.end), SIZE, span, span[0], COMING)
+            ends = hung(foot), hung(tip)
+            add_tag(sketch, stroke, shape.square_to, ends, SMALL_SIZE, span, span[0], COMING)
+    ends = hung(start), hung(placed.end)
+    add_tag(sketch, stroke, stroke.label, ends, SIZE, span, span[0], COMING)
     add_square(sketch, index, placed)
 
 
@@ -162,3 +218,267 @@ def _stub(
         if obstacles.free(spots, 0.0, 0.0, PIXEL).all():
             return side, SQUARE
     return sides[0], SQUARE
+
+
+def construction_end(through: complex, direction: complex, until: complex, room: Rect) -> complex:
+    """Return where a construction line ends: past its crossing, but inside the panel."""
+    length = abs(until - through) + OVERSHOOT
+    inner = room.inside(PENCIL)  # the pencil at its end stays inside, too
+    for ahead, low, high, at in (
+        (direction.real, inner.left, inner.right, through.real),
+        (direction.imag, inner.bottom, inner.top, through.imag),
+    ):
+        if ahead > 1e-12:
+            length = min(length, max((high - at) / ahead, 0.0))
+        elif ahead < -1e-12:
+            length = min(length, max((low - at) / ahead, 0.0))
+    return through + length * direction
+
+
+def right_angle(
+    at: complex,
+    way: complex,
+    stub: complex,
+    row: int | None,
+    length: float = STUB,
+    growth: Growth | None = None,
+) -> list[Mark]:
+    """Return the right angle at ``at`` between a line along ``way`` and a link along ``stub``."""
+    corner = [at + SQUARE * stub, at + SQUARE * (stub + way), at + SQUARE * way]
+    return [
+        line([at, at + length * stub], "stub", row, growth),
+        line(corner, "right angle", row, growth),
+    ]
+
+
+def pencil(start: complex, end: complex, row: int | None) -> Mark:
+    """Return the dot that a growing construction line carries at its tip."""
+    return disc(end, PENCIL, "pencil", row, Sliding(((0.0, start - end), (1.0, 0j))))
+
+
+@dataclass(frozen=True, slots=True)
+class SetSquare:
+    """A 30–60° set square whose long leg slides on a line, and which never leaves its panel.
+
+    Attributes
+    ----------
+    start, way
+        Where the line starts, and its direction.
+    side
+        On which side of the line it lies, a unit vector.
+    size
+        1, or less where the panel has no room for it.
+    ahead
+        1 where its right angle leads, −1 where that follows.
+    reach
+        How far along the line its right angle may get, back and forth.
+    """
+
+    start: complex
+    way: complex
+    side: complex
+    size: float
+    ahead: int
+    reach: tuple[float, float]
+
+    def marks(self, length: float) -> list[Mark]:
+        """Return the set square, sliding along a line of ``length``; at an edge it waits."""
+        waits = [(end - _lead(self.size, self.ahead)) / length for end in self.reach]
+        shares = sorted({0.0, 1.0, *(share for share in waits if 0.0 < share < 1.0)})
+        spots = [_corner(share * length, self.size, self.ahead, self.reach) for share in shares]
+        slide = Sliding(
+            tuple(
+                (share, (spot - spots[-1]) * self.way)
+                for share, spot in zip(shares, spots, strict=True)
+            )
+        )
+        outer, window = self.rings(length)
+        return [
+            area(outer, "set square", growth=slide, hole=window),
+            area(outer, "set square edge", growth=slide, hole=window),
+        ]
+
+    def rings(self, length: float) -> tuple[list[complex], list[complex]]:
+        """Return its outline and that of its window, where a line of ``length`` is drawn."""
+        rest = self.start + _corner(length, self.size, self.ahead, self.reach) * self.way
+        outer = [rest + corner for corner in _shape(self.way, self.side, self.size, self.ahead)]
+        lengths = [abs(outer[2] - outer[1]), abs(outer[0] - outer[2]), abs(outer[1] - outer[0])]
+        incentre = sum(
+            (length * point for length, point in zip(lengths, outer, strict=True)), 0j
+        ) / sum(lengths)
+        return outer, [incentre + WINDOW * (point - incentre) for point in reversed(outer)]
+
+
+def place_square(
+    start: complex, end: complex, way: complex, labels: list[complex], obstacles: Obstacles
+) -> SetSquare | None:
+    """Return a set square on the emptier side of a line, None where there is no room for any.
+
+    That is the side where it slides over fewer of the ``labels``, which are given by their middles,
+    and comes to rest on fewer of those among the ``obstacles``.
+
+    It lies within the panel wherever it slides: on the other side, with its right angle behind or
+    smaller, if need be; at an edge it waits for the pencil.
+    """
+    best: SetSquare | None = None
+    least = math.inf
+    inner, length = obstacles.edge.inside(0.003), ((end - start) * way.conjugate()).real
+    for side in sorted((1j * way, -1j * way), key=lambda side: side.imag):
+        for size, ahead in product(SIZES, (1, -1)):
+            corners = [start + by for by in _shape(way, side, size, ahead)]
+            reach = _sliding(corners, way, inner)
+            if reach and _covers(length, size, ahead, reach):
+                square = SetSquare(start, way, side, size, ahead, reach)
+                crowd = sum(_swept(label - start, way, side, size, length) for label in labels)
+                cost = crowd + 4.0 * (1.0 - size) + 0.1 * (ahead < 0)
+                if cost >= least:
+                    continue
+                edges = [
+                    edge for ring in square.rings(length) for edge in pairwise([*ring, ring[0]])
+                ]
+                cost += int((~obstacles.clear_of_labels(edges, 0.0)).sum())
+                if cost < least:
+                    least, best = cost, square
+    return best
+
+
+def _swept(point: complex, way: complex, side: complex, size: float, length: float) -> bool:
+    """Tell whether a set square slides over a point, seen from the start of its line."""
+    along, across = (point * way.conjugate()).real, (point * side.conjugate()).real
+    leg = LONG_LEG * size
+    return -leg < along < length + leg and 0.0 < across < 1.2 * SHORT_LEG * leg
+
+
+def _shape(way: complex, side: complex, size: float, ahead: int) -> list[complex]:
+    """Return the corners of a set square, seen from its right angle."""
+    leg = LONG_LEG * size
+    return [0j, -ahead * leg * way, SHORT_LEG * leg * side]
+
+
+def _corner(drawn: float, size: float, ahead: int, reach: tuple[float, float]) -> float:
+    """Return how far along the line the right angle stands."""
+    return min(max(drawn + _lead(size, ahead), reach[0]), reach[1])
+
+
+def _lead(size: float, ahead: int) -> float:
+    """Return how far the right angle runs ahead of the pencil."""
+    return LEAD * size - (LONG_LEG * size if ahead < 0 else 0.0)
+
+
+def _covers(length: float, size: float, ahead: int, reach: tuple[float, float]) -> bool:
+    """Tell whether the long leg lies at the pencil from the line's start to its end."""
+    first, last = (_corner(drawn, size, ahead, reach) for drawn in (0.0, length))
+    leg = LONG_LEG * size
+    behind, before = (leg, 0.0) if ahead > 0 else (0.0, leg)
+    return first - behind <= 0.0 and last + before >= length
+
+
+def _sliding(corners: list[complex], way: complex, room: Rect) -> tuple[float, float] | None:
+    """Return how far ``corners`` can be shifted along ``way`` inside ``room``."""
+    low, high = -math.inf, math.inf
+    for corner in corners:
+        for ahead, least, most, at in (
+            (way.real, room.left, room.right, corner.real),
+            (way.imag, room.bottom, room.top, corner.imag),
+        ):
+            if abs(ahead) > 1e-9:
+                one, two = sorted(((least - at) / ahead, (most - at) / ahead))
+                low, high = max(low, one), min(high, two)
+            elif not least <= at <= most:
+                return None
+    return (low, high) if low <= high else None
+
+
+def compass(arc: Bow, row: int | None, obstacles: Obstacles) -> list[Mark]:
+    """Return a pair of compasses that turns about the centre of an arc, and the pencil in it.
+
+    Its hinge stays within the panel all the way: the legs open wider, where they must.  It comes
+    to rest on as few labels among the ``obstacles`` as can be.
+    """
+    tip = arc.curve()[-1]
+    span = abs(tip - arc.centre)
+    leg = max(0.17, 0.62 * span)
+    rise = math.sqrt(max(leg * leg - span * span / 4, 0.0))
+    up = 1j * (tip - arc.centre) / span if span > SHORTEST else 1j
+    if up.imag < 0:
+        up = -up
+    middle, inner = (arc.centre + tip) / 2, obstacles.edge.inside(HINGE)
+    hinges = [middle + part * rise * side for part in RISES for side in (up, -up)]
+    turns = [cmath.exp(-1j * math.radians(arc.sweep * part / 8)) for part in range(9)]
+    inside = [
+        spot
+        for spot in hinges
+        if all(inner.holds(arc.centre + (spot - arc.centre) * turn) for turn in turns)
+    ]
+
+    def crowd(spot: complex) -> int:
+        legs = (arc.centre, spot), (spot, tip)
+        return int((~obstacles.clear_of_labels(legs, HINGE)).sum())
+
+    hinge = min(inside, key=crowd, default=middle)
+    turning = Turning(arc.centre, ((0.0, -arc.sweep), (1.0, 0.0)))
+    return [
+        line([arc.centre, hinge, tip], "compass leg", growth=turning),
+        disc(hinge, HINGE, "compass hinge", growth=turning),
+        disc(tip, PENCIL, "pencil", row, turning),
+    ]
+
+
+def compass_arc(sketch: Sketch, index: int, visible: bool = True) -> Hung:
+    """Return a compass arc, of which the part is drawn that is ``visible`` in the room."""
+    setting = sketch.setting
+    stroke = setting.panel.strokes[index]
+    hangs = CompassArc(stroke.name, setting.room if visible else None)
+    return Hung(hangs, "compass arc", setting.row(stroke.link), Trimming())
+
+
+def add_compass_arc(sketch: Sketch, index: int) -> None:
+    """Add a compass arc, which goes when the mechanism is finished."""
+    sketch.hang(index, Level.CONSTRUCTION, [compass_arc(sketch, index)], until="end")
+
+
+def add_compass(sketch: Sketch, index: int, visible: bool = True) -> None:
+    """Add the compass that draws an arc, clear of the labels placed so far."""
+    setting, arc = sketch.setting, compass_arc(sketch, index, visible)
+    span, shape = (setting.during(index), setting.over(index)), arc.shape.posed(sketch.solved)
+    assert isinstance(shape, Bow)
+    marks = compass(shape, arc.row, sketch.obstacles.during(span))
+    sketch.add(setting.panel.strokes[index], Level.CONSTRUCTION, span[0], marks, span[1])
+
+
+def block_construction(sketch: Sketch, index: int) -> None:
+    """Add what is drawn in passing to what labels keep clear of, while it is there."""
+    setting = sketch.setting
+    span, stroke = (setting.during(index), setting.end), setting.panel.strokes[index]
+    if isinstance(stroke.shape, Arc) and stroke.kind == "construction":
+        arc = compass_arc(sketch, index).shape.posed(sketch.solved)
+        assert isinstance(arc, Bow)
+        sketch.obstacles.line(arc.line(), CONSTRUCTION / 2, span)
+    elif isinstance(stroke.shape, Line):
+        placed = line_of(sketch, index, {})
+        sketch.obstacles.line([placed.start, placed.end], CONSTRUCTION / 2, span)
+
+
+def visible_part(arc: Bow, room: Rect) -> Bow:
+    """Return the stretch of a compass arc that lies in the panel.
+
+    The stretch holds the middle of the arc, which the construction is after, or is all of it.
+    """
+    steps = 48
+    inside = [
+        room.holds(
+            arc.centre + cmath.rect(arc.radius, math.radians(arc.start + arc.sweep * i / steps)),
+            -0.01,
+        )
+        for i in range(steps + 1)
+    ]
+    middle = steps // 2
+    if not inside[middle]:
+        return arc
+    first = last = middle
+    while first > 0 and inside[first - 1]:
+        first -= 1
+    while last < steps and inside[last + 1]:
+        last += 1
+    start = arc.start + arc.sweep * first / steps
+    return Bow(arc.centre, arc.radius, start, arc.sweep * (last - first) / steps)

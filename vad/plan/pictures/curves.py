@@ -12,18 +12,19 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TypeGuard
 
+from vad.plan.anchors import Anchor, Area, Chains, Hung, Solved, Term
 from vad.plan.geometry import SHORTEST
-from vad.plan.growth import Trimming
+from vad.plan.growth import Fading, Trimming
 from vad.plan.items import FOREVER, Level, Span
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.marks import Bow, Disc, Mark, Polyline, area, lines
+from vad.plan.marks import Bow, Disc, Mark, Polyline
 from vad.plan.pictures import machine
 from vad.plan.roles import BAR, ROLES
 from vad.plan.scale import Scale
-from vad.plan.sketch import Sketch
-from vad.strokes.sheet import Curve, Ellipse, Stroke
+from vad.plan.sketch import Part, Piece, Sketch
+from vad.strokes.sheet import Arrow, Curve, Ellipse, Stroke
 
-BUSH = (0.034, 0.015)  # along a shaft and across, on either side of it
+BUSH = (0.034, 0.015)  # of a bearing: along a shaft and across, on either side of it
 GAP = BAR / 2 + 0.003  # from the shaft's axis
 _TICKS = 4
 
@@ -34,12 +35,15 @@ class PlacedCurve:
 
     Attributes
     ----------
+    stroke
+        The stroke that draws it.
     shape
         All that is drawn of it.
     far
         The stretches that lie behind, from share to share of it.  Lines are all or not at all.
     """
 
+    stroke: str
     shape: Polyline | Bow
     far: tuple[tuple[float, float], ...] = ()
 
@@ -49,16 +53,19 @@ class PlacedCurve:
         cuts = {min(max(share, 0.0), 1.0) for stretch in self.far for share in stretch}
         for start, end in pairwise(sorted({0.0, 1.0} | cuts)):
             behind = any(low <= start and end <= high for low, high in self.far)
-            part = self._part(start, end)
+            part = self.part(start, end)
             if part.length > SHORTEST:
-                growth = Trimming(((start, 0.0), (end, 1.0)))
-                mark = Mark(part, far if behind else near, row, growth)
+                growth, hangs = (
+                    Trimming(((start, 0.0), (end, 1.0))),
+                    Stretch(self.stroke, start, end),
+                )
+                mark = Mark(part, far if behind else near, row, growth, hangs=hangs)
                 marks.insert(0 if behind else len(marks), mark)
         return marks
 
     def whole(self, role: str, row: int | None) -> Mark:
         """Return all that is drawn of it, which does not grow."""
-        return Mark(self.shape, role, row)
+        return Mark(self.shape, role, row, hangs=Stretch(self.stroke, 0.0, 1.0))
 
     def block(self, obstacles: Obstacles, width: float, span: Span) -> None:
         """Add it to what labels keep clear of."""
@@ -71,7 +78,8 @@ class PlacedCurve:
         for piece in pieces:
             obstacles.line(piece, width / 2, span)
 
-    def _part(self, start: float, end: float) -> Polyline | Bow:
+    def part(self, start: float, end: float) -> Polyline | Bow:
+        """Return a stretch of it; of lines all."""
         if isinstance(self.shape, Polyline):
             return self.shape
         sweep = self.shape.sweep
@@ -80,17 +88,35 @@ class PlacedCurve:
         )
 
 
-def curve_of(scale: Scale, shape: Curve | Ellipse) -> PlacedCurve:
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """On what a stretch of a curve hangs: on the points or radii of the curve, which are solved.
+
+    It is drawn from ``start`` to ``end``, shares of the curve.
+    """
+
+    stroke: str
+    start: float
+    end: float
+
+    def posed(self, solved: Solved) -> Polyline | Bow:
+        """Return the stretch in a pose."""
+        return curve_of(solved.scale, solved.shape(self.stroke)).part(self.start, self.end)
+
+
+def curve_of(scale: Scale, shape: Curve | Ellipse | Arrow, stroke: str = "") -> PlacedCurve:
     """Return a curve in its place."""
+    if isinstance(shape, Arrow):
+        shape = Curve((shape.start, shape.end))
     if isinstance(shape, Ellipse):
         shares = (
             sorted((angle - shape.start) / shape.sweep for angle in stretch)
             for stretch in shape.far
         )
-        return PlacedCurve(bow_of(scale, shape), tuple((low, high) for low, high in shares))
+        return PlacedCurve(stroke, bow_of(scale, shape), tuple((low, high) for low, high in shares))
     points, ends = list(map(scale, shape.points)), (0, *shape.breaks, len(shape.points))
     pieces = tuple(tuple(points[first:last]) for first, last in pairwise(ends))
-    return PlacedCurve(Polyline(pieces), ((0.0, 1.0),) if shape.far else ())
+    return PlacedCurve(stroke, Polyline(pieces), ((0.0, 1.0),) if shape.far else ())
 
 
 def bow_of(scale: Scale, shape: Ellipse) -> Bow:
@@ -108,10 +134,12 @@ def bow_of(scale: Scale, shape: Ellipse) -> Bow:
     return Bow(centre, radius, start, sweep, axis, (abs(ahead) - abs(back)) / radius)
 
 
-def add_curve(sketch: Sketch, index: int, shape: Curve | Ellipse) -> None:
+def add_curve(sketch: Sketch, index: int) -> None:
     """Add a curve: a bent link, an axis, an outline, or the path of a point."""
-    setting, placed = sketch.setting, curve_of(sketch.scale, shape)
+    setting = sketch.setting
     stroke = setting.panel.strokes[index]
+    assert isinstance(stroke.shape, Arrow | Curve | Ellipse)
+    placed = curve_of(sketch.scale, stroke.shape, stroke.name)
     during, over, row = setting.during(index), setting.over(index), setting.row(stroke.link)
     near, far = roles_of(stroke)
     if stroke.component == "link":
@@ -124,9 +152,22 @@ def add_curve(sketch: Sketch, index: int, shape: Curve | Ellipse) -> None:
         sketch.add(stroke, Level.CONSTRUCTION, during, light, over)
     elif stroke.kind == "fixed" and is_ball(placed.shape):
         ball = Disc(placed.shape.centre, placed.shape.radius)
-        sketch.add(stroke, Level.GROUND, during, [Mark(ball, "ball")])
+        sketch.add(stroke, Level.GROUND, during, [Mark(ball, "ball", hangs=Ball(stroke.name))])
     sketch.add(stroke, level_of(stroke), during, placed.marks(near, far, row))
     placed.block(sketch.obstacles, ROLES[near].width, (during, FOREVER))
+
+
+@dataclass(frozen=True, slots=True)
+class Ball:
+    """On what the face of a ball hangs: a whole circle that a stroke draws round it."""
+
+    stroke: str
+
+    def posed(self, solved: Solved) -> Disc:
+        """Return the face in a pose."""
+        rim = curve_of(solved.scale, solved.shape(self.stroke)).shape
+        assert isinstance(rim, Bow)
+        return Disc(rim.centre, rim.radius)
 
 
 def is_ball(shape: Polyline | Bow) -> TypeGuard[Bow]:
@@ -152,33 +193,19 @@ def level_of(stroke: Stroke) -> Level:
     return Level.GROUND if stroke.kind in ("fixed", "guide") else Level.CONSTRUCTION
 
 
-def bearing_marks(at: complex, way: complex) -> list[Mark]:
+def bearing(stroke: str) -> Piece:
     """Return a bearing: a hatched bush on either side of a shaft."""
-    marks = []
-    for middle in _bushes(at, way):
-        corners = machine.bar_corners(*_ends(middle, way), BUSH[1])
-        marks.append(area(corners, "bearing"))
-        marks.append(lines(_hatching(corners), "hatching"))
-    return marks
-
-
-def block_bearing(obstacles: Obstacles, at: complex, way: complex, span: Span) -> None:
-    """Add a bearing to what labels keep clear of."""
-    for middle in _bushes(at, way):
-        obstacles.line(_ends(middle, way), BUSH[1] / 2 + PIXEL, span)
-
-
-def _bushes(at: complex, way: complex) -> list[complex]:
-    return [at + side * (GAP + BUSH[1] / 2) * 1j * way for side in (1, -1)]
-
-
-def _ends(middle: complex, way: complex) -> tuple[complex, complex]:
-    return middle - BUSH[0] / 2 * way, middle + BUSH[0] / 2 * way
-
-
-def _hatching(corners: Sequence[complex]) -> list[tuple[complex, complex]]:
-    """Return slanted strokes from one long side of a bush to the other."""
-    first, along, across = corners[0], corners[1] - corners[0], corners[3] - corners[0]
-    shares = [number / _TICKS for number in range(_TICKS)]
-    lean = 1.0 / _TICKS
-    return [(first + share * along, first + (share + lean) * along + across) for share in shares]
+    at, way = Anchor.of(stroke, "at"), Term(stroke)
+    marks, blocks = [], []
+    for side in (1, -1):
+        middle = at + side * (GAP + BUSH[1] / 2) * 1j * way
+        ends = middle - BUSH[0] / 2 * way, middle + BUSH[0] / 2 * way
+        corners = machine.bar_corners(*ends, -way, BUSH[1])
+        marks.append(Hung(Area(tuple(corners)), "bearing", growth=Fading()))
+        # Slanted strokes lead from one long side of a bush to the other.
+        lean, across = BUSH[0] / _TICKS * way, BUSH[1] * 1j * way
+        feet = [corners[0] + number * lean for number in range(_TICKS)]
+        ticks = tuple((foot, foot + lean + across) for foot in feet)
+        marks.append(Hung(Chains(ticks), "hatching", growth=Fading()))
+        blocks.append((ends, BUSH[1] / 2 + PIXEL))
+    return Piece((Part(Level.GROUND, tuple(marks)),), tuple(blocks))

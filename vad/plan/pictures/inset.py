@@ -1,7 +1,7 @@
 """The inset of a polygon: the Coriolis rule, v turned 90° with ω, or the speeds over a turn.
 
 In come the inset and the strokes already placed, out go its marks in the emptiest corner of the
-panel.
+panel.  There the speeds over a turn stand still, and only their ray moves.
 """
 
 from __future__ import annotations
@@ -16,12 +16,11 @@ from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import APART, Placed, beside
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import ink_size
-from vad.plan.lettering.runs import Runs, symbols
+from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.lettering.wrapping import wrap
-from vad.plan.marks import Mark, area, disc, line
-from vad.plan.pictures import polar
-from vad.plan.pictures.rotation import sense_arrow
-from vad.plan.pictures.straight import vector
+from vad.plan.marks import Bow, Mark, area, disc, line
+from vad.plan.pictures.angles import sense_arrow
+from vad.plan.pictures.vectors import vector
 from vad.plan.sketch import Setting, Sketch, Tag
 from vad.strokes.sheet import CoriolisInset, PolarInset
 from vad.strokes.sheet import Inset as Drawn
@@ -38,6 +37,10 @@ STEP = 0.02
 LEVER = 0.075
 BLOCK = (0.046, 0.030)
 PAD = 0.010  # about the picture: room to breathe, and for the width of its lines
+SIZES = (1.0, 0.8, 0.64)
+RADIUS = 0.090  # of the farthest point of the speeds over a turn
+AXES = 1.12  # of that
+DOT = 0.0042
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,16 +62,24 @@ class Corner:
     caption: complex
 
 
+@dataclass(frozen=True, slots=True)
+class InsetPlace:
+    """The size of an inset and its corner, for all poses of a turn."""
+
+    size: float
+    corner: Corner
+
+
 def draw_inset(inset: Drawn, setting: Setting, size: float, room: float) -> Inset:
     """Return the inset, not yet in its place.
 
     ``size`` is 1, or less where space is short; its caption breaks where it is wider than ``room``.
     """
     if isinstance(inset, PolarInset):
-        marks, names, reach = polar.picture(inset, setting, size)
-        lines = polar.caption(inset)
+        marks, names, reach = _speeds(inset, setting, size)
+        lines = [roman(inset.title), roman(inset.range)]
     else:
-        marks, names, reach = _picture(inset, setting, size)
+        marks, names, reach = _rule(inset, setting, size)
         rule = Language(setting.sheet.language).pieces("coriolis rule")
         lines = wrap(rule, CAPTION_SIZE, room)
     xs, ys = [point.real for point in reach], [point.imag for point in reach]
@@ -131,7 +142,7 @@ def add_inset(sketch: Sketch, inset: Inset, spot: Corner) -> None:
     sketch.obstacles.box(caption)
 
 
-def _picture(
+def _rule(
     inset: CoriolisInset, setting: Setting, size: float
 ) -> tuple[list[Mark], list[Tag], list[complex]]:
     """Return the marks about the origin, their names, and how far they reach."""
@@ -172,6 +183,32 @@ def _picture(
         tags.append(Tag(text, placed))
         reach += [complex(placed.left, placed.bottom), complex(placed.right, placed.top)]
     return marks, tags, reach
+
+
+def _speeds(
+    inset: PolarInset, setting: Setting, size: float
+) -> tuple[list[Mark], list[Tag], list[complex]]:
+    """Return the marks about the origin, no names, and how far they reach.
+
+    The speeds are laid off along the driver: a circle and the curve that crosses it.
+    """
+    farthest = max(inset.circle, *map(abs, inset.curve))
+    factor = RADIUS * size / farthest
+    driver, driven = setting.row(inset.driver), setting.row(inset.driven)
+    circle = Bow(0j, inset.circle * factor, 0.0, 360.0)
+    curve = [point * factor for point in (*inset.curve, inset.curve[0])]
+    end = AXES * RADIUS * size
+    axes = [(complex(-end), complex(end)), (-1j * end, 1j * end)]
+    marks = [
+        *(line(ends, "hairline") for ends in axes),
+        Mark(circle, "path", driver),
+        line(curve, "path", driven),
+        *vector(0j, inset.ray * factor, driven, "inset arrow", whole=True),
+        *(disc(dot * factor, DOT * size, "position", None) for dot in inset.dots),
+    ]
+    whole = cmath.rect(inset.circle * factor, cmath.phase(inset.ray))
+    marks.append(replace(disc(whole, DOT, "position", driver), width=size))
+    return marks, [], [point for ends in axes for point in ends]
 
 
 def reserved(drawing: Rect) -> list[Rect]:

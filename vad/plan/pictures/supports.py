@@ -1,66 +1,74 @@
-"""What holds the mechanism: axes of reference and fixed pivots.
+"""What holds a mechanism and stands still: axes of reference, guides of the frame, fixed pivots.
 
-In come the position panel's strokes and the vertices placed, out go marks and obstacles.
+In come poses of a mechanism, one for a still and many for a turn; where its supports stand is
+chosen once for all of them.
 """
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise, permutations
 
-from vad.plan.carriers import is_yoke
+from vad.plan.anchors import RIGHT, Anchor, Chains, Hung, Solved, Term
+from vad.plan.carriers import ends_of_travel
+from vad.plan.growth import Trimming
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.vertices import Vertex
-from vad.plan.marks import Mark, line
 from vad.plan.pictures import machine
-from vad.plan.pictures.yoke import yoke_of
-from vad.plan.roles import AXIS
-from vad.plan.sketch import Sketch
-from vad.strokes.sheet import Arc, Arrow, Block, Dot, Panel
+from vad.plan.roles import AXIS, BLOCK_RIM
+from vad.plan.scale import Scale
+from vad.plan.sketch import Part, Piece, Setting, Sketch
+from vad.strokes.sheet import Arc, Block, Dot, Guide, Panel, Stroke
 
 REFERENCE = 0.164
 REFERENCE_IN_CRANKS = 2.0
 PAST_JOINT = 0.016  # from a pivot's apex; what is nearer lies under the joint
 CROWDED = 0.75  # of a pivot's size, where no side is clear
 WAYS = (-1j, -1 + 0j, 1 + 0j, 1j)
+PAST = 0.014  # by which guides are longer than their block's way
+EDGE = 0.010  # from the lower and the upper edge of the room, a guide ends
+YOKE_GAP = 0.012  # between the slot of a yoke, farthest ahead, and its guide
+YOKE_HELD = 0.035  # of its shaft, farthest back
+YOKE_GUIDE = 0.085
 
 
-def fixed_points(panel: Panel) -> list[tuple[int, complex]]:
-    """Return the fixed pivots of a panel with the strokes that draw them."""
-    return [
-        (index, stroke.shape.at)
-        for index, stroke in enumerate(panel.strokes)
-        if stroke.kind == "fixed" and isinstance(stroke.shape, Dot)
-    ]
-
-
-def add_axes(sketch: Sketch, vertices: list[Vertex]) -> None:
-    """Add the dash-dotted ground link, and the line from which the angle is measured."""
-    panel, scale, obstacles = sketch.setting.panel, sketch.scale, sketch.obstacles
-    lines: list[tuple[int, complex, complex]] = []
-    for (_, one), (index, other) in pairwise(fixed_points(panel)):
-        lines.append((index, scale(one), scale(other)))
+def axes(panel: Panel, solved: Solved, obstacles: Obstacles) -> Iterator[tuple[int, Piece]]:
+    """Yield the dash-dotted ground link, and the line from which the angle is measured."""
+    lines: list[tuple[int, Anchor, Anchor]] = []
+    for (before, _), (index, _) in pairwise(machine.fixed_points(panel)):
+        one, other = (Anchor.of(panel.strokes[number].name, "at") for number in (before, index))
+        lines.append((index, one, other))
     for index, stroke in enumerate(panel.strokes):
         if stroke.kind == "angle" and isinstance(stroke.shape, Arc):
-            at = scale(stroke.shape.centre)
-            way = cmath.exp(1j * math.radians(stroke.shape.start))
+            centre = Anchor.of(stroke.name, "centre")
+            at, way = solved.place(centre), cmath.exp(1j * math.radians(stroke.shape.start))
+            known = (solved.places(ends) for _, *ends in lines)
             along = any(
                 abs(((far - near) * way.conjugate()).imag) < PIXEL
                 and ((far - near) * way.conjugate()).real > 0.1
-                for _, near, far in lines
+                for near, far in known
                 if abs(near - at) < PIXEL
             )
             if not along:
-                length = min(REFERENCE, REFERENCE_IN_CRANKS * stroke.shape.radius * scale.factor)
-                seen = obstacles.edge.clipped(at, at + length * way)
-                lines += [(index, *seen)] if seen else []
+                longest = REFERENCE_IN_CRANKS * stroke.shape.radius * solved.scale.factor
+                seen = obstacles.edge.clipped(at, at + min(REFERENCE, longest) * way)
+                if seen:
+                    start, end = (centre + (spot - at) * RIGHT for spot in seen)
+                    lines.append((index, start, end))
     for index, start, end in lines:
-        since = sketch.setting.after(index)
-        sketch.add(panel.strokes[index], Level.GROUND, since, [machine.axis(start, end)])
-        obstacles.line([start, end], AXIS / 2)
+        part = Part(Level.GROUND, (machine.axis(start, end),), since="after")
+        yield index, Piece((part,), (((start, end), AXIS / 2),))
+
+
+def add_axes(sketch: Sketch, vertices: Sequence[Vertex]) -> None:
+    """Add the axes, which lead away from the vertices at their ends."""
+    for index, piece in axes(sketch.setting.panel, sketch.solved, sketch.obstacles):
+        sketch.put(index, piece)
+        start, end = sketch.solved.places(piece.blocks[0][0])
         for vertex in vertices:
             if abs(vertex.at - start) < PIXEL and abs(end - start) > PIXEL:
                 vertex.ways.append((end - start) / abs(end - start))
@@ -68,45 +76,69 @@ def add_axes(sketch: Sketch, vertices: list[Vertex]) -> None:
                 vertex.ways.append((start - end) / abs(end - start))
 
 
-def add_pivots(sketch: Sketch, vertices: list[Vertex], parts: float) -> None:
-    """Add the fixed pivots, each pointing where it is clear of the links: down if it can be.
+@dataclass(frozen=True, slots=True)
+class Foot:
+    """Where a fixed pivot points, how large it is, and where its ticks lean: ±1."""
 
-    ``parts`` is the size of all parts of the picture.
+    way: complex
+    size: float
+    lean: float = 1.0
+
+
+def foot_of(at: complex, bars: Sequence[complex], obstacles: Obstacles, parts: float) -> Foot:
+    """Return how a fixed pivot stands in one pose: clear of its links, and down, if it can.
+
+    ``at`` is its apex, from which ``bars`` lead away; ``parts`` is the size of all parts.
     """
-    panel, scale = sketch.setting.panel, sketch.scale
-    for index, point in fixed_points(panel):
-        at = scale(point)
-        bars = [
-            end - at
-            for ends in _bars(sketch, parts)
-            for start, end in permutations(ends)
-            if min(abs(end - at), abs(end - start)) > PIXEL and _leads_from(at, start, end)
-        ]
-        way, size = _orientation(at, bars, sketch.obstacles, parts)
-        lean = 1.0
-        if size < parts and bars:
-            # Where no side is clear, at least the ticks lean away from the link.
-            nearest = max(bars, key=lambda bar: (bar / abs(bar) * way.conjugate()).real)
-            lean = 1.0 if (nearest * way.conjugate()).imag > 0 else -1.0
-        here = [vertex for vertex in vertices if abs(vertex.at - at) < PIXEL]
-        foot = machine.pivot(at, way, size, lean)
-        if any(abs(axis - way) < 0.02 for vertex in here for axis in vertex.ways):
-            foot.insert(0, _gap(at, way, size))
-        sketch.add(panel.strokes[index], Level.GROUND, sketch.setting.after(index), foot)
-        block_pivot(sketch.obstacles, at, way, size)
-        for vertex in here:
-            vertex.ways.append(way)
+
+    def clear(foot: Foot) -> bool:
+        offset, wide, high = _footprint(foot, parts)
+        apart = _nearness(foot.way, bars) < 0.62
+        return apart and bool(obstacles.free([at + offset], wide, high, PIXEL)[0])
+
+    feet = [Foot(way, size) for size in (parts, CROWDED * parts) for way in WAYS]
+    least = min(WAYS, key=lambda way: _nearness(way, bars))
+    foot = next(filter(clear, feet), Foot(least, CROWDED * parts))
+    if foot.size == parts or not bars:
+        return foot
+    # Where there is little room, at least the ticks lean away from the link.
+    nearest = max(bars, key=lambda bar: (bar / abs(bar) * foot.way.conjugate()).real)
+    return replace(foot, lean=1.0 if (nearest * foot.way.conjugate()).imag > 0 else -1.0)
 
 
-def _bars(sketch: Sketch, parts: float) -> Iterator[tuple[complex, complex]]:
-    """Yield the ends of all bars, and of a yoke's shaft."""
-    panel, scale = sketch.setting.panel, sketch.scale
-    for stroke in panel.strokes:
-        match stroke.shape:
-            case Arrow(start, end):
-                yield scale(start), scale(end)
-            case Block() if is_yoke(panel, stroke.link):
-                yield yoke_of(stroke.shape, scale, parts).shaft
+def calm_way(at: complex, poses: Sequence[Obstacles], parts: float) -> complex:
+    """Return where a fixed pivot meets strokes in the fewest of many poses: down, if it can."""
+    deep, wide = machine.PIVOT_HEIGHT * parts, 2 * machine.PIVOT_GROUND * parts
+
+    def met(way: complex) -> int:
+        size, spot = (wide, deep) if way.imag else (deep, wide), at + way * 0.7 * deep
+        return sum(not pose.free([spot], *size, 0.0)[0] for pose in poses)
+
+    return min(WAYS, key=met)
+
+
+def _nearness(way: complex, bars: Sequence[complex]) -> float:
+    """Return how near to a direction the nearest bar leads: 1 for along it."""
+    return max(((bar / abs(bar) * way.conjugate()).real for bar in bars), default=0.0)
+
+
+def _footprint(foot: Foot, parts: float) -> tuple[complex, float, float]:
+    """Return where, from its apex, the box of a pivot's lower part lies, and its size."""
+    past = PAST_JOINT * parts
+    deep = (machine.PIVOT_HEIGHT + machine.TICK_DEPTH) * foot.size - past
+    wide = 2 * (machine.PIVOT_GROUND + 0.004) * foot.size
+    centre = foot.way * (past + deep / 2)
+    return (centre, wide, deep) if foot.way.imag else (centre, deep, wide)
+
+
+def bars_from(at: complex, bars: Iterable[tuple[complex, complex]]) -> list[complex]:
+    """Return the bars that begin at a point or pass over it, as vectors from there."""
+    return [
+        end - at
+        for ends in bars
+        for start, end in permutations(ends)
+        if min(abs(end - at), abs(end - start)) > PIXEL and _leads_from(at, start, end)
+    ]
 
 
 def _leads_from(at: complex, start: complex, end: complex) -> bool:
@@ -116,48 +148,201 @@ def _leads_from(at: complex, start: complex, end: complex) -> bool:
     return abs(across) < PIXEL and -PIXEL < along < abs(end - start)
 
 
-def _gap(at: complex, way: complex, size: float) -> Mark:
-    """Return a gap in the axis that runs under a pivot, from its base past its ticks."""
+def pivot(stroke: str, foot: Foot, gap: bool = False) -> Piece:
+    """Return a fixed pivot; ``gap`` is for an axis that runs under it, past its ticks."""
+    at, way, size = Anchor.of(stroke, "at"), foot.way * RIGHT, foot.size
     base = at + machine.PIVOT_HEIGHT * size * way
-    return line([base, base + (machine.TICK_DEPTH * size + 0.006) * way], "gap")
-
-
-def _footprint(way: complex, size: float, parts: float) -> tuple[complex, float, float]:
-    """Return where, from its apex, the box of a pivot's lower part lies, and its size."""
-    past = PAST_JOINT * parts
-    deep = (machine.PIVOT_HEIGHT + machine.TICK_DEPTH) * size - past
-    wide = 2 * (machine.PIVOT_GROUND + 0.004) * size
-    centre = way * (past + deep / 2)
-    return (centre, wide, deep) if way.imag else (centre, deep, wide)
-
-
-def _orientation(
-    at: complex, bars: list[complex], obstacles: Obstacles, parts: float
-) -> tuple[complex, float]:
-    """Return where a pivot's foot points, and its size: smaller where no side is clear."""
-
-    def clear(way: complex, size: float) -> bool:
-        offset, wide, high = _footprint(way, size, parts)
-        apart = all((bar / abs(bar) * way.conjugate()).real < 0.62 for bar in bars if bar)
-        return apart and bool(obstacles.free([at + offset], wide, high, PIXEL)[0])
-
-    small = CROWDED * parts
-    tries = [*((way, parts) for way in WAYS), *((way, small) for way in WAYS)]
-    for way, size in tries:
-        if clear(way, size):
-            return way, size
-    apart = [
-        max(((bar / abs(bar) * way.conjugate()).real for bar in bars if bar), default=0.0)
-        for way in WAYS
-    ]
-    return WAYS[apart.index(min(apart))], small
-
-
-def block_pivot(obstacles: Obstacles, at: complex, way: complex, size: float) -> None:
-    """Add a pivot to what labels keep clear of."""
-    base = at + machine.PIVOT_HEIGHT * size * way
+    marks = machine.pivot(at, way, size, foot.lean)
+    if gap:
+        under = base + (machine.TICK_DEPTH * size + 0.006) * way
+        marks.insert(0, Hung(Chains(((base, under),)), "gap"))
     half = machine.PIVOT_HALF_BASE * size * 1j * way
     ground = (machine.PIVOT_GROUND + 0.008) * size * 1j * way
-    obstacles.line([at, base + half, base - half, at], 1.5 * PIXEL)
     thick = machine.TICK_DEPTH * size / 2
-    obstacles.line([base - ground + way * thick, base + ground + way * thick], thick)
+    return Piece(
+        (Part(Level.GROUND, tuple(marks), since="after"),),
+        (
+            ((at, base + half, base - half, at), 1.5 * PIXEL),
+            ((base - ground + thick * way, base + ground + thick * way), thick),
+        ),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Rail:
+    """How a guide of the frame stands.
+
+    Attributes
+    ----------
+    across
+        To which side of its direction it is hatched: ±1j.
+    low, high
+        Between which places along it its blocks get, from its point, in the panel's unit.
+    """
+
+    across: complex
+    low: float
+    high: float
+
+
+def rail_of(guides: Sequence[Guide], places: Sequence[float], before: Rail | None = None) -> Rail:
+    """Return how a guide stands that has blocks at some ``places`` along it in all poses.
+
+    It keeps the side that it had ``before``, and gets no shorter.
+    """
+    if before:
+        ends = [*places, before.low, before.high]
+        return Rail(before.across, min(ends), max(ends))
+    sides = [guide.side for guide in guides]
+    side = max(sides, key=sides.count) or 0j
+    return Rail(side / guides[0].direction, min(places, default=0.0), max(places, default=0.0))
+
+
+def blocks_along(panel: Panel, guide: Guide, scale: Scale) -> list[float]:
+    """Return how far along a guide its blocks are, from its point, in the panel's unit."""
+    found = []
+    for stroke in panel.strokes:
+        if isinstance(stroke.shape, Block):
+            block, way = stroke.shape, guide.direction
+            away = (block.at - guide.through) * way.conjugate()
+            level = abs((block.direction * way.conjugate()).imag) < 0.01
+            if level and abs(away.imag) * scale.factor < PIXEL:
+                found.append(away.real)
+    return found
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedRail:
+    """A guide's ground line under its block, and the axis from its origin where that is a point.
+
+    ``foot`` is on the ground line, ``first`` and ``last`` are its ends from there, ``axis`` are
+    those of the axis from the guide's own point; all in page units along the guide.
+    """
+
+    stroke: str
+    across: complex
+    foot: Anchor
+    first: float
+    last: float
+    axis: tuple[float, float] | None
+    size: float
+
+    @property
+    def piece(self) -> Piece:
+        """Its marks, and what labels keep clear of."""
+        way, size, grows = Term(self.stroke), self.size, Trimming()
+        start, end = self.foot + self.first * way, self.foot + self.last * way
+        length, left = self.last - self.first, self.across.imag > 0
+        marks = machine.rail(start, way, length, left, grows, size)
+        thick = machine.TICK_DEPTH * size / 2
+        away = thick * self.across * way
+        blocks = [((start + away - 0.006 * way, end + away + 0.006 * way), thick + PIXEL)]
+        if self.axis:
+            through = Anchor.of(self.stroke, "through")
+            ends = through + self.axis[0] * way, through + self.axis[1] * way
+            marks.append(machine.axis(*ends, grows))
+            blocks.append((ends, AXIS / 2))
+        return Piece((Part(Level.GROUND, tuple(marks)),), tuple(blocks))
+
+
+def placed_rail(
+    setting: Setting, solved: Solved, stroke: Stroke, rail: Rail, size: float
+) -> PlacedRail:
+    """Return a guide in its place.
+
+    It is as long as its blocks' way; where they have none, of a usual length, and stays in the
+    panel by shifting along itself.
+    """
+    shape: Guide = solved.shape(stroke.name)
+    through, factor = Anchor.of(stroke.name, "through"), solved.scale.factor
+    low, high = factor * rail.low, factor * rail.high
+    side = machine.BLOCK[1] / 2 * size * rail.across
+    stands = low == high
+    foot = through + (side + (low if stands else 0.0)) * Term(stroke.name)
+    least, most = setting.room.stretch(solved.place(foot), shape.direction, EDGE)
+    if stands:
+        half = machine.GUIDE_LENGTH / 2 * size
+        first, last = -half, half
+        if last > most:
+            first, last = max(least, first - (last - most)), most
+        if first < least:
+            first, last = least, min(most, last + (least - first))
+        ends = (0.0, low) if abs(low) > PIXEL else None
+    else:
+        past = machine.BLOCK[0] / 2 * size + PAST
+        first, last = max(low - past, least), min(high + past, most)
+        ends = min(0.0, first), max(0.0, last)
+    at = solved.place(through)
+    named = any(abs(pole - at) < PIXEL for pole in _poles(setting.panel, solved.scale))
+    return PlacedRail(stroke.name, rail.across, foot, first, last, ends if named else None, size)
+
+
+def _poles(panel: Panel, scale: Scale) -> list[complex]:
+    """Return where the fixed points are that no pin holds."""
+    dots = (each.shape for each in panel.strokes if each.kind == "pole")
+    return [scale(dot.at) for dot in dots if isinstance(dot, Dot)]
+
+
+def name_guide(sketch: Sketch, index: int, rail: PlacedRail) -> Vertex:
+    """Return the guide's own point with its letter, marked at the end next to the origin."""
+    label, solved = sketch.setting.panel.strokes[index].label, sketch.solved
+    way, through = Term(rail.stroke), solved.place(Anchor.of(rail.stroke, "through"))
+    ends = ((rail.first, 0.012), (rail.last, -0.012))
+    end, inward = min(ends, key=lambda end: abs(solved.place(rail.foot + end[0] * way) - through))
+    at = rail.foot + (end + inward) * way
+    return Vertex({solved.place(at): at}, {label: index}, [rail.across * solved.way(rail.stroke)])
+
+
+@dataclass(frozen=True, slots=True)
+class Yoke:
+    """The parts of a yoke that are no slot: a shaft, and a bush that stands still.
+
+    ``way`` is the direction from the slot to the bush, as the shaft has it, and ``frame`` as the
+    guide has it; ``size`` is that of all parts.
+    """
+
+    start: Anchor
+    end: Anchor
+    way: Term
+    bush: Anchor
+    frame: Term
+    size: float
+
+    def outline(self) -> list[Anchor]:
+        """Return the corners of the shaft."""
+        return machine.bar_corners(self.start, self.end, -self.way, machine.SHAFT * self.size)
+
+    @property
+    def guide(self) -> Piece:
+        """The guide: two ground lines, hatched away from the shaft, and what labels avoid."""
+        marks: list[Hung] = []
+        blocks = []
+        long, thick = YOKE_GUIDE * self.size, machine.TICK_DEPTH * self.size / 2
+        for side in (1j, -1j):
+            start = self.bush + (machine.SHAFT / 2 * self.size + BLOCK_RIM) * side * self.frame
+            marks += machine.rail(start, self.frame, long, side.imag > 0, Trimming(), self.size)
+            edge = start + thick * side * self.frame
+            ends = edge - 0.006 * self.frame, edge + (long + 0.006) * self.frame
+            blocks.append((ends, thick + PIXEL))
+        return Piece((Part(Level.GROUND, tuple(marks)),), tuple(blocks))
+
+
+def yoke_of(panel: Panel, link: str | None, guide: Stroke, size: float) -> Yoke:
+    """Return the yoke of a link that slides on a guide, whose bush is ahead of all its places."""
+    block = next(s for s in panel.strokes if isinstance(s.shape, Block) and s.link == link)
+    assert isinstance(block.shape, Block) and isinstance(guide.shape, Guide)
+    way, at = Term(block.name), Anchor.of(block.name, "at")
+    back, ahead = ends_of_travel(block.shape)
+    half = machine.slot_width(size) / 2
+    far = abs(ahead - back)
+    frame = (block.shape.direction / guide.shape.direction) * Term(guide.name)
+    along = ((ahead - guide.shape.through) * guide.shape.direction.conjugate()).real
+    bush = Anchor.of(guide.name, "through") + Term(guide.name).in_panel(along)
+    return Yoke(
+        start=at + half * way,
+        end=at + way.in_panel(far) + (half + YOKE_GAP + YOKE_HELD) * way,
+        way=way,
+        bush=bush + (half + YOKE_GAP) * frame,
+        frame=frame,
+        size=size,
+    )

@@ -1,133 +1,403 @@
-"""Vectors laid tip to tail: the picture of a velocity or acceleration panel.
+"""Vectors on the page: a shaft and a head, beside others on the same line, and what of them shows.
 
-In come a panel's strokes and its place, out goes a `Sketch`.
+In come a panel's strokes and its scale, out go vectors that know their weight, their lane and what
+labels must keep clear of.  Vectors on one line stand side by side, in lanes as on a road, so that
+no pen covers another; their vertices stay where they are.
 """
 
 from __future__ import annotations
 
 import math
-from itertools import product
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from itertools import accumulate, combinations, pairwise
+from typing import Literal
 
-from vad.plan.geometry import Rect
-from vad.plan.growth import Growth, Scaling
-from vad.plan.items import ALWAYS, FOREVER, Level
-from vad.plan.labels.tags import SMALL_SIZE, add_tag
-from vad.plan.labels.vertices import corners, find_vertices, label_vertices
-from vad.plan.marks import Mark, disc
-from vad.plan.pictures.arrows import add_vector, place_vectors
-from vad.plan.pictures.constructions import add_construction, line_of, name_construction
-from vad.plan.pictures.inset import Inset, add_inset, draw_inset, find_corner, reserved
-from vad.plan.pictures.plates import add_triangles
-from vad.plan.roles import DOT_RIM
-from vad.plan.scale import fill
-from vad.plan.sharing import add_lower_bar
-from vad.plan.sketch import Setting, Sketch
-from vad.strokes.sheet import Arrow, Dot, Line, Stroke
+from vad.plan.anchors import Anchor, Solved
+from vad.plan.geometry import SHORTEST, Rect, direction_of
+from vad.plan.growth import Sliding, Trimming
+from vad.plan.items import FOREVER, Level
+from vad.plan.labels.obstacles import PIXEL, Obstacles
+from vad.plan.labels.vertices import COINCIDENT
+from vad.plan.marks import Mark, Outline, Polyline, area, line
+from vad.plan.roles import ROLES
+from vad.plan.sketch import Sketch
+from vad.strokes.sheet import Arrow, Panel, Stroke
 
-CORIOLIS = "2ωv"
-DOT = 0.0068
-NEAR = (0.014, 0.020, 0.027, 0.034)
-INSET_SIZES = (1.0, 0.8, 0.64)
-CAPTION_ROOMS = (math.inf, 0.18)  # in one line or, rather than at a smaller size, in two
-SMALLEST = 0.05  # of a dot, as it begins to swell
-
-
-def draw(setting: Setting) -> Sketch:
-    """Return the sketch of a panel of vectors."""
-    sketch = _sketch(setting, setting.room)
-    inset = setting.panel.inset
-    if inset:
-        sizes = product(INSET_SIZES, CAPTION_ROOMS)
-        insets = [draw_inset(inset, setting, size, room) for size, room in sizes]
-        sketch = _with_inset(setting, insets, sketch)
-    points = [vertex.at for vertex in find_vertices(setting.panel, sketch.scale)]
-    placed = place_vectors(sketch)
-    for index, stroke in enumerate(setting.panel.strokes):
-        if isinstance(stroke.shape, Line):
-            name_construction(sketch, index, line_of(sketch, index, placed), points)
-    return sketch
+HEAD = 0.026
+HEAD_WHOLE = 0.75
+HEAD_HALF_WIDTH = 0.40
+HEAD_NOTCH = 0.24
+HEAD_SHARE = 0.6
+NECK = 0.66  # of the head's length, from the tip to where the shaft ends
+TIP_GAP = 0.006
+LANE = 1.6  # a lane's width, in pens: the heaviest of a style fits, too, and a gap
+EDGE = 0.010  # from the edge of its room, a vector that leaves it ends
 
 
-def _sketch(setting: Setting, room: Rect) -> Sketch:
-    """Return a panel without what comes and goes, at the scale at which it fills ``room``."""
-    panel = setting.panel
-    scale = setting.scale or fill(
-        corners(panel), room, position=False, centimetre=setting.centimetre
-    )
-    sketch = Sketch(setting, scale, setting.clear())
-    vertices = find_vertices(panel, scale)
-    placed = place_vectors(sketch)
-    add_triangles(sketch)
-    for index, stroke in enumerate(panel.strokes):
-        if isinstance(stroke.shape, Arrow):
-            add_vector(sketch, index, placed[index])
-        elif isinstance(stroke.shape, Line):
-            add_construction(sketch, index, line_of(sketch, index, placed))
-        elif isinstance(stroke.shape, Dot):
-            spot = scale(stroke.shape.at)
-            sketch.add(
-                stroke,
-                Level.DOT,
-                setting.during(index),
-                [dot(spot, swelling(spot))],
-                setting.after(index),
-            )
-    for vertex in vertices:
-        index = vertex.since
-        sketch.add(panel.strokes[index], Level.DOT, setting.after(index), [dot(vertex.at)])
-        sketch.obstacles.disc(vertex.at, DOT + DOT_RIM, (setting.after(index), FOREVER))
-    add_lower_bar(sketch)
-    label_vertices(sketch, vertices, 0.0, NEAR)
-    _name_vectors(sketch)
-    return sketch
+@dataclass(frozen=True, slots=True)
+class Lane:
+    """Where a vector runs beside its true line.
 
-
-def _with_inset(setting: Setting, insets: list[Inset], full: Sketch) -> Sketch:
-    """Return the largest drawing that leaves a corner free for an inset, with the inset in it.
-
-    A smaller inset beside the full drawing comes before a smaller drawing.
+    Attributes
+    ----------
+    aside
+        How far it is moved.
+    left, right
+        How far it may reach to either side, seen along the vector.
     """
-    points = corners(setting.panel)
-    rooms = reserved(setting.room)
-    rooms.sort(
-        key=lambda room: -fill(points, room, position=False, centimetre=setting.centimetre).factor
+
+    aside: complex = 0j
+    left: float = math.inf
+    right: float = math.inf
+
+
+ALONE = Lane()
+
+
+@dataclass(frozen=True, slots=True)
+class Vector:
+    """On what a vector hangs: two vertices, beside whose line it may run.
+
+    Attributes
+    ----------
+    start, end
+        Where what is to be seen of it starts, and the vertex at which it ends.
+    whole
+        True beside its own parts or for an image vector: drawn lighter.
+    lane
+        Where it runs beside vectors on the same line.
+    part
+        Which of its two marks hangs so.
+    """
+
+    start: Anchor
+    end: Anchor
+    whole: bool = False
+    lane: Lane = ALONE
+    part: Literal["shaft", "head"] = "shaft"
+
+    def posed(self, solved: Solved) -> Outline | None:
+        """Return its part in a pose; the head's length is at most a share of the vector's."""
+        return self.between(solved.place(self.start), solved.place(self.end))
+
+    def between(self, start: complex, end: complex) -> Outline | None:
+        """Return its part between two places."""
+        marks = vector(start, end, None, "vector", self.whole, self.lane)
+        return marks[self.part == "head"].shape if marks else None
+
+    def marks(self, solved: Solved, row: int | None, role: str) -> list[Mark]:
+        """Return shaft and head in a pose; they grow from the start, head first."""
+        ends = solved.place(self.start), solved.place(self.end)
+        marks = vector(*ends, row, role, self.whole, self.lane)
+        parts: tuple[Literal["shaft", "head"], ...] = ("shaft", "head")
+        return [
+            replace(mark, hangs=replace(self, part=part))
+            for mark, part in zip(marks, parts, strict=False)
+        ]
+
+
+@dataclass(frozen=True, slots=True)
+class Cut:
+    """On what a vector hangs that leaves its room: on two vertices, as far as it lies in there.
+
+    Its head shows where its end lies in the room, of whose edge it keeps clear.
+    """
+
+    vector: Vector
+    room: Rect
+
+    def posed(self, solved: Solved) -> Outline | None:
+        """Return its part in a pose."""
+        vector = self.vector
+        end = solved.place(vector.end)
+        ends = self.room.inside(EDGE).clipped(solved.place(vector.start), end)
+        if ends is None:
+            return None
+        if self.room.holds(end):
+            return vector.between(*ends)
+        if vector.part == "head":
+            return None
+        return Polyline((tuple(end + vector.lane.aside for end in ends),))
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedVector:
+    """A vector on the page.
+
+    Attributes
+    ----------
+    stroke
+        The stroke that draws it.
+    start, end
+        Its vertices.
+    seen
+        Where what is to be seen of it starts, and on what that hangs; None where it lies under
+        another one.
+    whole
+        True beside its own parts or for an image vector: drawn lighter.
+    row
+        Whose ink it takes.
+    lane
+        Where it runs beside vectors on the same line.
+    """
+
+    stroke: str
+    start: complex
+    end: complex
+    seen: tuple[complex, Anchor] | None
+    whole: bool
+    row: int | None
+    lane: Lane = ALONE
+
+    @property
+    def role(self) -> str:
+        """The role of its shaft."""
+        return "whole" if self.whole else "vector"
+
+    def marks(self, solved: Solved, room: Rect | None = None) -> list[Mark]:
+        """Return what is to be seen of it, in its room where one is given.
+
+        Of a vector that leaves its room the head shows if its end lies there.
+        """
+        if self.seen is None:
+            return []
+        end = Anchor.of(self.stroke, "end")
+        hung = Vector(self.seen[1], end, self.whole, self.lane)
+        if room is None or (room.holds(self.end) and room.holds(self.start)):
+            return hung.marks(solved, self.row, self.role)
+        ends = self.within(room)
+        if ends is None:
+            return []
+        marks = vector(*ends, self.row, self.role, self.whole, self.lane)
+        if not room.holds(self.end):
+            marks = [line([spot + self.lane.aside for spot in ends], self.role, self.row)]
+        parts: tuple[Literal["shaft", "head"], ...] = ("shaft", "head")
+        return [
+            replace(mark, hangs=Cut(replace(hung, part=part), room))
+            for mark, part in zip(marks, parts, strict=False)
+        ]
+
+    def within(self, room: Rect) -> tuple[complex, complex] | None:
+        """Return the ends of what is to be seen of it in a room; None if that is nothing."""
+        return room.inside(EDGE).clipped(self.seen[0], self.end) if self.seen else None
+
+    def light(self) -> Mark:
+        """Return the light beneath it while it is drawn."""
+        return line(self._shaft(), f"{self.role} light", self.row, Trimming())
+
+    def block(self, obstacles: Obstacles, since: int) -> None:
+        """Add shaft and head to what labels keep clear of."""
+        span = since, FOREVER
+        obstacles.line(self._shaft(), ROLES[self.role].width / 2, span)
+        tip, left, _, right = head_of(self.start, self.end, self.whole, self.lane)
+        obstacles.line([tip, left, right, tip], 0.5 * PIXEL, span)
+
+    def _shaft(self) -> list[complex]:
+        return [self.start + self.lane.aside, self.end + self.lane.aside]
+
+
+def is_whole(stroke: Stroke, panel: Panel) -> bool:
+    """Tell whether a vector stands beside its parts, or is found by the image."""
+    if stroke.image or stroke.component == "relative":
+        return True
+    whole = stroke.shape
+    if stroke.component != "absolute" or not isinstance(whole, Arrow):
+        return False
+    parts = [
+        other.shape
+        for other in panel.strokes
+        if other.link == stroke.link
+        and other.component in ("normal", "tangential")
+        and isinstance(other.shape, Arrow)
+    ]
+    return any(part.tail == whole.tail for part in parts) and any(
+        part.head == whole.head for part in parts
     )
-    for room in (None, *rooms):
-        sketch = _sketch(setting, room) if room else full
-        for inset in insets:
-            spot = find_corner(sketch.obstacles, setting.room, inset)
-            if spot:
-                add_inset(sketch, inset, spot)
-                return sketch
-    return full
 
 
-def dot(at: complex, growth: Growth | None = None) -> Mark:
-    """Return the dot of a vertex."""
-    # The rim lies around the dot: its line covers the outermost ring of a larger disc.
-    return disc(at, DOT + DOT_RIM / 2, "dot", growth=growth)
+def place_vectors(sketch: Sketch) -> dict[int, PlacedVector]:
+    """Return all vectors of a panel by the numbers of their strokes.
+
+    Those that lie on one line stand side by side.
+    """
+    panel, scale = sketch.setting.panel, sketch.scale
+    ends = {
+        index: (scale(stroke.shape.start), scale(stroke.shape.end))
+        for index, stroke in enumerate(panel.strokes)
+        if isinstance(stroke.shape, Arrow)
+    }
+    placed: dict[int, PlacedVector] = {}
+    for index, (start, end) in ends.items():
+        stroke = panel.strokes[index]
+        seen, whole = visible_start(panel, index, ends), is_whole(stroke, panel)
+        row = sketch.setting.row(stroke.link)
+        placed[index] = PlacedVector(stroke.name, start, end, seen, whole, row)
+    pens = {
+        index: Pen(vector.seen[0], vector.end, ROLES[vector.role].width)
+        for index, vector in placed.items()
+        if vector.seen is not None
+    }
+    for index, lane in lanes(pens).items():
+        placed[index] = replace(placed[index], lane=lane)
+    return placed
 
 
-def swelling(at: complex) -> Scaling:
-    """Return how a dot comes about."""
-    return Scaling(at, ((SMALLEST, SMALLEST), (1.0, 1.0)))
-
-
-def name_of(stroke: Stroke) -> str:
-    """Return what is written beside a vector: 2ωv, a symbol, nothing where its ends name it."""
-    if not isinstance(stroke.shape, Arrow):
-        return ""
-    if stroke.component == "coriolis":
-        return CORIOLIS
-    ends = stroke.shape.tail + stroke.shape.head
-    return "" if stroke.label == ends else stroke.label
-
-
-def _name_vectors(sketch: Sketch) -> None:
-    """Write the names of vectors that have one of their own."""
+def add_vector(sketch: Sketch, index: int, placed: PlacedVector) -> None:
+    """Add one vector and the light beneath it."""
     setting = sketch.setting
-    for index, stroke in enumerate(setting.panel.strokes):
-        name = name_of(stroke)
-        if name and isinstance(stroke.shape, Arrow):
-            ends = sketch.scale(stroke.shape.start), sketch.scale(stroke.shape.end)
-            add_tag(sketch, stroke, name, ends, SMALL_SIZE, ALWAYS, setting.after(index))
+    stroke, during = setting.panel.strokes[index], setting.during(index)
+    if not sketch.finished:
+        sketch.add(stroke, Level.STROKE, during, [placed.light()], setting.over(index))
+    sketch.add(stroke, Level.STROKE, during, placed.marks(sketch.solved))
+    placed.block(sketch.obstacles, during)
+
+
+def visible_start(
+    panel: Panel, index: int, ends: Mapping[int, tuple[complex, complex]]
+) -> tuple[complex, Anchor] | None:
+    """Return where a vector leaves what is drawn already: its start, or farther along it.
+
+    An image vector goes on from the end of the vector that it prolongs.  None where another
+    vector of its link joins the same two vertices, so that nothing of this one would show.
+    ``ends`` are those of all vectors on the page.
+    """
+    stroke, (start, end) = panel.strokes[index], ends[index]
+    seen, name = start, (stroke.name, "start")
+    for number, (tail, head) in ends.items():
+        other = panel.strokes[number]
+        if number >= index:
+            break
+        if other.link != stroke.link:
+            continue
+        if abs(tail - start) < COINCIDENT and abs(head - end) < COINCIDENT:
+            return None
+        same_way = abs(direction_of(tail, head) - direction_of(start, end)) < 1e-6
+        ahead = abs(tail - start) < 1e-9 and same_way and abs(head - start) < abs(end - start)
+        if ahead and abs(head - start) > abs(seen - start):
+            seen, name = head, (other.name, "end")
+    return seen, Anchor((name,))
+
+
+def head_length(length: float, whole: bool) -> float:
+    """Return the length of the arrowhead of a vector of a length on the page."""
+    return min(HEAD * (HEAD_WHOLE if whole else 1.0), HEAD_SHARE * length)
+
+
+def tip_of(start: complex, end: complex) -> complex:
+    """Return where a vector's head ends: a little short of its vertex."""
+    length = abs(end - start)
+    return end - min(TIP_GAP, 0.15 * length) * direction_of(start, end)
+
+
+def vector(
+    start: complex,
+    end: complex,
+    row: int | None,
+    role: str = "vector",
+    whole: bool = False,
+    lane: Lane = ALONE,
+) -> list[Mark]:
+    """Return a vector in its lane, its head at the tip; it grows from ``start``, head first."""
+    if abs(end - start) < SHORTEST:
+        return []
+    tail, head = start + lane.aside, head_of(start, end, whole, lane)
+    way, tip = direction_of(start, end), head[0]
+    neck = NECK * head_length(abs(end - start), whole)
+    # The head runs ahead of the shaft, which begins when there is room behind the head.
+    begins = neck / abs(tip - tail)
+    shaft = Trimming(((0.0, 0.0), (begins, 0.0), (1.0, 1.0)))
+    return [
+        line([tail, tip - neck * way], role, row, shaft),
+        area(head, "head", row, Sliding(((0.0, tail - tip), (1.0, 0j)))),
+    ]
+
+
+def head_of(start: complex, end: complex, whole: bool, lane: Lane = ALONE) -> list[complex]:
+    """Return tip, left, notch and right of a vector's arrowhead, which stays in its lane."""
+    way, head = direction_of(start, end), head_length(abs(end - start), whole)
+    tip = tip_of(start, end) + lane.aside
+    base, half = tip - head * way, HEAD_HALF_WIDTH * head
+    left, right = (min(half, side) * 1j * way for side in (lane.left, lane.right))
+    return [tip, base + left, base + HEAD_NOTCH * head * way, base - right]
+
+
+@dataclass(frozen=True, slots=True)
+class Pen:
+    """A straight stroke on its true line, with its width."""
+
+    start: complex
+    end: complex
+    width: float
+
+    @property
+    def way(self) -> complex:
+        """Its direction."""
+        return direction_of(self.start, self.end)
+
+    def seen_from(self, other: Pen) -> tuple[complex, complex]:
+        """Return its ends along (real) and left (imaginary) of another stroke's line."""
+        back = other.way.conjugate()
+        return (self.start - other.start) * back, (self.end - other.start) * back
+
+    def covers(self, other: Pen) -> bool:
+        """Tell whether another stroke lies on this one for a length that is seen."""
+        first, last = sorted(other.seen_from(self), key=lambda end: end.real)
+        low, high = max(first.real, 0.0), min(last.real, abs(self.end - self.start))
+        if high - low < COINCIDENT:
+            return False
+        slope = (last.imag - first.imag) / (last.real - first.real)
+        off = (first.imag + slope * (along - first.real) for along in (low, high))
+        return all(abs(each) < (self.width + other.width) / 2 for each in off)
+
+
+def lanes(pens: Mapping[int, Pen]) -> dict[int, Lane]:
+    """Return the lanes of those vectors that lie on others, by their numbers."""
+    meets: dict[int, set[int]] = {}
+    for one, other in combinations(pens, 2):
+        if pens[one].covers(pens[other]):
+            meets.setdefault(one, set()).add(other)
+            meets.setdefault(other, set()).add(one)
+    found: dict[int, Lane] = {}
+    for first in sorted(meets):
+        if first not in found:
+            found.update(_abreast(pens, meets, first))
+    return found
+
+
+def _abreast(
+    pens: Mapping[int, Pen], meets: Mapping[int, set[int]], first: int
+) -> Iterator[tuple[int, Lane]]:
+    """Yield the lanes of all vectors that lie on ``first``, or on one that does."""
+    group, road = _connected(meets, first), pens[first]
+
+    def place(number: int) -> tuple[float, int]:
+        """Keep a vector on the side on which it truly lies, else in the order of drawing."""
+        middle = sum(pens[number].seen_from(road)) / 2
+        return round(middle.imag / PIXEL), number
+
+    chosen: dict[int, int] = {}
+    for number in sorted(group, key=place):
+        taken = {chosen.get(other) for other in meets[number]}
+        chosen[number] = next(lane for lane in range(len(group)) if lane not in taken)
+    widths = [
+        LANE * max(pens[number].width for number in group if chosen[number] == lane)
+        for lane in range(max(chosen.values()) + 1)
+    ]
+    edges = [edge - sum(widths) / 2 for edge in accumulate(widths, initial=0.0)]
+    middles = [(low + high) / 2 for low, high in pairwise(edges)]
+    bounds = [-math.inf, *edges[1:-1], math.inf]
+    for number, lane in chosen.items():
+        middle, way = middles[lane], pens[number].way
+        right, left = middle - bounds[lane], bounds[lane + 1] - middle
+        if (way * road.way.conjugate()).real < 0:
+            middle, left, right = -middle, right, left
+        yield number, Lane(middle * 1j * way, left, right)
+
+
+def _connected(meets: Mapping[int, set[int]], first: int) -> set[int]:
+    found, fresh = {first}, {first}
+    while fresh:
+        fresh = set().union(*(meets[number] for number in fresh)) - found
+        found |= fresh
+    return found

@@ -1,35 +1,46 @@
 """A mechanism in space as it is seen from some sides, side by side on one panel.
 
-In come a panel's strokes and its place, out goes a `Sketch`.  The views are plane drawings: what
-projects them is the affair of the mechanism.
+In come poses of a panel and its place, out goes what stands still in all of them, and the sketch of
+any pose: a still, a frame of a turn, a pose under the hand.  The views are plane drawings: what
+projects them is the affair of the mechanism.  Near parts of a curve are solid, far ones dashed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import cmath
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 
-from vad.plan.growth import Fading, Trimming
-from vad.plan.items import FOREVER, Level
+from vad.plan.anchors import SWELLING, Anchor, Hung, Term
+from vad.plan.growth import Scaling, Trimming
+from vad.plan.items import FOREVER, Item, Level
+from vad.plan.labels.choices import PLACED, LabelChoice
 from vad.plan.labels.obstacles import Obstacles
+from vad.plan.labels.placing import APART, CLEARANCE, Placed
 from vad.plan.labels.tags import SMALL_SIZE, add_tag
-from vad.plan.labels.vertices import Vertex, corners, find_vertices, label_vertices
-from vad.plan.marks import Bow, Mark, area
-from vad.plan.pictures import machine
+from vad.plan.labels.vertices import Vertex, find_vertices, text_at
+from vad.plan.lettering.glyphs import ink_size
+from vad.plan.lettering.runs import Runs
+from vad.plan.lettering.wrapping import wrap
+from vad.plan.marks import Bow, Mark, lines
+from vad.plan.pictures import angles, machine
 from vad.plan.pictures.constructions import (
+    CompassArc,
+    add_compass,
     add_construction,
     add_square,
+    compass_arc,
     line_of,
     name_construction,
 )
-from vad.plan.pictures.curves import add_curve, bearing_marks, block_bearing
-from vad.plan.pictures.notes import add_notes
-from vad.plan.pictures.rotation import add_angle, add_sense, block_arc
-from vad.plan.pictures.tools import compass
-from vad.plan.pictures.vectors import swelling
-from vad.plan.roles import BLOCK_RIM, CONSTRUCTION
-from vad.plan.scale import Scale, fill
-from vad.plan.sketch import Setting, Sketch
+from vad.plan.pictures.curves import add_curve, bearing, bow_of
+from vad.plan.pictures.skeleton import GRIP, block_piece
+from vad.plan.roles import CONSTRUCTION
+from vad.plan.scale import Scale
+from vad.plan.sketch import Setting, Sketch, Tag
+from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import (
     Arc,
     Arrow,
@@ -37,7 +48,9 @@ from vad.strokes.sheet import (
     Block,
     Curve,
     Dot,
+    Driver,
     Ellipse,
+    Fold,
     Line,
     Panel,
     Stroke,
@@ -46,55 +59,165 @@ from vad.strokes.sheet import (
 #: Of joints and sleeves: two views have the room of one mechanism in the plane.
 SIZE = 0.8
 RADIUS = machine.JOINT_REACH * SIZE
-#: Letters stand beside what reaches farthest, seldom beyond it: so much less room is kept for them.
-SLACK = 0.025
 NEAR = (0.012, 0.018, 0.026, 0.034)
+NOTE = 0.030
+NOTE_PITCH = 0.034
+NOTE_STEP = 0.006
+WIDEST = 0.17  # of a note
+#: So many pieces has the swing of a plane, each of a steady scale.
+SWINGS = 24
+_AT_ONCE = 256  # places of a note that are tried: the first is free as a rule
 
 
-def draw(setting: Setting) -> Sketch:
-    """Return the sketch of a mechanism in space."""
-    panel = setting.panel
-    scale = setting.scale or views_scale(setting, [panel])
-    sketch = Sketch(setting, scale, Obstacles(setting.room))
-    for index in range(len(panel.strokes)):
-        add_stroke(sketch, index)
-    vertices = find_vertices(panel, sketch.scale)
-    add_pins(sketch, vertices)
-    arcs = [(index, arc) for index in range(len(panel.strokes)) if (arc := angle_of(sketch, index))]
-    for _, arc in arcs:
-        block_arc(sketch.obstacles, arc)
-    label_vertices(sketch, vertices, RADIUS, NEAR)
-    for index, arc in arcs:
-        add_angle(sketch, index, arc)
-    add_names(sketch)
-    add_notes(sketch)
-    add_turning(sketch)
-    points = [vertex.at for vertex in vertices]
-    for index, stroke in enumerate(panel.strokes):
-        if isinstance(stroke.shape, Line):
-            placed = line_of(sketch, index, {})
-            if stroke.label:
-                name_construction(sketch, index, placed, points)
-            else:
-                add_square(sketch, index, placed)
-        elif isinstance(stroke.shape, Arc) and stroke.kind == "construction":
-            _add_compass(sketch, index, stroke.shape)
-    return sketch
+class Views:
+    """A mechanism in space: the views are fixed, and what is alike in all poses stands still.
 
+    Parameters
+    ----------
+    setting
+        A panel in its place.
+    poses
+        The same panel in all poses, one for a still.
+    scale
+        That of all poses.
+    before
+        A picture of the same mechanism with other dimensions, in which the same strokes move.
 
-def views_scale(setting: Setting, poses: Sequence[Panel]) -> Scale:
-    """Return the scale at which the views fill their panel in all poses; they state none."""
-    points = [point for pose in poses for point in reach(pose)]
-    room = setting.room.inside(-SLACK)
-    scale = fill(points, room, position=False, centimetre=setting.centimetre)
-    return replace(scale, bare=True)
+    Attributes
+    ----------
+    scale, radius
+        That of all poses, and that of a joint.
+    still
+        What stands still, with its names, its angles and the notes.
+    crowd
+        The strokes of all poses, and all that is written on them once for all.
+    """
 
+    radius = RADIUS
 
-def reach(panel: Panel) -> list[complex]:
-    """Return the points of the views that have to be on the page."""
-    arcs = [stroke.shape for stroke in panel.strokes if isinstance(stroke.shape, Arc)]
-    bows = (Bow(arc.centre, arc.radius, arc.start, arc.sweep) for arc in arcs)
-    return corners(panel) + [point for bow in bows for point in bow.line()]
+    def __init__(
+        self,
+        setting: Setting,
+        poses: Sequence[Panel],
+        scale: Scale,
+        before: Views | None = None,
+    ) -> None:
+        self._setting, self._poses, self.scale = setting, poses, scale
+        self._unmoved: set[str] = before._unmoved if before else _unmoved(poses)
+        self._before = before
+        self._senses: dict[float, angles.SensePlace | None] = {}
+
+    def draw(self, labels: LabelChoice = PLACED) -> Sketch:
+        """Return all that a lesson shows of the one pose, and leaves standing in a still."""
+        setting = self._setting
+        panel = setting.panel
+        sketch = Sketch(setting, self.scale, Obstacles(setting.room))
+        for index in range(len(panel.strokes)):
+            add_stroke(sketch, index)
+        vertices = find_vertices(panel, self.scale)
+        add_pins(sketch, vertices)
+        arcs = angle_arcs(sketch, range(len(panel.strokes)))
+        for _, _, bow in arcs:
+            sketch.obstacles.line(bow.line(), angles.LINE / 2)
+        labels.vertices(sketch, vertices, RADIUS, NEAR)
+        add_angles(sketch, arcs, labels)
+        add_names(sketch)
+        add_notes(sketch)
+        driven = panel.find(setting.sheet.driver.angle)
+        if driven is not None:
+            angles.add_free_sense(sketch, driven, panel.strokes[driven])
+        points = [vertex.at for vertex in vertices]
+        for index, stroke in enumerate(panel.strokes):
+            if isinstance(stroke.shape, Line):
+                placed = line_of(sketch, index, {})
+                if stroke.label:
+                    name_construction(sketch, index, placed, points)
+                else:
+                    add_square(sketch, index, placed)
+            elif isinstance(stroke.shape, Arc) and stroke.kind == "construction":
+                add_compass(sketch, index, visible=False)
+        return sketch
+
+    @property
+    def still(self) -> Sketch:
+        """What stands still in all poses."""
+        return self._standing[0]
+
+    @property
+    def crowd(self) -> Obstacles:
+        """What there is in any of the poses."""
+        return self._standing[1]
+
+    @cached_property
+    def _standing(self) -> tuple[Sketch, Obstacles]:
+        frame = tuple(s for s in self._poses[0].strokes if s.name in self._unmoved)
+        setting = replace(self._setting, panel=replace(self._poses[0], strokes=frame))
+        still = Sketch(setting, self.scale, Obstacles(setting.room), finished=True)
+        for index in range(len(frame)):
+            add_stroke(still, index)
+        moved = [line for pose in self._poses for line in self._moving(pose, still).obstacles.lines]
+        crowd = Obstacles(setting.room, list(dict.fromkeys(moved)))
+        # What is written once for all poses keeps clear of all of them.
+        written = Sketch(setting, self.scale, crowd, still.items, finished=True)
+        add_pins(written, find_vertices(setting.panel, self.scale))
+        add_angles(written, angle_arcs(written, range(len(frame))), PLACED)
+        add_names(written)
+        add_notes(written)
+        for tag in written.tags:
+            still.obstacles.block(tag.box)
+        return still, crowd
+
+    def pose(self, panel: Panel) -> Sketch:
+        """Return what moves, in one pose; its obstacles hold what stands still, too."""
+        return self._moving(panel, self.still)
+
+    def _moving(self, panel: Panel, still: Sketch) -> Sketch:
+        strokes = tuple(s for s in panel.strokes if s.name not in self._unmoved and lasts(s))
+        setting = replace(self._setting, panel=replace(panel, strokes=strokes))
+        obstacles = Obstacles(setting.room, list(still.obstacles.lines))
+        sketch = Sketch(setting, self.scale, obstacles, finished=True)
+        for index in range(len(strokes)):
+            add_stroke(sketch, index)
+        add_pins(sketch, find_vertices(setting.panel, self.scale))
+        return sketch
+
+    def under_hand(self, setting: Setting, labels: LabelChoice) -> Sketch:
+        """Return what moves, in one pose that a hand has set, with all that is written about it."""
+        panel, sketch = setting.panel, self.pose(setting.panel)
+        sketch.setting = setting
+        vars(sketch).pop("solved", None)
+        moving = [i for i, s in enumerate(panel.strokes) if s.name not in self._unmoved]
+        arcs = angle_arcs(sketch, moving)
+        for _, _, bow in arcs:
+            sketch.obstacles.line(bow.line(), angles.LINE / 2)
+        self._add_sense(sketch)
+        held = held_arc(panel, setting.sheet.driver)
+        if held:
+            sketch.obstacles.disc(self.scale(tip_of(held)), GRIP)
+        labels.vertices(sketch, find_vertices(panel, self.scale), RADIUS, NEAR)
+        add_angles(sketch, arcs, labels)
+        return sketch
+
+    def _add_sense(self, sketch: Sketch) -> None:
+        """Add the arrow of ω, which stands where it meets no pose."""
+        setting = sketch.setting
+        index, omega = setting.panel.find(setting.sheet.driver.angle), setting.sheet.driver.omega
+        place = self._sense(math.copysign(1.0, omega)) if omega else None
+        if index is not None and place:
+            angles.add_sense(sketch, index, setting.panel.strokes[index], place)
+
+    def _sense(self, sense: float) -> angles.SensePlace | None:
+        """Return the place of the arrow of ω: to look for it takes as long as all else."""
+        if self._before:
+            return self._before._sense(sense)
+        if sense not in self._senses:
+            index, place = self._poses[0].find(self._setting.sheet.driver.angle), None
+            shape = None if index is None else self._poses[0].strokes[index].shape
+            if isinstance(shape, Arc):
+                crank, centre = shape.start + shape.sweep, self.scale(shape.centre)
+                place = angles.free_place(self.crowd, centre, crank, sense)
+            self._senses[sense] = place
+        return self._senses[sense]
 
 
 def add_stroke(sketch: Sketch, index: int) -> None:
@@ -102,22 +225,31 @@ def add_stroke(sketch: Sketch, index: int) -> None:
     setting = sketch.setting
     stroke, during = setting.panel.strokes[index], setting.during(index)
     match stroke.shape:
-        case Arrow(start, end, tail, head):
-            add_curve(sketch, index, Curve((start, end)))
-            for at in [z for z, letter in ((start, tail), (end, head)) if not letter]:
-                _add_joint(sketch, index, sketch.scale(at))
+        case Arrow(tail=tail, head=head):
+            add_curve(sketch, index)
+            for vertex in [end for end, letter in (("start", tail), ("end", head)) if not letter]:
+                anchor = Anchor.of(stroke.name, vertex)
+                sketch.hang(index, Level.DOT, [machine.joint(anchor, size=SIZE)], since="after")
+                at = sketch.solved.place(anchor)
+                sketch.obstacles.disc(at, RADIUS, (setting.after(index), FOREVER))
         case Curve() | Ellipse():
-            add_curve(sketch, index, stroke.shape)
+            add_curve(sketch, index)
         case Dot(at):
             _add_dot(sketch, index, sketch.scale(at))
-        case Bearing(at, way):
-            marks = [replace(m, growth=Fading()) for m in bearing_marks(sketch.scale(at), way)]
-            sketch.add(stroke, Level.GROUND, during, marks)
-            block_bearing(sketch.obstacles, sketch.scale(at), way, (during, FOREVER))
-        case Block():
-            _add_sleeve(sketch, index, stroke.shape)
+        case Bearing():
+            sketch.put(index, bearing(stroke.name), spanned=True)
+        case Block():  # a sleeve, which slides and turns on its axis
+            corners = machine.block_corners(
+                Anchor.of(stroke.name, "at"), Term(stroke.name), True, SIZE
+            )
+            sleeve = block_piece(corners, setting.row(stroke.link))
+            sketch.put(index, replace(sleeve, parts=sleeve.parts[1:]), spanned=True)
         case Arc() if stroke.kind == "construction":
-            _add_compass_arc(sketch, index, stroke.shape)
+            arc = replace(compass_arc(sketch, index, visible=False), role="path")
+            sketch.hang(index, Level.CONSTRUCTION, [arc])
+            shape = arc.shape.posed(sketch.solved)
+            assert isinstance(shape, Bow)
+            sketch.obstacles.line(shape.line(), CONSTRUCTION / 2, (during, FOREVER))
         case Line():
             add_construction(sketch, index, line_of(sketch, index, {}))
 
@@ -130,7 +262,7 @@ def add_pins(sketch: Sketch, vertices: list[Vertex]) -> None:
     for vertex in vertices:
         part = machine.point if points.issuperset(vertex.letters) else machine.joint
         since = setting.after(vertex.since)
-        sketch.add(strokes[vertex.since], Level.DOT, since, [part(vertex.at, size=SIZE)])
+        sketch.hang(vertex.since, Level.DOT, [part(vertex.anchor, size=SIZE)], since="after")
         sketch.obstacles.disc(vertex.at, RADIUS, (since, FOREVER))
 
 
@@ -139,22 +271,23 @@ def is_point(stroke: Stroke) -> bool:
     return stroke.link is None and stroke.kind != "fixed"
 
 
-def angle_of(sketch: Sketch, index: int) -> Bow | None:
-    """Return the arc of an angle on the page, whose radius is its own; None for other strokes."""
-    stroke, scale = sketch.setting.panel.strokes[index], sketch.scale
-    if stroke.kind != "angle" or not isinstance(stroke.shape, Arc):
-        return None
-    return _bow(stroke.shape, scale)
+def angle_arcs(sketch: Sketch, indices: Iterable[int]) -> list[tuple[int, Hung, Bow]]:
+    """Return the arcs of angles among some strokes, whose radius is their own, and their places."""
+    found = []
+    for index in indices:
+        stroke = sketch.setting.panel.strokes[index]
+        if stroke.kind == "angle" and isinstance(stroke.shape, Arc):
+            arc = CompassArc(stroke.name)
+            found.append((index, Hung(arc, "angle", growth=Trimming()), arc.posed(sketch.solved)))
+    return found
 
 
-def add_turning(sketch: Sketch) -> None:
-    """Add the arrow of ω about the centre of the driven angle."""
-    setting = sketch.setting
-    driver = setting.sheet.driver
-    index = setting.panel.find(driver.angle)
-    shape = None if index is None else setting.panel.strokes[index].shape
-    if isinstance(shape, Arc):
-        add_sense(sketch, index, shape, driver.omega)
+def add_angles(sketch: Sketch, arcs: Sequence[tuple[int, Hung, Bow]], labels: LabelChoice) -> None:
+    """Add arcs of angles with their values."""
+    for index, arc, bow in arcs:
+        if abs(bow.sweep) > 1e-6:
+            sketch.hang(index, Level.CONSTRUCTION, [arc])
+        labels.angle(sketch, index, bow)
 
 
 def add_names(sketch: Sketch) -> None:
@@ -165,63 +298,121 @@ def add_names(sketch: Sketch) -> None:
             shape, since = stroke.shape, setting.after(index)
             points = shape.points if isinstance(shape, Curve) else (shape.start, shape.end)
             middle = max(1, len(points) // 2)
-            ends = sketch.scale(points[middle - 1]), sketch.scale(points[middle])
+            names = (middle - 1, middle) if isinstance(shape, Curve) else ("start", "end")
+            ends = Anchor.of(stroke.name, names[0]), Anchor.of(stroke.name, names[1])
             add_tag(sketch, stroke, stroke.label, ends, SMALL_SIZE, (since, FOREVER), since)
-
-
-def _bow(shape: Arc, scale: Scale) -> Bow:
-    return Bow(scale(shape.centre), shape.radius * scale.factor, shape.start, shape.sweep)
 
 
 def _add_dot(sketch: Sketch, index: int, at: complex) -> None:
     """Add a dot as it comes about; it stays here if it bears no letter."""
     setting = sketch.setting
-    stroke, during, after = (
-        setting.panel.strokes[index],
-        setting.during(index),
-        setting.after(index),
-    )
-    part = machine.point if is_point(stroke) else machine.joint
-    until = after if stroke.label else FOREVER
-    sketch.add(stroke, Level.DOT, during, [part(at, swelling(at), SIZE)], until)
-    if not stroke.label:
-        sketch.obstacles.disc(at, RADIUS, (during, FOREVER))
-
-
-def _add_joint(sketch: Sketch, index: int, at: complex) -> None:
-    """Add the joint at the end of a bar that bears no letter there."""
-    since = sketch.setting.after(index)
-    stroke = sketch.setting.panel.strokes[index]
-    sketch.add(stroke, Level.DOT, since, [machine.joint(at, size=SIZE)])
-    sketch.obstacles.disc(at, RADIUS, (since, FOREVER))
-
-
-def _add_sleeve(sketch: Sketch, index: int, shape: Block) -> None:
-    """Add a sleeve, which slides and turns on its axis."""
-    setting = sketch.setting
-    stroke, during = setting.panel.strokes[index], setting.during(index)
-    row = setting.row(stroke.link)
-    outline = machine.block_corners(sketch.scale(shape.at), shape.direction, True, SIZE)
-    sketch.add(stroke, Level.BLOCK, during, [area(outline, "block", row, Fading())])
-    sketch.obstacles.line([*outline, outline[0], outline[2]], BLOCK_RIM / 2, (during, FOREVER))
-    sketch.obstacles.line([outline[1], outline[3]], BLOCK_RIM / 2, (during, FOREVER))
-    light = area(outline, "block light", row)
-    sketch.lights.setdefault(stroke.link or "", []).append(light)
-
-
-def _add_compass_arc(sketch: Sketch, index: int, shape: Arc) -> None:
-    """Add a compass arc, which stays faint."""
-    setting, arc = sketch.setting, _bow(shape, sketch.scale)
-    stroke, during = setting.panel.strokes[index], setting.during(index)
-    row = setting.row(stroke.link)
-    sketch.add(stroke, Level.CONSTRUCTION, during, [Mark(arc, "path", row, Trimming())])
-    sketch.obstacles.line(arc.line(), CONSTRUCTION / 2, (during, FOREVER))
-
-
-def _add_compass(sketch: Sketch, index: int, shape: Arc) -> None:
-    """Add the compass that draws an arc, clear of the labels placed so far."""
-    setting, arc = sketch.setting, _bow(shape, sketch.scale)
     stroke = setting.panel.strokes[index]
-    span = setting.during(index), setting.over(index)
-    marks = compass(arc, setting.row(stroke.link), sketch.obstacles.during(span))
-    sketch.add(stroke, Level.CONSTRUCTION, span[0], marks, span[1])
+    part = machine.point if is_point(stroke) else machine.joint
+    mark = part(Anchor.of(stroke.name, "at"), SWELLING, SIZE)
+    sketch.hang(index, Level.DOT, [mark], until="after" if stroke.label else "never")
+    if not stroke.label:
+        sketch.obstacles.disc(at, RADIUS, (setting.during(index), FOREVER))
+
+
+def add_notes(sketch: Sketch) -> None:
+    """Add the notes of a panel, clear of all that is there."""
+    setting = sketch.setting
+    for note in setting.panel.notes:
+        rows = wrap(pieces_of(note.text), NOTE, WIDEST)
+        sizes = [ink_size(runs, NOTE) for runs in rows]
+        wide = max(wide for wide, _ in sizes)
+        high = max(high for _, high in sizes) + (len(rows) - 1) * NOTE_PITCH
+        centre = _nearest(sketch.obstacles, sketch.scale(note.at), (wide, high))
+        sketch.add(None, Level.LABEL, setting.during(0), _rows(rows, centre))
+        box = Placed(centre, wide, high).box
+        sketch.tags.append(Tag(note.text, box))
+        sketch.obstacles.box(box)
+
+
+def _rows(rows: Sequence[Runs], centre: complex) -> list[Mark]:
+    """Return lines of text about a centre."""
+    top = centre + 0.5j * (len(rows) - 1) * NOTE_PITCH
+    return [
+        text_at(runs, runs, top - 1j * number * NOTE_PITCH, NOTE, "notes")
+        for number, runs in enumerate(rows)
+    ]
+
+
+def _nearest(obstacles: Obstacles, at: complex, size: tuple[float, float]) -> complex:
+    """Return the free place nearest to ``at``; the nearest of all where none is free."""
+    wide, high = size
+    room = obstacles.edge
+    left, bottom = room.left + wide / 2, room.bottom + high / 2
+    spots = [
+        complex(left + i * NOTE_STEP, bottom + j * NOTE_STEP)
+        for i in range(int((room.width - wide) / NOTE_STEP) + 1)
+        for j in range(int((room.height - high) / NOTE_STEP) + 1)
+    ]
+    spots.sort(key=lambda spot: abs(spot - at))
+    if not spots:
+        return at
+    for first in range(0, len(spots), _AT_ONCE):
+        some = spots[first : first + _AT_ONCE]
+        free = obstacles.free(some, wide, high, CLEARANCE, APART)
+        if free.any():
+            return some[int(free.argmax())]
+    return spots[0]
+
+
+def folds(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
+    """Yield the plane in light, and its arms on their way.
+
+    They stay until the lines that are parallel to them cross.
+    """
+    views = [each for each in sketches.values() if each.setting.panel.picture == "views"]
+    for polygon in sketches.values():
+        setting, panel = polygon.setting, polygon.setting.panel
+        for index, stroke in enumerate(panel.strokes):
+            if not isinstance(stroke.shape, Fold):
+                continue
+            since, until, row = setting.during(index), setting.over(index), setting.row(stroke.link)
+            rest = enumerate(panel.strokes[index:], index)
+            used = next((n for n, each in rest if each.kind == "intersection"), index)
+            for view in views:
+                fold, place = stroke.shape, view.scale
+                centre, growth = place(fold.centre), _swing(fold, place(fold.centre))
+                arms = [(centre, place(arm)) for arm in fold.arms]
+                light = Mark(bow_of(place, fold.rim), "construction light", row)
+                name, region = panel.full(stroke.name), view.setting.panel.name
+                yield Item(name, region, Level.GLOW, (light,), since, until)
+                marks = (lines(arms, "path", row, growth),)
+                yield Item(name, region, Level.STROKE, marks, since, setting.during(used))
+
+
+def _swing(fold: Fold, centre: complex) -> Scaling:
+    """Return how the plane swings: seen square to the paper it swells across its axis."""
+    shares = [number / SWINGS for number in range(SWINGS + 1)]
+    knots = ((share, math.cos(math.radians(fold.turn * (1.0 - share)))) for share in shares)
+    return Scaling(centre, tuple(knots), fold.axis)
+
+
+def lasts(stroke: Stroke) -> bool:
+    """Tell whether a stroke is still to be seen when all are drawn, and moves with a turn."""
+    is_tool = isinstance(stroke.shape, Arc) and stroke.kind == "construction"
+    return not (is_tool or isinstance(stroke.shape, Line) or stroke.kind == "angle")
+
+
+def _unmoved(poses: Sequence[Panel]) -> set[str]:
+    """Return the names of the strokes that are the same in all poses."""
+    first = {stroke.name: stroke.shape for stroke in poses[0].strokes}
+    for pose in poses[1:]:
+        own = {stroke.name: stroke.shape for stroke in pose.strokes}
+        first = {name: shape for name, shape in first.items() if own.get(name) == shape}
+    return {name for name, shape in first.items() if not isinstance(shape, Line)}
+
+
+def held_arc(panel: Panel, driver: Driver) -> Arc | None:
+    """Return the arc of the driven angle, if the hand can hold it: it begins on the right."""
+    index = panel.find(driver.angle)
+    shape = panel.strokes[index].shape if index is not None and panel.picture == "views" else None
+    return shape if isinstance(shape, Arc) and shape.start == 0.0 else None
+
+
+def tip_of(arc: Arc) -> complex:
+    """Return where an arc ends."""
+    return arc.centre + cmath.rect(arc.radius, math.radians(arc.start + arc.sweep))

@@ -16,7 +16,8 @@ from vad.plan.geometry import Rect
 from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.marks import Lettering, Mark, area, disc, line, lines
-from vad.plan.pictures.vectors import dot
+from vad.plan.pictures.polygon import DOT
+from vad.plan.roles import DOT_RIM
 from vad.plan.turning.clock import written_end
 from vad.plan.turning.fixed_width import fixed_width
 from vad.plan.turning.thinning import thinned
@@ -152,7 +153,11 @@ class Chart:
         marks = [lines(pieces, "curve")] if (pieces := self._pieces(share)) else []
         marks.append(line(cursor, "cursor", self._driver.row))
         value = self.value(share)
-        return [*marks, dot(self.at(share, value))] if math.isfinite(value) else marks
+        return (
+            [*marks, disc(self.at(share, value), DOT + DOT_RIM / 2, "dot")]
+            if math.isfinite(value)
+            else marks
+        )
 
     def numbered(self, shares: Sequence[float]) -> list[Mark]:
         """Return the whole curve with a dot and a line at each of some shares."""

@@ -27,8 +27,6 @@ TICK = 0.010
 LEAST = 0.05  # less is not dimensioned
 DIGITS = 4
 SAMPLED = 3  # so many poses apart are enough to choose by
-#: The room that a line and its words take of a panel, beside the guide.
-ROOM = 0.050
 
 
 def add_dimension(

@@ -19,8 +19,8 @@ from vad.plan.lettering.runs import roman
 from vad.plan.marks import Mark, disc
 from vad.plan.sketch import Sketch
 from vad.plan.turning.hodographs import Hodographs
-from vad.plan.turning.moving_panel import MovingPanel, lasting
 from vad.plan.turning.turn_board import TurnBoard
+from vad.plan.turning.turn_panel import TurnPanel
 from vad.strokes.diagram import Spot
 
 POSITIONS = 12
@@ -50,7 +50,7 @@ class NumberedTurn(TurnBoard):
             halves = [(self.panels[half.name], half) for half in panel.halves]
             pairs = [(moving.pose(half, 0.0), moving) for moving, half in halves]
             _number(pairs, shares)
-            items += [item for sketch, _ in pairs for item in lasting(sketch)]
+            items += [item for sketch, _ in pairs for item in sketch.items]
             if panel.picture != "vectors" and self.clock:
                 items.append(self.item(panel.name, self.clock.marks()))
         ticks = [(share, f"{number}") for number, share in enumerate([*shares, 1.0], 1)]
@@ -65,7 +65,7 @@ class NumberedTurn(TurnBoard):
         return self._shown
 
 
-def _number(column: Sequence[tuple[Sketch, MovingPanel]], shares: Sequence[float]) -> None:
+def _number(column: Sequence[tuple[Sketch, TurnPanel]], shares: Sequence[float]) -> None:
     """Add the positions of all points that move, each with its number where there is room.
 
     Of two polygons in a column, each keeps clear of the other.
@@ -80,7 +80,7 @@ def _number(column: Sequence[tuple[Sketch, MovingPanel]], shares: Sequence[float
         _add_numerals(sketch, moving.hodographs, shares, spots)
 
 
-def _add_dots(sketch: Sketch, moving: MovingPanel, shares: Sequence[float]) -> list[Numbered]:
+def _add_dots(sketch: Sketch, moving: TurnPanel, shares: Sequence[float]) -> list[Numbered]:
     """Add the positions, and return the point of each, its number and its place.
 
     A point that is seen twice is numbered in its first view.

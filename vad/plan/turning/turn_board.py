@@ -21,9 +21,9 @@ from vad.plan.sharing import rooms
 from vad.plan.sketch import Setting
 from vad.plan.turning.chart import Chart, dial, driver_ticks
 from vad.plan.turning.clock import Clock
-from vad.plan.turning.moving_panel import MovingPanel
 from vad.plan.turning.springs import POSES
 from vad.plan.turning.turn_layout import lay_out_turn
+from vad.plan.turning.turn_panel import TurnPanel
 from vad.strokes.diagram import Spot
 from vad.strokes.notation import Notation
 from vad.strokes.sheet import Sheet
@@ -50,7 +50,7 @@ class TurnBoard:
         self.page = layout.page
         self.regions: Mapping[str, Rect] = layout.regions
         self._order = {name: number for number, name in enumerate(self.regions)}
-        self.panels: dict[str, MovingPanel] = {}
+        self.panels: dict[str, TurnPanel] = {}
         self.clock: Clock | None = None
         rows = rows_of(sheet)
         for panel in sheet.panels:
@@ -63,7 +63,7 @@ class TurnBoard:
                 setting = Setting(sheet, half, room, rows, 0, self.form.centimetre)
                 same = [pose.panel(half.name) for pose in poses]
                 opening = turn.course.opening
-                self.panels[half.name] = MovingPanel(setting, same, self.cycle, opening)
+                self.panels[half.name] = TurnPanel(setting, same, self.cycle, opening)
         self.charts = self._charts(sheet, layout.charts)
         self.ticks = driver_ticks(turn.course, self.cycle.place.unit, notation)
         marks = self._still(sheet)
@@ -116,7 +116,7 @@ class TurnBoard:
             ticks = chart.scale(self.ticks, self.tick_rows - 1)
             yield f"{name} curve", [*chart.still(), *ticks]
 
-    def _return_way(self, moving: MovingPanel) -> list[Mark]:
+    def _return_way(self, moving: TurnPanel) -> list[Mark]:
         """Return the part of the crank pin's way in which the output returns."""
         cycle, links = self.cycle, self.turn.mechanism.links
         ends = links.get(cycle.driver, "")

@@ -9,30 +9,23 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 from vad.plan.board import Plan, arrange, regions_of, rows_of
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import Item
+from vad.plan.labels.choices import KeptLabels, Ways
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.layout import Page
-from vad.plan.live.calm_scale import calm_scale
-from vad.plan.live.live_labels import Ways
-from vad.plan.live.live_polygon import live_polygon
-from vad.plan.live.live_skeleton import LiveSkeleton
-from vad.plan.live.live_views import LiveViews
+from vad.plan.pictures import over_reach, resized
+from vad.plan.pictures.polygon import Polygon
+from vad.plan.pictures.skeleton import Skeleton
+from vad.plan.pictures.views import Views
 from vad.plan.scale import Scale
+from vad.plan.scaling import calm_scale
 from vad.plan.sharing import OVERLAP, rooms
 from vad.plan.sketch import Setting, Sketch
-from vad.plan.turning.moving_panel import lasting
-from vad.strokes.sheet import Panel, Picture, Sheet
-
-#: What draws the mechanism of a panel, by the picture that it says it is.
-LIVE: Mapping[Picture, type[LiveSkeleton | LiveViews]] = {
-    "skeleton": LiveSkeleton,
-    "views": LiveViews,
-}
+from vad.strokes.sheet import Panel, Sheet
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +59,7 @@ class LiveBoard:
 
     form: Format
     page: Page
-    pictures: Mapping[str, LiveSkeleton | LiveViews]
+    pictures: Mapping[str, Skeleton | Views]
 
     @classmethod
     def over(cls, sheet: Sheet, form: Format, lines: int, poses: Sequence[Panel]) -> LiveBoard:
@@ -85,17 +78,17 @@ class LiveBoard:
         """
         board = cls(form, arrange(sheet, form, lines)[0], {})
         pictures = {
-            panel.name: LIVE[panel.picture].over(board._setting(sheet, panel), poses)
+            panel.name: over_reach(board._setting(sheet, panel), poses)
             for panel in sheet.panels
-            if panel.picture in LIVE
+            if panel.picture != "vectors"
         }
         return replace(board, pictures=pictures)
 
     def resized(self, sheet: Sheet, scales: Mapping[str, Scale]) -> LiveBoard:
         """Return it for a pose with other dimensions, in which all stands where it stood."""
         pictures = {
-            panel.name: self.pictures[panel.name].resized(
-                self._setting(sheet, panel), scales.get(panel.name)
+            panel.name: resized(
+                self.pictures[panel.name], self._setting(sheet, panel), scales.get(panel.name)
             )
             for panel in sheet.panels
             if panel.name in self.pictures
@@ -111,17 +104,16 @@ class LiveBoard:
         for half in sheet.halves:
             name, above = half.name, sketches.get(half.column)
             setting = self._setting(sheet, half, above.obstacles if above else None)
-            before = ways.get(name, {})
-            picture = self.pictures.get(name)
+            labels, picture = KeptLabels(ways.get(name, {})), self.pictures.get(name)
             if picture:
                 kept[name] = picture.scale
-                sketch, turned[name] = picture.pose(setting, before)
-                items += self._still[name]
+                sketch = picture.under_hand(setting, labels)
+                items += picture.still.items
             else:
                 kept[name] = calm_scale(half, setting.room, scales.get(name))
-                sketch, turned[name] = live_polygon(setting, kept[name], before)
-            items += lasting(sketch)
-            sketches[name] = sketch
+                sketch = Polygon(setting, kept[name]).under_hand(setting, labels)
+            items += sketch.items
+            sketches[name], turned[name] = sketch, labels.ways
         items.sort(key=lambda item: item.level)
         plan = Plan(sheet, self.form, self.page, regions_of(self.page), tuple(items), sketches)
         return LivePose(plan, kept, turned)
@@ -131,11 +123,6 @@ class LiveBoard:
         column = sheet.panel(panel.column)
         halves = rooms(column, self.page.panels[column.name].drawing, OVERLAP)
         return next(room for half, room in halves if half.name == panel.name)
-
-    @cached_property
-    def _still(self) -> Mapping[str, list[Item]]:
-        """What stands still of each mechanism."""
-        return {name: lasting(picture.moving.still) for name, picture in self.pictures.items()}
 
     def _setting(self, sheet: Sheet, panel: Panel, taken: Obstacles | None = None) -> Setting:
         return Setting(sheet, panel, self.room(panel, sheet), rows_of(sheet), taken=taken)

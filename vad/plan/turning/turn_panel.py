@@ -19,17 +19,12 @@ from vad.plan.labels.tags import SMALL_SIZE
 from vad.plan.labels.vertices import LETTER, text_at
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
-from vad.plan.pictures.vectors import CORIOLIS
-from vad.plan.pictures.views import views_scale
+from vad.plan.pictures import over_turn
+from vad.plan.pictures.polygon import CORIOLIS
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turning.crowd import Crowd
 from vad.plan.turning.hodographs import Complexes, Hodographs
-from vad.plan.turning.moving_inset import moving_polygon
-from vad.plan.turning.moving_skeleton import MovingSkeleton
-from vad.plan.turning.moving_vectors import MovingVectors
-from vad.plan.turning.moving_views import MovingViews
 from vad.plan.turning.springs import Ballast, Boxes, Spring, find_spring
-from vad.plan.turning.turn_scale import mechanism_scale
 from vad.strokes.diagram import Spot
 from vad.strokes.sheet import Arrow, Block, Dot, Panel
 
@@ -57,14 +52,14 @@ class Name:
         return SMALL_SIZE if self.text == CORIOLIS else LETTER
 
 
-class MovingPanel:
+class TurnPanel:
     """One panel of a turn; ``poses`` are evenly spaced over it, from the one that is given."""
 
     def __init__(self, setting: Setting, poses: Sequence[Panel], cycle: Cycle, opening: float):
         self._setting, self._opening = setting, opening
         self.room = setting.room
         tracks = cycle.tracks[setting.panel.name]
-        self.picture = _picture(setting, poses)
+        self.picture = over_turn(setting, poses)
         self.scale = scale = self.picture.scale
         fixed = {spot.letter for spot, way in tracks.items() if not spot.view and np.ptp(way) == 0}
         rows = {spot: setting.row(_owner(spot.letter, fixed, poses)) for spot in tracks}
@@ -80,13 +75,13 @@ class MovingPanel:
         ways = self.hodographs.still(self.ways)
         region = self._setting.panel.column
         found = [Item("", region, Level.GROUND, tuple(ways))] if ways else []
-        return [*found, *lasting(self.picture.still)]
+        return [*found, *self.picture.still.items]
 
     def items(self, panel: Panel, phase: float) -> list[Item]:
         """Return the items of one pose at a phase from the one that is given."""
         sketch = self.pose(panel, phase)
         sketch.add(None, Level.GLOW, 0, self.hodographs.tails(self.ways, phase - self._opening))
-        return lasting(sketch)
+        return sketch.items
 
     def pose(self, panel: Panel, phase: float) -> Sketch:
         """Return one pose with its labels."""
@@ -168,34 +163,6 @@ class MovingPanel:
             elif not np.ptp(way):  # the lever's point under a pin goes without saying
                 same[0].append(letter)
         return [tuple(group) for group in sorted(found, key=lambda g: g[0] in self.ways)]
-
-
-def _picture(
-    setting: Setting, poses: Sequence[Panel]
-) -> MovingSkeleton | MovingVectors | MovingViews:
-    """Return what draws a panel in motion, by the picture that it says it is."""
-    match setting.panel.picture:
-        case "skeleton":
-            skeleton = MovingSkeleton(setting, poses, mechanism_scale(setting, poses))
-            skeleton.add_dimensions()
-            return skeleton
-        case "views":
-            return MovingViews(setting, poses, views_scale(setting, poses))
-        case "vectors":
-            return moving_polygon(setting, poses)
-
-
-def lasting(sketch: Sketch) -> list[Item]:
-    """Return what stands when all strokes are drawn, as it stays."""
-    end = sketch.setting.end
-    return [_stayed(item) for item in sketch.items if item.until > end]
-
-
-def _stayed(item: Item) -> Item:
-    if not item.since and not item.grows:
-        return item
-    marks = tuple(replace(mark, growth=None) if mark.growth else mark for mark in item.marks)
-    return replace(item, since=0, marks=marks)
 
 
 def _owner(letter: str, fixed: Collection[str], poses: Sequence[Panel]) -> str | None:

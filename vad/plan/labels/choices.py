@@ -1,0 +1,181 @@
+"""Lettering: how the labels of a picture find their places.
+
+What is labelled is the affair of a picture.  Where its labels stand is chosen: each placed for one
+pose, clear of all that is there (`Placed`), or kept under the hand, on the side of its dot on which
+it stood (`Kept`).  Those of a whole turn are the affair of `vad.plan.labels.springs`.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Protocol
+
+from vad.plan.anchors import Anchor
+from vad.plan.geometry import direction_of
+from vad.plan.items import ALWAYS, Level
+from vad.plan.labels.obstacles import PIXEL, Obstacles
+from vad.plan.labels.placing import APART, CLEARANCE, WAYS, Placed, Wish, beside, place
+from vad.plan.labels.tags import GAPS, SMALL_SIZE, add_tag
+from vad.plan.labels.vertices import LETTER, Vertex, hung_text, label_vertices, text_at, wish
+from vad.plan.lettering.glyphs import ink_size
+from vad.plan.lettering.runs import Runs, roman, symbols
+from vad.plan.marks import Bow
+from vad.plan.sketch import Sketch, Tag
+from vad.strokes.sheet import Stroke
+
+VALUE = 0.033
+SHARES = (0.45, 0.55, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85, 0.05, 0.95)  # of an arc, for its value
+VALUE_GAPS = (0.011, 0.016, 0.022, 0.032, 0.045)
+#: Under the hand a value may be farther off than a letter: its arc and an arrow are in its way.
+VALUE_NEAR = (0.014, 0.020, 0.028, 0.036, 0.050, 0.070, 0.090)
+
+#: Where labels stand from what they name, in degrees, by what they say.
+Ways = Mapping[str, float]
+
+
+class LabelChoice(Protocol):
+    """Finds places for the labels of one pose, and adds them to its sketch."""
+
+    def vertices(
+        self, sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
+    ) -> None:
+        """Add the letters of vertices whose dots have a ``radius``, at the distances ``near``."""
+
+    def angle(self, sketch: Sketch, index: int, arc: Bow) -> None:
+        """Add the value of the angle that stroke ``index`` draws, about its arc."""
+
+    def vector(self, sketch: Sketch, index: int, name: str) -> None:
+        """Add the name of the vector that stroke ``index`` draws, beside its middle."""
+
+
+class PlacedLabels:
+    """Labels of one pose, each in the best place that is free: the choice of a still."""
+
+    def vertices(
+        self, sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
+    ) -> None:
+        """Add letters; see `LabelChoice`."""
+        label_vertices(sketch, vertices, radius, near)
+
+    def angle(self, sketch: Sketch, index: int, arc: Bow) -> None:
+        """Add a value; see `LabelChoice`."""
+        stroke = sketch.setting.panel.strokes[index]
+        runs = roman(stroke.label)
+        placed = _beside_arc(arc, *ink_size(runs, VALUE), sketch.obstacles)
+        sketch.tags.append(Tag(stroke.label, placed.box))
+        value = text_at(runs, runs, placed.centre, VALUE, "value")
+        value = hung_text(value, Anchor.of(stroke.name, "centre"), arc.centre)
+        sketch.add(stroke, Level.LABEL, sketch.setting.after(index), [value])
+
+    def vector(self, sketch: Sketch, index: int, name: str) -> None:
+        """Add a name; see `LabelChoice`."""
+        stroke, since = sketch.setting.panel.strokes[index], sketch.setting.after(index)
+        add_tag(sketch, stroke, name, ends_of(stroke), SMALL_SIZE, ALWAYS, since)
+
+
+PLACED = PlacedLabels()
+
+
+def _beside_arc(arc: Bow, wide: float, high: float, obstacles: Obstacles) -> Placed:
+    for gap in VALUE_GAPS:
+        centres = []
+        for share in SHARES:
+            way = cmath.exp(1j * math.radians(arc.start + share * arc.sweep))
+            centres.append(beside(arc.centre + arc.radius * way, way, gap, wide, high))
+        free = obstacles.free(centres, wide, high, CLEARANCE, APART)
+        if free.any():
+            placed = Placed(centres[int(free.argmax())], wide, high)
+            obstacles.box(placed.box)
+            return placed
+    way = cmath.exp(1j * math.radians(arc.start + 0.5 * arc.sweep))
+    return place(obstacles, Wish(arc.centre + arc.radius * way, way, wide, high))
+
+
+def ends_of(stroke: Stroke) -> tuple[Anchor, Anchor]:
+    """Return on what both ends of a vector hang."""
+    return Anchor.of(stroke.name, "start"), Anchor.of(stroke.name, "end")
+
+
+class KeptLabels:
+    """Labels that keep their side: each stands where it stood about its dot, while it can.
+
+    ``before`` are the directions in which they stood in the pose before.
+
+    Attributes
+    ----------
+    ways
+        Where they stand now, for the next pose.
+    """
+
+    def __init__(self, before: Ways) -> None:
+        self._before = before
+        self.ways: dict[str, float] = {}
+
+    def vertices(
+        self, sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
+    ) -> None:
+        """Add letters; see `LabelChoice`."""
+        for number, vertex in enumerate(vertices):
+            wanted = wish(vertex, vertices, radius, near)
+            again = sum(other.label == vertex.label for other in vertices[:number])
+            name = f"{vertex.label} {again}" if again else vertex.label  # in another view
+            self._add(sketch, name, symbols(vertex.label), LETTER, wanted, vertex.anchor)
+
+    def angle(self, sketch: Sketch, index: int, arc: Bow) -> None:
+        """Add a value, outside of its arc; see `LabelChoice`."""
+        stroke = sketch.setting.panel.strokes[index]
+        runs, way = roman(stroke.label), cmath.rect(1.0, math.radians(arc.start + 0.5 * arc.sweep))
+        wanted = Wish(arc.centre + arc.radius * way, way, *ink_size(runs, VALUE), near=VALUE_NEAR)
+        centre = Anchor.of(stroke.name, "centre")
+        self._add(sketch, f"angle {stroke.name}", runs, VALUE, wanted, centre, "value")
+
+    def vector(self, sketch: Sketch, index: int, name: str) -> None:
+        """Add a name; see `LabelChoice`."""
+        stroke, solved = sketch.setting.panel.strokes[index], sketch.solved
+        ends = ends_of(stroke)
+        start, end = solved.places(ends)
+        runs, across = symbols(name), 1j * direction_of(start, end)
+        wanted = Wish((start + end) / 2, across, *ink_size(runs, SMALL_SIZE), near=GAPS)
+        row = sketch.setting.row(stroke.link)
+        self._add(sketch, name, runs, SMALL_SIZE, wanted, ends[0], "tag", row)
+
+    def _add(
+        self,
+        sketch: Sketch,
+        name: str,
+        runs: Runs,
+        size: float,
+        wanted: Wish,
+        anchor: Anchor,
+        role: str = "letter",
+        row: int | None = None,
+    ) -> None:
+        """Add a label; it is remembered by its ``name``."""
+        if name in self._before:
+            wanted = replace(wanted, first=cmath.rect(1.0, math.radians(self._before[name])))
+        placed = _kept(sketch.obstacles, wanted)
+        sketch.obstacles.box(placed.box)
+        sketch.tags.append(Tag(name, placed.box))
+        text = text_at(runs, runs, placed.centre, size, role, row)
+        sketch.add(None, Level.LABEL, 0, [hung_text(text, anchor, sketch.solved.place(anchor))])
+        self.ways[name] = math.degrees(cmath.phase(placed.centre - wanted.at))
+
+
+def _kept(obstacles: Obstacles, wanted: Wish) -> Placed:
+    """Return a free place: on the side on which it stood, else the nearest to that side.
+
+    Where none is free, it is on that side all the same.
+    """
+    size, side = (wanted.wide, wanted.high), wanted.ahead()
+    for spot in side:
+        if obstacles.has_room(spot, *size, CLEARANCE, APART):
+            return Placed(spot, *size)
+    spots = [spot for gap in wanted.near for spot in wanted.around(gap, WAYS)]
+    for clear, apart in ((CLEARANCE, APART), (0.5 * PIXEL, 0j)):
+        free = obstacles.free(spots, *size, clear, apart)
+        if free.any():
+            return Placed(spots[int(free.argmax())], *size)
+    return Placed(side[0], *size)

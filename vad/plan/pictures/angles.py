@@ -1,0 +1,251 @@
+"""Angles and given rates: the arc of an angle, and the arrows of a given ω or v.
+
+In come strokes and what stands already, out go marks; each arrow stands where it meets nothing.
+"""
+
+from __future__ import annotations
+
+import cmath
+import itertools
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from vad.plan.anchors import RIGHT, Anchor, AngleArc, Arch, Area, Hung, Term
+from vad.plan.carriers import is_yoke
+from vad.plan.growth import Trimming
+from vad.plan.items import Level
+from vad.plan.labels.obstacles import Obstacles
+from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside
+from vad.plan.labels.vertices import hung_text, text_at
+from vad.plan.lettering.glyphs import ink_size
+from vad.plan.lettering.runs import symbols
+from vad.plan.marks import Bow, Mark, area
+from vad.plan.pictures import machine
+from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, HEAD_NOTCH, Vector
+from vad.plan.roles import ROLES
+from vad.plan.sketch import Sketch, Tag
+from vad.strokes.sheet import Arc, Arrow, Stroke
+
+RADIUS = 0.088
+SHARE_OF_CRANK = 0.9
+SHARE_IN_YOKE = 0.6  # where slot and block hide what is farther out
+SIZE = 0.033
+SENSE_SIZES = (  # radius and span, the best first
+    (0.062, 78.0),
+    (0.074, 78.0),
+    (0.062, 60.0),
+    (0.074, 60.0),
+    (0.088, 60.0),
+    (0.050, 70.0),
+    (0.062, 46.0),
+    (0.074, 46.0),
+    (0.104, 46.0),
+    (0.120, 40.0),
+)
+SENSE_LEAD = 63.0
+SENSE_HEAD = 0.018
+LINE = ROLES["angle"].width
+CLEAR = 0.010  # about an arrow that stands still while the driver moves
+SPEED_LENGTH = 0.072
+SPEED_CLEAR = 0.009  # to either side of the arrow
+#: How far aside from the edge of what moves, and how far along it, the nearest first.
+SPEED_PLACES = sorted(
+    itertools.product((0.016, 0.026, 0.040, 0.056), [0.015 * step for step in range(-10, 11)]),
+    key=lambda place: place[0] + 0.5 * abs(place[1]),
+)
+
+
+def angle_arcs(sketch: Sketch) -> list[tuple[int, Hung]]:
+    """Return the arcs of angles with the numbers of their strokes, of which labels keep clear."""
+    panel = sketch.setting.panel
+    yoke = any(is_yoke(panel, other.link) for other in panel.strokes)
+    share = SHARE_IN_YOKE if yoke else SHARE_OF_CRANK
+    found = []
+    for index, stroke in enumerate(panel.strokes):
+        if stroke.kind == "angle" and isinstance(stroke.shape, Arc):
+            radius = min(RADIUS, share * stroke.shape.radius * sketch.scale.factor)
+            arc = AngleArc(stroke.name, radius, sketch.setting.room)
+            found.append((index, Hung(arc, "angle", growth=Trimming())))
+            sketch.obstacles.line(arc.posed(sketch.solved).line(), LINE / 2)
+    return found
+
+
+def bow_of(sketch: Sketch, arc: Hung) -> Bow:
+    """Return an arc in its place."""
+    bow = arc.shape.posed(sketch.solved)
+    assert isinstance(bow, Bow)
+    return bow
+
+
+@dataclass(frozen=True, slots=True)
+class SensePlace:
+    """Where the arrow of ω stands about its pivot: radius, span and middle, in degrees."""
+
+    radius: float
+    span: float
+    middle: float
+
+    def line(self, centre: complex) -> list[complex]:
+        """Return points along the arrow."""
+        return Bow(centre, self.radius, self.middle - self.span / 2, self.span).line()
+
+    def letter(self, centre: complex) -> Placed:
+        """Return the place of its ω."""
+        wide, high = ink_size(symbols("ω"), SIZE)
+        out = cmath.exp(1j * math.radians(self.middle))
+        return Placed(beside(centre + self.radius * out, out, 0.010, wide, high), wide, high)
+
+
+def free_place(
+    obstacles: Obstacles, centre: complex, crank: float, sense: float
+) -> SensePlace | None:
+    """Return a free place for the arrow of ω, best ahead of a crank that stands at so many degrees.
+
+    ``sense`` is ±1, the sense in which it turns.  None where no place is free.
+    """
+    turns = sorted(range(0, 360, 15), key=lambda t: min(t, 360 - t))
+    places = [
+        SensePlace(radius, span, crank + sense * (SENSE_LEAD + turn))
+        for (radius, span), turn in itertools.product(SENSE_SIZES, turns)
+    ]
+    letters = [place.letter(centre) for place in places]
+    spots, first = [letter.centre for letter in letters], letters[0]
+    clear = obstacles.free(spots, first.wide, first.high, CLEARANCE, APART)
+    for strict, number in itertools.product((True, False), np.flatnonzero(clear)):
+        line = places[number].line(centre)
+        if not all(obstacles.edge.holds(point, -0.006) for point in line):
+            continue
+        if strict and not obstacles.free(line, 0.0, 0.0, 0.008).all():
+            continue
+        if obstacles.clear_of_labels(list(itertools.pairwise(line)), 0.004).all():
+            return places[number]
+    return None
+
+
+def calm_place(poses: Iterable[tuple[complex, Obstacles]]) -> SensePlace:
+    """Return where the arrow of ω meets the fewest poses, each with its pivot's place."""
+    places = [
+        SensePlace(radius, span, float(middle))
+        for (radius, span), middle in itertools.product(SENSE_SIZES[::2], range(0, 360, 30))
+    ]
+    points, ends = [], [0]
+    for place in places:
+        points += [*place.line(0j), place.letter(0j).centre]
+        ends.append(len(points))
+    met = np.zeros(len(places))
+    for centre, obstacles in poses:
+        hit = ~obstacles.free([centre + point for point in points], 0.0, 0.0, CLEAR)
+        met += np.add.reduceat(hit, ends[:-1]) > 0
+    return places[int(met.argmin())]
+
+
+def add_free_sense(sketch: Sketch, index: int | None, angle: Stroke) -> None:
+    """Add the arrow of the given ω, if there is one, where it meets nothing of this one pose.
+
+    It comes with stroke number ``index``, and stands about the centre of an ``angle``.
+    """
+    omega, shape = sketch.setting.sheet.driver.omega, angle.shape
+    if omega and index is not None and isinstance(shape, Arc):
+        crank, sense = shape.start + shape.sweep, math.copysign(1.0, omega)
+        place = free_place(sketch.obstacles, sketch.scale(shape.centre), crank, sense)
+        if place:
+            add_sense(sketch, index, angle, place)
+
+
+def add_sense(sketch: Sketch, index: int | None, angle: Stroke, place: SensePlace) -> None:
+    """Add the arrow of the given ω, if there is one, at its place about the centre of an angle."""
+    setting, driver = sketch.setting, sketch.setting.sheet.driver
+    if index is None or not driver.omega:
+        return
+    centre, row = Anchor.of(angle.name, "centre"), setting.row(setting.panel.strokes[index].link)
+    at, sweep = sketch.solved.place(centre), math.copysign(place.span, driver.omega)
+    letter, runs = place.letter(at), symbols("ω")
+    bow, head = _arrow(place.radius, place.middle, sweep)
+    arrow = [
+        Hung(Arch(centre, bow.radius, bow.start, bow.sweep), "sense", row),
+        Hung(Area(tuple(centre + corner * RIGHT for corner in head)), "head", row),
+    ]
+    posed = (mark.posed(sketch.solved) for mark in arrow)
+    marks = [mark for mark in posed if mark]
+    marks.append(hung_text(text_at(runs, runs, letter.centre, SIZE, "tag", row), centre, at))
+    sketch.add(setting.panel.strokes[index], Level.LABEL, setting.after(index), marks)
+    sketch.tags.append(Tag("ω", letter.box))
+    sketch.obstacles.box(letter.box)
+    sketch.obstacles.line(place.line(at), 0.004)
+
+
+def sense_arrow(
+    centre: complex,
+    radius: float,
+    middle: float,
+    sweep: float,
+    row: int | None,
+    role: str = "sense",
+    size: float = 1.0,
+) -> list[Mark]:
+    """Return a curved arrow about ``centre``, ``sweep`` degrees with its middle at ``middle``."""
+    bow, head = _arrow(radius, middle, sweep, size)
+    return [
+        Mark(replace(bow, centre=centre), role, row),
+        area([centre + corner for corner in head], "head", row),
+    ]
+
+
+def _arrow(
+    radius: float, middle: float, sweep: float, size: float = 1.0
+) -> tuple[Bow, list[complex]]:
+    """Return the arc of a curved arrow about the origin, and the corners of its head."""
+    head = SENSE_HEAD * size
+    turn = math.copysign(math.degrees(0.8 * head / radius), sweep)
+    start, end = middle - sweep / 2, middle + sweep / 2
+    tip = cmath.rect(radius, math.radians(end))
+    root = cmath.rect(radius, math.radians(end - turn / 0.8))
+    way = (tip - root) / abs(tip - root)
+    half, notch = HEAD_HALF_WIDTH * 1j * head * way, root + HEAD_NOTCH * head * way
+    return Bow(0j, radius, start, sweep - turn), [tip, root + half, notch, root - half]
+
+
+def add_speed(sketch: Sketch, size: float) -> None:
+    """Add the arrow of the given velocity beside the block or actuator that is driven."""
+    setting, obstacles, driver = sketch.setting, sketch.obstacles, sketch.setting.sheet.driver
+    number = setting.panel.find(driver.stroke)
+    if number is None or not driver.speed:
+        return
+    stroke = setting.panel.strokes[number]
+    shape, row, along = stroke.shape, setting.row(driver.row), Term(stroke.name)
+    if isinstance(shape, Arrow):  # beside the rod of an actuator
+        half = machine.CYLINDER / 2 * size
+        middle = Anchor(((stroke.name, "foot"), (stroke.name, "end")))
+    else:
+        half, middle = machine.BLOCK[1] / 2 * size, Anchor.of(stroke.name, "at")
+    ahead = along if driver.speed > 0 else -along
+    solved = sketch.solved
+    way, place = solved.way(stroke.name), solved.place(middle)
+    forward = way if driver.speed > 0 else -way
+    runs = symbols("v")
+    wide, high = ink_size(runs, SIZE)
+    for (aside, past), left in itertools.product(SPEED_PLACES, (1j, -1j)):
+        off = (half + aside) * left * along + past * ahead
+        at = place + (half + aside) * left * way + past * forward
+        start, end = at - SPEED_LENGTH / 2 * forward, at + SPEED_LENGTH / 2 * forward
+        line = [start + (end - start) * step / 8 for step in range(9)]
+        spot = beside(at, left * way, SPEED_CLEAR + CLEARANCE, wide, high)
+        if not obstacles.free(line, 0.0, 0.0, SPEED_CLEAR).all():
+            continue
+        if not obstacles.clear_of_labels([(start, end)], SPEED_CLEAR).all():
+            continue
+        if obstacles.free([spot], wide, high, CLEARANCE, APART)[0]:
+            tail = middle + (off - SPEED_LENGTH / 2 * ahead)
+            arrow = Vector(tail, tail + SPEED_LENGTH * ahead, whole=True)
+            marks = [replace(each, growth=None) for each in arrow.marks(solved, row, "speed")]
+            text = text_at(runs, runs, spot, SIZE, "tag", row)
+            marks.append(hung_text(text, middle, place))
+            sketch.add(stroke, Level.LABEL, setting.after(number), marks)
+            placed = Placed(spot, wide, high)
+            sketch.tags.append(Tag("v", placed.box))
+            obstacles.box(placed.box)
+            obstacles.line([start, end], SPEED_CLEAR)
+            return

@@ -1,0 +1,254 @@
+"""Vectors laid tip to tail: the picture of a velocity or acceleration panel.
+
+In come a panel's strokes and its place, out goes the sketch of any pose: a still with all that a
+lesson draws, a frame of a turn, a pose under the hand.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import product
+
+from vad.plan.anchors import SWELLING, Anchor, Area, Circle, Hung, PointName
+from vad.plan.geometry import Rect
+from vad.plan.items import FOREVER, Level
+from vad.plan.labels.choices import PLACED, LabelChoice
+from vad.plan.labels.obstacles import Obstacles
+from vad.plan.labels.vertices import corners, find_vertices
+from vad.plan.pictures.constructions import add_construction, line_of, name_construction
+from vad.plan.pictures.inset import (
+    SIZES,
+    Inset,
+    InsetPlace,
+    add_inset,
+    draw_inset,
+    find_corner,
+    reserved,
+)
+from vad.plan.pictures.vectors import add_vector, place_vectors
+from vad.plan.roles import DOT_RIM, ROLES
+from vad.plan.scale import Scale, fill
+from vad.plan.scaling import polygon_scale
+from vad.plan.sharing import add_lower_bar
+from vad.plan.sketch import Setting, Sketch
+from vad.strokes.sheet import Arrow, Dot, Line, Panel, PolarInset, Stroke, StrokePart
+
+CORIOLIS = "2ωv"
+DOT = 0.0068
+RADIUS = DOT + DOT_RIM
+NEAR = (0.014, 0.020, 0.027, 0.034)
+CAPTION_ROOMS = (math.inf, 0.18)  # in one line or, rather than at a smaller size, in two
+_PARTS = ("normal", "tangential")
+
+
+class Polygon:
+    """A polygon at one scale, with its speeds over a turn in a corner where there is one for them.
+
+    Attributes
+    ----------
+    still
+        What stands still in all poses: the scale bar of a polygon below another.
+    radius
+        That of all dots.
+    """
+
+    radius = RADIUS
+
+    def __init__(self, setting: Setting, scale: Scale, inset: InsetPlace | None = None) -> None:
+        self._setting, self.scale, self._inset = setting, scale, inset
+        self.still = Sketch(setting, scale, setting.clear(), finished=True)
+        add_lower_bar(self.still)
+
+    def draw(self, labels: LabelChoice = PLACED) -> Sketch:
+        """Return what a lesson draws of one pose, but what comes and goes."""
+        setting = self._setting
+        panel = setting.panel
+        sketch = Sketch(setting, self.scale, setting.clear())
+        placed = place_vectors(sketch)
+        _add_triangles(sketch)
+        for index, stroke in enumerate(panel.strokes):
+            if isinstance(stroke.shape, Arrow):
+                add_vector(sketch, index, placed[index])
+            elif isinstance(stroke.shape, Line):
+                add_construction(sketch, index, line_of(sketch, index, placed))
+            elif isinstance(stroke.shape, Dot):
+                mark = dot(Anchor.of(stroke.name, "at"), SWELLING)
+                sketch.hang(index, Level.DOT, [mark], until="after")
+        self._finish(sketch, labels)
+        return sketch
+
+    def under_hand(self, setting: Setting, labels: LabelChoice) -> Sketch:
+        """Return the vectors and dots of one pose that a hand has set, with their names."""
+        strokes = tuple(s for s in setting.panel.strokes if isinstance(s.shape, Arrow | Dot))
+        shown = replace(setting, panel=replace(setting.panel, strokes=strokes))
+        sketch = Sketch(shown, self.scale, setting.clear(), finished=True)
+        for index, placed in place_vectors(sketch).items():
+            add_vector(sketch, index, placed)
+        self._finish(sketch, labels)
+        return sketch
+
+    def pose(self, panel: Panel) -> Sketch:
+        """Return the whole vectors and dots of one pose; a large one may leave its room."""
+        room, shown = self._setting.room, principal(panel)
+        setting = replace(self._setting, panel=shown)
+        taken = Obstacles(room, [], [*self.still.obstacles.boxes])
+        sketch = Sketch(setting, self.scale, taken, finished=True)
+        spots: dict[complex, tuple[int, PointName]] = {}
+        placed = place_vectors(sketch)
+        for index, stroke in enumerate(shown.strokes):
+            if isinstance(stroke.shape, Arrow):
+                vector = placed[index]
+                sketch.add(stroke, Level.STROKE, 0, vector.marks(sketch.solved, room))
+                if room.holds(vector.end) and room.holds(vector.start):
+                    vector.block(sketch.obstacles, 0)
+                elif ends := vector.within(room):
+                    half = ROLES[vector.role].width / 2
+                    sketch.obstacles.line([end + vector.lane.aside for end in ends], half)
+                spots.setdefault(vector.start, (index, (stroke.name, "start")))
+                spots.setdefault(vector.end, (index, (stroke.name, "end")))
+            elif isinstance(stroke.shape, Dot):
+                spots.setdefault(self.scale(stroke.shape.at), (index, (stroke.name, "at")))
+        for spot, (index, point) in spots.items():
+            if room.holds(spot):
+                sketch.hang(index, Level.DOT, [dot(Anchor((point,)))])
+                sketch.obstacles.disc(spot, RADIUS)
+        if self._inset and panel.inset:
+            drawn = draw_inset(panel.inset, sketch.setting, self._inset.size, math.inf)
+            add_inset(sketch, drawn, self._inset.corner)
+            for box, _ in sketch.obstacles.boxes:
+                sketch.obstacles.block(box)
+        return sketch
+
+    def _finish(self, sketch: Sketch, labels: LabelChoice) -> None:
+        """Add the dots of all vertices, their letters, and names of vectors that have their own."""
+        setting = sketch.setting
+        vertices = find_vertices(setting.panel, self.scale)
+        for vertex in vertices:
+            since = setting.after(vertex.since)
+            sketch.hang(vertex.since, Level.DOT, [dot(vertex.anchor)], since="after")
+            sketch.obstacles.disc(vertex.at, RADIUS, (since, FOREVER))
+        add_lower_bar(sketch)
+        labels.vertices(sketch, vertices, 0.0, NEAR)
+        for index, stroke in enumerate(setting.panel.strokes):
+            name = name_of(stroke)
+            if name:
+                labels.vector(sketch, index, name)
+
+
+def draw(setting: Setting, labels: LabelChoice = PLACED) -> Sketch:
+    """Return all that a lesson shows of a panel of vectors, and leaves standing in a still."""
+    sketch = _drawn(setting, setting.room, labels)
+    if setting.panel.inset:
+        sketch = _with_inset(setting, sketch, labels)
+    points = [vertex.at for vertex in find_vertices(setting.panel, sketch.scale)]
+    placed = place_vectors(sketch)
+    for index, stroke in enumerate(setting.panel.strokes):
+        if isinstance(stroke.shape, Line):
+            name_construction(sketch, index, line_of(sketch, index, placed), points)
+    return sketch
+
+
+def over_turn(setting: Setting, poses: Sequence[Panel]) -> Polygon:
+    """Return the polygon of a turn, as large as leaves room for its speeds in all poses."""
+
+    def scale_in(room: Rect) -> Scale:
+        return polygon_scale([corners(principal(pose)) for pose in poses], room, setting.centimetre)
+
+    full = Polygon(setting, scale_in(setting.room))
+    inset = setting.panel.inset
+    if not isinstance(inset, PolarInset):
+        return full
+    insets = [(size, draw_inset(inset, setting, size, math.inf)) for size in SIZES]
+    smaller = sorted(map(scale_in, reserved(setting.room)), key=lambda scale: -scale.factor)
+    for polygon in (full, *(Polygon(setting, scale) for scale in smaller)):
+        drawn = [line for pose in poses for line in polygon.pose(pose).obstacles.lines]
+        crowd = Obstacles(setting.room, list(dict.fromkeys(drawn)))
+        for size, each in insets:
+            corner = find_corner(crowd, setting.room, each)
+            if corner:
+                return Polygon(setting, polygon.scale, InsetPlace(size, corner))
+    return full
+
+
+def _drawn(setting: Setting, room: Rect, labels: LabelChoice) -> Sketch:
+    """Return a panel at the scale at which it fills ``room``."""
+    points, centimetre = corners(setting.panel), setting.centimetre
+    scale = setting.scale or fill(points, room, position=False, centimetre=centimetre)
+    return Polygon(setting, scale).draw(labels)
+
+
+def _with_inset(setting: Setting, full: Sketch, labels: LabelChoice) -> Sketch:
+    """Return the largest drawing that leaves a corner free for an inset, with the inset in it.
+
+    A smaller inset beside the full drawing comes before a smaller drawing.
+    """
+    panel, centimetre = setting.panel, setting.centimetre
+    assert panel.inset is not None
+    insets: list[Inset] = [
+        draw_inset(panel.inset, setting, size, room) for size, room in product(SIZES, CAPTION_ROOMS)
+    ]
+    points, rooms = corners(panel), reserved(setting.room)
+    rooms.sort(key=lambda room: -fill(points, room, False, centimetre).factor)
+    for room in (None, *rooms):
+        sketch = _drawn(setting, room, labels) if room else full
+        for inset in insets:
+            spot = find_corner(sketch.obstacles, setting.room, inset)
+            if spot:
+                add_inset(sketch, inset, spot)
+                return sketch
+    return full
+
+
+def _add_triangles(sketch: Sketch) -> None:
+    """Add the tinted images of links, each from the stroke on that finds its last corner."""
+    setting = sketch.setting
+    for triangle in setting.panel.triangles:
+        index = setting.panel.number(triangle.stroke)
+        hung = tuple(Anchor((_nearest(setting.panel, z),)) for z in triangle.corners)
+        tint = Hung(Area(hung), "plate", setting.row(triangle.link))
+        sketch.hang(index, Level.GROUND, [tint], since="after")
+
+
+def _nearest(panel: Panel, z: complex) -> PointName:
+    """Return the vertex of a polygon that is at a place."""
+    points: list[tuple[float, PointName]] = []
+    for stroke in panel.strokes:
+        match stroke.shape:
+            case Arrow(start, end):
+                points += [(abs(start - z), (stroke.name, "start"))]
+                points += [(abs(end - z), (stroke.name, "end"))]
+            case Dot(at):
+                points.append((abs(at - z), (stroke.name, "at")))
+    return min(points, key=lambda point: point[0])[1]
+
+
+def principal(panel: Panel) -> Panel:
+    """Return a polygon with whole vectors instead of their normal and tangential parts."""
+    wholes = [s for s in (*panel.strokes, *panel.zeros) if s.part.which == "whole"]
+    steps = {stroke.part.of for stroke in wholes}
+
+    def given_up(part: StrokePart) -> bool:
+        return part.which == "whole" or (part.which in _PARTS and part.of in steps)
+
+    kept = [s for s in panel.strokes if isinstance(s.shape, Arrow | Dot) and not given_up(s.part)]
+    # It stands alone, not beside its parts, and so it is drawn as any other vector.
+    whole = [replace(stroke, component="absolute") for stroke in wholes]
+    return replace(panel, strokes=(*whole, *kept), zeros=())
+
+
+def dot(at: Anchor, growth: str | None = None) -> Hung:
+    """Return the dot of a vertex."""
+    # The rim lies around the dot: its line covers the outermost ring of a larger disc.
+    return Hung(Circle(at, DOT + DOT_RIM / 2), "dot", growth=growth)
+
+
+def name_of(stroke: Stroke) -> str:
+    """Return what is written beside a vector: 2ωv, a symbol, nothing where its ends name it."""
+    if not isinstance(stroke.shape, Arrow):
+        return ""
+    if stroke.component == "coriolis":
+        return CORIOLIS
+    ends = stroke.shape.tail + stroke.shape.head
+    return "" if stroke.label == ends else stroke.label
