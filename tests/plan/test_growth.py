@@ -17,7 +17,7 @@ from vad.plan.growth import Fading, Growth, Scaling, Sliding, Trimming, Turning
 from vad.plan.items import Item
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Polygon, Polyline
-from vad.plan.pictures.tools import HINGE, compass
+from vad.plan.pictures.constructions import HINGE, compass
 from vad.strokes.sheet import Arrow
 
 EVERY = pytest.mark.parametrize("scene", SCENES)

@@ -10,7 +10,7 @@ import pytest
 from vad.plan.geometry import Rect
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.marks import Polygon
-from vad.plan.pictures.tools import LONG_LEG, place_square
+from vad.plan.pictures.constructions import LONG_LEG, place_square
 
 ROOM = Rect(0.0, 0.0, 0.56, 0.35)
 

@@ -19,10 +19,10 @@ from vad.plan.live_board import LiveBoard
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Polygon
 from vad.plan.page.captioning import caption_lines
 from vad.plan.pictures.curves import curve_of
-from vad.plan.scaling import views_scale
+from vad.plan.pictures.views import Views
 from vad.plan.scale import Scale
+from vad.plan.scaling import views_scale
 from vad.plan.sketch import Setting, Sketch
-from vad.plan.turning.moving_views import MovingViews
 from vad.strokes.sheet import Arrow, Ellipse
 
 POSES = [sheet_of_views(degrees) for degrees in range(5, 365, 30)]
@@ -157,7 +157,7 @@ def test_the_notes_are_written_near_what_they_say():
 def test_in_a_turn_only_what_moves_is_drawn_again():
     here = planned(POSES[0]).sketches["position"]
     panels = [sheet.panels[0] for sheet in POSES]
-    moving = MovingViews(setting(here), panels, views_scale(setting(here), panels))
+    moving = Views(setting(here), panels, views_scale(setting(here), panels))
     still = {item.stroke for item in moving.still.items}
     assert {"position:ball", "position:bearing", "position:circle", "position:sleeve"} <= still
     moved = {item.stroke for item in moving.pose(panels[3]).items}
@@ -173,7 +173,7 @@ def test_in_a_turn_only_what_moves_is_drawn_again():
 def test_the_notes_of_a_turn_lie_on_no_pose():
     here = planned(POSES[0]).sketches["position"]
     panels = [sheet.panels[0] for sheet in POSES]
-    moving = MovingViews(setting(here), panels, views_scale(setting(here), panels))
+    moving = Views(setting(here), panels, views_scale(setting(here), panels))
     poses = [moving.pose(panel).obstacles for panel in panels]
     notes = [box for box, _ in moving.crowd.boxes]
     assert len(notes) == 2

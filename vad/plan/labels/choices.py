@@ -2,7 +2,7 @@
 
 What is labelled is the affair of a picture.  Where its labels stand is chosen: each placed for one
 pose, clear of all that is there (`Placed`), or kept under the hand, on the side of its dot on which
-it stood (`Kept`).  Those of a whole turn are the affair of `vad.plan.labels.springs`.
+it stood (`Kept`).  Those of a whole turn are the affair of `vad.plan.turning.springs`.
 """
 
 from __future__ import annotations
