@@ -181,8 +181,8 @@ class Pencil(Generic[V]):
         """The vertices that have one place: those at the pole, and the ends of zero vectors."""
         found = [Coincidence(tuple(self.fixed), "fixed")] if len(self.fixed) > 1 else []
         for stroke in self.zeros:
-            match stroke.shape:
-                case Arrow(tail=tail, head=head) if tail != head and stroke.kind != "construction":
+            match stroke.shape:  # a whole vector may be left out because it has but one part
+                case Arrow(start, end, tail, head) if tail != head and not self.shows(end - start):
                     found.append(Coincidence((tail, head), "zero"))
         return tuple(dict.fromkeys(found))
 

@@ -25,6 +25,7 @@ from vad.strokes.sheet import (
     Stroke,
     driver_of,
 )
+from vad.strokes.vector_equations import NOTHING
 
 #: How the symbols of angles and of their rates begin.
 _TURNING = ("θ", "ω", "α")
@@ -102,8 +103,12 @@ def _coincident(panel: Panel) -> Iterator[Coincidence]:
                 under = _under(panel, stroke.shape) - {stroke.label}
                 yield from (Coincidence((stroke.label, letter), "under") for letter in under)
     elif panel.picture == "vectors" and panel.strokes:
+        drawn = (stroke.shape for stroke in panel.strokes)
+        lengths = (abs(each.end - each.start) for each in drawn if isinstance(each, Arrow))
+        nothing = NOTHING * max(lengths, default=0.0)
         shapes = (stroke.shape for stroke in panel.zeros)
-        zero = [(each.tail, each.head) for each in shapes if isinstance(each, Arrow)]
+        arrows = [shape for shape in shapes if isinstance(shape, Arrow)]
+        zero = [(each.tail, each.head) for each in arrows if abs(each.end - each.start) <= nothing]
         pole, at_rest = panel.strokes[0], len(panel.strokes) == 1
         came = set() if at_rest else {head for _, head in zero}
         fixed = tuple(letter for letter in pole.label.split(",") if letter not in came)
