@@ -1,7 +1,7 @@
-"""Numbers as people write them: in comes "6 cm" or "120 rpm", out goes 60.0 or 12.56….
+"""Numbers as people write them: "6 cm" becomes 60.0, and "120 rpm" becomes 12.56….
 
-A bare number is in the scene's unit already and is taken as it stands.  The conversion is done
-with 28 decimal digits and rounded once, and pint is loaded only when a unit is written.
+A bare number is in the unit of the scene and is taken as it is.  Conversion uses 28 decimal digits
+and rounds once.  Pint is loaded only when a unit is written.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ _WORDS = {
 #: The usual units of length.
 LENGTH_UNITS = ("mm", "cm", "m", "km", "in", "ft", "yd")
 
-# A table of our own rather than pint's, in which a radian is no mere number: "2 Hz" is then not
-# taken for 2 rad/s, nor "50 percent" for half a radian.
+# Not pint's own table: here a radian is no mere number, so that "2 Hz" is not taken for 2 rad/s,
+# nor "50 percent" for half a radian.
 _DEFINITIONS = """
 micro- = 1e-6 = µ- = μ- = u-
 milli- = 1e-3 = m-
@@ -64,7 +64,7 @@ rpm = turn / minute
 rps = turn / second
 """.strip().splitlines()
 
-#: Longer texts are no numbers, and no units: to read them takes the square of their length.
+#: Longer texts are refused, for the time to read one grows with the square of its length.
 _LONGEST, _LONGEST_UNIT = 1000, 60
 _WRITTEN = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([^\W\d_].*?|°.*?)\s*")
 _POWER = r"(?:(?:\^|\*\*)-?[1-3]|⁻?[¹²³])?"

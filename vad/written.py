@@ -1,9 +1,8 @@
-"""Numbers and quantities as they are written: one rule, wherever they stand.
+"""How numbers and quantities are written, by one rule for captions, tables, scale bars and axes.
 
-In come values, units and whether they were given; out go strings for captions, tables, titles,
-scale bars and axes.  A measured value has four significant digits, or those before the point if
-they are more; a given one is as it was given, an angle has one decimal.  `typed` is for the
-terminal, from which numbers are copied; files for machines hold them in full.
+A measured value has four significant digits, or all digits before the point if these are more.  A
+given value is written as it was given, and a measured angle has one decimal.  `typed` is for the
+terminal, from which numbers are copied.  Files for machines hold numbers in full.
 """
 
 from __future__ import annotations
@@ -68,7 +67,7 @@ def number(value: float, unit: str = "", given: bool = False) -> str:
     return typeset(plain(value, unit, given))
 
 
-@lru_cache(maxsize=1024)  # a number stands in the results, in captions and in calculations
+@lru_cache(maxsize=1024)  # the same number is in results, captions and calculations
 def plain(value: float, unit: str = "", given: bool = False, digits: int = 0) -> str:
     """Write a value as `number` does, but in the notation of programs.
 
@@ -92,11 +91,11 @@ def plain(value: float, unit: str = "", given: bool = False, digits: int = 0) ->
 
 
 def _rounded(value: float, digits: int) -> str:
-    """Round to significant digits; of a number that is written out, none before the point."""
+    """Round to significant digits; a number that is written out keeps all before its point."""
     if value == 0.0:
         return "0"
     rounded = f"{value:.{digits - 1}e}"
-    power = int(rounded.partition("e")[2])  # of the rounded one: 9999.7 reads 10000
+    power = int(rounded.partition("e")[2])  # that of the rounded number: 9999.7 becomes 10000
     if WRITTEN_OUT[0] <= power < WRITTEN_OUT[1]:
         return f"{value:.{max(digits - 1 - power, 0)}f}"
     return rounded

@@ -13,7 +13,7 @@ from vad.errors import UsageError
 from vad.files.places import PARALLEL
 
 if TYPE_CHECKING:
-    from vad.files.examination import Choice, Examination, Found
+    from vad.files.examination import Choice, Examination, FoundDyad
 
 # A smaller sine is that of a dead centre, which a grid only nearly meets.
 _DEAD = 5e-4
@@ -60,7 +60,7 @@ def _text(examined: Examination) -> str:
     return "\n".join([head, *lines, _range(examined, unit), *_changes(examined, unit)])
 
 
-def _places(found: Found) -> str:
+def _places(found: FoundDyad) -> str:
     return "; ".join(map(_choice, found.choices)) or "one place"
 
 

@@ -1,7 +1,7 @@
-"""Which of two places each dyad takes: in come words such as "upper", out go signs.
+"""Which of two places each dyad takes: words such as "upper" become signs.
 
-They are found once, with the numbers that the file gives.  A sign is kept whatever the numbers
-become, so that no later value makes a dyad jump.
+The signs are found once, with the numbers of the file.  They are kept whatever values the
+parameters take later, so that no value makes a dyad jump to its other place.
 """
 
 from __future__ import annotations
@@ -30,11 +30,11 @@ class Assembly:
     sides
         The sign of each dyad that has two places, by its point.
     words
-        The place that it takes, in a word.
+        The place that it takes, in a word, by its point.
     places
-        Where its point is, and where it is not: with the file's numbers.
+        Where its point is, and its other place, with the numbers of the file.
     parallel
-        The points of parallelograms that stay so.
+        The points of parallelograms that stay parallelograms.
     """
 
     sides: Mapping[str, float]
@@ -63,8 +63,8 @@ def assemble(
     values
         The numbers of the file.
     wanted
-        The place that a point takes: a word, or coordinates near it.  What is left out is where
-        the file's pose has it, or else on the positive side.
+        The place that a point takes: a word, or coordinates near it.  A point that is left out is
+        where the pose of the file has it, or else on the positive side.
 
     Raises
     ------
@@ -108,7 +108,7 @@ class _Assembling:
         return Assembly(sides, words, places, self.parallel)
 
     def _side(self, count: int, sides: Mapping[str, float], asked: Mapping[str, Place]) -> float:
-        """Return the side that the last of ``count`` dyads has in the places that are asked for."""
+        """Return the side on which the last of ``count`` dyads is in the places that are wanted."""
         dyad, value = self.dyads[count - 1], self.value
         if not asked and dyad.two_places:
             point = dyad.points[0]
@@ -129,7 +129,7 @@ class _Assembling:
         return (1.0, -1.0)[next(iter(chosen.values()))]
 
     def _pose_value(self, point: str) -> float | None:
-        """Return where the driver stands in the pose, which has a point; None if it has not."""
+        """Return the driver's angle in the pose of the file; None if the pose does not tell it."""
         driver = self.description.driver
         link = self.description.links.get(driver.name)
         if point not in self.pose or link is None or driver.kind != "angle":
@@ -164,7 +164,7 @@ class _Assembling:
             raise UnplacedError(dyads[-1].point, str(error), error.hint) from None
 
     def _other_way(self, count: int, sides: Mapping[str, float]) -> str | None:
-        """Say which earlier dyad would have to take its other place, and how that is written."""
+        """Return the hint which earlier dyad should take its other place, and how to write it."""
         for number, dyad in enumerate(self.dyads[: count - 1], start=1):
             if dyad.reversible:
                 flipped = {**sides, dyad.point: -sides[dyad.point]}

@@ -17,7 +17,7 @@ from vad.errors import InputError, shown, unknown
 from vad.files.places import Place
 from vad.kinematics.numbers import direction, fold
 
-#: No length needs more; a longer text would only cost time.
+#: No length needs a longer text, which would only cost time.
 LONGEST = 200
 
 _OPERATORS: dict[type[ast.AST], Callable[..., float]] = {
@@ -111,10 +111,10 @@ class Expression:
 
 
 def _names(node: ast.expr) -> set[str]:
-    """Return the dimensions in an expression, and refuse all that is not arithmetic."""
+    """Return the dimensions in an expression; refuse everything that is not arithmetic."""
     match node:
         case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
-            float(value)  # a whole number of a thousand digits is none
+            float(value)  # a whole number of a thousand digits is refused
             return set()
         case ast.Name(id=name):
             return set() if name in _CONSTANTS else {name}
@@ -192,7 +192,7 @@ class Polar:
 
 @dataclass(frozen=True)
 class Beyond:
-    """A point on the line of its link's base: ``sense`` · length from ``start``."""
+    """A point on the line of its link's base, at ``sense`` · length from ``start``."""
 
     start: str
     length: Expression
@@ -203,7 +203,8 @@ class Beyond:
 class Aside:
     """A point at a distance from ``start``, at an angle from the direction to ``other``.
 
-    The angle is counted counter-clockwise; ``sense`` is -1 where it is written from the point.
+    The angle is counted counter-clockwise; ``sense`` is -1 where the file writes it from the point
+    to ``other``.
     """
 
     start: str
@@ -225,17 +226,17 @@ class Apex:
 
 
 @dataclass(frozen=True)
-class Posed:
-    """A point whose place on its link is that of one drawn position."""
+class FromPose:
+    """A point whose place on its link follows from the pose that the file gives."""
 
     letter: str
 
 
-Rule = Beyond | Aside | Apex | Posed
+Rule = Beyond | Aside | Apex | FromPose
 
 
 @dataclass(frozen=True)
-class Link:
+class LinkEntry:
     """A rigid link, or a cylinder.
 
     Attributes
@@ -245,9 +246,9 @@ class Link:
     base
         The first pair of points, whose direction is the link's angle.
     length
-        The distance of the pair; None for a cylinder, and where the pose gives it.
+        The distance of the pair; None for a cylinder, and where it follows from the pose.
     rules
-        Where further points are, in an order in which each can be found.
+        Where the further points are; each follows from those before it.
     cylinder
         Whether the length varies.
     """
@@ -301,10 +302,11 @@ class SliderLine:
 
 
 @dataclass(frozen=True)
-class Guide:
+class GuideEntry:
     """A line to which a point is bound, and the name of the slide along it.
 
-    ``under`` names the point of a link that lies beneath; where it is empty, it is Q or another.
+    ``under`` names the point of the slotted link under the block.  Where it is empty, the program
+    chooses a free name, such as Q.
     """
 
     point: str
@@ -314,8 +316,8 @@ class Guide:
 
 
 @dataclass(frozen=True)
-class Driver:
-    """What drives: a link's angle or the length of a slide, and how it moves by itself."""
+class DriverEntry:
+    """What drives: the angle of a link or the length of a slide, with its usual motion."""
 
     kind: str
     name: str
@@ -339,9 +341,10 @@ class Description:
     driver
         What drives.
     assembly
-        Which of two places a point takes at the driver's own place.
+        Which of two places a point takes, at the usual place of the driver.
     pose
-        Places of one position, for links that are written as letters.
+        Places of points in one position, from which links that are written as letters get their
+        shape.
     """
 
     title: str
@@ -349,9 +352,9 @@ class Description:
     about: str
     parameters: Mapping[str, Parameter]
     fixed: Mapping[str, Cartesian | Polar]
-    links: Mapping[str, Link]
-    guides: Mapping[str, Guide]
-    driver: Driver
+    links: Mapping[str, LinkEntry]
+    guides: Mapping[str, GuideEntry]
+    driver: DriverEntry
     assembly: Mapping[str, Place]
     pose: Mapping[str, Cartesian]
 
@@ -364,6 +367,6 @@ class Description:
         letters.update(dict.fromkeys(self.guides))
         return tuple(letters)
 
-    def links_at(self, point: str) -> list[Link]:
+    def links_at(self, point: str) -> list[LinkEntry]:
         """Return the links that have a point."""
         return [link for link in self.links.values() if point in link.points]

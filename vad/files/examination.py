@@ -1,7 +1,7 @@
-"""What there is to know of a mechanism from a file before it is drawn, for ``vad check``.
+"""What ``vad check`` tells about a mechanism from a file.
 
-In comes a class, out go its bodies and joints, its dyads with their loops and places, the range of
-the driver that closes, and where in it a dyad is nearest to a dead centre.
+That is its bodies and joints, its dyads with their loops and places, the range of the driver in
+which it closes, and where in this range a dyad is nearest to a dead centre.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class Choice(NamedTuple):
     other: complex
 
 
-class Found(NamedTuple):
+class FoundDyad(NamedTuple):
     """One dyad: what it finds, from which loop, and at which of two places."""
 
     dyad: Dyad
@@ -61,13 +61,13 @@ class Examination:
     closes
         The ranges of the driver, in degrees or in the unit of length.
     nearest
-        Where it is nearest to a dead centre; None for what has no dyad, or closes nowhere.
+        Where it is nearest to a dead centre; None if it has no dyad, or closes nowhere.
     changes
-        Its change points, at which two motions go on.
+        Its change points, from which two motions go on.
     """
 
     mechanism: WrittenMechanism
-    found: tuple[Found, ...]
+    found: tuple[FoundDyad, ...]
     closes: tuple[tuple[float, float], ...]
     nearest: Nearest | None
     changes: tuple[ChangePoint, ...]
@@ -85,7 +85,7 @@ def examine(kind: type[WrittenMechanism]) -> Examination:
             for point in dyad.points
             if point in assembly.places
         )
-        found.append(Found(dyad, _what(written, dyad), _equation(loop), choices))
+        found.append(FoundDyad(dyad, _what(written, dyad), _equation(loop), choices))
     ranges = tuple(closing_range(mechanism))
     nearest, changes = _nearest(mechanism, ranges), change_points(mechanism)
     return Examination(mechanism, tuple(found), ranges, nearest, changes)
@@ -101,7 +101,7 @@ def _nearest(
     places = np.concatenate([np.linspace(low, high, _SAMPLES) for low, high in ranges])
     sines = np.abs(solver.sines(places))
     sines[np.isnan(sines)] = np.inf
-    sines[[loop.parallel for loop in solver.linkage.loops]] = np.inf  # which pass where it is 0
+    sines[[loop.parallel for loop in solver.linkage.loops]] = np.inf  # they run through a sine of 0
     if not np.isfinite(sines).any():
         return None
     loop, at = np.unravel_index(np.argmin(sines), sines.shape)
@@ -109,7 +109,7 @@ def _nearest(
 
 
 def _equation(loop: Loop) -> str:
-    """Return a loop as vectors, each on the side on which it counts positive."""
+    """Return a loop as an equation of vectors, each on the side on which it is positive."""
     starts = loop.first[0].start, loop.second[0].start
     ground = ["".join(starts)] if starts[0] != starts[1] else []
     sides = []

@@ -20,8 +20,8 @@ from vad.files.description import (
     Description,
     Expression,
     FrameLine,
-    Guide,
-    Link,
+    GuideEntry,
+    LinkEntry,
     LinkLine,
     Polar,
     SliderLine,
@@ -32,15 +32,15 @@ from vad.files.tables import Source
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, Step, angle_of, length_of
 from vad.kinematics.numbers import direction, fold
 
-Chain = tuple[Step, ...]
-#: Names of the points of links under their blocks, as far as they are free.
+Steps = tuple[Step, ...]
+#: Names of the points of links under their blocks, unless the file uses them.
 UNDER = "QUVWXYZ"
-#: Names of the ends of driven cylinders, which no result mentions.
+#: Names of the inner ends of driven cylinders, which appear in no result.
 STROKES = "STPRNML"
 
 
 def names_under(description: Description) -> dict[str, str]:
-    """Return the names of the points that lie under blocks on links, by the name of the slide."""
+    """Return the names of the points of links under their blocks, by the name of the slide."""
     given = {guide.slide: guide.under for guide in description.guides.values() if guide.under}
     names = _free(UNDER, (*description.points, *given.values()))
     passive = [
@@ -89,7 +89,7 @@ def linkage_of(
 
 
 class _Linking:
-    """The chains that lead to the points that are known so far."""
+    """The chains of steps that lead to the points that are known so far."""
 
     def __init__(self, description: Description, values: Values) -> None:
         self.description = description
@@ -99,7 +99,7 @@ class _Linking:
             link.name: places_on(link, description, values) for link in description.links.values()
         }
         self.under = names_under(description)
-        self.chains: dict[str, Chain] = dict.fromkeys(self.fixed, ())
+        self.chains: dict[str, Steps] = dict.fromkeys(self.fixed, ())
         self.pivot = self._pivot()
         driver = description.driver
         link = description.links.get(driver.name)
@@ -112,7 +112,7 @@ class _Linking:
     def linkage(
         self, dyads: Sequence[Dyad], sides: Mapping[str, float], parallel: frozenset[str]
     ) -> Linkage:
-        """Return the loops of dyads, and bars to what they do not reach."""
+        """Return the loops of dyads, with bars to the points that no loop reaches."""
         driver = self.description.driver
         loops = []
         for dyad in dyads:
@@ -146,13 +146,13 @@ class _Linking:
                 return point, place.length(self.values), place.angle(self.values)
         return None
 
-    def _held(self, link: Link) -> str | None:
+    def _held(self, link: LinkEntry) -> str | None:
         """Return the known point of a link to which the shortest chain leads."""
         known = [point for point in link.points if point in self.chains]
         return min(known, key=lambda point: len(self.chains[point]), default=None)
 
-    def _learn(self, link: Link) -> None:
-        """Take in the points of a link that is found."""
+    def _learn(self, link: LinkEntry) -> None:
+        """Add the chains to the points of a link that is located."""
         held = self._held(link)
         if held is None or link.cylinder:
             return
@@ -160,7 +160,7 @@ class _Linking:
             if point not in self.chains or len(self.chains[held]) + 1 < len(self.chains[point]):
                 self.chains[point] = (*self.chains[held], self._bar(link, held, point))
 
-    def _bar(self, link: Link, tail: str, head: str) -> Bar:
+    def _bar(self, link: LinkEntry, tail: str, head: str) -> Bar:
         """Return the vector from one point of a link to another."""
         vector = self.shapes[link.name][head] - self.shapes[link.name][tail]
         if vector == 0:
@@ -168,8 +168,8 @@ class _Linking:
         size = abs(vector)
         return Bar(tail + head, link.name, size, turn=vector / size)
 
-    def _slide(self, guide: Guide, tail: str | None = None) -> Slide:
-        """Return the slide along a line that does not turn, from its own point or ``tail``."""
+    def _slide(self, guide: GuideEntry, tail: str | None = None) -> Slide:
+        """Return the slide along a line that does not turn; it begins at ``tail`` if given."""
         line, point, values = guide.line, guide.point, self.values
         if isinstance(line, SliderLine):
             return Slide(line.through + point, guide.slide, fold(line.angle(values)))
@@ -191,7 +191,7 @@ class _Linking:
         origin = zero + 1j * aside * complex(direction(fold(angle)))
         return Slide(tail + point, guide.slide, angle, origin, through_tail=through_tail)
 
-    def _slot(self, guide: Guide, held: str | None = None) -> tuple[Bar, Slide]:
+    def _slot(self, guide: GuideEntry, held: str | None = None) -> tuple[Bar, Slide]:
         """Return the bar of a slotted link to the point under its block, and the slide on it.
 
         The bar begins where the slide counts from, or at ``held``.
@@ -212,8 +212,8 @@ class _Linking:
         bar = Bar(start + under, line.link, guide.slide, turn=turn, offset=offset)
         return bar, Slide(under + guide.point, guide.slide, line.link, turn=turn)
 
-    def _chains_of(self, dyad: Dyad) -> tuple[Chain, Chain]:
-        """Return the two chains of a dyad; what is known leads to each."""
+    def _chains_of(self, dyad: Dyad) -> tuple[Steps, Steps]:
+        """Return the two chains of a dyad, each from a fixed point."""
         guides, links = dyad.guides, dyad.links
         if dyad.kind == "RRR":
             first, second = (self._arm(link, dyad.point) for link in links)
@@ -238,7 +238,7 @@ class _Linking:
         self.chains[dyad.point] = (*self.chains[carrier.tail], carrier)
         return (*self.chains[guides[1].point], -block), self.chains[dyad.point]
 
-    def _arm(self, link: Link, point: str) -> Chain:
+    def _arm(self, link: LinkEntry, point: str) -> Steps:
         """Return the chain over an unknown link to the point in which it meets another."""
         held = self._held(link)
         assert held is not None
@@ -252,7 +252,7 @@ class _Linking:
             return (*self.chains[held], stroke, Bar(end + head, link.name, link.name, turn=turn))
         return (*self.chains[held], self._bar(link, held, point))
 
-    def _slotted(self, link: Link, guide: Guide | None) -> tuple[Chain, Chain]:
+    def _slotted(self, link: LinkEntry, guide: GuideEntry | None) -> tuple[Steps, Steps]:
         """Return the chains of a link that is found by the pin in its slot, or of a cylinder."""
         if guide is None:
             tail, pin = link.base
@@ -281,7 +281,7 @@ class _Linking:
                     yield self._bar(link, starts[0], point)
 
 
-def _without_beginning(first: Chain, second: Chain) -> tuple[Chain, Chain]:
+def _without_beginning(first: Steps, second: Steps) -> tuple[Steps, Steps]:
     """Return two chains without the steps that both begin with."""
     while first[0] == second[0]:
         first, second = first[1:], second[1:]
@@ -344,7 +344,7 @@ def posed_points(description: Description, values: Values) -> dict[str, complex]
     return pose | fixed_points(description, values)
 
 
-def places_on(link: Link, description: Description, values: Values) -> dict[str, complex]:
+def places_on(link: LinkEntry, description: Description, values: Values) -> dict[str, complex]:
     """Return where the points of a link are in its own axes; a cylinder has its tail alone.
 
     Raises
@@ -380,8 +380,8 @@ def places_on(link: Link, description: Description, values: Values) -> dict[str,
     return places
 
 
-def _positive(link: Link, length: Expression, values: Values) -> float:
-    """Return a length, which an expression may have made negative."""
+def _positive(link: LinkEntry, length: Expression, values: Values) -> float:
+    """Return a length; an expression that is not positive is refused."""
     value = length(values)
     if value <= 0.0:
         raise InputError(f"{link.name}: {length.text} must be positive, got {value:g}")
@@ -389,9 +389,9 @@ def _positive(link: Link, length: Expression, values: Values) -> float:
 
 
 def _apex(
-    link: Link, point: str, rule: Apex, places: dict[str, complex], values: Values
+    link: LinkEntry, point: str, rule: Apex, places: dict[str, complex], values: Values
 ) -> complex:
-    """Return the third corner of a triangle; its height comes from Heron's factors."""
+    """Return the third corner of a triangle, whose height comes from Heron's formula."""
     base = places[rule.second] - places[rule.first]
     a, b, c = (
         *(_positive(link, each, values) for each in (rule.from_first, rule.from_second)),

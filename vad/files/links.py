@@ -1,6 +1,6 @@
 """The links of a file: pairs of letters and their distances become a base and rules.
 
-In comes ``{ BC = 120, BE = 180, CBE = 30 }``, out goes a `Link`; lengths are not looked at.
+In comes ``{ BC = 120, BE = 180, CBE = 30 }``, out goes a `LinkEntry`; lengths are not looked at.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from vad.errors import InputError, shown
-from vad.files.description import Apex, Aside, Beyond, Expression, Link, Pair, Posed, Rule
+from vad.files.description import Apex, Aside, Beyond, Expression, FromPose, LinkEntry, Pair, Rule
 from vad.files.tables import Numbers
 
 _POINT = r"[A-Z][0-9]*"
@@ -30,7 +30,7 @@ def letters(text: str) -> tuple[str, ...]:
     return tuple(re.findall(_POINT, text)) if re.fullmatch(f"(?:{_POINT})+", text) else ()
 
 
-def link(numbers: Numbers, name: str, value: Any) -> Link:
+def link(numbers: Numbers, name: str, value: Any) -> LinkEntry:
     """Read one link.
 
     Raises
@@ -51,7 +51,7 @@ def link(numbers: Numbers, name: str, value: Any) -> Link:
 
 
 class _LinkReader:
-    """The words of one link, taken one by one."""
+    """Reads the words of one link."""
 
     def __init__(self, numbers: Numbers, name: str) -> None:
         self.numbers = numbers
@@ -60,15 +60,15 @@ class _LinkReader:
     def error(self, message: str, hint: str | None = None) -> InputError:
         return self.numbers.source.error("links", self.name, f"{self.name}: {message}", hint)
 
-    def posed(self, text: str) -> Link:
+    def posed(self, text: str) -> LinkEntry:
         """Return a link that takes its shape from the pose."""
         points = letters(text)
         if len(points) < 2 or len(set(points)) < len(points):
             raise self.error(f"must name two points or more, got {shown(text)}", "as in 'CDE'")
-        rules = {point: Posed(point) for point in points[2:]}
-        return Link(self.name, (points[0], points[1]), None, rules)
+        rules = {point: FromPose(point) for point in points[2:]}
+        return LinkEntry(self.name, (points[0], points[1]), None, rules)
 
-    def measured(self, value: Mapping[str, Any]) -> Link:
+    def measured(self, value: Mapping[str, Any]) -> LinkEntry:
         """Return a link that is written with its distances."""
         pairs: dict[Pair, Any] = {}
         angles: dict[Angle, Any] = {}
@@ -92,10 +92,10 @@ class _LinkReader:
         if pairs[base] == VARIABLE:
             if len(pairs) + len(angles) > 1:
                 raise self.error("a cylinder has two points", "fix the others to its neighbours")
-            return Link(self.name, base, None, {}, cylinder=True)
+            return LinkEntry(self.name, base, None, {}, cylinder=True)
         alone = len(pairs) == 1
         sizes = {pair: self._length(pair, number, alone) for pair, number in pairs.items()}
-        return Link(self.name, base, sizes.pop(base), self._rules(base, sizes, angles, side))
+        return LinkEntry(self.name, base, sizes.pop(base), self._rules(base, sizes, angles, side))
 
     def _side(self, word: object) -> int:
         if word not in ("clockwise", "counter-clockwise"):
@@ -117,7 +117,7 @@ class _LinkReader:
         angles: dict[Angle, Any],
         side: int,
     ) -> dict[str, Rule]:
-        """Return the rules of further points; each needs points that are known before it."""
+        """Return the rules of further points; each rule needs only points before it."""
         known, rules = list(base), dict[str, Rule]()
         while sizes:
             point = self._next(known, sizes, angles)
@@ -147,7 +147,7 @@ class _LinkReader:
     def _next(
         self, known: Sequence[str], sizes: Mapping[Pair, Any], angles: Mapping[Angle, Any]
     ) -> str:
-        """Return a point that can be found: better one to which nothing more will lead."""
+        """Return a point that can be located, best one with all its distances from known points."""
         new = [p for pair in sizes for p in pair if p not in known and _other(pair, p) in known]
         if not new:
             pair = next(iter(sizes))
@@ -175,12 +175,12 @@ class _LinkReader:
 
 
 def _leading_to(point: str, known: Sequence[str], sizes: Mapping[Pair, Any]) -> list[Pair]:
-    """Return the pairs that lead from known points to another one."""
+    """Return the pairs of a point with known points."""
     return [pair for pair in sizes if point in pair and _other(pair, point) in known]
 
 
 def _turning(point: str, known: Sequence[str], angles: Mapping[Angle, Any]) -> list[Angle]:
-    """Return the angles between known points and another one."""
+    """Return the angles that locate a point from known points."""
     ends = [angle for angle in angles if point in (angle[0], angle[2])]
     return [angle for angle in ends if {*angle} - {point} <= set(known)]
 

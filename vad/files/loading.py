@@ -28,7 +28,7 @@ from vad.kinematics.linkage import Linkage
 from vad.kinematics.solver import solver_of
 from vad.mechanisms.mechanism import Mechanism, unit
 
-Table = Mapping[str, Any]
+Entries = Mapping[str, Any]
 
 
 def load(path: str | Path) -> type[WrittenMechanism]:
@@ -56,13 +56,13 @@ def load(path: str | Path) -> type[WrittenMechanism]:
 
 def mechanism(
     *,
-    fixed: Table,
-    links: Table,
-    driver: Table,
-    guides: Table | None = None,
-    assembly: Table | None = None,
-    dimensions: Table | None = None,
-    pose: Table | None = None,
+    fixed: Entries,
+    links: Entries,
+    driver: Entries,
+    guides: Entries | None = None,
+    assembly: Entries | None = None,
+    dimensions: Entries | None = None,
+    pose: Entries | None = None,
     title: str = "Mechanism",
     unit: str = "mm",
     about: str = "",
@@ -109,7 +109,7 @@ def mechanism(
 
 @dataclass(frozen=True)
 class Written:
-    """What a file says, and what follows from it whatever its numbers are.
+    """What a file says, and what follows from it for all values of its numbers.
 
     Attributes
     ----------
@@ -148,7 +148,7 @@ class Written:
         return found
 
     def _word(self, point: str) -> str:
-        """Return a word that tells the places of a point apart: those of no parallelogram."""
+        """Return a word that tells the two places of a point apart where it is no parallelogram."""
         for word in WORDS:
             with suppress(UnplacedError):
                 self.assembly({point: word})
@@ -156,7 +156,7 @@ class Written:
         raise UnplacedError(point, f"{point}: has no two places")
 
     def assembly(self, given: Mapping[str, Place]) -> Assembly:
-        """Return the sides for places that are given in place of the file's own."""
+        """Return the sides of the dyads; places that are given replace those of the file."""
         wanted = {**self.description.assembly, **given}
         return assemble(self.description, self.dyads, self.values, wanted)
 
@@ -187,7 +187,7 @@ class Written:
 
 
 class _WrittenType(type):
-    """The type of all such classes: they travel between processes as their text."""
+    """The type of these classes, which are pickled as the text of their file."""
 
 
 class WrittenMechanism(Mechanism, listed=False, metaclass=_WrittenType):
@@ -200,7 +200,7 @@ class WrittenMechanism(Mechanism, listed=False, metaclass=_WrittenType):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        solver_of(self)  # what it refuses is refused at once
+        solver_of(self)  # numbers that cannot be solved are refused now, not later
 
     def _check(self, name: str, metadata: Any) -> None:
         if metadata["quantity"] != "places":

@@ -6,18 +6,18 @@ import math
 
 #: The direction in which the place of each word lies.
 WORDS = {"upper": 1j, "lower": -1j, "left": -1.0 + 0j, "right": 1.0 + 0j}
-#: A parallelogram that stays one; this is no place but a rule.
+#: The word for a parallelogram that stays one; it is a rule and no place.
 PARALLEL = "parallel"
 HINT = "upper, lower, left, right, parallel, or coordinates near it"
 
-# Of the larger: places that are nearer to each other are not told apart.
+# Places that are nearer to each other than this share of the larger one are not told apart.
 SAME = 1e-9
 
 Place = str | complex
 
 
 def place_of(value: object) -> Place | None:
-    """Return the place that is written; None for what is none.
+    """Return the place that a value of a file means; None if it means none.
 
     Examples
     --------

@@ -15,11 +15,11 @@ from vad.errors import InputError, VadError, shown, unknown
 from vad.files.description import (
     Cartesian,
     Description,
-    Driver,
+    DriverEntry,
     Expression,
     FrameLine,
-    Guide,
-    Link,
+    GuideEntry,
+    LinkEntry,
     LinkLine,
     Polar,
     SliderLine,
@@ -29,7 +29,7 @@ from vad.files.places import HINT, Place, place_of
 from vad.files.tables import Numbers, Source
 from vad.units import check_length_unit, read
 
-#: What a driver that turns and one that slides is given: its place, and two rates.
+#: The inputs of a driver that turns, and of one that slides: its place, and two rates.
 INPUTS = {
     "angle": ("angle", "omega", "alpha"),
     "length": ("position", "velocity", "acceleration"),
@@ -74,7 +74,7 @@ def describe(source: Source) -> Description:
 
 
 def _fixed(numbers: Numbers) -> dict[str, Cartesian | Polar]:
-    """Return the fixed points; one may be given from those above it."""
+    """Return the fixed points; one can be given from another that stands above it."""
     source = numbers.source
     fixed: dict[str, Cartesian | Polar] = {}
     for point, value in source.table("fixed").items():
@@ -110,9 +110,9 @@ def _check_point(source: Source, table: str, point: str) -> None:
 
 
 def _driver(
-    source: Source, links: Mapping[str, Link], bound: Mapping[str, Guide], unit: str
-) -> Driver:
-    """Return what drives, and how it moves by itself."""
+    source: Source, links: Mapping[str, LinkEntry], bound: Mapping[str, GuideEntry], unit: str
+) -> DriverEntry:
+    """Return what drives, and its usual motion."""
     table = source.table("driver")
     if len(table) != 1:
         message = "one link or slide drives, " + (f"not {len(table)}" if table else "and none does")
@@ -136,7 +136,7 @@ def _driver(
     for word in known[:2]:
         if word not in inputs:
             raise source.error("driver", name, f"{name}: has no {word}", example)
-    return Driver(kind, name, {word: inputs.get(word, 0.0) for word in known})
+    return DriverEntry(kind, name, {word: inputs.get(word, 0.0) for word in known})
 
 
 def _input(source: Source, name: str, word: str, value: Any, unit: str) -> float:
@@ -153,7 +153,7 @@ def _input(source: Source, name: str, word: str, value: Any, unit: str) -> float
 
 
 def _assembly(source: Source) -> dict[str, Place]:
-    """Return which place each point takes: a word, or where it is nearest to."""
+    """Return which place each point takes: a word, or coordinates near it."""
     places = {}
     for point, value in source.table("assembly").items():
         _check_point(source, "assembly", point)
@@ -175,7 +175,7 @@ def _pose(numbers: Numbers, fixed: Mapping[str, object]) -> dict[str, Cartesian]
 
 
 def _check_points(source: Source, description: Description) -> None:
-    """Check that points are where the tables say that they are."""
+    """Check that all tables agree about the points."""
     fixed, links = description.fixed, description.links
     used = {point for each in links.values() for point in each.points} | set(description.guides)
     for point in description.assembly:
@@ -203,8 +203,8 @@ _UPRIGHT = Expression.of("90", [])
 
 
 def guides(
-    numbers: Numbers, fixed: Mapping[str, object], links: Mapping[str, Link]
-) -> dict[str, Guide]:
+    numbers: Numbers, fixed: Mapping[str, object], links: Mapping[str, LinkEntry]
+) -> dict[str, GuideEntry]:
     """Read all guides, and name the slides that have no name.
 
     Raises
@@ -239,20 +239,20 @@ def guides(
             raise numbers.source.error("guides", point, message, "give it a name")
         taken[name] = "a slide"
     return {
-        point: Guide(point, line, names[point], under.get(point, ""))
+        point: GuideEntry(point, line, names[point], under.get(point, ""))
         for point, line in lines.items()
     }
 
 
 class _GuideReader:
-    """The words of one guide."""
+    """Reads the words of one guide."""
 
     def __init__(
         self,
         numbers: Numbers,
         point: str,
         fixed: Mapping[str, object],
-        links: Mapping[str, Link],
+        links: Mapping[str, LinkEntry],
         guided: Mapping[str, object],
     ) -> None:
         self.numbers = numbers
@@ -267,7 +267,7 @@ class _GuideReader:
         return self.numbers.source.error("guides", self.point, f"{self.point}: {message}", hint)
 
     def check_name(self, name: object) -> None:
-        """Refuse a name of a slide that could be no option."""
+        """Refuse a name of a slide that is not one word."""
         if not isinstance(name, str) or not (name.isidentifier() and name.isascii()):
             raise self.error(f"name: must be one word, got {shown(name)}", "as in name = 'ram'")
 
@@ -283,7 +283,7 @@ class _GuideReader:
         return name
 
     def line(self, value: Any) -> FrameLine | LinkLine | SliderLine:
-        """Return the line that a guide is."""
+        """Return the line of a guide."""
         if not isinstance(value, Mapping):
             raise self.error(f"must be a line, got {shown(value)}", _HINT)
         for word in value:

@@ -16,10 +16,10 @@ from typing import NamedTuple
 from vad.errors import InputError
 from vad.files.description import (
     Description,
-    Driver,
+    DriverEntry,
     FrameLine,
-    Guide,
-    Link,
+    GuideEntry,
+    LinkEntry,
     LinkLine,
     SliderLine,
 )
@@ -142,8 +142,8 @@ class Dyad:
 
     kind: str
     point: str
-    links: tuple[Link, ...] = ()
-    guides: tuple[Guide, ...] = ()
+    links: tuple[LinkEntry, ...] = ()
+    guides: tuple[GuideEntry, ...] = ()
     points: tuple[str, ...] = ()
 
     @property
@@ -170,7 +170,7 @@ class _Known:
     """
 
     description: Description
-    driver: Driver
+    driver: DriverEntry
     links: set[str] = field(default_factory=set)
     points: dict[str, bool] = field(default_factory=dict)
 
@@ -184,20 +184,20 @@ class _Known:
             if guide.slide == self.driver.name and isinstance(guide.line, FrameLine):
                 self.points[guide.point] = True
 
-    def learn(self, link: Link) -> None:
+    def learn(self, link: LinkEntry) -> None:
         """Add a link and its points, which move unless they are fixed."""
         self.links.add(link.name)
         for point in link.points:
             self.points.setdefault(point, True)
 
-    def point_of(self, link: Link) -> str | None:
+    def point_of(self, link: LinkEntry) -> str | None:
         """Return the known point of an unknown link, if there is one.
 
         There is one at most: two known points would locate the link without a dyad.
         """
         return next((point for point in link.points if point in self.points), None)
 
-    def line(self, guide: Guide) -> bool:
+    def line(self, guide: GuideEntry) -> bool:
         """Tell whether the line of a guide is known."""
         line = guide.line
         if isinstance(line, FrameLine):
@@ -207,7 +207,7 @@ class _Known:
         )
 
 
-def dyads(description: Description, driver: Driver | None = None) -> list[Dyad]:
+def dyads(description: Description, driver: DriverEntry | None = None) -> list[Dyad]:
     """Return the dyads in the order of drawing.
 
     Raises
@@ -301,14 +301,14 @@ def _dyads(known: _Known) -> Iterator[Dyad]:
                 yield Dyad("RPP", line.through, (), (carrier, guide))
 
 
-def _between_lines(known: _Known, link: Link) -> Iterator[Dyad]:
+def _between_lines(known: _Known, link: LinkEntry) -> Iterator[Dyad]:
     """Yield the dyad of a driven link of which two points slide on known lines."""
     guides = [known.description.guides[p] for p in link.points if p in known.description.guides]
     if len(guides) > 1 and all(map(known.line, guides[:2])):
         yield Dyad("PRP", guides[1].point, (link,), tuple(guides[:2]))
 
 
-def _with_link(known: _Known, link: Link, unknown: list[Link]) -> Iterator[Dyad]:
+def _with_link(known: _Known, link: LinkEntry, unknown: list[LinkEntry]) -> Iterator[Dyad]:
     """Yield the dyads that begin with a link."""
     guides = known.description.guides
     held = known.point_of(link)

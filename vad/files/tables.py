@@ -27,7 +27,7 @@ from vad.units import read
 #: What may stand in a file: single words, and tables.
 WORDS = ("title", "unit", "about", "source")
 TABLES = ("dimensions", "fixed", "links", "guides", "driver", "assembly", "pose")
-#: A mechanism fits on a page; whoever writes more has taken the wrong file.
+#: A mechanism fits on a page; a longer file is probably the wrong one.
 LONGEST = 100_000
 
 _HEADER = re.compile(r"\s*\[\s*([\w-]+)\s*\]")
@@ -140,7 +140,7 @@ def text_of(path: str | Path, longest: int = LONGEST) -> str:
 
 
 def _nearly(path: Path) -> str | None:
-    """Return the hint for a file that is not there: one of that name, or an example's."""
+    """Return the hint for a file that does not exist: a file or an example of a similar name."""
     longer = Path(f"{path}{EXTENSION}")
     if longer.is_file():
         return f"{longer.name} is a file"
@@ -154,7 +154,7 @@ def read_text(text: str, name: str) -> Source:
 
 
 def parsed(text: str, name: str) -> Source:
-    """Return what a text in TOML says, all of it under the key "".
+    """Return the content of a text in TOML, all of it in the table "".
 
     Raises
     ------
@@ -181,7 +181,7 @@ def parsed(text: str, name: str) -> Source:
 
 
 def sorted_out(source: Source) -> Source:
-    """Return the words and the tables apart, each of its right kind.
+    """Return words and tables separately, after checking that a mechanism can have them.
 
     Raises
     ------
@@ -210,7 +210,7 @@ def sorted_out(source: Source) -> Source:
 
 
 def _lines(text: str) -> dict[tuple[str, str], int]:
-    """Return on which line each key stands: the format is flat, so one pass will do."""
+    """Return the line of each key; one pass is enough, because the format is flat."""
     lines: dict[tuple[str, str], int] = {}
     table = ""
     for number, line in enumerate(text.splitlines(), start=1):
@@ -222,7 +222,7 @@ def _lines(text: str) -> dict[tuple[str, str], int]:
     return lines
 
 
-#: Names of inputs, and of what every mechanism has.
+#: Names that no parameter can have: those of inputs, and of what every mechanism has.
 RESERVED = {
     *("angle", "omega", "alpha", "position", "velocity", "acceleration", "written"),
     *Mechanism.__annotations__,
@@ -231,9 +231,16 @@ RESERVED = {
 
 
 class Numbers:
-    """The numbers of one file as they are read.
+    """The numbers of a file, read one by one.
 
-    ``unit`` is that of its lengths.
+    Attributes
+    ----------
+    source
+        The file.
+    unit
+        The unit of its lengths.
+    found
+        The parameters that were read so far, by name.
     """
 
     def __init__(self, source: Source, unit: str) -> None:
@@ -242,7 +249,7 @@ class Numbers:
         self.found: dict[str, Parameter] = {}
 
     def dimensions(self) -> None:
-        """Take in the table of dimensions; one may be an expression of those above it."""
+        """Read the table of dimensions."""
         for name, value in self.source.table("dimensions").items():
             if not name.isidentifier() or name.startswith("_"):
                 raise self._error("dimensions", name, f"{name}: must be one word")
@@ -263,7 +270,7 @@ class Numbers:
         signed: bool = False,
         help: str = "",
     ) -> Expression:
-        """Return a number that stands under ``key``; written as a literal it is a parameter.
+        """Return the number under ``key``; one that is written as a literal becomes a parameter.
 
         Raises
         ------
@@ -287,7 +294,7 @@ class Numbers:
         return Expression.of(name, [name])
 
     def coordinate(self, table: str, key: str, axis: str, value: Any) -> Expression:
-        """Return a coordinate of a point; one that is written 0 stays 0."""
+        """Return a coordinate of a point; one that is written as 0 is no parameter."""
         if not isinstance(value, bool) and isinstance(value, int | float) and value == 0:
             return Expression.of("0", [])
         return self.take(

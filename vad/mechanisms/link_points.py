@@ -1,4 +1,4 @@
-"""Points that somebody marks on the links of a mechanism: D on the rod, 100 from its first end."""
+"""Further points that a user marks on the links: D on the rod, 100 from its first end."""
 
 from __future__ import annotations
 
@@ -103,7 +103,8 @@ def marked(
     Parameters
     ----------
     linkage
-        The linkage.  A letter that it needs but does not report, as that of a guide, makes way.
+        The linkage.  If it uses a letter that it does not report, such as that of a guide, this
+        letter is replaced by another one.
     points
         The further points.
     links
@@ -114,7 +115,7 @@ def marked(
     Raises
     ------
     vad.errors.InputError
-        For a name that is taken, or a link that there is not.
+        For a name that is taken, or an unknown link.
     """
     if not points:
         return linkage

@@ -1,4 +1,4 @@
-"""The frame that every mechanism fills in: parameters, input, names and one linkage."""
+"""What all mechanisms have in common: parameters, inputs, names and one linkage."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from vad.mechanisms.link_points import LinkPoints, link_points, marked
 CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}
 # No smaller angle between axes: its sixth power stays in the range of double precision.
 NEAREST = 1e-30
-# Between these, products of four lengths stay in the range of double precision when scaled.
+# Products of four lengths between these stay in the range of double precision when scaled.
 SHORTEST, LONGEST = 1e-200, 1e200
-#: Characters of a unit, which stands behind every number.
+#: The most characters of a unit, which stands behind every number.
 LONGEST_UNIT = 60
 
 #: The quantities of parameters that are numbers; a plain number has no unit.
@@ -76,10 +76,10 @@ def way(*choices: str) -> str:
     return field(default=choices[0], metadata=metadata)
 
 
-Place = tuple[str, float] | tuple[str, float, float]
+PlaceOnLink = tuple[str, float] | tuple[str, float, float]
 
 
-def on_links() -> Mapping[str, Place]:
+def on_links() -> Mapping[str, PlaceOnLink]:
     """Declare further points on the links, by name; none are the default."""
     metadata = {"quantity": "points", "help": "a point D of a link, as in 'D on rod 100 at 30'"}
     return field(default=LinkPoints(), metadata=metadata)
@@ -114,7 +114,7 @@ class Mechanism:
     _: KW_ONLY
     assembly: str = way("open", "crossed")
     length_unit: str = unit("mm")
-    points: Mapping[str, Place] = on_links()
+    points: Mapping[str, PlaceOnLink] = on_links()
 
     def __init_subclass__(cls, listed: bool = True) -> None:
         # Read-only: mechanisms share their defaults.
@@ -145,7 +145,7 @@ class Mechanism:
             object.__setattr__(self, name, number)
 
     def _check_names(self, linkage: AnyLinkage) -> None:
-        """Check that all that turns or slides in the plane has a row of the results."""
+        """Check that everything that turns or slides in the plane is listed in the results."""
         if not isinstance(linkage, Linkage):
             return
         scalars = {linkage.driver, *(scalar for pair in linkage.unknowns for scalar in pair)}
@@ -160,7 +160,7 @@ class Mechanism:
             if isinstance(value, str | bytes | bool):
                 raise TypeError
             number = float(value)
-        except Exception:  # whatever a class says that is asked for a number
+        except Exception:  # a class may raise anything when it is asked for a number
             raise InputError(f"{name}: must be one number, got {shown(value)}") from None
         if not math.isfinite(number):
             raise InputError(f"{name}: must be a finite number, got {number}")
