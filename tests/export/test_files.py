@@ -73,6 +73,17 @@ class TestNewFile:
             os.umask(old)
         assert stat.S_IMODE(os.stat("a.bin").st_mode) == 0o666 & ~mask
 
+    @pytest.mark.parametrize("mode", [0o600, 0o664, 0o755])
+    def test_permissions_are_those_of_the_file_that_is_replaced(
+        self, folder: Path, mode: int
+    ) -> None:
+        Path("a.bin").write_bytes(b"old")
+        os.chmod("a.bin", mode)
+        with files.new_file("a.bin") as stream:
+            stream.write(b"new")
+        assert Path("a.bin").read_bytes() == b"new"
+        assert stat.S_IMODE(os.stat("a.bin").st_mode) == mode
+
     def test_stream_can_be_reopened_by_its_name(self, folder: Path) -> None:
         with files.new_file("a.bin") as stream:
             Path(stream.name).write_bytes(b"by name")

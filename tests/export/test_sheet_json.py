@@ -303,3 +303,12 @@ def test_a_page_without_room_is_refused():
     held["panels"] |= {f"velocity {number}": velocity for number in range(40)}
     with pytest.raises(UsageError, match="no room for 43 panels"):
         picture(vad.sheet_from_json(held))
+
+
+def test_units_of_results_are_spelt_as_by_solve() -> None:
+    motion = vad.solve(vad.SliderCrank())
+    units = set(motion.to_dict()["units"].values())
+    rows = sheet_json.to_dict(vad.draw(motion))["rows"]
+    cells = [cell for row in rows for cells in row["cells"].values() for cell in cells]
+    assert {cell["unit"] for cell in cells} - {"deg", "°"} <= units
+    assert {"rad/s^2", "mm/s^2"} <= {cell["unit"] for cell in cells}

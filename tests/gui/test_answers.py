@@ -85,10 +85,16 @@ def test_a_pose_is_short_and_whole(client: TestClient, name, parameters):
     assert again.json()["ways"] == second["ways"]
 
 
-@pytest.mark.parametrize("name", MECHANISMS)
-def test_the_handle_is_where_the_driver_is(ask: Ask, name):
+@pytest.mark.parametrize(
+    ("name", "parameters"),
+    [
+        *((name, {}) for name in MECHANISMS),
+        *(("double-slider", {"guide_a": way, "guide_b": way + 90}) for way in (90, -90, 120)),
+    ],
+)
+def test_the_handle_is_where_the_driver_is(ask: Ask, name, parameters):
     driven = next(iter(MECHANISMS[name].inputs))
-    answer = ask("pose", name)
+    answer = ask("pose", name, parameters=parameters)
     handle, (low, high) = answer["handle"], answer["ranges"][0]
     assert handle["name"] == driven
     place = answer["results"]["input"][driven]
@@ -104,6 +110,9 @@ def test_the_handle_is_where_the_driver_is(ask: Ask, name):
     else:
         along = x * handle["way"][0] + y * handle["way"][1]
         assert along / handle["factor"] == pytest.approx(place, rel=1e-3)
+        farther = ask("pose", name, parameters=parameters, inputs={driven: 1.02 * place})["handle"]
+        moved = [there - here for here, there in zip(handle["at"], farther["at"], strict=True)]
+        assert sum(a * b for a, b in zip(moved, handle["way"], strict=True)) > 0.0
 
 
 def test_a_lesson_has_the_parts_that_the_player_plays(ask: Ask):

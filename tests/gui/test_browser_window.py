@@ -193,6 +193,15 @@ def test_the_keyboard_turns_it_and_keeps_its_place(window: Page):
         handle.press("ArrowRight")
     handle.press("Shift+ArrowLeft")
     handle.press("PageUp")
+    for key, change in (
+        ("ArrowUp", 1.0),
+        ("ArrowDown", -1.0),
+        ("PageDown", -15.0),
+        ("PageUp", 15.0),
+    ):
+        before = float(handle.get_attribute("aria-valuenow"))
+        handle.press(key)
+        assert float(handle.get_attribute("aria-valuenow")) == pytest.approx(before + change)
     until(window, lambda: "124.9" in cell(window, 0, 0))
     still(window)
     assert value(window, "angle") == 124.9

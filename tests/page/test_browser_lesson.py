@@ -76,6 +76,13 @@ def test_forward_draws_and_stops_and_again_finishes(lesson: Page) -> None:
     assert at(lesson) == 2
 
 
+def test_back_in_the_middle_of_a_stroke_takes_that_stroke_away(lesson: Page) -> None:
+    for start, after in ((3.5, 3), (3, 2), (0.2, 0)):
+        scrub(lesson, start)
+        press(lesson, "ArrowLeft")
+        assert at(lesson) == after
+
+
 def test_letters_can_be_switched_off(lesson: Page) -> None:
     press(lesson, "?")
     box = lesson.locator("dialog .letters")

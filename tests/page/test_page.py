@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import io
 import json
 import re
-from base64 import b64encode
+from base64 import b64decode, b64encode
 from hashlib import sha256
+from html import unescape
 from importlib import import_module
 from itertools import product
 from pathlib import Path
 
 import pytest
+from fontTools.ttLib import TTFont
 
 import vad
 from tests.page.lessons import PARTS, lesson_of, page_of
@@ -132,3 +135,27 @@ def test_progress_is_told_of_the_end(tmp_path: Path) -> None:
     assert calls == [(lesson.frames, lesson.frames)]
     with pytest.raises(UsageError, match=r"size: \.html has no such option"):
         vad.save(lesson.sheet, tmp_path / "b.html", size=(640, 480))
+
+
+def test_the_letters_of_new_results_are_there_in_bold_and_of_given_ones_plain():
+    """A result is bold while it is new: a page must have those letters in both faces."""
+    html = page_of("slider-crank")
+    faces = {
+        re.findall(r"font-(?:style|weight):\w+", rule)[0]: TTFont(io.BytesIO(b64decode(data)))
+        for rule, data in re.findall(
+            r"@font-face{(.*?)url\(data:font/woff;base64,([^)]*)\)", html, re.DOTALL
+        )
+    }
+    bold = set(faces["font-weight:bold"].getBestCmap())
+    plain = set(faces["font-style:normal"].getBestCmap())
+    cells = re.findall(
+        r'<span class="cell( given)?"><span class="symbol">.*?</span>(.*?)</span>', html
+    )
+    values = {
+        kind: "".join(re.sub("<.*?>", "", text) for given, text in cells if given == kind)
+        for kind in ("", " given")
+    }
+    letters = set(map(ord, unescape(values[""])))
+    assert len(letters) > 10
+    assert letters <= bold and letters <= plain
+    assert set(map(ord, unescape(values[" given"]))) <= plain

@@ -217,3 +217,12 @@ def test_glyphs_can_be_selected_and_searched() -> None:
 def test_text_that_cannot_be() -> None:
     with pytest.raises(UsageError, match="unknown text 'glyph'"):
         written(sheet_of("four-bar"), text="glyph")
+
+
+@pytest.mark.parametrize("text", TEXTS)
+def test_signs_of_markup_in_a_text_are_written_as_text(text: str) -> None:
+    sheet = vad.draw(vad.solve(vad.FourBar(length_unit="<b>&x")))
+    root = ElementTree.fromstring(written(sheet, text=text))  # or else it is no XML
+    assert not [each.tag for each in root.iter() if each.tag.endswith("}b")]
+    said = " ".join("".join(each.itertext()) for each in root.iter(SPACE + "text"))
+    assert "<b>&x" in said.replace("\N{NO-BREAK SPACE}", " ")
