@@ -13,10 +13,10 @@ from vad.files.examples import example_path
 from vad.lecture.moment import Moment, done, drawing
 from vad.painting.posed import board_of
 from vad.plan.board import Plan, seen
-from vad.plan.items import Item
+from vad.plan.items import OPENING, Item
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Lettering, Mark
-from vad.plan.opening import LARGEST, REGION, USUAL
+from vad.plan.opening import LARGEST, USUAL
 from vad.plan.opening import reach as reach_of
 
 EVERY = pytest.mark.parametrize("scene", SCENES)
@@ -43,7 +43,7 @@ def own(shown: Plan) -> list[Item]:
 )
 def test_the_mechanism_stands_large_between_title_and_caption(scene: str, size: tuple[int, int]):
     shown = board(scene, size)
-    area = shown.regions[REGION]
+    area = shown.regions[OPENING]
     assert area.top <= shown.regions["title"].bottom + NEAR
     assert area.bottom >= shown.regions["caption"].top - NEAR
     assert shown.opening.factor > 1.3
@@ -97,13 +97,13 @@ def test_it_glides_straight_into_its_panel_and_the_page_comes_with_it(scene: str
     shown = board(scene)
     beat = done(len(shown.sheet.panels[0].strokes))
     regions = {item.region for item in seen(shown, Moment(beat, near=0.4))}
-    assert regions == {REGION, "title", "caption"}
+    assert regions == {OPENING, "title", "caption"}
     assert list(seen(shown, Moment(beat))) == shown.shown(beat)
     places = [
         [
             z
             for item in seen(shown, Moment(beat, near=near))
-            if item.region == REGION
+            if item.region == OPENING
             for mark in item.marks
             for z in points(mark)
         ]
@@ -119,5 +119,5 @@ def test_it_glides_straight_into_its_panel_and_the_page_comes_with_it(scene: str
 
 def test_marks_are_large_from_the_first_frame_on():
     shown = board("slider-crank")
-    (item,) = [i for i in seen(shown, Moment(drawing(0), near=1.0)) if i.region == REGION]
+    (item,) = [i for i in seen(shown, Moment(drawing(0), near=1.0)) if i.region == OPENING]
     assert item.stroke == "position:A.fixed"

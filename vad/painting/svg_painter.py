@@ -15,7 +15,7 @@ from vad.painting.svg_text import DrawnText, SetText
 from vad.plan.format import Format
 from vad.plan.items import Item
 from vad.plan.marks import Mark
-from vad.strokes.sheet import BELOW, Sheet
+from vad.strokes.sheet import Sheet
 from vad.strokes.words import describe, title
 from vad.style import Look
 
@@ -66,6 +66,12 @@ class SvgPainter:
             for panel in sheet.halves
             for stroke in panel.strokes
         }
+        #: The region of each stroke's panel.
+        self._homes = {
+            panel.full(stroke.name): panel.column
+            for panel in sheet.halves
+            for stroke in (*panel.strokes, *panel.zeros)
+        }
         self._classes = Classes(scope)
         self._text = _TEXTS[one_of("text", text, _TEXTS)](self._classes)
         self._elements: list[str] = []
@@ -86,7 +92,7 @@ class SvgPainter:
         if not item.stroke:
             return
         self._open = True
-        home = item.stroke.partition(":")[0].removesuffix(BELOW)
+        home = self._homes.get(item.stroke)
         first = item.region == home and item.stroke not in self._begun
         if first:
             self._begun.add(item.stroke)

@@ -15,10 +15,10 @@ from typing import Protocol
 from vad.lecture.moment import Moment, finished
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
-from vad.plan.items import Item, Level
+from vad.plan.items import CAPTION, OPENING, RESULTS, TITLE, Item, Level, foot_of, head_of
 from vad.plan.labels.vertices import corners
 from vad.plan.layout import MARGIN, Page, lay_out
-from vad.plan.opening import REGION, Opening, opening
+from vad.plan.opening import Opening, opening
 from vad.plan.page.captioning import caption_lines
 from vad.plan.page.changing import captions, equations, heads, lights, readings, results
 from vad.plan.page.foot import Foot, compose
@@ -82,7 +82,7 @@ class Plan:
     @cached_property
     def opening(self) -> Opening:
         """The first panel as it stands large at the beginning of a lesson."""
-        return opening(self.items, self.sheet.panels[0].name, self.regions[REGION])
+        return opening(self.items, self.sheet.panels[0].name, self.regions[OPENING])
 
     @property
     def finished(self) -> int:
@@ -147,7 +147,7 @@ def plan(
     items += folds(sketches)
     if words:
         items += [
-            Item("", "title", Level.GROUND, tuple(title_marks(sheet, page))),
+            Item("", TITLE, Level.GROUND, tuple(title_marks(sheet, page))),
             *heads(sheet, page, sketches),
             *equations(sheet, page, feet, sketches),
             *(readings(page, feet, sketches) if form.centimetre else ()),
@@ -197,24 +197,22 @@ def regions_of(page: Page) -> dict[str, Rect]:
     """
     top, low = page.title - 0.02, page.captions[0] + 0.038 if page.captions else 0.0
     regions = {
-        REGION: Rect(0.0, low, page.width, top),
-        "title": Rect(0.0, top, page.width, page.height),
+        OPENING: Rect(0.0, low, page.width, top),
+        TITLE: Rect(0.0, top, page.width, page.height),
     }
     for name, place in page.panels.items():
         whole, drawing = place.region, place.drawing
-        regions[f"{name} head"] = Rect(whole.left, drawing.top, whole.right, whole.top)
-        regions[f"{name} foot"] = Rect(whole.left, whole.bottom, whole.right, drawing.bottom)
+        regions[head_of(name)] = Rect(whole.left, drawing.top, whole.right, whole.top)
+        regions[foot_of(name)] = Rect(whole.left, whole.bottom, whole.right, drawing.bottom)
     if page.results:
         area = page.results
-        regions["results"] = Rect(
+        regions[RESULTS] = Rect(
             area.left - 0.002, area.bottom - 0.012, area.right + 0.002, area.top - 0.006
         )
     else:
         last = page.rows[-1] - 0.012 if page.rows else page.hairline
-        regions["results"] = Rect(
-            page.left - 0.002, last, page.right + 0.002, page.hairline + 0.003
-        )
-    regions["caption"] = Rect(0.0, 0.0, page.width, low)
+        regions[RESULTS] = Rect(page.left - 0.002, last, page.right + 0.002, page.hairline + 0.003)
+    regions[CAPTION] = Rect(0.0, 0.0, page.width, low)
     for name, place in page.panels.items():
         whole, drawing = place.region, place.drawing
         regions[name] = Rect(whole.left, drawing.bottom, whole.right, drawing.top)

@@ -12,6 +12,9 @@ from vad.plan.marks import Mark
 
 FOREVER = 1_000_000
 
+#: The regions of a page that belong to no panel; that of a panel's drawing is the panel's name.
+OPENING, TITLE, RESULTS, CAPTION = "opening", "title", "results", "caption"
+
 #: An item shows from the first beat on, until the second.
 Span = tuple[int, int]
 ALWAYS: Span = (0, FOREVER)
@@ -63,6 +66,21 @@ class Item:
     def at(self, share: float) -> list[Mark]:
         """Return the marks that show when ``share`` of the stroke is drawn."""
         return [shown for mark in self.marks if (shown := mark.at(share))]
+
+
+def head_of(panel: str) -> str:
+    """Return the region above a panel's drawing: its title and its scale."""
+    return f"{panel} head"
+
+
+def foot_of(panel: str) -> str:
+    """Return the region below a panel's drawing: its equations."""
+    return f"{panel} foot"
+
+
+def curve_of(panel: str) -> str:
+    """Return the region of what comes out over a turn, below a panel's drawing."""
+    return f"{panel} curve"
 
 
 def together(one: Span, other: Span) -> bool:

@@ -12,13 +12,14 @@ from dataclasses import replace
 from vad.plan.board import rows_of
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
-from vad.plan.items import FOREVER, Item, Level
+from vad.plan.items import FOREVER, TITLE, Item, Level
 from vad.plan.labels.vertices import corners
 from vad.plan.layout import FLOOR, GUTTER, MARGIN, Page, PanelPlace
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark
-from vad.plan.page.heads import TITLE, head
+from vad.plan.page.heads import TITLE as TITLE_SIZE
+from vad.plan.page.heads import head
 from vad.plan.page.title import title_marks
 from vad.plan.pictures import sketched
 from vad.plan.scale import Scale, fill
@@ -59,14 +60,14 @@ class MultiplesBoard:
         self._room = (self.form.width - 2 * MARGIN - (count - 1) * GUTTER) / count
         self._page = self._laid_out()
         self.regions: Mapping[str, Rect] = {
-            "title": Rect(0.0, self.form.height - FIRST_RULE, self.form.width, self.form.height),
+            TITLE: Rect(0.0, self.form.height - FIRST_RULE, self.form.width, self.form.height),
             **{name: place.region for name, place in self._page.panels.items()},
         }
         self.sketches: list[dict[str, Sketch]] = [{} for _ in range(count)]
         for half in first.halves:
             for sketch, found in zip(self._sketched(half.name), self.sketches, strict=True):
                 found[half.name] = sketch
-        self._items = [Item("", "title", Level.GROUND, tuple(self._titles()))]
+        self._items = [Item("", TITLE, Level.GROUND, tuple(self._titles()))]
         for name, place in self._page.panels.items():
             marks = tuple(self._head(name, place))
             self._items.append(Item("", name, Level.GROUND, marks))
@@ -150,7 +151,7 @@ class MultiplesBoard:
         scale = min(scales, key=lambda scale: scale.bare)
         yield from head(panel, place, scale, self.form.centimetre, sheets[0].notation)
         title = bold(roman(panel.title))
-        x = place.drawing.left + width(title, TITLE) + GIVEN_GAP
+        x = place.drawing.left + width(title, TITLE_SIZE) + GIVEN_GAP
         for index, row in enumerate(sheets[0].rows):
             for cell in row.cells.get(name, ()):
                 if cell.given and all(cell in each.rows[index].cells[name] for each in sheets):

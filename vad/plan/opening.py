@@ -10,14 +10,12 @@ from dataclasses import dataclass, replace
 
 from vad.plan.geometry import Rect
 from vad.plan.growth import Wandering
-from vad.plan.items import FOREVER, Item
+from vad.plan.items import CAPTION, FOREVER, OPENING, TITLE, Item
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Bow, Disc, Lettering, Outline, Polygon, Polyline
 
-#: The region of the page that the panel has to itself.
-REGION = "opening"
 #: What stays in its place meanwhile.
-STAYING = ("title", "caption")
+STAYING = (TITLE, CAPTION)
 #: A panel grows by so much at most; one that is smaller than usual further, to the usual size.
 LARGEST = 1.7
 USUAL = 0.87 + 0.62j
@@ -75,7 +73,7 @@ def opening(items: Sequence[Item], panel: str, area: Rect) -> Opening:
 
 def _mapped(item: Item, factor: float, shift: complex) -> Item:
     marks = tuple(mark.mapped(factor, shift) for mark in item.marks)
-    return replace(item, region=REGION, marks=marks)
+    return replace(item, region=OPENING, marks=marks)
 
 
 def reach(items: Iterable[Item]) -> Rect:

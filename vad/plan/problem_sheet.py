@@ -6,13 +6,13 @@ answers.  What stands on both stands at the same place.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
 
 from vad.errors import UsageError, one_of, shown
 from vad.plan.board import Plan
-from vad.plan.items import FOREVER, Item, Level
+from vad.plan.items import FOREVER, RESULTS, Item, Level, foot_of, head_of
 from vad.plan.page.table import table
 from vad.strokes.sheet import POLE, Sheet, Stroke
 
@@ -57,24 +57,30 @@ def problem(key: Plan, blank: Blank, line: float) -> Plan:
     line
         The length of the line before a row's name, with which the key was made.
     """
-    items = [shown for item in key.items if (shown := _without_answer(item, key, blank))]
+    panels = [key.sketches[name].setting.panel for name in blank]
+    answers = {panel.full(stroke.name) for panel in panels for stroke in panel.strokes}
+    items = [shown for each in key.items if (shown := _without_answer(each, key, blank, answers))]
     cells = table(key.sheet, key.page, line).cells
     for name in (name for name in blank if name in key.page.panels):
         for index, row in enumerate(key.sheet.rows):
             both = zip(row.cells.get(name, ()), cells(index, row, name, False), strict=True)
             marks = [entry.marks if cell.given else entry.blank for cell, entry in both]
             if not all(cell.given for cell in row.cells.get(name, ())):  # those stand there
-                items.append(Item("", "results", Level.LABEL, tuple(chain(*marks))))
+                items.append(Item("", RESULTS, Level.LABEL, tuple(chain(*marks))))
     return replace(key, items=tuple(items))
 
 
-def _without_answer(item: Item, key: Plan, blank: Blank) -> Item | None:
-    """Return an item as a problem shows it; None where it is an answer, or a part of one."""
-    home, _, place = item.region.partition(" ")
-    if home not in blank:
-        return None if item.stroke.partition(":")[0] in blank else item
-    if place:
-        return item if place == "head" and item.until == FOREVER else None
+def _without_answer(item: Item, key: Plan, blank: Blank, answers: Collection[str]) -> Item | None:
+    """Return an item as a problem shows it; None where it is an answer, or a part of one.
+
+    ``answers`` are the names of the strokes that are left to be drawn.
+    """
+    if item.region in map(head_of, blank):
+        return item if item.until == FOREVER else None
+    if item.region in map(foot_of, blank):
+        return None
+    if item.region not in blank:
+        return None if item.stroke in answers else item
     for name, strokes in blank.items():
         setting = key.sketches[name].setting
         for stroke in strokes:

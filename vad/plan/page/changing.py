@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from vad.lecture.moment import drawing
-from vad.plan.items import FOREVER, Item, Level
+from vad.plan.items import CAPTION, FOREVER, RESULTS, Item, Level, foot_of, head_of
 from vad.plan.layout import Page
 from vad.plan.marks import Lettering, Mark
 from vad.plan.page.captioning import caption_marks, drawn_in
@@ -25,7 +25,7 @@ def heads(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[
     """Yield the heads of the panels, faint until they are begun."""
     for panel in sheet.panels:
         sketch, place = sketches[panel.name], page.panels[panel.name]
-        begun, region = drawing(sketch.setting.first), f"{panel.name} head"
+        begun, region = drawing(sketch.setting.first), head_of(panel.name)
         full = head(panel, place, sketch.scale, sketch.setting.centimetre, sheet.notation)
         yield Item("", region, Level.GROUND, tuple(pale(full)), 0, begun)
         yield Item("", region, Level.GROUND, tuple(full), begun)
@@ -36,7 +36,7 @@ def equations(
 ) -> Iterator[Item]:
     """Yield the equations, in which a term is pale until its stroke is inked."""
     for panel in sheet.panels:
-        place, region = page.panels[panel.name], f"{panel.name} foot"
+        place, region = page.panels[panel.name], foot_of(panel.name)
         left, middle = place.drawing.left, place.drawing.centre.real
         foot, begun = feet[panel.name], drawing(sketches[panel.name].setting.first)
         for runs, baseline in zip(foot.remark, place.equations, strict=False):
@@ -73,7 +73,7 @@ def results(
 ) -> Iterator[Item]:
     """Yield the results: what is given at once, the rest as its stroke measures it."""
     entries = table(sheet, page, key)
-    yield Item("", "results", Level.GROUND, tuple(entries.frame()))
+    yield Item("", RESULTS, Level.GROUND, tuple(entries.frame()))
     for panel in sheet.panels:
         for index, row in enumerate(sheet.rows):
             plain, bold = (entries.cells(index, row, panel.name, new) for new in (False, True))
@@ -83,9 +83,9 @@ def results(
                 plain, bold = plain[count:], bold[count:]
                 name, since = measuring(sketches[half.name].setting, row, cells)
                 if lesson and name:
-                    yield Item(name, "results", Level.LABEL, new, since, since + 1)
+                    yield Item(name, RESULTS, Level.LABEL, new, since, since + 1)
                     since += 1
-                yield Item(name, "results", Level.LABEL, marks, since)
+                yield Item(name, RESULTS, Level.LABEL, marks, since)
 
 
 def _marks(entries: Iterable[Entry]) -> tuple[Mark, ...]:
@@ -117,7 +117,7 @@ def captions(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterat
                 number = setting.first - first + index + 1
                 marks = caption_marks(stroke.said, number, most, page)
                 since, name = setting.during(index), half.full(stroke.name)
-                yield Item(name, "caption", Level.LABEL, tuple(marks), since, setting.over(index))
+                yield Item(name, CAPTION, Level.LABEL, tuple(marks), since, setting.over(index))
 
 
 def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:

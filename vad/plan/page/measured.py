@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from vad.plan.items import Item, Level
+from vad.plan.items import Item, Level, foot_of
 from vad.plan.layout import PanelPlace
 from vad.plan.lettering.glyphs import fitted
 from vad.plan.lettering.runs import Runs, roman, symbols
@@ -43,7 +43,7 @@ def measured(sketch: Sketch, place: PanelPlace, first: int) -> Iterator[Item]:
         left = room.left + count % columns * room.width / columns
         at = complex(left, place.equations[first + count // columns])
         mark = Mark(Lettering(runs, at, size), "term", setting.row(stroke.link))
-        name, region = panel.full(stroke.name), f"{panel.column} foot"
+        name, region = panel.full(stroke.name), foot_of(panel.column)
         yield Item(name, region, Level.LABEL, (mark,), setting.after(index))
 
 

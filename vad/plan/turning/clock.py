@@ -41,7 +41,7 @@ class Clock:
                 f"{say('ratio')} {typeset(f'{cycle.ratio:.2f}', sheet.notation.point)}",
             ]
         elif course.swing:
-            phrase = "swings" if cycle.place.unit == "°" else "slides"
+            phrase = "swings" if sheet.driver.turns else "slides"
             row = next(row for row in sheet.rows if row.key == cycle.driver)
             unit, notation = cycle.place.unit, sheet.notation
             low, high = (written_end(end, unit, notation) for end in course.ends)

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from vad.lecture.turn import Turn
 from vad.plan.format import Format
-from vad.plan.items import Item, Level
+from vad.plan.items import Item, Level, curve_of
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import Placed, belongs, beside, fan
 from vad.plan.labels.vertices import text_at
@@ -57,7 +57,7 @@ class NumberedTurn(TurnBoard):
         ticks[-1] = (1.0, "1")
         for name, chart in self.charts.items():
             marks = [*chart.numbered([*shares, 1.0]), *chart.heading(), *chart.scale(ticks)]
-            items.append(self.item(f"{name} curve", marks))
+            items.append(self.item(curve_of(name), marks))
         self._shown = self.sorted(items)
 
     def shown(self, beat: int) -> list[Item]:

@@ -13,7 +13,7 @@ from vad.lecture.turn import Turn
 from vad.plan.board import rows_of
 from vad.plan.format import Format, screen
 from vad.plan.geometry import Rect
-from vad.plan.items import Item, Level
+from vad.plan.items import TITLE, Item, Level, curve_of, head_of
 from vad.plan.marks import Mark, lines
 from vad.plan.page.heads import head
 from vad.plan.page.title import title_marks
@@ -81,7 +81,7 @@ class TurnBoard:
             if panel.picture != "vectors" and self.clock:
                 items.append(self.item(panel.name, self.clock.marks(share)))
         for name, chart in self.charts.items():
-            items.append(self.item(f"{name} curve", [*chart.moving(share), *chart.words(share)]))
+            items.append(self.item(curve_of(name), [*chart.moving(share), *chart.words(share)]))
         return self.sorted(items)
 
     def sorted(self, items: list[Item]) -> list[Item]:
@@ -104,17 +104,17 @@ class TurnBoard:
 
     def _still(self, sheet: Sheet) -> Iterator[tuple[str, list[Mark]]]:
         """Yield what never changes: title, heads, and the curves with their ticks."""
-        yield "title", title_marks(sheet, self.page)
+        yield TITLE, title_marks(sheet, self.page)
         for panel in sheet.panels:
             moving, place = self.panels[panel.name], self.page.panels[panel.name]
             centimetre = self.form.centimetre
             marks = head(panel, place, moving.scale, centimetre, sheet.notation)
-            yield f"{panel.name} head", marks
+            yield head_of(panel.name), marks
             if panel.picture != "vectors":
                 yield panel.name, self._return_way(moving)
         for name, chart in self.charts.items():
             ticks = chart.scale(self.ticks, self.tick_rows - 1)
-            yield f"{name} curve", [*chart.still(), *ticks]
+            yield curve_of(name), [*chart.still(), *ticks]
 
     def _return_way(self, moving: TurnPanel) -> list[Mark]:
         """Return the part of the crank pin's way in which the output returns."""

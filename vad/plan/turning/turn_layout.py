@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from vad.errors import UsageError
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
+from vad.plan.items import TITLE, curve_of, head_of
 from vad.plan.layout import GUTTER, MARGIN, SMALLEST_DRAWING, TOP_RULE, Page, PanelPlace
 
 TITLE_BASELINE = 0.075  # below the top
@@ -34,13 +35,13 @@ class TurnPage:
     def regions(self) -> dict[str, Rect]:
         """The parts of the page that change on their own, in painting order."""
         page = self.page
-        regions = {"title": Rect(0.0, page.title - 0.02, page.width, page.height)}
+        regions = {TITLE: Rect(0.0, page.title - 0.02, page.width, page.height)}
         for name, place in page.panels.items():
             whole, drawing, chart = place.region, place.drawing, self.charts[name]
             aside = (whole.width - drawing.width) / 2
-            regions[f"{name} head"] = Rect(whole.left, drawing.top, whole.right, whole.top)
+            regions[head_of(name)] = Rect(whole.left, drawing.top, whole.right, whole.top)
             regions[name] = Rect(whole.left, drawing.bottom, whole.right, drawing.top)
-            regions[f"{name} curve"] = Rect(
+            regions[curve_of(name)] = Rect(
                 chart.left - aside, chart.bottom, chart.right + aside, chart.top
             )
         return regions
