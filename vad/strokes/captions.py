@@ -2,42 +2,113 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from typing import Generic
+
 from vad.kinematics.linkage import Bar, Slide, Step, length_of
-from vad.strokes.arithmetic import Figure, product
+from vad.strokes.arithmetic import Calculation, Figure, product
+from vad.strokes.diagram import ORDERS
 from vad.strokes.loops import StepVector
 from vad.strokes.scene import Scene, image_letter, point_of
-from vad.strokes.sentences import Listed, Noun, Sentence, SentencePart, Unit
-from vad.strokes.vector_equations import Part
+from vad.strokes.sentences import Listed, Noun, Saying, Sentence, SentencePart, Unit
+from vad.strokes.vector_equations import Part, V
 
 
-class Captions:
-    """The captions of the velocity (order 1) or acceleration (order 2) panel."""
+class PolygonCaptions(ABC, Generic[V]):
+    """What is said of the polygon of velocities (1) or accelerations (2), in plane and space alike.
+
+    Attributes
+    ----------
+    say
+        Says a sentence and notes down what it calculates: see `vad.strokes.sentences.Saying.say`.
+    order, panel
+        The order of the polygon, and the name of its panel.
+    unit
+        The unit of its vectors.
+    """
+
+    def __init__(self, scene: Saying, order: int, unit: str) -> None:
+        self.say = scene.say
+        self.order, self.panel = order, ORDERS[order].panel
+        self.unit = unit
+
+    @abstractmethod
+    def measures(self, part: Part[V]) -> str:
+        """Return the symbol of what an unknown part measures: ω₃, α₃, v or a."""
+
+    def is_zero(self, part: Part[V]) -> bool:
+        """Tell whether what a part measures is zero where the part vanishes."""
+        return True
+
+    def still(self) -> Sentence:
+        """Say that nothing moves."""
+        return self.say("still")
+
+    def at_pole(self, letters: Sequence[SentencePart]) -> Sentence:
+        """Say which of several points lie at the pole."""
+        *named, last = letters
+        both = self.say("and", first=Listed(tuple(named), ", "), last=last)
+        return self.say(f"pole {self.panel}", letters=both)
+
+    def quantity(
+        self,
+        phrase: str,
+        *calculations: Calculation,
+        label: str,
+        value: Figure,
+        **parts: SentencePart,
+    ) -> Sentence:
+        """Say how long a vector is, in the unit of the polygon."""
+        parts |= {"label": label, "value": value, "unit": Unit(self.unit)}
+        return self.say(phrase, *calculations, **parts)
+
+    def place(self, point: str, at_pole: bool) -> SentencePart:
+        """Return a vertex through which a line runs, or the pole."""
+        return self.say("the pole") if at_pole else point
+
+    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[V], str]]) -> Sentence:
+        """Say what lies where the two lines cross, and which results are zero there."""
+        if pole:
+            return self.say("pole crossing", letter=letter, point=point_of(letter))
+        found = tuple(
+            self.say("zero", point=vertex, symbol=self.measures(part))
+            for part, vertex in zeros
+            if self.is_zero(part)
+        )
+        if found:
+            return self.say("crossing zero", letter=letter, found=Listed(found, "; "))
+        return self.say("crossing", letter=letter)
+
+    def sense(self, rate: float) -> Sentence:
+        """Say in which sense a body turns."""
+        return self.say("counter-clockwise" if rate > 0 else "clockwise")
+
+    def size(self, part: Part[V]) -> Figure:
+        """Return the length of a vector's part."""
+        return Figure(abs(part.vector), self.unit)
+
+
+class Captions(PolygonCaptions[StepVector]):
+    """The captions of a polygon in the plane."""
 
     def __init__(self, scene: Scene, order: int) -> None:
-        self._scene, self._say = scene, scene.say
-        self._order = order
-        self._panel = "velocity" if order == 1 else "acceleration"
-        self._unit = scene.rate_unit(order)
-        self._written_unit = Unit(self._unit)
+        super().__init__(scene, order, scene.rate_unit(order))
+        self._scene = scene
 
     def pole(self, letters: list[str]) -> Sentence:
         """Say which points lie at the pole."""
         points = self._scene.members.points
-        *named, last = [
+        named: list[SentencePart] = [
             letter
             if point_of(letter) in points
-            else self._say("on the guide", letter=letter, point=point_of(letter))
+            else self.say("on the guide", letter=letter, point=point_of(letter))
             for letter in letters
         ]
-        if not named:
+        if len(named) == 1:
             point = point_of(letters[0])
-            return self._say(f"pole {self._panel} one", point=point, letters=last)
-        both = self._say("and", first=Listed(tuple(named), ", "), last=last)
-        return self._say(f"pole {self._panel}", letters=both)
-
-    def still(self) -> Sentence:
-        """Say that nothing moves."""
-        return self._say("still")
+            return self.say(f"pole {self.panel} one", point=point, letters=named[0])
+        return self.at_pole(named)
 
     def known(self, label: str, part: Part[StepVector]) -> Sentence:
         """Work out a component that is known before the crossing."""
@@ -45,20 +116,19 @@ class Captions:
             return self._known_slide(label, part, part.of.step)
         scene, bar = self._scene, part.of.step
         normal = part.name == "normal"
-        rate = scene.spin(bar.link, 1 if normal else self._order, power=2 if normal else 1)
+        rate = scene.spin(bar.link, 1 if normal else self.order, power=2 if normal else 1)
         tail, head = scene.members.ends(bar)
-        whole = label == "".join(image_letter(end, self._order) for end in (bar.tail, bar.head))
-        return self._say(
-            ("normal" if normal else f"tangential {self._panel}") + (" whole" if whole else ""),
+        whole = label == "".join(image_letter(end, self.order) for end in (bar.tail, bar.head))
+        return self.quantity(
+            ("normal" if normal else f"tangential {self.panel}") + (" whole" if whole else ""),
             product("value", "rate", "size"),
             label=label,
             bar=tail + head,
             omega=scene.members.symbol("ω", bar.link),
             alpha=scene.members.symbol("α", bar.link),
             rate=rate,
-            size=scene.length(bar, self._unit),
-            value=self._size(part),
-            unit=self._written_unit,
+            size=scene.length(bar, self.unit),
+            value=self.size(part),
             head=head,
             tail=tail,
             whose=self._whose(bar) if whole else "",
@@ -66,29 +136,30 @@ class Captions:
 
     def _known_slide(self, label: str, part: Part[StepVector], slide: Slide) -> Sentence:
         scene = self._scene
-        common: dict[str, SentencePart] = {"label": label, "unit": self._written_unit}
         if part.name != "coriolis":
-            given = scene.figure(length_of(slide.name), abs(part.vector), self._unit)
+            given = scene.figure(length_of(slide.name), abs(part.vector), self.unit)
             line, way = scene.line(slide), self._way(part.vector)
-            return self._say(f"sliding {self._panel}", line=line, way=way, value=given, **common)
+            return self.quantity(
+                f"sliding {self.panel}", label=label, value=given, line=line, way=way
+            )
         sliding = abs(scene.speed(slide.name, 1))
-        return self._say(
+        return self.quantity(
             "coriolis",
             product("value", 2.0, "rate", "speed"),
+            label=label,
             omega=scene.members.symbol("ω", str(slide.along)),
             rate=scene.spin(str(slide.along), 1),
             speed=scene.figure(length_of(slide.name), sliding, scene.rate_unit(1)),
-            value=self._size(part),
-            **common,
+            value=self.size(part),
         )
 
     def line(self, part: Part[StepVector], point: str, meeting: str) -> Sentence:
         """Say why the next vertex must lie on a construction line."""
         scene, step = self._scene, part.of.step
-        fixed = {image_letter(letter, self._order) for letter in scene.members.fixed}
-        place = self._say("the pole") if point in fixed else point
+        fixed = {image_letter(letter, self.order) for letter in scene.members.fixed}
+        place = self.place(point, point in fixed)
         if isinstance(step, Slide):
-            return self._say(
+            return self.say(
                 self._along(step),
                 point=place,
                 line=scene.line(step),
@@ -97,9 +168,9 @@ class Captions:
                 meeting=meeting,
             )
         tail, head = scene.members.ends(step)
-        strut = " strut" if self._order == 1 and scene.members.is_strut(step) else ""
-        return self._say(
-            f"across {self._panel}{strut}",
+        strut = " strut" if self.order == 1 and scene.members.is_strut(step) else ""
+        return self.say(
+            f"across {self.panel}{strut}",
             point=place,
             bar=tail + head,
             tail=tail,
@@ -110,77 +181,56 @@ class Captions:
 
     def across(self, tail: str, head: str) -> Sentence:
         """Say that a further point of a link moves across its line to a known one."""
-        return self._say(
-            f"across {self._panel}",
-            point=image_letter(tail, self._order),
+        return self.say(
+            f"across {self.panel}",
+            point=image_letter(tail, self.order),
             bar=tail + head,
             tail=tail,
             head=head,
-            meeting=image_letter(head, self._order),
+            meeting=image_letter(head, self.order),
         )
 
     def absolute(self, label: str, point: str, size: float) -> Sentence:
         """Measure the vector of a point from the pole."""
-        value, whose = Figure(size, self._unit), self._say(f"{self._panel} of", head=point)
-        return self._say("whole", label=label, value=value, unit=self._written_unit, whose=whose)
-
-    def crossing(
-        self, letter: str, pole: bool, zeros: list[tuple[Part[StepVector], str]]
-    ) -> Sentence:
-        """Say what lies where the two lines cross, and which results are zero there."""
-        if pole:
-            return self._say("pole crossing", letter=letter, point=point_of(letter))
-        found = tuple(
-            self._say("zero", point=vertex, symbol=self._rate_symbol(part.of.step))
-            for part, vertex in zeros
-        )
-        if found:
-            return self._say("crossing zero", letter=letter, found=Listed(found, "; "))
-        return self._say("crossing", letter=letter)
+        value, whose = Figure(size, self.unit), self.say(f"{self.panel} of", head=point)
+        return self.quantity("whole", label=label, value=value, whose=whose)
 
     def measured(self, label: str, part: Part[StepVector]) -> Sentence:
         """Measure a result off the polygon."""
         scene, step = self._scene, part.of.step
-        common: dict[str, SentencePart] = {"label": label, "unit": self._written_unit}
         if isinstance(step, Slide):
-            return self._say(
-                f"measured sliding {self._panel}",
+            return self.quantity(
+                f"measured sliding {self.panel}",
+                label=label,
                 slide=scene.members.slider(step),
                 head=self._sliding_point(step),
                 line=scene.line(step),
                 way=self._way(part.vector),
-                symbol=self._rate_symbol(step),
-                rate=Figure(scene.speed(step.name, self._order), self._unit),
-                value=self._size(part),
-                **common,
+                symbol=self.measures(part),
+                rate=Figure(scene.speed(step.name, self.order), self.unit),
+                value=self.size(part),
             )
         tail, head = scene.members.ends(step)
-        turning = scene.rate(step.link, self._order)
-        return self._say(
-            f"measured omega{self._seen(step)}" if self._order == 1 else "measured alpha",
+        return self.quantity(
+            f"measured omega{self._seen(step)}" if self.order == 1 else "measured alpha",
             product("rate", "value", "size"),
+            label=label,
             omega=scene.members.symbol("ω", step.link),
             alpha=scene.members.symbol("α", step.link),
             bar=tail + head,
             tail=tail,
             head=head,
-            value=self._size(part),
-            size=scene.length(step, self._unit, power=-1),
-            rate=scene.spin(step.link, self._order),
-            sense=self._say("counter-clockwise" if turning > 0 else "clockwise"),
+            value=self.size(part),
+            size=scene.length(step, self.unit, power=-1),
+            rate=scene.spin(step.link, self.order),
+            sense=self.sense(scene.rate(step.link, self.order)),
             way=self._way(part.vector),
-            **common,
         )
 
     def whole(self, label: str, size: float, vector: StepVector) -> Sentence:
         """Measure a whole vector beside its parts."""
-        return self._say(
-            "whole",
-            label=label,
-            value=Figure(size, self._unit),
-            unit=self._written_unit,
-            whose=self._whose(vector.step),
-        )
+        value, whose = Figure(size, self.unit), self._whose(vector.step)
+        return self.quantity("whole", label=label, value=value, whose=whose)
 
     def image(self, bar: Bar, base: Bar, label: str, sizes: tuple[float, float, float]) -> Sentence:
         """Find a further point of a link by proportion.
@@ -188,55 +238,47 @@ class Captions:
         ``sizes`` are those of the vectors of ``base``, of ``bar`` and from the pole.
         """
         scene, against = self._scene, self._scene.against(bar)
-        known, own, found = (Figure(size, self._unit) for size in sizes)
+        known, own, found = (Figure(size, self.unit) for size in sizes)
         part, whole = (
-            "".join(image_letter(letter, self._order) for letter in (each.tail, each.head))
+            "".join(image_letter(letter, self.order) for letter in (each.tail, each.head))
             for each in (bar, base)
         )
         also: list[SentencePart] = []
         if part != label:
-            parts: dict[str, SentencePart] = {
-                "value": found,
-                "unit": self._written_unit,
-                "label": label,
-            }
-            also.append(self._say("image other", **parts))
+            also.append(self.quantity("image other", label=label, value=found))
         if not against:  # else it would take three lines
-            whose = self._say(f"{self._panel} of", head=bar.head)
-            also.append(self._say("image whose", whose=whose))
-        return self._say(
+            whose = self.say(f"{self.panel} of", head=bar.head)
+            also.append(self.say("image whose", whose=whose))
+        return self.say(
             "image against" if against else "image",
             product("own", "known", "size", "length"),
-            letter=image_letter(bar.head, self._order),
-            image=self._say(f"image {self._panel}"),
+            letter=image_letter(bar.head, self.order),
+            image=self.say(f"image {self.panel}"),
             link=Noun(bar.link),
             part=part,
             whole=whole,
             bar=bar.ends,
             base=base.ends,
             known=known,
-            size=scene.length(bar, self._unit),
-            length=scene.length(base, self._unit, power=-1),
+            size=scene.length(bar, self.unit),
+            length=scene.length(base, self.unit, power=-1),
             own=own,
-            unit=self._written_unit,
+            unit=Unit(self.unit),
             also=Listed(tuple(also), ""),
         )
 
-    def _size(self, part: Part[StepVector]) -> Figure:
-        """Return the length of a vector's part."""
-        return Figure(abs(part.vector), self._unit)
-
-    def _rate_symbol(self, step: Step) -> str:
+    def measures(self, part: Part[StepVector]) -> str:
         """Return the symbol of what a step's unknown part measures: ω₃, α₃, v or a."""
+        step = part.of.step
         if isinstance(step, Slide):
-            return "va"[self._order - 1]
-        return self._scene.members.symbol("ωα"[self._order - 1], step.link)
+            return "va"[self.order - 1]
+        return self._scene.members.symbol("ωα"[self.order - 1], step.link)
 
     def _whose(self, bar: Step) -> Sentence:
         """Say whose velocity or acceleration the whole vector of a bar is."""
         fixed = bar.tail in self._scene.members.fixed
-        phrase = f"{self._panel} of" + ("" if fixed else " relative")
-        return self._say(phrase, head=bar.head, tail=bar.tail)
+        phrase = f"{self.panel} of" + ("" if fixed else " relative")
+        return self.say(phrase, head=bar.head, tail=bar.tail)
 
     def _seen(self, bar: Bar) -> str:
         """Return from where the motion of a bar's head is seen."""
@@ -251,10 +293,10 @@ class Captions:
         """Return the phrase for the line along which a block slides."""
         if isinstance(slide.along, str):
             inside = "slot" if slide.name == slide.along else "link"
-            return f"along velocity {inside}" if self._order == 1 else "along acceleration"
+            return f"along velocity {inside}" if self.order == 1 else "along acceleration"
         return "along velocity" if self._scene.members.is_guide(slide) else "along velocity slot"
 
     def _way(self, vector: complex) -> Sentence:
         if abs(vector.real) >= abs(vector.imag):
-            return self._say("right" if vector.real > 0 else "left")
-        return self._say("up" if vector.imag > 0 else "down")
+            return self.say("right" if vector.real > 0 else "left")
+        return self.say("up" if vector.imag > 0 else "down")

@@ -9,8 +9,9 @@ import numpy as np
 
 from vad.kinematics.space.numbers import Vector3, difference, dot
 from vad.strokes.arithmetic import Figure, hypotenuse, product
+from vad.strokes.captions import PolygonCaptions
 from vad.strokes.scene import image_letter
-from vad.strokes.sentences import Listed, Sentence, Unit
+from vad.strokes.sentences import Sentence, Unit
 from vad.strokes.space.balls_seen import Seen
 from vad.strokes.space.body_rates import place
 from vad.strokes.vector_equations import Part, Vector
@@ -22,7 +23,6 @@ if TYPE_CHECKING:
 #: The numbers of the bodies.
 BODIES = {"crank": 2, "coupler": 3, "rocker": 4}
 _ENDS = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
-_PANELS = ("velocity", "acceleration")
 _RATES = ("omega", "alpha")
 
 
@@ -33,85 +33,74 @@ def length_of(scene: SceneInSpace, link: str, unit: str = "", power: int = 1) ->
     return Figure(value, unit or scene.unit, given, power)
 
 
-class BallWords:
-    """The captions of the velocity (order 1) or acceleration (order 2) polygon."""
+class BallWords(PolygonCaptions[Vector]):
+    """The captions of the polygons."""
 
     def __init__(self, scene: SceneInSpace, seen: Seen, order: int) -> None:
-        self._scene, self._say = scene, scene.say
-        self._order = order
-        self._panel = _PANELS[order - 1]
-        self._unit = per_second(scene.unit, order)
-        self._seen = seen
+        super().__init__(scene, order, per_second(scene.unit, order))
+        self._scene, self._seen = scene, seen
+        self._fixed = [image_letter(letter, order) for letter in "AD"]
 
     def pole(self, resting: bool) -> Sentence:
         """Say what lies at the pole."""
-        letters = (image_letter(letter, self._order) for letter in "AD")
-        first, last = letters
-        both = self._say("and", first=first, last=last)
-        return self._say("still") if resting else self._say(f"pole {self._panel}", letters=both)
+        return self.still() if resting else self.at_pole(self._fixed)
 
     def known(self, label: str, part: Part[Vector]) -> Sentence:
         """Work out a component that is known before the crossing."""
         link = part.of.owner
-        ends, size = _ENDS[link], length_of(self._scene, link, self._unit)
+        ends, size = _ENDS[link], length_of(self._scene, link, self.unit)
         parts: dict[str, Any] = {"label": label, "ends": ends, "size": size}
-        parts |= {"unit": Unit(self._unit), "seen": Figure(abs(part.vector), self._unit)}
+        parts |= {"unit": Unit(self.unit), "seen": self.size(part)}
         normal = part.name == "normal"
         if normal and link == "coupler":
-            size = length_of(self._scene, link, self._unit, power=-1)
+            size = length_of(self._scene, link, self.unit, power=-1)
             speed = Figure(self._relative_speed, per_second(self._scene.unit, 1), power=2)
             parts |= {"size": size, "speed": speed}
-            return self._say("balls normal BC", product("seen", "speed", "size"), **parts)
-        rate = self._rate(link, 1 if normal else self._order, power=2 if normal else 1)
-        value = Figure(abs(rate.value) ** rate.power * size.value, self._unit)
-        symbol = self._symbol(link, 1 if normal else self._order)
-        phrase = "balls normal" if normal else f"balls tangential {self._panel}"
+            return self.say("balls normal BC", product("seen", "speed", "size"), **parts)
+        rate = self._rate(link, 1 if normal else self.order, power=2 if normal else 1)
+        value = Figure(abs(rate.value) ** rate.power * size.value, self.unit)
+        symbol = self._symbol(link, 1 if normal else self.order)
+        phrase = "balls normal" if normal else f"balls tangential {self.panel}"
         parts |= {"symbol": symbol, "rate": rate, "value": value}
         worked = product("value", "rate", "size")
-        return self._say(phrase, worked, tail=ends[0], head=ends[1], **parts)
+        return self.say(phrase, worked, tail=ends[0], head=ends[1], **parts)
 
     def line(self, part: Part[Vector], point: str, meeting: str) -> Sentence:
         """Say why the next vertex must lie on a construction line."""
-        at_pole = point in map(lambda letter: image_letter(letter, self._order), "AD")
-        place = self._say("the pole") if at_pole else point
-        phrase = f"balls line {part.of.name} {self._panel}"
+        place = self.place(point, point in self._fixed)
+        phrase = f"balls line {part.of.name} {self.panel}"
         symbol = self._symbol(part.of.owner, 2)
-        return self._say(phrase, point=place, meeting=meeting, symbol=symbol)
+        return self.say(phrase, point=place, meeting=meeting, symbol=symbol)
 
-    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[Vector], str]]) -> Sentence:
-        """Say what lies where the two lines cross, and which results are zero there."""
-        found = tuple(
-            self._say("zero", point=vertex, symbol=self._symbol(part.of.owner, self._order))
-            for part, vertex in zeros
-            if part.of.name == "DC" or not self._relative_off
-        )
-        if found:
-            return self._say("crossing zero", letter=letter, found=Listed(found, "; "))
-        return self._say("crossing", letter=letter)
+    def measures(self, part: Part[Vector]) -> str:
+        """Return the symbol of the rate of a body."""
+        return self._symbol(part.of.owner, self.order)
+
+    def is_zero(self, part: Part[Vector]) -> bool:
+        """Tell whether nothing turns where a part vanishes in this view."""
+        return part.of.name == "DC" or not self._relative_off
 
     def measured(self, label: str, part: Part[Vector]) -> Sentence:
         """Measure a result off the polygon."""
         link = part.of.owner
-        value = Figure(abs(part.vector), self._unit)
-        parts: dict[str, Any] = {"label": label, "value": value, "unit": Unit(self._unit)}
-        parts["symbol"] = self._symbol(link, self._order)
-        rate, size = self._rate(link, self._order), length_of(self._scene, link, self._unit, -1)
+        parts: dict[str, Any] = {"label": label, "value": self.size(part)}
+        parts["symbol"] = self.measures(part)
+        rate, size = self._rate(link, self.order), length_of(self._scene, link, self.unit, -1)
         rate = Figure(abs(rate.value), rate.unit)
         if link == "rocker":
-            turning = getattr(self._scene.motion.link(link), _RATES[self._order - 1])
-            sense = self._say("counter-clockwise" if turning > 0 else "clockwise")
-            return self._say(
-                f"balls rocker {self._panel}",
+            turning = getattr(self._scene.motion.link(link), _RATES[self.order - 1])
+            return self.quantity(
+                f"balls rocker {self.panel}",
                 product("rate", "value", "size"),
                 rate=rate,
                 size=size,
-                sense=sense,
+                sense=self.sense(turning),
                 **parts,
             )
-        whole = Figure(rate.value * size.value, self._unit)
-        off = Figure(self._relative_off, self._unit)
-        return self._say(
-            f"balls coupler {self._panel}",
+        whole = Figure(rate.value * size.value, self.unit)
+        off = Figure(self._relative_off, self.unit)
+        return self.quantity(
+            f"balls coupler {self.panel}",
             hypotenuse("whole", "value", "off"),
             product("rate", "whole", "size"),
             rate=rate,
@@ -125,11 +114,9 @@ class BallWords:
         """Measure a whole vector beside its parts."""
         head, tail = vector.name[1], vector.name[0]
         relative = " relative" if vector.whole == "relative" else ""
-        whose = self._say(f"{self._panel} of{relative}", head=head, tail=tail)
-        value = Figure(size, self._unit)
-        return self._say(
-            "balls whole", label=label, value=value, unit=Unit(self._unit), whose=whose
-        )
+        whose = self.say(f"{self.panel} of{relative}", head=head, tail=tail)
+        value = Figure(size, self.unit)
+        return self.quantity("balls whole", label=label, value=value, whose=whose)
 
     def _symbol(self, link: str, order: int) -> str:
         return "ωα"[order - 1] + subscript(BODIES[link])
@@ -149,7 +136,7 @@ class BallWords:
     @property
     def _relative_off(self) -> float:
         """By how much b and c stand at different heights over the paper."""
-        size: float = abs(self._seen.depth(self._relative(self._panel)))
+        size: float = abs(self._seen.depth(self._relative(self.panel)))
         return size
 
     def _relative(self, quantity: str) -> Vector3:

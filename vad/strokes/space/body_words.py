@@ -9,7 +9,9 @@ from vad.kinematics.numbers import fold
 from vad.kinematics.space.crossed_shafts import UniversalSolver
 from vad.kinematics.space.sphere import SphereSolver
 from vad.strokes.arithmetic import Figure, product
-from vad.strokes.sentences import Listed, Sentence, SentencePart, Unit
+from vad.strokes.captions import PolygonCaptions
+from vad.strokes.diagram import ORDERS
+from vad.strokes.sentences import Sentence, SentencePart, Unit
 from vad.strokes.space.body_rates import BodyRates
 from vad.strokes.vector_equations import Part, Vector
 from vad.written import subscript
@@ -33,7 +35,7 @@ class BodyVector(Vector):
     value: float
 
 
-class BodyWords:
+class BodyWords(PolygonCaptions[BodyVector]):
     """What is said of the polygon of bodies.
 
     ``topic`` begins the phrases of its mechanism; ``sines`` says whether ω₄/ω₂ is read off the
@@ -44,26 +46,20 @@ class BodyWords:
     sines = True
 
     def __init__(self, scene: SceneInSpace, order: int, rates: BodyRates) -> None:
-        self.scene, self.order, self.rates = scene, order, rates
-        self.panel = ("velocity", "acceleration")[order - 1]
-        self.unit = ("rad/s", "rad/s²")[order - 1]
-
-    def still(self) -> Sentence:
-        """Say that nothing moves."""
-        return self.scene.say("still")
+        super().__init__(scene, order, ORDERS[order].unit)
+        self.scene, self.rates = scene, rates
 
     def pole(self) -> Sentence:
         """Say that the frame is at the pole."""
-        return self.scene.say(f"bodies pole {self.panel}")
+        return self.say(f"bodies pole {self.panel}")
 
     def known(self, label: str, part: Part[BodyVector]) -> Sentence:
         """Work out a known component."""
         vector = part.of
-        common: dict[str, SentencePart] = {"label": label, "unit": Unit(self.unit)}
         if part.name != "normal":
             value = Figure(vector.value, self.unit, given=True)
-            return self.scene.say(
-                "bodies given", symbol=vector.symbol, axis=vector.axis, value=value, **common
+            return self.quantity(
+                "bodies given", label=label, symbol=vector.symbol, axis=vector.axis, value=value
             )
         solver, motion = self.scene.motion.solver, self.scene.motion
         assert isinstance(solver, SphereSolver | UniversalSolver)
@@ -73,25 +69,24 @@ class BodyWords:
             Figure(abs(each), unit)
             for each, unit in ((part.vector, self.unit), (found.omega, "rad/s"), (speed, "rad/s"))
         )
-        symbol = "ω" + subscript(42)
-        return self.scene.say(
+        return self.quantity(
             f"{self.topic} turned {'coupler' if vector.reverse else 'frame'}",
             product("value", "omega", "tau"),
-            symbol=symbol,
+            label=label,
+            symbol="ω" + subscript(42),
             omega=omega,
             tau=tau,
             value=value,
-            **common,
         )
 
     def line(self, part: Part[BodyVector], point: str, meeting: str) -> Sentence:
         """Say why the next vertex lies on a line."""
         vector = part.of
-        place = self.scene.say("the pole") if vector.name == "14" else point
+        place = self.place(point, vector.name == "14")
         arcs = {"23": self.rates.at_b, "43": self.rates.at_c}
         arc = Figure(abs(arcs.get(vector.name, 0.0)), "°")
         panel = f" {self.panel}" if vector.name == "24" else ""
-        return self.scene.say(
+        return self.say(
             f"{self.topic} line {vector.name}{panel}",
             point=place,
             axis=vector.axis,
@@ -99,16 +94,9 @@ class BodyWords:
             arc=arc,
         )
 
-    def crossing(
-        self, letter: str, pole: bool, zeros: list[tuple[Part[BodyVector], str]]
-    ) -> Sentence:
-        """Say what lies where the lines cross."""
-        found = tuple(
-            self.scene.say("zero", point=vertex, symbol=part.symbol) for part, vertex in zeros
-        )
-        if found:
-            return self.scene.say("crossing zero", letter=letter, found=Listed(found, "; "))
-        return self.scene.say("crossing", letter=letter)
+    def measures(self, part: Part[BodyVector]) -> str:
+        """Return the symbol of a rate."""
+        return part.symbol
 
     def measured(self, label: str, part: Part[BodyVector]) -> Sentence:
         """Measure a result."""
@@ -117,17 +105,15 @@ class BodyWords:
         parts: dict[str, SentencePart] = {"label": label, "symbol": part.symbol, "value": value}
         parts["unit"] = Unit(self.unit)
         if vector.name != "14" or self.order > 1 or not self.sines:
-            return self.scene.say("turning measured", **parts)
+            return self.say("turning measured", **parts)
         assert isinstance(motion.solver, SphereSolver)
         from_a = motion.solver.axis(motion.pose).tau
         from_d = fold(from_a - motion.mechanism.parameters()["ground"])
         sign = -1.0 if from_a <= 0.0 and from_d <= 0.0 else 1.0
         arcs = {"ai": Figure(sign * from_a, "°"), "di": Figure(sign * from_d, "°")}
-        return self.scene.say("bodies sines", **parts, **arcs)
+        return self.say("bodies sines", **parts, **arcs)
 
     def whole(self, label: str, size: float, vector: BodyVector) -> Sentence:
         """Measure a whole vector."""
         value = Figure(size, self.unit)
-        return self.scene.say(
-            "turning measured", label=label, symbol=vector.symbol, value=value, unit=Unit(self.unit)
-        )
+        return self.quantity("turning measured", label=label, symbol=vector.symbol, value=value)

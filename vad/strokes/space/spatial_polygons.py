@@ -6,15 +6,16 @@ four-bar; below is A as a point of the rocker: relative to the crank, and about 
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from vad.strokes.arithmetic import Figure, product, total
+from vad.strokes.captions import PolygonCaptions
 from vad.strokes.diagram import Drawing
 from vad.strokes.player import Pencil, Player
-from vad.strokes.sentences import Sentence, SentencePart, Terms, Unit
+from vad.strokes.sentences import Sentence, Terms
 from vad.strokes.sheet import Component
 from vad.strokes.space.body_words import TURNED
 from vad.strokes.space.screw_rates import ScrewRates
@@ -36,7 +37,7 @@ def polygons(scene: SceneInSpace, rates: ScrewRates, order: int) -> Drawing:
     return replace(upper.drawing(), below=lower.drawing())
 
 
-class _Half(ABC):
+class _Half(PolygonCaptions[Vector]):
     """What both polygons have: vertices, the lines along I and D, and what is said of them.
 
     ``found`` are the rates that the crossing finds, by their rows; ``lines`` are the phrases of the
@@ -54,11 +55,11 @@ class _Half(ABC):
         spots: Mapping[str, complex],
         found: Mapping[str, float],
     ) -> None:
-        self.scene, self.rates, self.order, self.unit = scene, rates, order, unit
+        super().__init__(scene, order, unit)
+        self.scene, self.rates = scene, rates
         self.spots, self.found = spots, found
         self.i, self.d = complex(rates.i), complex(rates.d)
         self.longest = max(map(abs, spots.values()))
-        self.panel = ("velocity", "acceleration")[order - 1]
 
     def play(self, equation: VectorEquation[Vector], fixed: list[str], pole: str) -> Drawing:
         """Draw an equation from the pole on, where the ``fixed`` vertices are."""
@@ -66,7 +67,7 @@ class _Half(ABC):
         at_pole = list(self.spots) if resting else fixed
         pencil: Pencil[Vector] = Pencil(self, place, self.longest, at_pole)
         rows = tuple(self.scene.headings) if resting else ()
-        pencil.begin(self.scene.say("still" if resting else f"{pole} {self.panel}"), rows)
+        pencil.begin(self.still() if resting else self.say(f"{pole} {self.panel}"), rows)
         first, second = Player(pencil).play(equation)
         sums = () if resting else (of_chains(first.side, second.side),)
         strokes, zeros = tuple(pencil.strokes), tuple(pencil.zeros)
@@ -97,20 +98,22 @@ class _Half(ABC):
     def line(self, part: Part[Vector], point: str, meeting: str) -> Sentence:
         """Say why the next vertex lies on the line along I or D."""
         letter, pole = part.of.name, next(iter(self.spots))
-        place = self.scene.say("the pole") if part.of.tail == pole else point
+        place = self.place(point, part.of.tail == pole)
         phrase = self.lines[letter].format(self.panel)
-        return self.scene.say(phrase, point=place, meeting=meeting, axis="O" + letter)
+        return self.say(phrase, point=place, meeting=meeting, axis="O" + letter)
 
-    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[Vector], str]]) -> Sentence:
-        """Say what lies where the two lines cross."""
-        return self.scene.say("crossing", letter=letter)
+    def measures(self, part: Part[Vector]) -> str:
+        """Return the symbol of a rate."""
+        return part.symbol
+
+    def is_zero(self, part: Part[Vector]) -> bool:
+        """Leave it to the table that a rate is zero: both polygons have their own."""
+        return False
 
     def measured(self, label: str, part: Part[Vector]) -> Sentence:
         """Measure a result off the polygon."""
-        value, unit = self.figure(self.found[part.of.owner]), Unit(self.unit)
-        return self.scene.say(
-            "turning measured", label=label, symbol=part.symbol, value=value, unit=unit
-        )
+        value = self.figure(self.found[part.of.owner])
+        return self.quantity("turning measured", label=label, symbol=part.symbol, value=value)
 
     def whole(self, label: str, size: float, vector: Vector) -> str:
         """Say nothing: no sum is drawn beside its parts."""
@@ -149,9 +152,8 @@ class _Turning(_Half):
         if part.of.owner == "axis":
             return self._turned(label)
         value = self.figure(self.rates.of_crank(self.order), given=True)
-        unit = Unit(self.unit)
-        return self.scene.say(
-            "bodies given", axis="OA", label=label, symbol=part.symbol, value=value, unit=unit
+        return self.quantity(
+            "bodies given", axis="OA", label=label, symbol=part.symbol, value=value
         )
 
     def _turned(self, label: str) -> Sentence:
@@ -159,7 +161,7 @@ class _Turning(_Half):
         omega, _, tau, _ = (abs(float(rate)) for rate in self.rates.moving)
         factors = self.figure(omega, "rad/s"), self.figure(tau, "rad/s")
         value = self.figure(abs(float(self.rates.about_i(self.order)[1])))
-        return self.scene.say(
+        return self.quantity(
             "bodies turned frame",
             product("value", "omega", "tau"),
             label=label,
@@ -167,7 +169,6 @@ class _Turning(_Half):
             omega=factors[0],
             tau=factors[1],
             value=value,
-            unit=Unit(self.unit),
         )
 
 
@@ -207,7 +208,7 @@ class _Sliding(_Half):
         turn = self.figure(abs(rate), ("rad/s", "rad/s²")[self.order - 1])
         lever = self.figure(abs(arm), self.unit, given=True)
         value = self.figure(abs(rate * arm))
-        return self.scene.say(
+        return self.quantity(
             "spatial about D",
             product("value", "turn", "lever"),
             label=label,
@@ -215,26 +216,29 @@ class _Sliding(_Half):
             turn=turn,
             lever=lever,
             value=value,
-            unit=Unit(self.unit),
         )
 
     def _about_i(self, label: str) -> Sentence:
         """Say how A turns about I, as a point of the rocker that is seen from the crank."""
         omega, sliding, tau, rising = (float(rate) for rate in self.rates.moving)
         across = self.figure(abs(float(self.rates.of_a(self.order)[1])))
-        parts: dict[str, SentencePart] = {"label": label, "value": across}
-        parts["unit"] = Unit(self.unit)
         if self.order == 1:
             turn, lever = self.figure(abs(omega), "rad/s"), self.figure(abs(self.rates.height))
             worked = product("value", "turn", "lever")
-            return self.scene.say(
-                "spatial about I velocity", worked, turn=turn, lever=lever, **parts
+            return self.quantity(
+                "spatial about I velocity",
+                worked,
+                label=label,
+                value=across,
+                turn=turn,
+                lever=lever,
             )
         sums = self.rates.grown[0] * self.rates.height, omega * rising, sliding * tau
         sign = 1.0 if sum(map(float, sums)) >= 0.0 else -1.0
         addends = Terms(tuple(self.figure(sign * float(each)) for each in sums))
         worked = total("value", "sum")
-        return self.scene.say("spatial about I acceleration", worked, sum=addends, **parts)
+        phrase = "spatial about I acceleration"
+        return self.quantity(phrase, worked, label=label, value=across, sum=addends)
 
 
 def _chain(*parts: Part[Vector]) -> Chain[Vector]:
