@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import csv
+import dataclasses
 import json
 import math
 import os
@@ -224,3 +225,20 @@ def test_progress_is_told(written, tmp_path):
     told = []
     vad.batch(written(), tmp_path / "out", progress=lambda *counts: told.append(counts))
     assert told == [(count, 10) for count in range(1, 11)]
+
+
+def test_a_film_is_encoded_by_one_thread(written, tmp_path):
+    """Its bytes depend on their number, and are to be the same on every machine."""
+    text = CLASS.replace('"key.json"', '"film.mp4"').replace("10\n", "1\n")
+    look = "size = [320, 240]\nfps = 5\nspeed = 8\n"
+    (made,) = vad.batch(written(text.replace("[vary]", look + "[vary]")), tmp_path / "out")
+    mechanism = vad.FourBar(**made.answers["parameters"])
+    sheet = vad.draw(vad.solve(mechanism, **made.answers["input"]))
+    sheet = dataclasses.replace(sheet, title=f"{sheet.title} · 001")
+    lesson = vad.animate(sheet, fps=5, size=(320, 240), speed=8)
+    films = []
+    for threads in (1, 2):
+        vad.save(lesson, tmp_path / "film.mp4", threads=threads)
+        films.append((tmp_path / "film.mp4").read_bytes())
+    assert films[0] != films[1]
+    assert made.files[0].read_bytes() == films[0]

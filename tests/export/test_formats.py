@@ -53,8 +53,9 @@ def test_the_command_line_has_its_options(capsys: pytest.CaptureFixture[str]) ->
     for output in (["-o", "a.new"], ["--output=a.new"], ["-oa.new"]):
         assert run(["draw", *words, "four-bar", *output]) == 0
         assert Path("a.new").read_text() == "(3, 'chalk', True, 7.5, 'none', 2)"
-    assert run(["draw", "four-bar", "--whole", "-o", "a.png"]) == 2
-    assert "unknown option '--whole'" in capsys.readouterr().err
+    for output in (["-o", "a.png"], ["--output=a.png"], ["-oa.png"]):
+        assert run(["draw", "four-bar", "--whole", *output]) == 2
+        assert "unknown option '--whole'" in capsys.readouterr().err
     assert run(["draw", "four-bar", "--help"]) == 0
     text = " ".join(capsys.readouterr().out.split())
     assert "--whole a whole document" in text
@@ -66,10 +67,15 @@ def test_a_batch_has_its_options() -> None:
     (done,) = vad.batch("sheets.toml", "class")
     assert done.error is None
     assert Path("class/001-key.new").read_text() == "(3, 'chalk', True, 9.0, 'none', 1)"
-    Path("sheets.csv").write_text("mechanism,files,head,copies\nfour-bar,key.new,x,3\n")
-    (done,) = vad.batch("sheets.csv", "other")
-    assert done.error is None
+    rows = [
+        "mechanism,files,head,copies,whole",
+        "four-bar,key.new,x,3,false",
+        "four-bar,key.new,,,True",
+    ]
+    Path("sheets.csv").write_text("\n".join(rows))
+    assert [done.error for done in vad.batch("sheets.csv", "other")] == [None, None]
     assert Path("other/001-key.new").read_text() == "(3, None, False, 12.0, 'x', 3)"
+    assert Path("other/002-key.new").read_text() == "(3, None, True, 12.0, 'none', 1)"
 
 
 @pytest.mark.parametrize(

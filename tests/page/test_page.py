@@ -159,3 +159,11 @@ def test_the_letters_of_new_results_are_there_in_bold_and_of_given_ones_plain():
     assert len(letters) > 10
     assert letters <= bold and letters <= plain
     assert set(map(ord, unescape(values[" given"]))) <= plain
+
+
+def test_results_that_have_not_the_room_are_smaller():
+    html = "".join(page_of(name) for name in ("hooke-joint", "spatial-four-bar", "whitworth"))
+    sizes = [int(size) for size in re.findall(r'<div[^>]*style="font-size:(\d+)%"', html)]
+    assert len(sizes) > 5
+    assert 60 < min(sizes) < 85
+    assert max(sizes) <= 100
