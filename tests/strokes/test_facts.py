@@ -6,6 +6,9 @@ import pytest
 
 import vad
 from tests.strokes.poses import MECHANISMS, sheets
+from vad.strokes.diagram import Spot
+from vad.strokes.diagrams import DIAGRAMS
+from vad.strokes.draw import scene_of
 from vad.strokes.sheet import (
     Arrow,
     Block,
@@ -19,6 +22,7 @@ from vad.strokes.sheet import (
     Sheet,
     StrokePart,
 )
+from vad.words import Language
 
 everything = pytest.mark.parametrize("key", MECHANISMS)
 
@@ -176,6 +180,24 @@ def test_what_swings_has_no_given_rate():
     assert pushed.driver.rate == 0.0 and pushed.driver.row == "slider_a"
     turned: Sheet = vad.turn(vad.FourBar()).at(0.1)
     assert turned.driver.rate == 10.0
+
+
+@everything
+def test_what_is_followed_over_a_turn_has_its_letter_in_the_panel(key: str):
+    mechanism = MECHANISMS[key]
+    motion = vad.solve(mechanism)
+    scene = scene_of(motion, Language("en"))
+    sheet = vad.draw(motion)
+    for name, diagram in DIAGRAMS.items():
+        spots = diagram.tracks(scene)
+        for spot, at in spots.items():
+            panel = sheet.panel(f"{name}.below" if spot.below else name)
+            there = places(panel)
+            assert spot.letter in there, (name, spot)
+            if panel.picture == "vectors":
+                near = 1e-9 * size(panel)
+                assert all(abs(each - at) <= near for each in there[spot.letter])
+            assert not spot.view or Spot(spot.letter) in spots
 
 
 def test_a_part_has_a_name_and_is_found_by_it():

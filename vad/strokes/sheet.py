@@ -45,6 +45,7 @@ from vad.strokes.shapes import (
     PolarInset,
     Shape,
 )
+from vad.written import numbered
 
 __all__ = [
     "POLE",
@@ -380,12 +381,25 @@ class Panel:
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """One quantity of the results table: θ₃ = 338.2°, with the value in full."""
+    """One quantity of the results table: θ₃ = 338.2°, with the value in full.
+
+    The ``symbol`` is a letter and an index: the number of a body (ω₃) or a point (ψ_P).
+    """
 
     symbol: str
     value: float
     unit: str
     given: bool = False
+
+    @property
+    def quantity(self) -> str:
+        """The symbol without its index: ω, ψ."""
+        return numbered(self.symbol)[0].partition("_")[0]
+
+    @property
+    def body(self) -> str:
+        """The number of the body in its symbol: 3; empty where there is none."""
+        return numbered(self.symbol)[1]
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,6 @@ from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
 from vad.strokes.sheet import Cell, Row, Sheet
 from vad.words import Language
-from vad.written import numbered
 
 SIZE = 0.0335
 NAME_GAP = 0.0125
@@ -83,7 +82,7 @@ class Entries:
     def heading(self, row: Row) -> Runs:
         """Return the name of a row with its letters."""
         cells = next(filter(None, row.cells.values()), ())
-        number = numbered(cells[0].symbol)[1] if cells and self.numbers else ""
+        number = cells[0].body if cells and self.numbers else ""
         behind = roman(f" ({number})") if number else ()
         return roman(row.title + " ") + symbols(row.letters) + behind
 

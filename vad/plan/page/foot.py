@@ -14,7 +14,6 @@ from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Lettering
 from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Equation, Panel, Term
-from vad.written import MINUS
 
 SIZE = 0.036
 LEAST = 0.034  # below this a loop takes two lines
@@ -50,12 +49,9 @@ class Foot:
 def _sum(terms: Sequence[Term], half: str, sign: str = "") -> list[Piece]:
     pieces: list[Piece] = []
     for term in terms:
-        label = term.label
         if sign:
-            if sign == "+" and label.startswith(MINUS):
-                sign, label = MINUS, label.removeprefix(MINUS)
             pieces.append(Piece(roman(sign), None, SPACE, half))
-        pieces.append(Piece(symbols(label), term, SPACE if sign else 0.0, half))
+        pieces.append(Piece(symbols(term.label), term, SPACE if sign else 0.0, half))
         sign = "+"
     return pieces
 

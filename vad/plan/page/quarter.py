@@ -12,7 +12,7 @@ from vad.plan.marks import Lettering, Mark, line
 from vad.plan.page.entries import NAME_GAP, SIZE, Entries, Entry
 from vad.strokes.sheet import Cell, Row
 from vad.words import Language
-from vad.written import numbered, with_unit
+from vad.written import with_unit
 
 TITLE_SIZE = 0.037
 HEAD_SIZE = 0.031
@@ -211,8 +211,7 @@ class Quarter:
         cells = [row.cells[name][0] for row in group if row.cells.get(name)]
         if not cells:
             return ()
-        bare = (numbered(cell.symbol)[0].partition("_")[0] for cell in cells)  # ψ of ψ_P
-        quantities = list(dict.fromkeys(bare))
+        quantities = list(dict.fromkeys(cell.quantity for cell in cells))
         return symbols(" / ".join(quantities)) + roman(", " + self._entries.unit(cells[0]))
 
 
