@@ -18,7 +18,7 @@ from vad.strokes.scene import Scene
 from vad.strokes.sentences import Noun, SentencePart, Unit
 from vad.strokes.sheet import Arc, Dot, Guide, Line
 
-#: A compass arc shows this much on either side of the point that it is after, in degrees.
+#: A compass arc reaches so many degrees to either side of the point that it finds.
 COMPASS = 14.0
 
 
@@ -322,7 +322,10 @@ class _Construction:
                 self.ink.block(step, "result", "block")
 
     def _ink_bar(self, bar: Bar) -> None:
-        """Ink the bar of a link that is found; one whose slot lies aside by its own ends."""
+        """Ink the bar of a link that is found.
+
+        Where the slot lies beside the line of the link, the bar joins the link's own ends.
+        """
         if bar.offset.imag:
             tail, head = points_of(self.motion.mechanism.links[bar.link])
             bar = Bar(tail + head, bar.link, self.scene.span(tail, head))

@@ -1,4 +1,4 @@
-"""What the position diagram is drawn with: bars, blocks, plates and slots of a pose, in ink."""
+"""The strokes and the bodies of a position diagram: bars, blocks, plates and slots."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ class Ink:
         self.strokes.append(stroke)
 
     def bar(self, bar: Bar, kind: str, phrase: str, image: bool = False) -> None:
-        """Draw a bar of a link; if it points elsewhere than the link, that is named by its own."""
+        """Draw a bar of a link; the caption names the link itself if the bar points another way."""
         letters, (tail, head) = self.scene.members.letters(bar), self.scene.members.ends(bar)
         arrow = Arrow(
             self.scene.at(tail), self.scene.at(head), tail, head, self.scene.cylinder(bar)
@@ -106,7 +106,7 @@ class Ink:
         }
 
     def plate(self, link: str) -> None:
-        """Draw a link of three points or more as a plate, from whose corners its points are."""
+        """Draw a link of three points or more as a plate whose corners are points of the link."""
         points = self.scene.members.points_on(link)
         places = dict(zip(points, map(self.scene.at, points), strict=True))
         letters = hull(places)
@@ -194,7 +194,7 @@ class Ink:
 
 
 def hull(places: Mapping[str, complex]) -> tuple[str, ...]:
-    """Return the points that are the corners of all, counter-clockwise, the first of them first.
+    """Return the corners of the convex hull of points, counter-clockwise from the first of them.
 
     Examples
     --------

@@ -129,7 +129,7 @@ def _forms(
     unknowns: tuple[Scalar, ...],
     order: int,
 ) -> dict[str, tuple[Any, ...]]:
-    """Return what parts of a step have but for their values, by the names of their components."""
+    """Return what is the same in every pose of the parts of a step, by their components' names."""
     step, found = vector.step, scalar_of(vector.step) in unknowns
     label, square_to = _line(members, voice, step) if found else ("", None)
     forms = {}
@@ -155,19 +155,19 @@ def _line(members: Members, voice: Voice, step: Step) -> tuple[str, str | None]:
 
 
 def _stage(members: Members, vector: StepVector, found: bool) -> str:
-    """Name the vertex between the components of a step: b′ₙ, cₙ; a slide has but its head."""
+    """Name the vertex between the components of a step: b′ₙ, cₙ; of a slide it is the head."""
     step = vector.step
     if isinstance(step, Slide):
         return vector.head
     if not found:
         return vector.head + SUBSCRIPT_N
-    # That of a strut stands where its part is before it turns.
+    # For a driven strut it has the letter of the part that slides.
     point = step.tail if _is_driving_strut(members, step) else step.head
     return point.lower() + SUBSCRIPT_N
 
 
 def _on_link(step: Step) -> bool:
-    """Tell whether a step slides on a turning link: its end is a stage, no point of the link."""
+    """Tell whether a step slides on a turning link, so that no point of the link is at its end."""
     return isinstance(step, Slide) and isinstance(step.along, str)
 
 

@@ -47,7 +47,7 @@ class Words(Protocol[V]):
 
 
 class Tip:
-    """Where the drawing of one chain has got to: the vertex and its coordinates.
+    """The vertex at which the drawing of a chain stands, and its coordinates.
 
     ``name`` is the vertex's letter as it is drawn, ``full`` what it would be if no vector of the
     chain had vanished.
@@ -99,7 +99,7 @@ class Pencil(Generic[V]):
         return not self.resting and abs(vector) > self._nothing
 
     def add(self, stroke: Stroke) -> Stroke:
-        """Append a stroke and return it; a polygon at rest is not drawn but for its pole."""
+        """Append a stroke and return it.  Of a polygon at rest nothing but the pole is drawn."""
         if self.resting:
             self.leave_out(stroke)
         else:
@@ -118,7 +118,7 @@ class Pencil(Generic[V]):
             self.strokes[0] = replace(pole, label=f"{pole.label},{letter}")
 
     def known(self, part: Part[V], tip: Tip, name: str, at: complex | None = None) -> Stroke:
-        """Draw a known part from the tip of its chain, or towards it, and move the tip."""
+        """Draw a known part at the tip of its chain, and move the tip to its other end."""
         new = tip.at + (-part.vector if part.reverse else part.vector) if at is None else at
         arrow = _arrow(part, tip.name, tip.at, name, new)
         said = self.words.known(arrow.tail + arrow.head, part)
@@ -164,7 +164,7 @@ class Pencil(Generic[V]):
         return self.add(_stroke("result", part, arrow, said, part.of.reveals))
 
     def whole(self, vector: V, several: bool) -> None:
-        """Ink the sum of a vector's parts; without ``several`` to be seen, it is left out."""
+        """Ink the sum of a vector's parts; leave it out if not ``several`` of them are drawn."""
         tail, head = vector.tail, vector.head
         start, end = self.place(tail), self.place(head)
         label, arrow = tail + head, Arrow(start, end, tail, head)
@@ -212,7 +212,7 @@ def _stroke(
 
 @dataclass
 class Trace(Generic[V]):
-    """One chain as it is being drawn: how far it has got, and what it has yet to lay.
+    """A chain that is being drawn: its tip, and the known parts that are not laid yet.
 
     ``walked`` is its last vector that was on the board already.
     """
@@ -286,7 +286,7 @@ class Player(Generic[V]):
                 self._arrive(vector, tip, sum(other.of is vector for other in seen))
 
     def _arrive(self, vector: V, tip: Tip, seen: int) -> None:
-        """Come to the end of a vector that is wholly known; so many of its parts are ``seen``."""
+        """Finish a vector that is wholly known; ``seen`` is how many of its parts are drawn."""
         if not seen and vector.lettered:
             self.pencil.vertices[vector.head] = tip.at
             if tip.at == 0j:  # it could move, but stands still

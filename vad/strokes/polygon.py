@@ -272,7 +272,10 @@ def polygon(scene: Scene, order: int) -> Drawing:
 
 
 class _Polygon(Player[StepVector]):
-    """The loops of a linkage: a chain may begin with what is on the board, or in an image."""
+    """The polygon of a linkage, loop after loop.
+
+    A chain may begin with vectors that are drawn already, or with a point found by an image.
+    """
 
     pencil: PlanePencil
 
@@ -300,7 +303,7 @@ class _Polygon(Player[StepVector]):
         return () if self.pencil.resting else tuple(equations)
 
     def set_out(self, traces: Sequence[Trace[StepVector]]) -> None:
-        """Begin where the board already has the first vectors of the chains."""
+        """Begin behind those vectors of the chains that are drawn already."""
         for trace in traces:
             self._walk(trace)
         if traces[0].tip.name != traces[1].tip.name:
@@ -308,7 +311,7 @@ class _Polygon(Player[StepVector]):
                 self._start(trace)
 
     def _walk(self, trace: Trace[StepVector]) -> None:
-        """Walk over the steps whose ends are on the board, or found there by an image."""
+        """Pass the steps whose end points are drawn already, or are found by an image."""
         vertices = self.pencil.vertices
         for vector in trace.chain.vectors:
             step, name = vector.step, vector.end
@@ -322,7 +325,7 @@ class _Polygon(Player[StepVector]):
             trace.tip, trace.walked = Tip(name, vertices[name]), vector
 
     def _start(self, trace: Trace[StepVector]) -> None:
-        """Write the vector from the pole to where a chain begins, which is inked if need be."""
+        """Begin the written equation with the vector from the pole; ink it if it is not drawn."""
         name, pencil = trace.tip.name, self.pencil
         if not pencil.shows(trace.tip.at):
             return  # at the pole
