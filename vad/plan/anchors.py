@@ -136,11 +136,11 @@ class Solved:
 
     def place(self, anchor: Anchor) -> complex:
         """Return where on the page an anchor is."""
-        points = anchor.points
+        points, scale = anchor.points, self.scale
         if len(points) == 1:
-            at = self.scale(self.point(points[0]))
+            at = scale(self.point(points[0]))
         else:
-            at = sum((self.scale(self.point(each)) for each in points), 0j) / len(points)
+            at = sum((scale(self.point(each)) for each in points), 0j) / len(points)
         for term in anchor.terms:
             length = term.page + self.scale.factor * term.panel if term.panel else term.page
             at += length * self.way(term.stroke)
@@ -331,4 +331,4 @@ class Hung:
         if isinstance(growth, str):
             assert isinstance(shape, Disc)
             growth = swelling(shape.centre)
-        return Mark(shape, self.role, self.row, growth, self.width, hangs=self.shape)
+        return Mark(shape, self.role, self.row, growth, self.width, 1.0, self.shape)

@@ -183,10 +183,10 @@ class Sketch:
     ) -> None:
         """Add what ``stroke`` draws; None for what belongs to no stroke."""
         if self.finished:
-            if until <= self.setting.end:
+            if until != FOREVER and until <= self.setting.end:
                 return
             since = 0
-            marks = (replace(mark, growth=None) if mark.growth else mark for mark in marks)
+            marks = [replace(mark, growth=None) if mark.growth else mark for mark in marks]
         shown = tuple(marks)
         if shown:
             panel = self.setting.panel
@@ -202,11 +202,13 @@ class Sketch:
         until: When = "never",
     ) -> None:
         """Add what stroke number ``index`` draws, as it hangs in this pose."""
-        if not self.finished or until == "never":
-            posed = (mark.posed(self.solved, grows=not self.finished) for mark in marks)
-            shown = (mark for mark in posed if mark)
-            stroke = self.setting.panel.strokes[index]
-            self.add(stroke, level, self._beat(since, index), shown, self._beat(until, index))
+        if self.finished and until != "never":
+            return
+        solved, grows = self.solved, not self.finished
+        shown = [each for mark in marks if (each := mark.posed(solved, grows))]
+        stroke = self.setting.panel.strokes[index]
+        first, last = (self._beat(since, index), self._beat(until, index)) if grows else ALWAYS
+        self.add(stroke, level, first, shown, last)
 
     def put(self, index: int, piece: Piece, spanned: bool = False) -> None:
         """Add stroke number ``index`` with its obstacles, which come with it where ``spanned``."""

@@ -19,7 +19,7 @@ from vad.plan.items import ALWAYS, Level
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import APART, CLEARANCE, WAYS, Placed, Wish, beside, place
 from vad.plan.labels.tags import GAPS, SMALL_SIZE, add_tag
-from vad.plan.labels.vertices import LETTER, Vertex, hung_text, label_vertices, text_at, wish
+from vad.plan.labels.vertices import LETTER, Vertex, label_vertices, text_beside, wish
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.marks import Bow
@@ -66,8 +66,8 @@ class PlacedLabels:
         runs = roman(stroke.label)
         placed = _beside_arc(arc, *ink_size(runs, VALUE), sketch.obstacles)
         sketch.tags.append(Tag(stroke.label, placed.box))
-        value = text_at(runs, runs, placed.centre, VALUE, "value")
-        value = hung_text(value, Anchor.of(stroke.name, "centre"), arc.centre)
+        centre = Anchor.of(stroke.name, "centre")
+        value = text_beside(centre, arc.centre, runs, placed.centre, VALUE, "value")
         sketch.add(stroke, Level.LABEL, sketch.setting.after(index), [value])
 
     def vector(self, sketch: Sketch, index: int, name: str) -> None:
@@ -159,8 +159,9 @@ class KeptLabels:
         placed = _kept(sketch.obstacles, wanted)
         sketch.obstacles.box(placed.box)
         sketch.tags.append(Tag(name, placed.box))
-        text = text_at(runs, runs, placed.centre, size, role, row)
-        sketch.add(None, Level.LABEL, 0, [hung_text(text, anchor, sketch.solved.place(anchor))])
+        at = sketch.solved.place(anchor)
+        text = text_beside(anchor, at, runs, placed.centre, size, role, row)
+        sketch.add(None, Level.LABEL, 0, [text])
         self.ways[name] = math.degrees(cmath.phase(placed.centre - wanted.at))
 
 

@@ -12,7 +12,7 @@ from vad.plan.growth import Growth
 from vad.plan.items import Level, Span
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import APART, CLEARANCE, Placed, Wish, beside, place
-from vad.plan.labels.vertices import hung_text, text_at
+from vad.plan.labels.vertices import text_beside
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import Runs, symbols
 from vad.plan.marks import line
@@ -43,7 +43,7 @@ def add_tag(
     start, end = sketch.solved.places(ends)
     placed = _along(sketch.obstacles.during(span), start, end, runs, size)
     sketch.obstacles.box(placed.box, span)
-    said = hung_text(text_at(runs, runs, placed.centre, size, "tag", row), ends[0], start)
+    said = text_beside(ends[0], start, runs, placed.centre, size, "tag", row)
     marks = [replace(said, growth=growth)]
     if placed.leader:
         sketch.obstacles.line(placed.leader, PIXEL, span)

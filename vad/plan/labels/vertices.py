@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import combinations
 
 from vad.plan.anchors import Anchor, Beside
@@ -47,7 +47,7 @@ class Vertex:
         """The middle of the dot."""
         return sum(self.points, 0j) / len(self.points)
 
-    @property
+    @cached_property
     def anchor(self) -> Anchor:
         """On what the dot hangs."""
         first, *more = self.points.values()
@@ -64,11 +64,9 @@ class Vertex:
         return ", ".join(self.letters)
 
     @property
-    def rows(self) -> list[list[str]]:
+    def rows(self) -> list[tuple[str, ...]]:
         """The letters in lines of like length: one, or more where it would be too long."""
-        letters = list(self.letters)
-        most = -(-len(letters) // -(-len(letters) // IN_LINE))
-        return [letters[first : first + most] for first in range(0, len(letters), most)]
+        return _rows(tuple(self.letters))
 
 
 def corners(panel: Panel) -> list[complex]:
@@ -141,11 +139,20 @@ def text_at(
     return Mark(Lettering(runs, centre - middle * size, size), role, row)
 
 
-def hung_text(text: Mark, anchor: Anchor, at: complex) -> Mark:
-    """Return a text that hangs on an anchor, which is ``at`` this place on the page."""
-    shape = text.shape
+def text_beside(
+    anchor: Anchor,
+    at: complex,
+    runs: Runs,
+    centre: complex,
+    size: float,
+    role: str,
+    row: int | None = None,
+    whole: Runs = (),
+) -> Mark:
+    """Return text as `text_at` does, as it hangs on an anchor whose place on the page is ``at``."""
+    shape = text_at(runs, whole or runs, centre, size, role).shape
     assert isinstance(shape, Lettering)
-    return replace(text, hangs=Beside(anchor, shape.at - at, shape.runs, shape.size))
+    return Mark(shape, role, row, hangs=Beside(anchor, shape.at - at, runs, size))
 
 
 def label_vertices(
@@ -162,10 +169,21 @@ def label_vertices(
 
 def wish(vertex: Vertex, all_: Sequence[Vertex], radius: float, near: Sequence[float]) -> Wish:
     """Return what the label of a vertex asks for."""
-    widths, heights = zip(*(ink_size(_set(row), LETTER) for row in vertex.rows), strict=True)
-    size = max(widths), max(heights) + (len(heights) - 1) * LEADING
+    size = _size(tuple(vertex.letters))
     rivals = [other.at for other in all_ if other is not vertex]
     return Wish(vertex.at, outward(vertex.ways), *size, radius, near, rivals)
+
+
+def _rows(letters: tuple[str, ...]) -> list[tuple[str, ...]]:
+    most = -(-len(letters) // -(-len(letters) // IN_LINE))
+    return [letters[first : first + most] for first in range(0, len(letters), most)]
+
+
+@lru_cache(maxsize=512)
+def _size(letters: tuple[str, ...]) -> tuple[float, float]:
+    """Return the width and height of a label."""
+    widths, heights = zip(*(ink_size(_set(row), LETTER) for row in _rows(letters)), strict=True)
+    return max(widths), max(heights) + (len(heights) - 1) * LEADING
 
 
 def _span(sketch: Sketch, vertex: Vertex) -> Span:
@@ -193,6 +211,8 @@ def _letter(sketch: Sketch, vertex: Vertex, placed: Placed) -> None:
             known = [letter for letter in row if vertex.letters[letter] <= index]
             above = 1j * LEADING * ((len(rows) - 1) / 2 - number)
             if known:
-                text = text_at(_set(known), _set(row), placed.centre + above, LETTER, "letter")
-                texts.append(hung_text(text, vertex.anchor, vertex.at))
+                hung, runs = (vertex.anchor, vertex.at), (_set(known), _set(row))
+                spot = placed.centre + above
+                text = text_beside(*hung, runs[0], spot, LETTER, "letter", whole=runs[1])
+                texts.append(text)
         sketch.add(strokes[index], Level.LABEL, setting.after(index), texts, until)

@@ -19,7 +19,7 @@ from vad.plan.growth import Trimming
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside
-from vad.plan.labels.vertices import hung_text, text_at
+from vad.plan.labels.vertices import text_beside
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
 from vad.plan.marks import Bow, Mark, area
@@ -153,6 +153,7 @@ def add_free_sense(sketch: Sketch, index: int | None, angle: Stroke) -> None:
         place = free_place(sketch.obstacles, sketch.scale(shape.centre), crank, sense)
         if place:
             add_sense(sketch, index, angle, place)
+            block_sense(sketch, angle, place)
 
 
 def add_sense(sketch: Sketch, index: int | None, angle: Stroke, place: SensePlace) -> None:
@@ -170,11 +171,16 @@ def add_sense(sketch: Sketch, index: int | None, angle: Stroke, place: SensePlac
     ]
     posed = (mark.posed(sketch.solved) for mark in arrow)
     marks = [mark for mark in posed if mark]
-    marks.append(hung_text(text_at(runs, runs, letter.centre, SIZE, "tag", row), centre, at))
+    marks.append(text_beside(centre, at, runs, letter.centre, SIZE, "tag", row))
     sketch.add(setting.panel.strokes[index], Level.LABEL, setting.after(index), marks)
     sketch.tags.append(Tag("ω", letter.box))
     sketch.obstacles.box(letter.box)
-    sketch.obstacles.line(place.line(at), 0.004)
+
+
+def block_sense(sketch: Sketch, angle: Stroke, place: SensePlace) -> None:
+    """Let labels keep clear of the arrow of ω itself, not of its letter alone."""
+    centre = sketch.solved.place(Anchor.of(angle.name, "centre"))
+    sketch.obstacles.line(place.line(centre), 0.004)
 
 
 def sense_arrow(
@@ -240,9 +246,8 @@ def add_speed(sketch: Sketch, size: float) -> None:
         if obstacles.free([spot], wide, high, CLEARANCE, APART)[0]:
             tail = middle + (off - SPEED_LENGTH / 2 * ahead)
             arrow = Vector(tail, tail + SPEED_LENGTH * ahead, whole=True)
-            marks = [replace(each, growth=None) for each in arrow.marks(solved, row, "speed")]
-            text = text_at(runs, runs, spot, SIZE, "tag", row)
-            marks.append(hung_text(text, middle, place))
+            marks = arrow.marks(solved, row, "speed", grows=False)
+            marks.append(text_beside(middle, place, runs, spot, SIZE, "tag", row))
             sketch.add(stroke, Level.LABEL, setting.after(number), marks)
             placed = Placed(spot, wide, high)
             sketch.tags.append(Tag("v", placed.box))

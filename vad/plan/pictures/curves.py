@@ -47,7 +47,7 @@ class PlacedCurve:
     shape: Polyline | Bow
     far: tuple[tuple[float, float], ...] = ()
 
-    def marks(self, near: str, far: str, row: int | None) -> list[Mark]:
+    def marks(self, near: str, far: str, row: int | None, grows: bool = True) -> list[Mark]:
         """Return the curve in two roles, far parts first; it grows from its first point on."""
         marks: list[Mark] = []
         cuts = {min(max(share, 0.0), 1.0) for stretch in self.far for share in stretch}
@@ -55,10 +55,8 @@ class PlacedCurve:
             behind = any(low <= start and end <= high for low, high in self.far)
             part = self.part(start, end)
             if part.length > SHORTEST:
-                growth, hangs = (
-                    Trimming(((start, 0.0), (end, 1.0))),
-                    Stretch(self.stroke, start, end),
-                )
+                growth = Trimming(((start, 0.0), (end, 1.0))) if grows else None
+                hangs = Stretch(self.stroke, start, end)
                 mark = Mark(part, far if behind else near, row, growth, hangs=hangs)
                 marks.insert(0 if behind else len(marks), mark)
         return marks
@@ -104,6 +102,19 @@ class Stretch:
         return curve_of(solved.scale, solved.shape(self.stroke)).part(self.start, self.end)
 
 
+@dataclass(frozen=True, slots=True)
+class Ball:
+    """On what the face of a ball hangs: a whole circle that a stroke draws round it."""
+
+    stroke: str
+
+    def posed(self, solved: Solved) -> Disc:
+        """Return the face in a pose."""
+        rim = curve_of(solved.scale, solved.shape(self.stroke)).shape
+        assert isinstance(rim, Bow)
+        return Disc(rim.centre, rim.radius)
+
+
 def curve_of(scale: Scale, shape: Curve | Ellipse | Arrow, stroke: str = "") -> PlacedCurve:
     """Return a curve in its place."""
     if isinstance(shape, Arrow):
@@ -142,32 +153,20 @@ def add_curve(sketch: Sketch, index: int) -> None:
     placed = curve_of(sketch.scale, stroke.shape, stroke.name)
     during, over, row = setting.during(index), setting.over(index), setting.row(stroke.link)
     near, far = roles_of(stroke)
-    if stroke.component == "link":
+    if not sketch.finished and stroke.component == "link":
         light = placed.marks("bar light", "bar light", row)
         sketch.add(stroke, Level.CARRIER, during, light, over)
         glow = placed.whole("bar light", row)
         sketch.lights.setdefault(stroke.link or "", []).append(glow)
-    elif stroke.kind == "construction":
+    elif not sketch.finished and stroke.kind == "construction":
         light = placed.marks("construction light", "construction light", row)
         sketch.add(stroke, Level.CONSTRUCTION, during, light, over)
     elif stroke.kind == "fixed" and is_ball(placed.shape):
         ball = Disc(placed.shape.centre, placed.shape.radius)
         sketch.add(stroke, Level.GROUND, during, [Mark(ball, "ball", hangs=Ball(stroke.name))])
-    sketch.add(stroke, level_of(stroke), during, placed.marks(near, far, row))
+    marks = placed.marks(near, far, row, not sketch.finished)
+    sketch.add(stroke, level_of(stroke), during, marks)
     placed.block(sketch.obstacles, ROLES[near].width, (during, FOREVER))
-
-
-@dataclass(frozen=True, slots=True)
-class Ball:
-    """On what the face of a ball hangs: a whole circle that a stroke draws round it."""
-
-    stroke: str
-
-    def posed(self, solved: Solved) -> Disc:
-        """Return the face in a pose."""
-        rim = curve_of(solved.scale, solved.shape(self.stroke)).shape
-        assert isinstance(rim, Bow)
-        return Disc(rim.centre, rim.radius)
 
 
 def is_ball(shape: Polyline | Bow) -> TypeGuard[Bow]:

@@ -100,7 +100,7 @@ class Polygon:
         for index, stroke in enumerate(shown.strokes):
             if isinstance(stroke.shape, Arrow):
                 vector = placed[index]
-                sketch.add(stroke, Level.STROKE, 0, vector.marks(sketch.solved, room))
+                sketch.add(stroke, Level.STROKE, 0, vector.marks(sketch.solved, False, room))
                 if room.holds(vector.end) and room.holds(vector.start):
                     vector.block(sketch.obstacles, 0)
                 elif ends := vector.within(room):

@@ -11,10 +11,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 
-from vad.plan.anchors import SWELLING, Anchor, Area, Chains, Hung, Solved, Strip, Term
-from vad.plan.carriers import block_along, block_on, carries_block, ends_of_travel, is_yoke
-from vad.plan.geometry import direction_of
-from vad.plan.growth import Fading, Trimming
+from vad.plan.anchors import SWELLING, Anchor, Hung, Solved
+from vad.plan.carriers import is_yoke
 from vad.plan.items import Level
 from vad.plan.labels.choices import PLACED, LabelChoice
 from vad.plan.labels.obstacles import PIXEL, Obstacles
@@ -28,19 +26,14 @@ from vad.plan.pictures.constructions import (
     block_construction,
     line_of,
 )
-from vad.plan.pictures.supports import Foot, PlacedRail, Rail, Yoke
-from vad.plan.pictures.vectors import Pen
-from vad.plan.roles import BAR, BLOCK_RIM, PLATE_EDGE
+from vad.plan.pictures.links import Links
+from vad.plan.pictures.supports import Foot, PlacedRail, Rail
 from vad.plan.scale import Scale
-from vad.plan.sketch import Part, Piece, Setting, Sketch
+from vad.plan.sketch import Piece, Setting, Sketch
 from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Plate, Stroke
 
 NEAR = (0.014, 0.020, 0.028, 0.036)
-NARROW = 0.6  # of a bar's width, on a longer bar
-NEXT_TO_PIVOT = 2.0  # the reaches of a joint, from a lever's pivot to its slit
-SLOT_EDGE = 0.004  # from the lower and the upper edge of the room, a slot ends
 GRIP = 0.024  # radius of the handle's ring, in a window of usual size
-LIGHT_AND_BLOCK = ("block light", "block")
 
 
 class Skeleton:
@@ -80,7 +73,7 @@ class Skeleton:
         self._setting, self._poses, self.scale, self.angle = setting, poses, scale, angle
         self.size = machine.part_size(setting.panel, scale)
         self.radius = machine.JOINT_REACH * self.size
-        self._pieces: dict[tuple[str, bool], Piece] = {}
+        self._links = Links(self.size)
         self._before = before
         self._feet: dict[str, complex] = {}
         self._rails = {
@@ -135,7 +128,9 @@ class Skeleton:
         chosen = self._before._feet if self._before else {}
         crowds: list[Obstacles] = []
         if not self._before or pivots.keys() - chosen.keys():
-            crowds = [self._moving(pose, still).obstacles for pose in self._poses]
+            vertices = [find_vertices(pose, self.scale) for pose in self._poses]
+            moved = zip(self._poses, vertices, strict=True)
+            crowds = [self._moving(pose, still, each).obstacles for pose, each in moved]
         for name in pivots:
             at = self.scale(still.solved.point((name, "at")))
             self._feet[name] = chosen.get(name) or supports.calm_way(at, crowds, self.size)
@@ -148,14 +143,14 @@ class Skeleton:
 
     def pose(self, panel: Panel) -> Sketch:
         """Return what moves, in one pose; its obstacles hold what stands still, too."""
-        return self._moving(panel, self.still)
+        return self._moving(panel, self.still, find_vertices(panel, self.scale))
 
-    def _moving(self, panel: Panel, still: Sketch) -> Sketch:
+    def _moving(self, panel: Panel, still: Sketch, vertices: Sequence[Vertex]) -> Sketch:
         setting = replace(self._setting, panel=panel)
         obstacles = Obstacles(setting.room, list(still.obstacles.lines))
         sketch = Sketch(setting, self.scale, obstacles, finished=True)
         self._add_strokes(sketch)
-        self._add_joints(sketch, find_vertices(panel, self.scale))
+        self._add_joints(sketch, vertices)
         return sketch
 
     @property
@@ -184,25 +179,28 @@ class Skeleton:
 
         What is driven has a handle, of which labels keep clear.
         """
-        sketch = self.pose(setting.panel)
+        vertices = find_vertices(setting.panel, self.scale)
+        sketch = self._moving(setting.panel, self.still, vertices)
         sketch.setting = setting
         arcs = angles.angle_arcs(sketch)
         if arcs and self.sense:
             index = setting.panel.find(setting.sheet.driver.stroke)
-            angles.add_sense(sketch, index, setting.panel.strokes[arcs[0][0]], self.sense)
+            angle = setting.panel.strokes[arcs[0][0]]
+            angles.add_sense(sketch, index, angle, self.sense)
+            angles.block_sense(sketch, angle, self.sense)
         clear_grip(sketch)
-        self._letter(sketch, find_vertices(setting.panel, self.scale), labels, arcs)
+        self._letter(sketch, vertices, labels, arcs)
         return sketch
 
     def _add_strokes(self, sketch: Sketch) -> None:
         """Add all strokes; where some stand still, those that move."""
         panel = sketch.setting.panel
-        narrow = self._narrow(sketch)
+        narrow = self._links.narrow(sketch)
         for index in painting_order(panel):
             stroke = panel.strokes[index]
             match stroke.shape:
                 case Arrow() | Block() | Plate() | Guide(side=None):
-                    sketch.put(index, self._piece(sketch, index, index in narrow))
+                    sketch.put(index, self._links.piece(sketch, index, index in narrow))
                 case _ if sketch.finished:
                     pass
                 case Guide():
@@ -266,7 +264,7 @@ class Skeleton:
                 case Arrow(start, end):
                     yield self.scale(start), self.scale(end)
                 case Block() if is_yoke(panel, stroke.link):
-                    yoke = self._yoke(panel, stroke.link)
+                    yoke = supports.yoke_of(panel, stroke.link, self.size)
                     start, end = Solved(panel, self.scale).places((yoke.start, yoke.end))
                     yield start, end
 
@@ -301,196 +299,8 @@ class Skeleton:
         panel = sketch.setting.panel
         stroke = panel.strokes[index]
         if is_yoke(panel, stroke.link):
-            return self._yoke(panel, stroke.link).guide
+            return supports.yoke_of(panel, stroke.link, self.size).guide
         return self._placed(sketch, stroke).piece
-
-    def _yoke(self, panel: Panel, link: str | None) -> Yoke:
-        guide = next(
-            s
-            for s in panel.strokes
-            if s.link == link and isinstance(s.shape, Guide) and s.shape.side is not None
-        )
-        return supports.yoke_of(panel, link, guide, self.size)
-
-    def _piece(self, sketch: Sketch, index: int, narrow: bool) -> Piece:
-        """Return a bar, block, plate or slot, which hangs alike in all poses."""
-        stroke = sketch.setting.panel.strokes[index]
-        piece = self._pieces.get((stroke.name, narrow))
-        if piece is None:
-            match stroke.shape:
-                case Arrow():
-                    piece = self._bar(sketch, index, narrow)
-                case Plate():
-                    piece = plate(stroke, sketch.setting.row(stroke.link))
-                case Block():
-                    piece = self._block(sketch, stroke)
-                case _:
-                    piece = self._slot(sketch, stroke)
-            self._pieces[stroke.name, narrow] = piece
-        return piece
-
-    def _bar(self, sketch: Sketch, index: int, narrow: bool) -> Piece:
-        """Return a bar of a link; the slit of a lever is over all its bars, and under the block."""
-        panel = sketch.setting.panel
-        stroke = panel.strokes[index]
-        shape, row = stroke.shape, sketch.setting.row(stroke.link)
-        assert isinstance(shape, Arrow)
-        level = Level.CARRIER if carries_block(panel, stroke) else Level.STROKE
-        start, end = self._ends(panel, stroke)
-        seen, width = self._seen(sketch, index), NARROW if narrow else 1.0
-        light = Hung(Chains(((start, end),)), "bar light", row, Trimming())
-        shown: list[Hung] = []
-        blocks: list[tuple[tuple[Anchor, ...], float]] = [((start, end), BAR / 2)]
-        if shape.cylinder:
-            foot, wide = Anchor.of(stroke.name, "foot"), machine.CYLINDER * self.size
-            corners = machine.bar_corners(start, foot, -Term(stroke.name), wide)
-            blocks.append(((*corners, corners[0]), BLOCK_RIM / 2))
-        if seen:
-            role = "piston rod" if shape.cylinder else "bar"
-            shown.append(Hung(Chains(((seen, end),)), role, row, Trimming(), width))
-            if shape.cylinder:
-                shown.append(Hung(Area(tuple(corners)), "block", row, Fading()))
-        slit = self._slit(panel, stroke, end, row)
-        parts = [
-            Part(level, (light,), until="over"),
-            Part(level, tuple(shown)),
-            Part(Level.BLOCK, (slit,) if slit else ()),
-        ]
-        return Piece(tuple(parts), tuple(blocks), replace(light, growth=None))
-
-    def _ends(self, panel: Panel, stroke: Stroke) -> tuple[Anchor, Anchor]:
-        """Return the ends of a bar; a lever's slit ends half a block past the way of its block."""
-        start, end = Anchor.of(stroke.name, "start"), Anchor.of(stroke.name, "end")
-        ridden = self._way_on(panel, stroke)
-        if ridden:
-            way, (_, ahead) = ridden
-            past = machine.LEVER_BLOCK[0] / 2 * self.size - BAR / 2  # its cap is under the slit
-            end = start + way.in_panel(ahead) + past * way
-        return start, end
-
-    def _way_on(self, panel: Panel, lever: Stroke) -> tuple[Term, tuple[float, float]] | None:
-        """Return the way from a lever's pivot to the block on it, and how far away that gets.
-
-        That is the way of the slide, or against it where the block is behind the pivot.  None for
-        a bar that carries no block.
-        """
-        block, bar = block_on(panel, lever), lever.shape
-        if block is None:
-            return None
-        assert isinstance(bar, Arrow) and isinstance(block.shape, Block)
-        ahead = ((bar.end - bar.start) * block.shape.direction.conjugate()).real >= 0
-        way = block.shape.direction if ahead else -block.shape.direction
-        spots = ends_of_travel(block.shape)[:: 1 if ahead else -1]
-        back, far = (((spot - bar.start) * way.conjugate()).real for spot in spots)
-        return (1.0 if ahead else -1.0) * Term(block.name), (back, far)
-
-    def _slit(self, panel: Panel, lever: Stroke, end: Anchor, row: int | None) -> Hung | None:
-        """Return the slit of a lever, as long as the way of its block; None for other bars."""
-        ridden = self._way_on(panel, lever)
-        if ridden is None:
-            return None
-        way, (back, _) = ridden
-        nearest = NEXT_TO_PIVOT * machine.JOINT_REACH * self.size
-        first = back * self.scale.factor - machine.LEVER_BLOCK[0] / 2 * self.size
-        start = Anchor.of(lever.name, "start") + max(first, nearest) * way
-        corners = machine.bar_corners(start, end + BAR / 2 * way, -way, machine.SLIT)
-        return Hung(Area(tuple(corners)), "slit", row, Fading())
-
-    def _seen(self, sketch: Sketch, index: int) -> Anchor | None:
-        """Return where a bar leaves those of its link that are drawn already."""
-        panel, solved = sketch.setting.panel, sketch.solved
-        stroke = panel.strokes[index]
-        seen, last = self._ends(panel, stroke)
-        start, end = solved.places((seen, last))
-        farthest = 0.0
-        for other in panel.strokes[:index]:
-            if isinstance(other.shape, Arrow) and other.link == stroke.link:
-                hung = self._ends(panel, other)
-                tail, head = solved.places(hung)
-                same_way = abs(direction_of(tail, head) - direction_of(start, end)) < 1e-6
-                if abs(tail - start) < PIXEL and same_way and abs(head - start) > farthest:
-                    seen, farthest = hung[1], abs(head - start)
-        return seen if farthest < abs(end - start) - PIXEL else None
-
-    def _narrow(self, sketch: Sketch) -> set[int]:
-        """Return the numbers of the bars that lie on a longer one of another link in this pose."""
-        panel = sketch.setting.panel
-        bars = {
-            index: Pen(start, end, BAR)
-            for index, stroke in enumerate(panel.strokes)
-            if isinstance(stroke.shape, Arrow)
-            for start, end in [sketch.solved.places(self._ends(panel, stroke))]
-        }
-        return {
-            index
-            for index, bar in bars.items()
-            if any(
-                panel.strokes[number].link != panel.strokes[index].link
-                and abs(other.end - other.start) > abs(bar.end - bar.start)
-                and bar.covers(other)
-                for number, other in bars.items()
-            )
-        }
-
-    def _block(self, sketch: Sketch, stroke: Stroke) -> Piece:
-        """Return a sliding block; that of a yoke is its shaft."""
-        panel, row = sketch.setting.panel, sketch.setting.row(stroke.link)
-        assert isinstance(stroke.shape, Block)
-        if is_yoke(panel, stroke.link):
-            outline = self._yoke(panel, stroke.link).outline()
-        else:
-            at, on_lever = Anchor.of(stroke.name, "at"), stroke.shape.on is not None
-            outline = machine.block_corners(at, Term(stroke.name), on_lever, self.size)
-        return block_piece(outline, row)
-
-    def _slot(self, sketch: Sketch, stroke: Stroke) -> Piece:
-        """Return the slot of a moving link: half a block past all places of its block."""
-        panel, row = sketch.setting.panel, sketch.setting.row(stroke.link)
-        shape, block = stroke.shape, block_along(panel, stroke)
-        assert isinstance(shape, Guide)
-        reach = [
-            ((spot - shape.through) * shape.direction.conjugate()).real
-            for spot in (ends_of_travel(block.shape) if block else ())
-        ]
-        past = machine.BLOCK[0] / 2 * self.size + machine.PAST if reach else 0.0
-        strip = Strip(
-            through=Anchor.of(stroke.name, "through"),
-            stroke=stroke.name,
-            low=min(reach, default=0.0),
-            high=max(reach, default=0.0),
-            past=past,
-            wide=machine.slot_width(self.size),
-            room=sketch.setting.room,
-            inset=SLOT_EDGE,
-        )
-        edge = Hung(replace(strip, closed=False), "slot", row, Trimming())
-        parts = (
-            Part(Level.GROUND, (edge,), until="after"),
-            Part(Level.GROUND, (Hung(strip, "slot", row),), since="after"),
-        )
-        return Piece(parts, slot=replace(strip, closed=False))
-
-
-def block_piece(outline: Sequence[Anchor], row: int | None) -> Piece:
-    """Return a block with its outline, which labels keep clear of, as of its diagonals."""
-    first, second, third, fourth = outline
-    light, block = (Hung(Area(tuple(outline)), role, row, Fading()) for role in LIGHT_AND_BLOCK)
-    parts = Part(Level.BLOCK, (light,), until="over"), Part(Level.BLOCK, (block,))
-    blocks = ((*outline, first, third), BLOCK_RIM / 2), ((second, fourth), BLOCK_RIM / 2)
-    return Piece(parts, blocks, replace(light, growth=None))
-
-
-def plate(stroke: Stroke, row: int | None) -> Piece:
-    """Return the plate of a link: its outline, and a tint through which what is beneath shows."""
-    assert isinstance(stroke.shape, Plate)
-    corners = tuple(Anchor.of(stroke.name, number) for number in range(len(stroke.shape.corners)))
-    light, *marks = (
-        Hung(Area(corners), role, row, Fading())
-        for role in ("plate edge light", "plate", "plate edge")
-    )
-    parts = Part(Level.GLOW, (light,), until="over"), Part(Level.CARRIER, tuple(marks))
-    blocks = (((*corners, corners[0]), PLATE_EDGE / 2),)
-    return Piece(parts, blocks, replace(light, growth=None))
 
 
 def painting_order(panel: Panel) -> list[int]:

@@ -327,9 +327,11 @@ class Yoke:
         return Piece((Part(Level.GROUND, tuple(marks)),), tuple(blocks))
 
 
-def yoke_of(panel: Panel, link: str | None, guide: Stroke, size: float) -> Yoke:
+def yoke_of(panel: Panel, link: str | None, size: float) -> Yoke:
     """Return the yoke of a link that slides on a guide, whose bush is ahead of all its places."""
-    block = next(s for s in panel.strokes if isinstance(s.shape, Block) and s.link == link)
+    own = [stroke for stroke in panel.strokes if stroke.link == link]
+    block = next(each for each in own if isinstance(each.shape, Block))
+    guide = next(each for each in own if isinstance(each.shape, Guide) and each.shape.side)
     assert isinstance(block.shape, Block) and isinstance(guide.shape, Guide)
     way, at = Term(block.name), Anchor.of(block.name, "at")
     back, ahead = ends_of_travel(block.shape)

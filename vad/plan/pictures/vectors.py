@@ -19,7 +19,7 @@ from vad.plan.growth import Sliding, Trimming
 from vad.plan.items import FOREVER, Level
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.vertices import COINCIDENT
-from vad.plan.marks import Mark, Outline, Polyline, area, line
+from vad.plan.marks import Hanging, Mark, Outline, Polygon, Polyline, line
 from vad.plan.roles import ROLES
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arrow, Panel, Stroke
@@ -83,18 +83,18 @@ class Vector:
 
     def between(self, start: complex, end: complex) -> Outline | None:
         """Return its part between two places."""
-        marks = vector(start, end, None, "vector", self.whole, self.lane)
-        return marks[self.part == "head"].shape if marks else None
+        if abs(end - start) < SHORTEST:
+            return None
+        return drawn(start, end, self.whole, self.lane)[self.part == "head"]
 
-    def marks(self, solved: Solved, row: int | None, role: str) -> list[Mark]:
+    def marks(self, solved: Solved, row: int | None, role: str, grows: bool = True) -> list[Mark]:
         """Return shaft and head in a pose; they grow from the start, head first."""
-        ends = solved.place(self.start), solved.place(self.end)
-        marks = vector(*ends, row, role, self.whole, self.lane)
-        parts: tuple[Literal["shaft", "head"], ...] = ("shaft", "head")
-        return [
-            replace(mark, hangs=replace(self, part=part))
-            for mark, part in zip(marks, parts, strict=False)
-        ]
+        ends, head = (solved.place(self.start), solved.place(self.end)), self.of("head")
+        return vector(*ends, row, role, self.whole, self.lane, grows, (self, head))
+
+    def of(self, part: Literal["shaft", "head"]) -> Vector:
+        """Return on what a part of the vector hangs."""
+        return Vector(self.start, self.end, self.whole, self.lane, part)
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,28 +155,24 @@ class PlacedVector:
         """The role of its shaft."""
         return "whole" if self.whole else "vector"
 
-    def marks(self, solved: Solved, room: Rect | None = None) -> list[Mark]:
+    def marks(self, solved: Solved, grows: bool = True, room: Rect | None = None) -> list[Mark]:
         """Return what is to be seen of it, in its room where one is given.
 
         Of a vector that leaves its room the head shows if its end lies there.
         """
         if self.seen is None:
             return []
-        end = Anchor.of(self.stroke, "end")
-        hung = Vector(self.seen[1], end, self.whole, self.lane)
+        hung = Vector(self.seen[1], Anchor.of(self.stroke, "end"), self.whole, self.lane)
         if room is None or (room.holds(self.end) and room.holds(self.start)):
-            return hung.marks(solved, self.row, self.role)
+            return hung.marks(solved, self.row, self.role, grows)
         ends = self.within(room)
         if ends is None:
             return []
-        marks = vector(*ends, self.row, self.role, self.whole, self.lane)
-        if not room.holds(self.end):
-            marks = [line([spot + self.lane.aside for spot in ends], self.role, self.row)]
-        parts: tuple[Literal["shaft", "head"], ...] = ("shaft", "head")
-        return [
-            replace(mark, hangs=Cut(replace(hung, part=part), room))
-            for mark, part in zip(marks, parts, strict=False)
-        ]
+        cut = Cut(hung, room), Cut(hung.of("head"), room)
+        if room.holds(self.end):
+            return vector(*ends, self.row, self.role, self.whole, self.lane, grows, cut)
+        shaft = Polyline((tuple(spot + self.lane.aside for spot in ends),))
+        return [Mark(shaft, self.role, self.row, hangs=cut[0])]
 
     def within(self, room: Rect) -> tuple[complex, complex] | None:
         """Return the ends of what is to be seen of it in a room; None if that is nothing."""
@@ -249,7 +245,8 @@ def add_vector(sketch: Sketch, index: int, placed: PlacedVector) -> None:
     stroke, during = setting.panel.strokes[index], setting.during(index)
     if not sketch.finished:
         sketch.add(stroke, Level.STROKE, during, [placed.light()], setting.over(index))
-    sketch.add(stroke, Level.STROKE, during, placed.marks(sketch.solved))
+    marks = placed.marks(sketch.solved, not sketch.finished)
+    sketch.add(stroke, Level.STROKE, during, marks)
     placed.block(sketch.obstacles, during)
 
 
@@ -297,20 +294,32 @@ def vector(
     role: str = "vector",
     whole: bool = False,
     lane: Lane = ALONE,
+    grows: bool = True,
+    hangs: tuple[Hanging | None, Hanging | None] = (None, None),
 ) -> list[Mark]:
     """Return a vector in its lane, its head at the tip; it grows from ``start``, head first."""
     if abs(end - start) < SHORTEST:
         return []
-    tail, head = start + lane.aside, head_of(start, end, whole, lane)
-    way, tip = direction_of(start, end), head[0]
-    neck = NECK * head_length(abs(end - start), whole)
-    # The head runs ahead of the shaft, which begins when there is room behind the head.
-    begins = neck / abs(tip - tail)
-    shaft = Trimming(((0.0, 0.0), (begins, 0.0), (1.0, 1.0)))
+    shaft, head = drawn(start, end, whole, lane)
+    growths: tuple[Trimming | None, Sliding | None] = (None, None)
+    if grows:
+        tail, tip = start + lane.aside, head.rings[0][0]
+        # The head runs ahead of the shaft, which begins when there is room behind the head.
+        begins = NECK * head_length(abs(end - start), whole) / abs(tip - tail)
+        trimming = Trimming(((0.0, 0.0), (begins, 0.0), (1.0, 1.0)))
+        growths = trimming, Sliding(((0.0, tail - tip), (1.0, 0j)))
     return [
-        line([tail, tip - neck * way], role, row, shaft),
-        area(head, "head", row, Sliding(((0.0, tail - tip), (1.0, 0j)))),
+        Mark(shaft, role, row, growths[0], hangs=hangs[0]),
+        Mark(head, "head", row, growths[1], hangs=hangs[1]),
     ]
+
+
+def drawn(start: complex, end: complex, whole: bool, lane: Lane) -> tuple[Polyline, Polygon]:
+    """Return the shaft of a vector, which ends in its head, and the head."""
+    head = head_of(start, end, whole, lane)
+    neck = NECK * head_length(abs(end - start), whole)
+    shaft = start + lane.aside, head[0] - neck * direction_of(start, end)
+    return Polyline((shaft,)), Polygon((tuple(head),))
 
 
 def head_of(start: complex, end: complex, whole: bool, lane: Lane = ALONE) -> list[complex]:

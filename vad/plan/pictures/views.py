@@ -36,7 +36,8 @@ from vad.plan.pictures.constructions import (
     name_construction,
 )
 from vad.plan.pictures.curves import add_curve, bearing, bow_of
-from vad.plan.pictures.skeleton import GRIP, block_piece
+from vad.plan.pictures.links import block_piece
+from vad.plan.pictures.skeleton import GRIP
 from vad.plan.roles import CONSTRUCTION
 from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch, Tag
