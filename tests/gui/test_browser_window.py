@@ -13,7 +13,7 @@ import pytest
 from PIL import Image
 
 from tests.browser import opened, until, violations
-from vad.gui.live import pose
+from vad.gui.answers import pose
 from vad.gui.messages import ExportQuestion, PoseQuestion
 from vad.gui.server import served
 from vad.mechanisms import MECHANISMS

@@ -14,8 +14,7 @@ from typing import Any
 import pytest
 
 import vad
-from vad.gui.fair import lesson
-from vad.gui.live import pose
+from vad.gui.answers import lesson, pose
 from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion
 from vad.gui.server import served
 

@@ -17,7 +17,7 @@ from tests.browser import opened, until
 from tests.test_notebook import shell
 from vad import showing
 from vad.errors import ExportError, InputError, UsageError
-from vad.gui.live import pose
+from vad.gui.answers import pose
 from vad.gui.messages import PoseQuestion, read
 
 anywidget = pytest.importorskip("anywidget", reason="anywidget comes with the extra 'notebook'")

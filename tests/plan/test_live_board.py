@@ -8,7 +8,7 @@ import math
 import pytest
 
 import vad
-from vad.gui.live import board_of
+from vad.gui.answers import board_of
 from vad.plan.labels.vertices import corners
 from vad.plan.live_board import LiveBoard, LivePose
 from vad.plan.marks import Bow, Outline, Polygon, Polyline

@@ -118,7 +118,7 @@ print(json.dumps({
 FOUR = """
 import json, vad
 from vad.cli.run import run
-from vad.gui.live import pose
+from vad.gui.answers import pose
 from vad.gui.messages import PoseQuestion
 
 panels = {}

@@ -31,11 +31,9 @@ from starlette.routing import Route
 from starlette.types import ASGIApp
 
 from vad.errors import ExportError, VadError
-from vad.gui.fair import lesson
+from vad.gui.answers import MEDIA, lesson, pose, saved
 from vad.gui.guard import HOSTS, Guard, Key, Manners, RefusalError
-from vad.gui.live import pose
 from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion, Question, problem, read
-from vad.gui.saving import MEDIA, Closing, saved
 from vad.gui.window import window
 from vad.words import all_languages
 
@@ -100,7 +98,7 @@ def _listening(port: int) -> socket.socket:
     return listener
 
 
-def application(key: Key, start: ExportQuestion, closing: Closing) -> ASGIApp:
+def application(key: Key, start: ExportQuestion, closing: Event) -> ASGIApp:
     """Return the server's application.
 
     Parameters

@@ -13,8 +13,7 @@ from threading import Event
 from typing import TYPE_CHECKING, Any
 
 from vad.errors import VadError, one_of
-from vad.gui.fair import lesson
-from vad.gui.live import pose
+from vad.gui.answers import MEDIA, lesson, pose, saved
 from vad.gui.messages import (
     ExportQuestion,
     Kinds,
@@ -24,7 +23,6 @@ from vad.gui.messages import (
     problem,
     read,
 )
-from vad.gui.saving import MEDIA, saved
 from vad.gui.window import window
 from vad.mechanisms import MECHANISMS
 

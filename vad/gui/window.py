@@ -17,8 +17,8 @@ from string import Template
 from typing import Any
 
 from vad.files.loading import WrittenMechanism
+from vad.gui.answers import MEDIA
 from vad.gui.messages import ExportQuestion
-from vad.gui.saving import MEDIA
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
 from vad.mechanisms.mechanism import NUMBERS

@@ -1,0 +1,344 @@
+"""What Python answers: a pose while something moves, the lesson of what is set, or a file of it.
+
+What is the same in all poses of a mechanism is kept for the mechanisms that were asked for last.
+Places are in pixels of a page 1280 wide, y down, as in the drawings.  A file is made in a folder of
+its own, which is removed afterwards; no question names a path.
+"""
+
+from __future__ import annotations
+
+import math
+import tempfile
+import time
+from collections.abc import Iterable, Mapping
+from functools import lru_cache
+from pathlib import Path
+from threading import Event
+from typing import Any
+
+import numpy as np
+
+import vad
+from vad.errors import AssemblyError, DeadCentreError, ExportError, VadError
+from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion, Scales, problem
+from vad.kinematics.motion import Motion
+from vad.kinematics.reach import closing_range
+from vad.mechanisms import Mechanism
+from vad.page.ink import Inker
+from vad.page.parts import Words, measured_cells, parts, picture, scale_bar, values_of
+from vad.page.themed import Inks
+from vad.painting.posed import SIZE
+from vad.painting.svg_text import Faces
+from vad.plan.board import plan
+from vad.plan.format import Format, screen
+from vad.plan.live_board import LiveBoard
+from vad.plan.pictures.views import held_arc, tip_of
+from vad.plan.scale import Scale
+from vad.plan.scaling import calm_scale
+from vad.strokes.draw import chosen
+from vad.strokes.sheet import Arrow, Block, Panel, Sheet
+from vad.style import load_style
+
+FORM = screen(SIZE)
+#: Lines for a caption, in the layout of the page: there, captions have a place of their own.
+LINES = 1
+POSITION = "position"
+#: In how many poses the mechanism is drawn to find out how much room it needs.
+_POSES = 12
+#: How near these poses come to the ends of a range, as an angle in radians of half a turn from one
+#: end to the other.  They lie closer together there, where links turn fastest.
+_END = 0.05
+_TURN = (0.0, 360.0)
+#: The extensions of pictures; and what any file is, by its extension.
+PICTURES = ("png", "svg", "pdf")
+MEDIA = {
+    "png": "image/png",
+    "svg": "image/svg+xml",
+    "pdf": "application/pdf",
+    "json": "application/json",
+    "mp4": "video/mp4",
+    "gif": "image/gif",
+    "html": "text/html",
+}
+
+
+def pose(question: PoseQuestion) -> dict[str, Any]:
+    """Return a pose.
+
+    Returns
+    -------
+    dict
+        HTML in its places on a page: ``panels`` with name, scale bar and drawing, ``rows`` with
+        the cells of the table, and their ``looks``, less those that the page knows.  For the next
+        question, ``scales`` and ``ways``; for the hand, the ``ranges`` of the driver that close and
+        the ``handle`` (see `grip`).  The ``results`` of ``vad solve --json``, and the
+        milliseconds that it took, ``ms``.  At a dead centre there is the position alone, and an
+        ``error``.
+
+    Raises
+    ------
+    vad.errors.VadError
+        For a pose that cannot be.
+    """
+    begun = time.thread_time()
+    mechanism, inputs = question.build()
+    motion = vad.solve(mechanism, **inputs)
+    panels = chosen(question.panels or None, motion)
+    trouble: dict[str, Any] = {}
+    try:
+        sheet = vad.draw(motion, panels, question.language)
+        trouble = {"results": motion.to_dict()}
+    except DeadCentreError as error:
+        if POSITION not in panels:
+            raise
+        sheet = vad.draw(motion, POSITION, question.language)
+        trouble = {"error": problem(error, question.fields)}
+    scales = {name: scale_of(values) for name, values in question.scales.items()}
+    rested = question.rested(mechanism)
+    board = board_of(rested, panels, question.language)
+    if rested != mechanism:
+        board = board.resized(sheet, scales)
+    shown = board.pose(sheet, scales, question.ways)
+    faces = Faces()
+    inker, words = Inker(FORM, _inks(question.style), faces), Words(faces)
+    drawn = [
+        [
+            each.name,
+            _quoted(scale_bar(shown.plan, each, words)),
+            _quoted(picture(shown.plan, each, inker)),
+        ]
+        for each in sheet.panels
+    ]
+    values = values_of(shown.plan, load_style(question.style).key)
+    rows = [
+        [_quoted(measured_cells(shown.plan, panel, row, words, values)) for panel in sheet.panels]
+        for row in sheet.rows
+    ]
+    return {
+        "panels": drawn,
+        "rows": rows,
+        "looks": inker.classes.sheet(question.known),
+        "scales": listed(shown.scales),
+        "ways": {
+            name: {label: round(way, 1) for label, way in ways.items()}
+            for name, ways in shown.ways.items()
+        },
+        **grips(motion, sheet, shown.scales),
+        **trouble,
+        "ms": round(1e3 * (time.thread_time() - begun), 2),
+    }
+
+
+@lru_cache(maxsize=16)
+def board_of(mechanism: Mechanism, panels: tuple[str, ...], language: str) -> LiveBoard:
+    """Return the board for all poses of a mechanism.
+
+    Raises
+    ------
+    vad.errors.AssemblyError
+        If it closes nowhere.
+    """
+    motions = list(_over(mechanism))
+    poses = [_pictured(motion) for motion in motions]
+    return LiveBoard.over(_first(motions, panels, language), FORM, LINES, poses)
+
+
+def _quoted(html: str) -> str:
+    """Return HTML with single quotes, of which JSON escapes none; a text has neither of both."""
+    return html.replace('"', "'")
+
+
+def _over(mechanism: Mechanism) -> Iterable[Motion]:
+    """Yield poses over all that the driver reaches."""
+    driven, ranges = next(iter(mechanism.inputs)), reach(mechanism)
+    for low, high in ranges:
+        count = max(2, _POSES // len(ranges))
+        shares = 0.5 - 0.5 * np.cos(np.linspace(_END, math.pi - _END, count))
+        if ranges == [_TURN]:
+            shares = np.linspace(0.0, 1.0, count, endpoint=False)
+        for share in shares:
+            yield vad.solve(mechanism, **{driven: low + float(share) * (high - low)})
+
+
+def _pictured(motion: Motion) -> Panel:
+    """Return the mechanism in one pose."""
+    return vad.draw(motion, POSITION, "en").panel(POSITION)
+
+
+@lru_cache(maxsize=8)
+def _inks(style: str) -> Inks:
+    return Inks(load_style(style))
+
+
+@lru_cache(maxsize=64)
+def reach(mechanism: Mechanism) -> list[tuple[float, float]]:
+    """Return the ranges of the driver that close."""
+    return closing_range(mechanism)
+
+
+def _first(motions: Iterable[Motion], panels: tuple[str, ...], language: str) -> Sheet:
+    """Return the first sheet that has all panels."""
+    wrong: VadError = AssemblyError("with these lengths the links close nowhere")
+    for motion in motions:
+        try:
+            return vad.draw(motion, panels, language)
+        except VadError as error:
+            wrong = error
+    raise wrong
+
+
+def grips(motion: Motion, sheet: Sheet, scales: Mapping[str, Scale]) -> dict[str, Any]:
+    """Return what the hand needs: the ranges of the driver, and its handle."""
+    found: dict[str, Any] = {"ranges": reach(motion.mechanism), "handle": None}
+    if POSITION in scales:
+        found["handle"] = grip(motion, sheet, scales[POSITION], FORM)
+    return found
+
+
+def scale_of(values: tuple[float, float, float]) -> Scale:
+    """Return a scale from the numbers of a question."""
+    return Scale(complex(values[0], values[1]), values[2])
+
+
+def listed(scales: Mapping[str, Scale]) -> Scales:
+    """Return scales as a question has them; a panel with a single point has none."""
+    return {
+        name: (
+            round(scale.origin.real, 7),
+            round(scale.origin.imag, 7),
+            float(f"{scale.factor:.9g}"),
+        )
+        for name, scale in scales.items()
+        if not scale.bare
+    }
+
+
+def lesson(question: LessonQuestion) -> dict[str, Any]:
+    """Return a lesson.
+
+    Returns
+    -------
+    dict
+        The ``head``, ``panels``, ``table``, ``chapters``, ``steps``,
+        ``data`` and ``looks`` of a page, and the ``scales``, ``ranges``, ``handle`` and
+        ``results`` of a pose.
+
+    Raises
+    ------
+    vad.errors.VadError
+        For a pose that cannot be, or that has no rates.
+    """
+    mechanism, inputs = question.build()
+    motion = vad.solve(mechanism, **inputs)
+    panels = chosen(question.panels or None, motion)
+    sheet = vad.draw(motion, panels, question.language)
+    board, scales = board_of(mechanism, panels, question.language), {}
+    for panel in sheet.halves:
+        if panel.name in board.pictures:
+            scales[panel.name] = board.pictures[panel.name].scale
+        elif panel.name in question.scales:
+            before = scale_of(question.scales[panel.name])
+            scales[panel.name] = calm_scale(panel, board.room(panel, sheet), before)
+    key = load_style(question.style).key
+    copy = plan(sheet, FORM, key, lesson=True, lines=LINES, scales=scales, words=False)
+    made = parts(vad.animate(sheet, style=question.style), copy)
+    shown = {name: sketch.scale for name, sketch in copy.sketches.items()}
+    return {
+        "head": made.head,
+        "panels": made.panels,
+        "table": made.table,
+        "chapters": made.chapters,
+        "steps": made.steps,
+        "data": made.data,
+        "looks": made.looks,
+        "scales": listed(shown),
+        **grips(motion, sheet, shown),
+        "results": motion.to_dict(),
+    }
+
+
+def grip(motion: Motion, sheet: Sheet, scale: Scale, form: Format) -> dict[str, Any] | None:
+    """Return the handle on the pin, strut or block that is driven; None where none is drawn.
+
+    In views it is at the end of the driven angle's arc, where that is seen in true size from the
+    right on.
+
+    Returns
+    -------
+    dict
+        ``kind``, ``name`` of the input, and where it is, ``at``.  An "angle" is measured at
+        ``about``; a "length" from there, ``factor`` pixels to the unit; a "slide" along ``way``
+        from ``about``.
+    """
+
+    def place(z: complex) -> list[float]:
+        return [round(z.real * form.unit, 2), round((form.height - z.imag) * form.unit, 2)]
+
+    name, factor = next(iter(motion.mechanism.inputs)), scale.factor * form.unit
+    panel, driver = sheet.panel("position"), sheet.driver
+    arc = held_arc(panel, driver)
+    if arc:
+        spots = {"at": place(scale(tip_of(arc))), "about": place(scale(arc.centre))}
+        return {"kind": "angle", "name": name, **spots, "factor": factor}
+    index = panel.find(driver.stroke)
+    if index is None:
+        return None
+    shape = panel.strokes[index].shape
+    if isinstance(shape, Arrow):
+        kind = "angle" if driver.turns else "length"
+        about, at = scale(shape.start), scale(shape.end)
+        return {
+            "kind": kind,
+            "name": name,
+            "at": place(at),
+            "about": place(about),
+            "factor": factor,
+        }
+    if not isinstance(shape, Block):
+        return None
+    way = _way(motion, panel.strokes[index].label)
+    about = scale(shape.at - float(motion.inputs[name]) * way)
+    return {
+        "kind": "slide",
+        "name": name,
+        "at": place(scale(shape.at)),
+        "about": place(about),
+        "way": [way.real, -way.imag],
+        "factor": factor,
+    }
+
+
+def _way(motion: Motion, letter: str) -> complex:
+    """Return where a driven point goes."""
+    place, speed, *_ = motion.inputs
+    moved = vad.solve(motion.mechanism, **{place: motion.inputs[place], speed: 1.0})
+    return complex(moved.point(letter).velocity)
+
+
+def saved(question: ExportQuestion, extension: str, closing: Event) -> tuple[bytes, str]:
+    """Return the bytes of a file, and what it is called.
+
+    Raises
+    ------
+    vad.errors.VadError
+        For what cannot be drawn or saved.
+    """
+    mechanism, inputs = question.build()
+    panels = question.panels or None
+    sheet = vad.draw(vad.solve(mechanism, **inputs), panels, question.language)
+    name = f"{mechanism.name}.{extension}"
+
+    def heed(_done: int, _total: int) -> None:
+        if closing.is_set():
+            raise ExportError("the server is ending")
+
+    with tempfile.TemporaryDirectory(prefix="vad-") as folder:
+        path = Path(folder, name)
+        if extension == "json":
+            vad.save(sheet, path)
+        elif extension in PICTURES:
+            vad.save(sheet, path, style=question.style, size=question.size)
+        else:
+            film = vad.animate(sheet, question.fps, question.size, question.speed, question.style)
+            vad.save(film, path, progress=heed)
+        return path.read_bytes(), name
