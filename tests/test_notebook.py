@@ -20,7 +20,7 @@ import vad
 from tests.browser import until
 from vad import notebook
 from vad.errors import ExportError, UsageError
-from vad.strokes.words import describe, title
+from vad.strokes.description import describe, title
 
 SHEET = vad.draw(vad.solve(vad.SliderCrank()))
 OTHER = vad.draw(vad.solve(vad.SliderCrank(rod=150), angle=100))

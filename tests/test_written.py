@@ -7,7 +7,7 @@ import re
 import pytest
 
 import vad
-from vad.strokes.words import describe, title
+from vad.strokes.description import describe, title
 from vad.written import given, measured, number, quantity, typed
 
 

@@ -26,9 +26,9 @@ from vad.lecture.turn import Turn
 from vad.page.document import document
 from vad.painting.posed import Posed, posed
 from vad.painting.svg_painter import SvgPainter
+from vad.strokes.description import describe, title
 from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
-from vad.strokes.words import describe, title
 
 Thing = Sheet | Lesson | Turn | Still | Multiples
 

@@ -12,8 +12,8 @@ import vad
 from tests.strokes.poses import MECHANISMS, sheets
 from vad.export.sheet_json import sheet_from_json, to_dict
 from vad.files.examples import example_names, example_path
+from vad.strokes.description import describe, title
 from vad.strokes.sheet import Sheet
-from vad.strokes.words import describe, title
 
 
 def without_facts(sheet: dict[str, Any]) -> dict[str, Any]:

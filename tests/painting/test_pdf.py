@@ -21,8 +21,8 @@ from vad.painting.posed import board_of
 from vad.plan.format import Format
 from vad.plan.items import Item, Level
 from vad.plan.marks import Disc, Mark
+from vad.strokes.description import describe
 from vad.strokes.sheet import Sheet
-from vad.strokes.words import describe
 from vad.style import Look, load_style
 
 

@@ -20,9 +20,9 @@ from vad.plan.lettering.glyphs import CLOSE, typeset
 from vad.plan.lettering.runs import plain, roman, symbols
 from vad.plan.marks import Bow, Disc, Lettering, Polyline
 from vad.plan.multiples_board import MultiplesBoard
+from vad.strokes.description import describe, title
 from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import PolarInset
-from vad.strokes.words import describe, title
 
 FORM = screen((1280, 720))
 NAMES = [f"velocity:{s.name}" for s in UPPER] + [f"velocity.below:{s.name}" for s in LOWER]

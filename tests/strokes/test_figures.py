@@ -26,8 +26,8 @@ from tests.strokes.motions import (
 from tests.strokes.poses import MECHANISMS, sheets
 from vad.kinematics.linkage import Slide
 from vad.kinematics.motion import Motion
+from vad.strokes.description import describe
 from vad.strokes.sheet import Arrow, Panel, Sheet, Stroke
-from vad.strokes.words import describe
 from vad.words import Language
 
 UNITS = {"ω": "rad/s", "α": "rad/s²", "θ": "°"}

@@ -12,9 +12,9 @@ from tests.strokes.calculations import THIN
 from tests.strokes.motions import everything, in_every_language
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of
 from vad.mechanisms import Mechanism
+from vad.strokes.description import describe, title
 from vad.strokes.sentences import Noun, Sentence, Voice
 from vad.strokes.sheet import Sheet
-from vad.strokes.words import describe, title
 
 
 def said(sheet: Sheet) -> dict[str, str]:

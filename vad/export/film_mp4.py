@@ -24,7 +24,7 @@ from vad.export.lesson_srt import Cue, cues
 from vad.lecture.lesson import Lesson
 from vad.lecture.turn import Turn
 from vad.painting.film import Box, Frame
-from vad.strokes.words import title
+from vad.strokes.description import title
 
 if TYPE_CHECKING:
     from av.container import OutputContainer

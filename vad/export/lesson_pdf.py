@@ -9,7 +9,7 @@ from vad.lecture.lesson import Lesson, still
 from vad.painting.painter import play
 from vad.painting.pdf_painter import PdfPainter
 from vad.painting.posed import board_of
-from vad.strokes.words import title
+from vad.strokes.description import title
 from vad.style import load_style
 
 

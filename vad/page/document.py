@@ -18,7 +18,7 @@ from string import Template
 from vad.lecture.lesson import Lesson
 from vad.page.parts import Parts, parts
 from vad.page.themed import themes, variables
-from vad.strokes.words import title
+from vad.strokes.description import title
 from vad.style import load_style
 from vad.words import Language
 

@@ -36,9 +36,9 @@ from vad.plan.page.foot import REMARK_SIZE, Piece, compose
 from vad.plan.page.heads import APART, TITLE
 from vad.plan.page.table import table as laid_out
 from vad.plan.stated_scale import bar
+from vad.strokes.description import parameters
 from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Cell, Panel, Row
-from vad.strokes.words import parameters
 from vad.style import load_style
 from vad.words import Language
 from vad.written import with_unit

@@ -19,9 +19,9 @@ from vad.plan.format import paper as paper_format
 from vad.plan.format import screen
 from vad.plan.multiples_board import MultiplesBoard
 from vad.plan.problem_sheet import blank_panels, problem
+from vad.strokes.description import describe, title
 from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
-from vad.strokes.words import describe, title
 from vad.style import Style, load_style
 
 SIZE = (1280, 720)

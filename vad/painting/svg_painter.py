@@ -15,8 +15,8 @@ from vad.painting.svg_text import DrawnText, SetText
 from vad.plan.format import Format
 from vad.plan.items import Item
 from vad.plan.marks import Mark
+from vad.strokes.description import describe, title
 from vad.strokes.sheet import Sheet
-from vad.strokes.words import describe, title
 from vad.style import Look
 
 #: How text is written: as the shapes of its glyphs, or as letters in an embedded font.

@@ -6,8 +6,8 @@ from vad.plan.layout import Page
 from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, bold, roman
 from vad.plan.marks import Lettering, Mark
+from vad.strokes.description import parameters
 from vad.strokes.sheet import Sheet
-from vad.strokes.words import parameters
 
 TITLE = 0.050
 LEAST_TITLE = 0.036
