@@ -171,6 +171,7 @@ def test_a_rate_is_stated_where_velocities_are_drawn():
     sheet = vad.draw(motion, ("position", "velocity"))
     assert sheet.driver.rate == 10.0
     lesson = vad.animate(sheet)
+    assert vad.still(lesson, "position:1").drawn.driver == Driver("crank")
     assert vad.still(lesson, "position:4").drawn.driver.rate == 0.0
     assert vad.still(lesson, "velocity:1").drawn.driver.rate == 10.0
 

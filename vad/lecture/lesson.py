@@ -18,7 +18,7 @@ from vad.displayed import Displayed
 from vad.errors import UsageError, one_of, shown
 from vad.found import names_in, one_of_all
 from vad.lecture.moment import Moment, done, drawing
-from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke
+from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke, driver_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -324,8 +324,7 @@ def part(sheet: Sheet, strokes: Mapping[str, tuple[Stroke, ...]]) -> Sheet:
         }
         if any(cells.values()):
             rows.append(replace(row, cells=cells))
-    rate = sheet.driver.rate if any(panel.name == "velocity" for panel in panels) else 0.0
-    driver = replace(sheet.driver, rate=rate)
+    driver = driver_of(sheet.driver.row, sheet.driver.turns, rows, panels)
     return replace(sheet, panels=panels, rows=tuple(rows), driver=driver)
 
 

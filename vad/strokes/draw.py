@@ -14,7 +14,7 @@ from vad.kinematics.space.crossed_shafts import UniversalSolver
 from vad.kinematics.space.sphere import SphereSolver
 from vad.strokes.arithmetic import settled
 from vad.strokes.construct import construct
-from vad.strokes.diagram import Drawing, Order
+from vad.strokes.diagram import ACCELERATION, VELOCITY, Drawing, Order
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.finishing import canonical, finished, without_noise
 from vad.strokes.notation import Notation, in_metres
@@ -82,7 +82,7 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     drawn = tuple(diagram.panel(scene) for diagram in diagrams)
     rows = scene.rows(diagrams)
     largest = _largest(rows, drawn)
-    rates = [size for unit, size in largest.items() if unit.startswith(f"{scene.unit}/s")]
+    rates = [largest.get(order.unit_of(scene.unit), 0.0) for order in (VELOCITY, ACCELERATION)]
     notation = Notation(scene.language.point, in_metres(rates))
     scene.voice.notation = notation = settled(notation, scene.calculated)
     mechanism, clean = motion.mechanism, without_noise(rows, largest)
