@@ -121,15 +121,20 @@ class UniversalSolver(AxesSolver):
         unit = {name: vector(*parts) for name, parts in zip(names, units, strict=True)}
         return PoseInSpace(unit, {}, [found.size], found=found)
 
-    def moving_axes(self, pose: Pose) -> tuple[Vector3, Vector3, Number]:
-        """Return the arms OP and OQ of the cross, and the sine of the angle between them."""
+    @property
+    def coupler_sine(self) -> Number:
+        """The sine of the angle between the arms of the cross."""
+        return 1.0
+
+    def moving_axes(self, pose: Pose) -> tuple[Vector3, Vector3]:
+        """Return the arms OP and OQ of the cross."""
         arms: UniversalPose = self.found(pose)
-        return self.closure.p(arms), self.closure.q(arms), 1.0
+        return self.closure.p(arms), self.closure.q(arms)
 
     def point(self, letter: str, pose: Pose, rates: tuple[Rates, ...]) -> Vector3:
         """Return a pin's position, its velocity (one order in ``rates``) or acceleration."""
         if letter == "O":
             return 0.0, 0.0, 0.0
-        p, q, _ = self.moving_axes(pose)
+        p, q = self.moving_axes(pose)
         pin, shaft = (p, "driving") if letter == "P" else (q, "driven")
         return carried(pin, *self.spins(shaft, pose, rates))

@@ -117,8 +117,12 @@ class InstantAxis:
         of α is α₄₂ₜ·AH + ω₄₂ḣ + v₄₂τ̇ along m and v̇₄₂ - ω₄₂τ̇·AH along i, with v̇₄₂ the dual part of
         α₄₂ₜ: m and i pass through H.
         """
-        vector = added(scaled(turns.at_d, self.d), scaled(-1.0 * crank, Z))
+        vector = self.difference(crank, turns)
         return dot(vector, self.i), dot(vector, self.m)
+
+    def difference(self, crank: Number, turns: Turns) -> Vector3:
+        """Return ω₄d - ω₂a, or that of α; in space its dual part is the motion of A."""
+        return added(scaled(turns.at_d, self.d), scaled(-1.0 * crank, Z))
 
     def in_coupler(self, turns: Turns) -> Number:
         """Return the part of α₃₂b - α₃₄c across i, which is ω₄₂τ̇₃."""

@@ -164,9 +164,14 @@ class AxesSolver(SpaceSolver):
     turning: tuple[str, ...]
     sliding: tuple[str, ...] = ()
 
+    @property
     @abstractmethod
-    def moving_axes(self, pose: Pose) -> tuple[Vector3, Vector3, Number]:
-        """Return b and c, and the sine of the arc between them."""
+    def coupler_sine(self) -> Number:
+        """The sine of the arc from b to c."""
+
+    @abstractmethod
+    def moving_axes(self, pose: Pose) -> tuple[Vector3, Vector3]:
+        """Return b and c."""
 
     def rates(self, pose: Pose, lower: tuple[Rates, ...], value: Number) -> Rates:
         """Solve for the driver's rate, of the order after those in ``lower``."""
@@ -189,8 +194,8 @@ class AxesSolver(SpaceSolver):
 
     def axis(self, pose: Pose) -> InstantAxis:
         """Return the instant axis of the driven body against the driver."""
-        b, c, sine = self.moving_axes(pose)
-        return InstantAxis(b, c, self.closure.d, sine)
+        b, c = self.moving_axes(pose)
+        return InstantAxis(b, c, self.closure.d, self.coupler_sine)
 
     def axis_velocity(self, pose: Pose, velocity: Rates) -> AxisVelocity:
         """Return how fast the driven body turns about it, and how fast it moves itself."""
@@ -210,7 +215,7 @@ class AxesSolver(SpaceSolver):
             return reals(self.closure.d)
         if letter == "I":
             return reals(self.axis(pose).i)
-        b, c, _ = self.moving_axes(pose)
+        b, c = self.moving_axes(pose)
         return reals(b if letter == "B" else c)
 
     def spins(self, body: str, pose: Pose, rates: tuple[Rates, ...]) -> tuple[Vector3, ...]:

@@ -298,10 +298,15 @@ class SphereSolver(AxesSolver):
         axes: SpherePose = self.found(pose)
         return axes
 
-    def moving_axes(self, pose: Pose) -> tuple[Vector3, Vector3, Number]:
-        """Return b and c, and the sine of the arc between them."""
+    @property
+    def coupler_sine(self) -> Number:
+        """The sine of the arc from b to c."""
+        return self.closure.sines[2]
+
+    def moving_axes(self, pose: Pose) -> tuple[Vector3, Vector3]:
+        """Return b and c."""
         axes = self.on_sphere(pose)
-        return axes.b, axes.c, self.closure.sines[2]
+        return axes.b, axes.c
 
     def point(self, letter: str, pose: Pose, rates: tuple[Rates, ...]) -> Vector3:
         """Return a point's position, its velocity (one order in ``rates``) or acceleration."""
