@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 import vad
+from vad.strokes.draw import scene_of
 from vad.strokes.sheet import Arrow, Line, Panel
-from vad.strokes.space.balls_seen import Seen
+from vad.words import Language
 
 SLANTED = vad.RSSR(
     ground=100.0, crank=40.0, coupler=120.0, rocker=80.0,
@@ -32,14 +33,19 @@ def arrows(panel: Panel) -> dict[str, complex]:
     return {n: s.end - s.start for n, s in shapes.items() if isinstance(s, Arrow)}
 
 
+def third_view(motion: Any) -> Any:
+    scene: Any = scene_of(motion, Language("en"))
+    return scene.script.third
+
+
 @poses
 def test_velocities(motion: Any) -> None:
     """Along the path and across BC all is measured true; the rest is what leads off the paper."""
-    drawn, seen = arrows(vad.draw(motion).panel("velocity")), Seen(motion)
+    drawn, seen = arrows(vad.draw(motion).panel("velocity")), third_view(motion)
     b, c = motion.point("B").velocity, motion.point("C").velocity
     assert abs(drawn["DC.tangential"]) == pytest.approx(np.linalg.norm(c), rel=1e-12)
-    assert seen.depth(c) == pytest.approx(0.0, abs=1e-9 * np.linalg.norm(c))
-    relative = abs(drawn["BC.tangential"]) ** 2 + seen.depth(b) ** 2
+    assert c @ np.array(seen.toward) == pytest.approx(0.0, abs=1e-9 * np.linalg.norm(c))
+    relative = abs(drawn["BC.tangential"]) ** 2 + (b @ np.array(seen.toward)) ** 2
     assert relative == pytest.approx((c - b) @ (c - b), rel=1e-12)
     sides = drawn["AB.tangential"] + drawn["BC.tangential"], drawn["DC.tangential"]
     assert sides[0] == pytest.approx(sides[1], rel=1e-12)
@@ -47,7 +53,7 @@ def test_velocities(motion: Any) -> None:
 
 @poses
 def test_accelerations(motion: Any) -> None:
-    drawn, seen = arrows(vad.draw(motion).panel("acceleration")), Seen(motion)
+    drawn, seen = arrows(vad.draw(motion).panel("acceleration")), third_view(motion)
     rocker, sizes = motion.link("rocker"), motion.mechanism.parameters()
     relative = motion.point("C").velocity - motion.point("B").velocity
     normal = relative @ relative / sizes["coupler"]
@@ -55,7 +61,7 @@ def test_accelerations(motion: Any) -> None:
     tangential = abs(rocker.alpha) * sizes["rocker"]
     assert abs(drawn["DC.tangential"]) == pytest.approx(tangential, rel=1e-12)
     for point, name in (("B", "AB"), ("C", "DC")):
-        whole = seen.third(motion.point(point).acceleration)
+        whole = seen.way(motion.point(point).acceleration)
         parts = drawn[f"{name}.normal"] + drawn[f"{name}.tangential"]
         assert parts == pytest.approx(complex(whole), rel=1e-11)
 

@@ -17,10 +17,11 @@ from tests.strokes.named import dot, stroke, vector
 from vad.export.sheet_json import sheet_from_json, to_text
 from vad.kinematics.space.crossed_shafts import UniversalSolver
 from vad.strokes.draw import scene_of
+from vad.strokes.scripts import hooke_joint
 from vad.strokes.sheet import Arc, Curve, Line, PolarInset, Sheet
-from vad.strokes.space.hooke_views import PLAN
 from vad.words import Language, languages
 
+PLAN = hooke_joint.PLAN.at
 ANGLES = [*range(0, 360, 45), 60, 130, 200, 341]
 SHAFTS = (30.0, -50.0, 0.0, 89.0, -89.0)
 

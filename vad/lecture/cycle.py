@@ -21,12 +21,13 @@ from vad.kinematics.motion import Motion, solve
 from vad.kinematics.reach import change_points, closing_range
 from vad.strokes.diagram import POSITION, Spot
 from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.draw import AnyScene, scene_of
+from vad.strokes.draw import scene_of
 from vad.strokes.sheet import BELOW
 from vad.words import Language
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
+    from vad.strokes.draw import AnyScene
 
 #: How far a swing keeps away from the dead centre at either end, as a share of its range.
 KEPT = 0.03

@@ -16,6 +16,7 @@ class HookeJoint(MechanismInSpace):
 
     name = "hooke-joint"
     title = "Hooke’s joint"
+    script = "vad.strokes.scripts.hooke_joint"
     letters = "PQO"
     links = {"driving": "2", "cross": "3", "driven": "4"}
     joints = {"P": "cross against driving", "Q": "cross against driven"}

@@ -201,7 +201,10 @@ class MechanismInSpace(Mechanism, listed=False):
     """A mechanism that leaves the plane; its points are vectors x, y, z.
 
     The frame has its origin at A, z along A's axis and x along the common normal from A to D.
+    A subclass states its `script`, the name of the module that draws it.
     """
+
+    script: ClassVar[str]
 
     def linkage(self) -> SpaceLinkage:
         """Return what its axes or balls keep."""

@@ -18,6 +18,7 @@ class RSSR(MechanismInSpace):
 
     name = "rssr"
     title = "Spatial four-bar with ball joints"
+    script = "vad.strokes.scripts.rssr"
     letters = "ABCD"
     links = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
 

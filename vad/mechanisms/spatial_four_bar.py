@@ -20,6 +20,7 @@ class SpatialFourBar(MechanismInSpace):
 
     name = "spatial-four-bar"
     title = "Spatial four-bar"
+    script = "vad.strokes.scripts.spatial_four_bar"
     letters = "ABCD"
     links = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
     joints = {"B": "coupler against crank", "C": "coupler against rocker"}

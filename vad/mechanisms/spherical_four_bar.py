@@ -19,6 +19,7 @@ class SphericalFourBar(MechanismInSpace):
 
     name = "spherical-four-bar"
     title = "Spherical four-bar"
+    script = "vad.strokes.scripts.spherical_four_bar"
     letters = "ABCDI"
     links = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
     joints = {"B": "coupler against crank", "C": "coupler against rocker"}

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from vad.errors import InputError, UsageError, one_of, shown
 from vad.kinematics.linkage import points_of
 from vad.kinematics.motion import Motion, solve
-from vad.kinematics.space.balls import BallSolver
-from vad.kinematics.space.crossed_shafts import UniversalSolver
-from vad.kinematics.space.sphere import SphereSolver
+from vad.kinematics.solver import Solver
 from vad.strokes.arithmetic import settled
 from vad.strokes.construct import construct
 from vad.strokes.diagram import ACCELERATION, VELOCITY, Drawing, Order
@@ -29,15 +27,13 @@ from vad.strokes.sheet import (
     Sheet,
     driver_of,
 )
-from vad.strokes.space.balls import BallScene
-from vad.strokes.space.hooke import HookeScene
-from vad.strokes.space.scene_in_space import SceneInSpace
-from vad.strokes.space.spatial import SpatialScene
-from vad.strokes.space.spherical import SphericalScene
 from vad.words import Language
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
+    from vad.strokes.space.scene import SceneInSpace
+
+    AnyScene = Scene | SceneInSpace
 
 #: Ends the name of the angle between two axes, whose distance bears the name before it.
 _TWIST = "_twist"
@@ -195,20 +191,11 @@ class PlaneScene(Scene):
         return polygon(self, order.number) if order.number else construct(self)
 
 
-AnyScene = Scene | SceneInSpace
-
-#: The scene of each solver in space, by whether anything slides.
-IN_SPACE: Mapping[tuple[type, bool], type[SceneInSpace]] = {
-    (UniversalSolver, False): HookeScene,
-    (SphereSolver, False): SphericalScene,
-    (SphereSolver, True): SpatialScene,
-    (BallSolver, False): BallScene,
-}
-
-
-def scene_of(motion: Motion, language: Language) -> AnyScene:
+def scene_of(motion: Motion[Any, Any, Any], language: Language) -> AnyScene:
     """Return the scene of a motion, whose solver tells the plane from space."""
-    solver = motion.solver
-    kind: Any = IN_SPACE.get((type(solver), bool(solver.slides)), PlaneScene)
-    scene: AnyScene = kind(motion, language)
-    return scene
+    if isinstance(motion.solver, Solver):
+        return PlaneScene(motion, language)
+    from vad.strokes.space.scene import SceneInSpace  # which the plane need not load
+
+    in_space: Any = motion
+    return SceneInSpace(in_space, language)

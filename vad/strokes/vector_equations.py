@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Generic, TypeVar
 
-from vad.strokes.sheet import Component, Equation, StrokePart, Term
+from vad.strokes.sheet import Component, StrokePart, Term
 
 if TYPE_CHECKING:
     from vad.kinematics.linkage import Step
@@ -204,9 +204,3 @@ class Side:
     def backward(self) -> list[Term]:
         """Return the vectors that run against it, so that each begins where the last ended."""
         return [term for step, term in reversed(self.entries) if step.reverse]
-
-
-def of_chains(first: Side, second: Side) -> Equation:
-    """Return ``first = second`` of chains whose vectors all run with them."""
-    nothing = [Term("0", None, None)]
-    return Equation(tuple(first.forward() or nothing), tuple(second.forward() or nothing))

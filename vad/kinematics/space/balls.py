@@ -175,14 +175,19 @@ class BallSolver(SpaceSolver):
         vectors: BallPose = self.found(pose)
         return vectors
 
+    @property
+    def d(self) -> Vector3:
+        """The unit vector along the rocker's axis; the crank's is z."""
+        return self.closure.d
+
     def axis_of(self, letter: str, pose: Pose) -> Vector3:
-        """Return the unit vector along the axis of the crank, A, or of the rocker, D."""
-        return Z if letter == "A" else self.closure.d
+        """Raise an error: no axis moves."""
+        raise KeyError(letter)
 
     def spins(self, body: str, pose: Pose, rates: tuple[Rates, ...]) -> tuple[Vector3, ...]:
         """Return ω, and with two orders α, of a body; the coupler's without its idle spin."""
         if body != "coupler":
-            axis = Z if body == "crank" else self.closure.d
+            axis = Z if body == "crank" else self.d
             return tuple(scaled(each.turning[body], axis) for each in rates)
         coupler = self.vectors(pose).coupler
         orders = (rates[: order + 1] for order in range(len(rates)))

@@ -91,9 +91,14 @@ class SpaceSolver(AnySolver):
     def miss(self, angle: float) -> float:
         """Return by how much one pose fails to close."""
 
+    @property
+    @abstractmethod
+    def d(self) -> Vector3:
+        """The unit vector along the fixed axis of the driven body; that of the driver is z."""
+
     @abstractmethod
     def axis_of(self, letter: str, pose: Pose) -> Vector3:
-        """Return the unit vector along the axis at a joint, or along the instant axis I."""
+        """Return the unit vector along an axis that moves: at B, at C, or the instant axis I."""
 
     @abstractmethod
     def point(self, letter: str, pose: Pose, rates: tuple[Rates, ...]) -> Vector3:
@@ -106,7 +111,7 @@ class SpaceSolver(AnySolver):
     def evaluate(self, result: Result, evaluation: Evaluation) -> Number:
         """Return a result, of a point, an axis or a free body as x, y, z; NaN if undetermined.
 
-        The axis at a joint or I has a position alone, ``("axis", "I", "position")``: a unit vector.
+        An axis that moves has a position alone, ``("axis", "I", "position")``: a unit vector.
         """
         kind, name, _ = result
         pose, order = evaluation.pose, order_of(result)
@@ -207,12 +212,13 @@ class AxesSolver(SpaceSolver):
         crank = acceleration.turning[self.driver.name]
         return self.axis(pose).relative(crank, self.turns(acceleration))[0]
 
+    @property
+    def d(self) -> Vector3:
+        """The unit vector along the fixed axis of the driven body; that of the driver is z."""
+        return reals(self.closure.d)
+
     def axis_of(self, letter: str, pose: Pose) -> Vector3:
-        """Return the unit vector along the axis at a joint, or along the instant axis I."""
-        if letter == "A":
-            return Z
-        if letter == "D":
-            return reals(self.closure.d)
+        """Return the unit vector along an axis that moves: at B, at C, or the instant axis I."""
         if letter == "I":
             return reals(self.axis(pose).i)
         b, c = self.moving_axes(pose)
@@ -222,7 +228,7 @@ class AxesSolver(SpaceSolver):
         """Return ω, and with two orders α, of a body."""
         driver, about_b = self.driver.name, self.turning[1]
         if body not in self.bodies:
-            axis = Z if body == driver else reals(self.closure.d)
+            axis = Z if body == driver else self.d
             return tuple(scaled(each.turning[body], axis) for each in rates)
         axis = reals(self.moving_axes(pose)[0])
         found = [

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from vad.kinematics.any_solver import round_the_turn
 from vad.kinematics.closed_forms import root_of_factors
 from vad.kinematics.numbers import Number, direction, fold, select, vector
-from vad.kinematics.space.instant_axis import Turns
+from vad.kinematics.space.instant_axis import Turns, Z
 from vad.kinematics.space.linkages import Arc, FourAxes
 from vad.kinematics.space.numbers import (
     Dual,
@@ -316,7 +316,7 @@ class SphereSolver(AxesSolver):
         if letter == "I":
             return self.axis(pose).motion(*self.spins("coupler", pose, rates))
         if letter in "AD":
-            return _ORIGIN if rates else self.axis_of(letter, pose)
+            return _ORIGIN if rates else (Z if letter == "A" else self.d)
         axis, body = (axes.b, "crank") if letter == "B" else (axes.c, "rocker")
         return carried(axis, *self.spins(body, pose, rates))
 

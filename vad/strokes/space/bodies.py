@@ -1,0 +1,159 @@
+"""How four bodies turn about four axes, and where the vertices of their polygons are.
+
+The pole is body 1, the frame; the vector from i to j is how j turns against i.  Triangle 1 2 4 lies
+in the plane of the frame, which is seen square; triangle 2 3 4 lies in that of the coupler, which
+is laid over about 2 4.  Where the bodies slide, too, dual numbers tell sliding from turning.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from vad.kinematics.space.instant_axis import AxisVelocity, InstantAxis, Turns, Z
+from vad.kinematics.space.numbers import Vector3, dot, dual, real
+from vad.kinematics.space.solver import AxesSolver, reals
+from vad.strokes.diagram import ACCELERATION, VELOCITY, Order
+from vad.strokes.space.scene import Script
+from vad.strokes.space.view import View
+from vad.strokes.vector_equations import NOTHING
+from vad.written import PRIME
+
+
+class Bodies:
+    """How the bodies of a motion turn, of one pose or of many as arrays.
+
+    Parameters
+    ----------
+    script
+        What draws the mechanism.
+    view
+        The view square to the plane of the frame.
+
+    Attributes
+    ----------
+    solver
+        What has solved the motion.
+    axis
+        The instant axis I with the other axes, as they are without sliding.
+    seen
+        How a vector is seen square to the plane of the frame.
+    """
+
+    def __init__(self, script: Script, view: View) -> None:
+        solver = script.motion.solver
+        assert isinstance(solver, AxesSolver)
+        self.motion, self.solver = script.motion, solver
+        b, c, d, i = (script.axis(letter) for letter in "BCDI")
+        self.axis = InstantAxis(b, c, d, real(solver.coupler_sine), i)
+        self.seen = view.way
+        self._turns: dict[Order, tuple[Any, Turns]] = {}
+
+    def laid(self, vector: Vector3, side: Any) -> Any:
+        """Return a vector of the coupler's plane, laid over about OI to a side of it, ±1."""
+        along, across = dot(vector, self.axis.i), side * dot(vector, self.axis.j)
+        return along * self.seen(self.axis.i) + across * self.seen(self.axis.m)
+
+    def arc(self, axis: Vector3) -> float:
+        """Return the angle from I to an axis of the coupler's plane, in degrees, of one pose."""
+        return math.degrees(math.atan2(dot(axis, self.axis.j), dot(axis, self.axis.i)))
+
+    def turns(self, order: Order) -> tuple[Any, Turns]:
+        """Return ω or α of the driver, and about the other axes."""
+        if order not in self._turns:
+            links, joints = self.motion.link, self.motion.joint
+            at_d, at_b, at_c = self.solver.turning
+            parts: list[Any] = [links(self.solver.driver.name), links(at_d)]
+            crank, *rest = (
+                getattr(each, order.rate) for each in (*parts, joints(at_b), joints(at_c))
+            )
+            self._turns[order] = crank, Turns(*rest)
+        return self._turns[order]
+
+    def relative(self, order: Order) -> tuple[Any, Any]:
+        """Return how 4 turns against 2: along I, and across it in the plane of the frame."""
+        return self.axis.relative(*self.turns(order))
+
+    def in_coupler(self) -> Any:
+        """Return ω₄₂τ̇₃, the part of α₃₂b - α₃₄c across I."""
+        return self.axis.in_coupler(self.turns(ACCELERATION)[1])
+
+    def side(self, order: Order) -> Any:
+        """Return to which side the coupler's plane is laid over.
+
+        That of velocities goes away from the pole, that of accelerations so that both normal
+        components at 4ₙ go on from each other; where a triangle is flat it is +1.
+        """
+        crank, turns = self.turns(order)
+        if order is VELOCITY:
+            other = turns.at_d * dot(self.axis.d, self.axis.m)
+            own = turns.at_b * dot(self.axis.b, self.axis.j)
+        else:
+            other, own = -self.relative(ACCELERATION)[1], self.in_coupler()
+        size = abs(crank) + abs(turns.at_b) + abs(turns.at_c) + abs(turns.at_d)
+        return 1.0 - 2.0 * (other * own < -NOTHING * size * size)
+
+    def vertices(self, order: Order, coupler: bool = True) -> Mapping[str, Any]:
+        """Return where the vertices of the polygon of ω or α are."""
+        crank, turns = self.turns(order)
+        two, four = crank * self.seen(Z), turns.at_d * self.seen(self.axis.d)
+        prime = PRIME * (order.number - 1)
+        found = {f"1{prime}": 0j, f"2{prime}": two, f"4{prime}": four}
+        begin = two
+        if order is ACCELERATION:
+            found["4ₙ"] = two + self.relative(ACCELERATION)[1] * self.seen(self.axis.m)
+        if coupler:
+            side = self.side(order)
+            if order is ACCELERATION:
+                begin = found["4ₙ"] - self.in_coupler() * side * self.seen(self.axis.m)
+                found["3ₙ"] = begin
+            found[f"3{prime}"] = begin + turns.at_b * self.laid(self.axis.b, side)
+        return found
+
+    # --- with dual numbers: what slides -------------------------------------------------------
+
+    @cached_property
+    def screw(self) -> InstantAxis:
+        """The axis I of one pose, with its place and in dual numbers where something slides."""
+        return self.solver.axis(self.motion.pose)
+
+    @cached_property
+    def pace(self) -> AxisVelocity:
+        """ω₄₂ and how fast I moves, in one pose."""
+        return self.solver.axis_velocity(self.motion.pose, self.motion.velocity)
+
+    @property
+    def height(self) -> Any:
+        """AH, the lever of I: with it A turns against the crank."""
+        if not self.motion.many:
+            return self.screw.height
+        way = self.seen(self.axis.i)
+        return np.imag(self.sliding(VELOCITY)["a₄"] * np.conj(way)) / self.relative(VELOCITY)[0]
+
+    def of_a(self, order: Order) -> tuple[Any, Any]:
+        """Return the motion of A as a point of 4 against 2, along I and across, in one pose."""
+        motion = self.motion.velocity if order is VELOCITY else self.motion.acceleration
+        crank = motion.turning[self.solver.driver.name]
+        vector = self.screw.difference(crank, self.solver.turns(motion))
+        x, y, z = map(dual, vector)
+        i, m = reals(self.screw.i), reals(self.screw.m)
+        return dot((x, y, z), i), dot((x, y, z), m)
+
+    def sliding(self, order: Order) -> Mapping[str, Any]:
+        """Return where the vertices of the polygon below are: A as a point of the rocker."""
+        slide: Any = self.motion.slide("slide_d")
+        slid = getattr(slide, order.panel)
+        d, i, prime = self.seen(self.axis.d), self.seen(self.axis.i), PRIME * (order.number - 1)
+        z = self.turns(order)[1].at_d * self.ground * 1j * d
+        end = z + slid * d
+        places = {"a": 0j, "d": 0j, "y": np.imag(end * np.conj(i)) * 1j * i, "z": z}
+        return {**{letter + prime: at for letter, at in places.items()}, f"a{prime}₄": end}
+
+    @property
+    def ground(self) -> float:
+        """AD, the lever of d."""
+        return float(self.motion.mechanism.parameters()["ground"])

@@ -1,0 +1,470 @@
+"""The polygon of four bodies that turn about four axes: two triangles, hinged at the instant axis.
+
+The pole is body 1, the frame; the vector from i to j is how j turns against i.  Triangle 1 2 4 lies
+in the plane of the frame, which is seen square; triangle 2 3 4 lies in that of the coupler, which
+is laid over about 2 4.  Where the bodies slide, too, the dual part of the first equation is a
+second polygon under it: A as a point of the rocker, with the same construction lines.
+"""
+
+from __future__ import annotations
+
+import math
+from abc import abstractmethod
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
+from typing import Any, ClassVar
+
+from vad.kinematics.space.instant_axis import Z
+from vad.kinematics.space.numbers import dot, dual, real
+from vad.strokes.arithmetic import Figure, product, total
+from vad.strokes.diagram import ACCELERATION, VELOCITY, Drawing, Order, Spot
+from vad.strokes.sentences import Sentence, SentencePart, Terms, Unit
+from vad.strokes.sheet import Component, Ellipse, Fold, Stroke, StrokePart
+from vad.strokes.space.bodies import Bodies
+from vad.strokes.space.polygon import SpaceVector, Stated, chain, polygon, stated
+from vad.strokes.space.scene import Script
+from vad.strokes.space.view import View
+from vad.strokes.vector_equations import Part, VectorEquation
+from vad.written import PRIME, subscript
+
+#: What ω₄₂ changes by as it turns with OI.
+TURNED = "ω" + subscript(42) + "τ̇"
+#: Quantities by their order: of 4 against 2 along I, of A along I, and of the slide at D.
+RELATIVE = ("", "ω" + subscript(42), "α" + subscript(42) + "ₜ")
+ALONG_I = ("", "v" + subscript(42), "a" + subscript(42))
+ALONG_D = ("s_D", "ṡ_D", "s\N{COMBINING DIAERESIS}_D")
+
+
+@dataclass(frozen=True)
+class Names:
+    """What the vectors of a polygon of bodies are called, drawn along and written under.
+
+    Attributes
+    ----------
+    rows, axes
+        By the bodies, "24": the row whose ink a vector takes, and the axis along which it lies.
+    measured
+        The vectors that stand in the table, by the order of the polygon; all of them if empty.
+    topic
+        What the phrases of its lines begin with.
+    lines
+        What the construction lines through 4 are called, if not by the bodies.
+    sines
+        The arcs AI and DI, of which the ratio ω₄/ω₂ is said to be that of their sines.
+    """
+
+    rows: Mapping[str, str]
+    axes: Mapping[str, SentencePart]
+    measured: Mapping[int, Sequence[str]] = field(default_factory=dict)
+    topic: str = "bodies"
+    lines: Mapping[str, str] = field(default_factory=dict)
+    sines: Mapping[str, Figure] = field(default_factory=dict)
+
+
+class BodyPolygon:
+    """The equations of a polygon of bodies, in one order of derivative.
+
+    Parameters
+    ----------
+    script
+        What draws the mechanism.
+    bodies
+        How its bodies turn.
+    order
+        That of ω or of α.
+    names
+        What its vectors are called.
+    """
+
+    def __init__(self, script: Script, bodies: Bodies, order: Order, names: Names) -> None:
+        self.bodies, self.order, self.names = bodies, order, names
+        self.scene, self.panel, self.unit = script.scene, order.panel, order.unit
+        self.crank, self.turns = bodies.turns(order)
+        self.one, self.two, self.three, self.four = (
+            f"{body}{PRIME * (order.number - 1)}" for body in range(1, 5)
+        )
+
+    def drawing(self, twice: bool, centre: complex, remark: str = "") -> Drawing:
+        """Draw both triangles, or the first alone if accelerations are not asked for ``twice``.
+
+        The plane of the coupler is laid over in the view of the frame's plane, about ``centre``.
+        """
+        both = self.order is VELOCITY or twice
+        frame = self.frame(whole=not both)
+        stated = [frame, self.coupler()] if both else [frame]
+        drawing = polygon(
+            self.scene,
+            self.order,
+            stated,
+            self.bodies.vertices(self.order),
+            [self.one],
+            self.scene.say(f"bodies pole {self.panel}"),
+            self.unit,
+            fold=self._fold(centre),
+            remark=remark if self.order is VELOCITY else "",
+        )
+        return drawing if drawing.equations else replace(drawing, remark="")
+
+    def frame(self, whole: bool = False) -> Stated:
+        """Return ω₂ + ω₄₂ = ω₄, or α₂ + ω₄₂τ̇ + α₄₂ₜ = α₄, in the plane of the frame.
+
+        The ``whole`` of α₄₂ is inked where nothing else is drawn of it.
+        """
+        bodies, axis, at_d, tail = self.bodies, self.bodies.axis, self.turns.at_d, self.two
+        along, across = bodies.relative(self.order)
+        given = {"absolute": self._says("bodies given", "12", self.crank, given=True)}
+        crank = self._vector("12", self.one, self.two, given)
+        parts = [self._part(crank, "absolute", bodies.seen(Z), self.crank, dictated=True)]
+        size = along if self.names.lines else abs(along)
+        says: dict[str, Callable[..., Sentence]] = {
+            "line": self._line("24", f" {self.panel}"),
+            "result": self._says("turning measured", "24", size, RELATIVE[self.order.number]),
+            "whole": partial(self.scene.say, "turning measured", symbol=self._symbol("24")),
+        }
+        component: Component = "relative"
+        if self.order is ACCELERATION:
+            component = "tangential"
+            says["normal"] = self._turned("frame", across, bodies.pace.tau)
+        relative = self._vector(
+            "24",
+            tail,
+            self.four,
+            says,
+            RELATIVE[self.order.number],
+            whole="relative" if whole else None,
+        )
+        if self.order is ACCELERATION:
+            turned = replace(relative, name="24", head="4ₙ") if self.names.lines else relative
+            if self.names.lines:
+                relative = replace(relative, tail="4ₙ")
+            way = bodies.seen(axis.m)
+            parts.append(self._part(turned, "normal", way, across, symbol=TURNED, stage="4ₙ"))
+        way = bodies.seen(axis.i)
+        parts.append(
+            self._found(relative, "24", component, way, along, RELATIVE[self.order.number])
+        )
+        rocker = self._vector("14", self.one, self.four, self._measured("14", at_d))
+        last = self._found(rocker, "14", "absolute", bodies.seen(axis.d), at_d)
+        return stated(VectorEquation(chain(*parts), chain(last), "4"))
+
+    def coupler(self) -> Stated:
+        """Return ω₄₂ = ω₃₂ - ω₃₄, or ω₄₂τ̇₃ + α₄₂ₜ = α₃₂ - α₃₄, in the plane of the coupler."""
+        bodies, axis, turns = self.bodies, self.bodies.axis, self.turns
+        side = bodies.side(self.order)
+        at_b = self._vector("23", self.two, self.three, self._measured("23", turns.at_b))
+        at_c = self._vector("43", self.four, self.three, self._measured("43", turns.at_c))
+        parts, hinge = [], "24.relative"
+        if self.order is ACCELERATION:
+            across, hinge = bodies.in_coupler(), "24.tangential"
+            says = {"normal": self._turned("coupler", across, bodies.pace.tau3)}
+            turned = self._vector("34", "3ₙ", "4ₙ", says, reverse=True, arrives=False)
+            way = side * bodies.seen(axis.m)
+            symbol = TURNED + subscript(3)
+            parts.append(self._part(turned, "normal", way, across, symbol=symbol, stage="3ₙ"))
+        parts.append(self._found(at_b, "23", "relative", bodies.laid(axis.b, side), turns.at_b))
+        last = self._found(at_c, "43", "relative", bodies.laid(axis.c, side), turns.at_c)
+        equation = VectorEquation(chain(*parts), chain(last), "3", folded=True)
+        left = [*(each.drawn.name for each in parts[:-1]), hinge, last.drawn.name]
+        return Stated(equation, left, [parts[-1].drawn.name])
+
+    def _fold(self, centre: complex) -> Stroke:
+        """Return how the plane of the coupler is laid over, in the view of the frame's plane."""
+        bodies, axis = self.bodies, self.bodies.axis
+        side = bodies.side(self.order)
+        arms = tuple(centre + bodies.laid(arm, side) for arm in (axis.b, axis.c))
+        turn = math.degrees(math.atan2(axis.j[0], side * dot(axis.j, axis.m)))
+        rim = Ellipse(centre, bodies.seen(axis.i), bodies.seen(axis.j))
+        shape = Fold(centre, bodies.seen(axis.i), turn, arms, rim)
+        said = self.scene.say(f"{self.names.topic} fold")
+        row = self.names.rows["23"]
+        return Stroke("construction", "", shape, said, row, part=StrokePart("", "fold"))
+
+    # --- vectors and what is said of them -----------------------------------------------------
+
+    def _symbol(self, ends: str) -> str:
+        """Return ω₃₂ of 23, α₄ of 14."""
+        return self.order.symbol + subscript(int(ends[1] if ends[0] == "1" else ends[::-1]))
+
+    def _vector(
+        self,
+        ends: str,
+        tail: str,
+        head: str,
+        says: Mapping[str, Callable[..., Sentence]],
+        zero: str = "",
+        **more: Any,
+    ) -> SpaceVector:
+        names = self.names
+        zero = "" if names.lines else zero or self._symbol(ends)
+        measured = not names.measured or ends in names.measured[self.order.number]
+        own = names.lines.get(ends, ends)
+        more |= {"measured": measured, "says": says, "zero": zero}
+        return SpaceVector(own, tail, head, names.rows["43" if ends == "34" else ends], **more)
+
+    def _part(
+        self, of: SpaceVector, name: Component, way: complex, value: float, **more: Any
+    ) -> Part[SpaceVector]:
+        """Return a part that is known beforehand."""
+        if self.names.lines and name != "normal":
+            more["called"] = of.name
+        more.setdefault("symbol", self._symbol("12"))
+        more.setdefault("stage", of.head)
+        return Part(of, name, value * way, way, False, name, **more)
+
+    def _found(
+        self,
+        of: SpaceVector,
+        ends: str,
+        name: Component,
+        way: complex,
+        value: float,
+        symbol: str = "",
+    ) -> Part[SpaceVector]:
+        """Return a part that the crossing finds."""
+        label = self.scene.write("parallel", line=self.names.axes[ends])
+        called = ends if self.names.lines else ""
+        symbol = symbol or self._symbol(ends)
+        at = value * way, way, True, name, of.head
+        return Part(of, name, *at, label=label, symbol=symbol, called=called)
+
+    def _says(
+        self, phrase: str, ends: str, value: float, symbol: str = "", given: bool = False
+    ) -> Callable[..., Sentence]:
+        parts: dict[str, SentencePart] = {"symbol": symbol or self._symbol(ends)}
+        parts |= {"value": Figure(float(value), self.unit, given), "unit": Unit(self.unit)}
+        if given:
+            parts["axis"] = self.names.axes[ends]
+        return partial(self.scene.say, phrase, **parts)
+
+    def _line(self, ends: str, panel: str = "") -> Callable[..., Sentence]:
+        """Return why the next vertex lies on the line along an axis."""
+        axis = {"23": self.bodies.axis.b, "43": self.bodies.axis.c}.get(ends)
+        arc = {"arc": Figure(abs(self.bodies.arc(axis)), "°")} if axis else {}
+        phrase = f"{self.names.topic} line {ends}{panel}"
+        return partial(self.scene.say, phrase, axis=self.names.axes[ends], **arc)
+
+    def _measured(self, ends: str, value: float) -> dict[str, Callable[..., Sentence]]:
+        result = self._says("turning measured", ends, value)
+        if ends == "14" and self.order is VELOCITY and self.names.sines:
+            result = partial(self._says("bodies sines", ends, value), **self.names.sines)
+        return {"line": self._line(ends), "result": result}
+
+    def _turned(self, plane: str, value: float, pace: Any) -> Callable[..., Sentence]:
+        """Say how ω₄₂ turns with OI in the plane of the frame or in that of the coupler."""
+        return partial(
+            self.scene.say,
+            f"{self.names.topic} turned {plane}",
+            product("value", "omega", "tau"),
+            symbol=RELATIVE[1],
+            value=Figure(abs(float(value)), self.unit),
+            omega=Figure(abs(float(real(self.bodies.pace.omega))), VELOCITY.unit),
+            tau=Figure(abs(float(real(pace))), VELOCITY.unit),
+            unit=Unit(self.unit),
+        )
+
+
+class BodyScript(Script):
+    """What is drawn of a mechanism of four bodies; a subclass names its vectors.
+
+    Attributes
+    ----------
+    twice
+        Whether accelerations have a triangle in the plane of the coupler, too.
+    centre
+        Where O is in the view in which that plane is laid over.
+    """
+
+    twice: ClassVar[bool] = True
+    centre: ClassVar[complex] = 0j
+
+    @abstractmethod
+    def frame(self) -> View:
+        """Return the view square to the plane of the frame."""
+
+    @abstractmethod
+    def names(self) -> Names:
+        """Return what the vectors of its polygons are called."""
+
+    @abstractmethod
+    def places(self) -> Mapping[Spot, Any]:
+        """Return where the lettered points are in the views."""
+
+    @cached_property
+    def bodies(self) -> Bodies:
+        """How its bodies turn."""
+        return Bodies(self, self.frame())
+
+    def tracks(self, order: Order) -> Mapping[Spot, Any]:
+        """Return where the lettered points are, of one pose or of many."""
+        if not order.number:
+            return self.places()
+        return {Spot(letter): at for letter, at in self.bodies.vertices(order).items()}
+
+    def polygon(self, order: Order) -> Drawing:
+        """Return the polygon of velocities or accelerations."""
+        polygon = BodyPolygon(self, self.bodies, order, self.names())
+        remark = self.scene.write("bodies remark") if self.twice else ""
+        return polygon.drawing(self.twice, self.centre, remark)
+
+
+def turning_and_sliding(script: Script, bodies: Bodies, order: Order, names: Names) -> Drawing:
+    """Return the polygon of ω or α of bodies that slide, too, and that of A under it."""
+    upper = BodyPolygon(script, bodies, order, names)
+    prime = PRIME * (order.number - 1)
+    vertices = [f"1{prime}", f"2{prime}", *(["4ₙ"] if order is ACCELERATION else []), f"4{prime}"]
+    drawing = polygon(
+        script.scene,
+        order,
+        [upper.frame()],
+        bodies.vertices(order, coupler=False),
+        vertices[:1],
+        script.scene.say(f"bodies pole {order.panel}"),
+        order.unit,
+        at_rest=vertices,
+    )
+    return replace(drawing, below=_motion_of_a(script, bodies, order))
+
+
+def _motion_of_a(script: Script, bodies: Bodies, order: Order) -> Drawing:
+    """Return the polygon of A as a point of the rocker: about I and along it, about D and along."""
+    say, write, unit, panel = (
+        script.scene.say,
+        script.scene.write,
+        order.unit_of(script.scene.unit),
+        order.panel,
+    )
+    places = bodies.sliding(order)
+    a, d, y, z, end = places
+    i, along_d, turn = (
+        bodies.seen(bodies.axis.i),
+        bodies.seen(bodies.axis.d),
+        bodies.turns(order)[1].at_d,
+    )
+
+    def found(letter: str, value: float, symbol: str) -> dict[str, Callable[..., Sentence]]:
+        line = partial(say, f"spatial along {letter} {panel}", axis="O" + letter)
+        figure = Figure(float(value), unit)
+        return {
+            "line": line,
+            "result": partial(
+                say, "turning measured", symbol=symbol, value=figure, unit=Unit(unit)
+            ),
+        }
+
+    def part(
+        name: str,
+        tail: str,
+        head: str,
+        row: str,
+        component: Component,
+        way: complex,
+        says: Any,
+        **more: Any,
+    ) -> Part[SpaceVector]:
+        vector = SpaceVector(name, tail, head, row, says=says)
+        return Part(
+            vector,
+            component,
+            places[head] - places[tail],
+            way,
+            "label" in more,
+            component,
+            head,
+            **more,
+        )
+
+    slid = getattr(script.motion.slide("slide_d"), order.panel)
+    about_d = partial(
+        say,
+        "spatial about D",
+        product("value", "turn", "lever"),
+        symbol=order.symbol + subscript(4),
+        turn=Figure(abs(turn), order.unit),
+        lever=Figure(abs(bodies.ground), unit, given=True),
+        value=Figure(abs(turn * bodies.ground), unit),
+        unit=Unit(unit),
+    )
+    along, _ = bodies.of_a(order)
+    first = chain(
+        part(
+            "ay",
+            a,
+            y,
+            "axis",
+            "normal",
+            1j * i,
+            {"normal": _about_i(script, bodies, order)},
+            dictated=True,
+            called="ay",
+        ),
+        part(
+            "I",
+            y,
+            end,
+            "axis",
+            "sliding",
+            i,
+            found("I", along, ALONG_I[order.number]),
+            label=write("parallel", line="OI"),
+            symbol=ALONG_I[order.number],
+            called="ya4",
+        ),
+    )
+    second = chain(
+        part(
+            "dz",
+            d,
+            z,
+            "rocker",
+            "normal",
+            1j * along_d,
+            {"normal": about_d},
+            dictated=True,
+            called="dz",
+        ),
+        part(
+            "D",
+            z,
+            end,
+            "rocker",
+            "sliding",
+            along_d,
+            found("D", slid, ALONG_D[order.number]),
+            label=write("parallel", line="OD"),
+            symbol=ALONG_D[order.number],
+            called="za4",
+        ),
+    )
+    equation = VectorEquation(first, second, "a4")
+    return polygon(
+        script.scene,
+        order,
+        [stated(equation)],
+        places,
+        [a, d],
+        say(f"spatial pole {panel}"),
+        unit,
+        at_rest=[*places],
+    )
+
+
+def _about_i(script: Script, bodies: Bodies, order: Order) -> Callable[..., Sentence]:
+    """Say how A turns about I, as a point of the rocker that is seen from the crank."""
+    omega, sliding = (part(bodies.pace.omega) for part in (real, dual))
+    tau, rising = (part(bodies.pace.tau) for part in (real, dual))
+    unit = order.unit_of(script.scene.unit)
+    parts: dict[str, SentencePart] = {"value": Figure(abs(float(bodies.of_a(order)[1])), unit)}
+    parts["unit"] = Unit(unit)
+    if order is VELOCITY:
+        parts |= {
+            "turn": Figure(abs(omega), VELOCITY.unit),
+            "lever": Figure(abs(bodies.height), unit),
+        }
+        return partial(
+            script.scene.say, "spatial about I velocity", product("value", "turn", "lever"), **parts
+        )
+    sums = bodies.relative(ACCELERATION)[0] * bodies.height, omega * rising, sliding * tau
+    sign = 1.0 if sum(sums) >= 0.0 else -1.0
+    parts["sum"] = Terms(tuple(Figure(sign * float(each), unit) for each in sums))
+    return partial(script.scene.say, "spatial about I acceleration", total("value", "sum"), **parts)

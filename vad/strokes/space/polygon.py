@@ -1,0 +1,161 @@
+"""Polygons of mechanisms in space: vector equations that a script states, played as in the plane.
+
+Three unknown lengths lie along known directions, x u + y v + z w = E.  Seen along one of them that
+is two lines that cross; where there are two triangles on a hinge, the second equation is folded
+about it into the paper.  A vector brings its sentences along, so that one set of words serves all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, NamedTuple
+
+from vad.strokes.arithmetic import Figure
+from vad.strokes.captions import PolygonCaptions
+from vad.strokes.diagram import Drawing, Order
+from vad.strokes.player import Pencil, Player
+from vad.strokes.sentences import Sentence, Unit
+from vad.strokes.sheet import Equation, Stroke, Term
+from vad.strokes.vector_equations import Chain, Part, Vector, VectorEquation
+
+if TYPE_CHECKING:
+    from vad.strokes.space.scene import SceneInSpace
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class SpaceVector(Vector):
+    """A vector with what is said of it.
+
+    Attributes
+    ----------
+    says
+        Sentences but for the letters that the drawing gives them: by the name of a known part, and
+        "line", "result" and "whole".
+    zero
+        The symbol of what is zero where the crossing finds no length; empty where nothing is said.
+    """
+
+    says: Mapping[str, Callable[..., Sentence]] = field(default_factory=dict)
+    zero: str = ""
+
+
+class Stated(NamedTuple):
+    """An equation, and the names of the strokes on the left and right of its sum."""
+
+    equation: VectorEquation[SpaceVector]
+    left: Sequence[str]
+    right: Sequence[str]
+
+
+def stated(equation: VectorEquation[SpaceVector]) -> Stated:
+    """Return an equation whose sum is that of its own vectors."""
+    return Stated(
+        equation, *([part.drawn.name for part in chain.parts] for chain in equation.chains)
+    )
+
+
+class Words(PolygonCaptions[SpaceVector]):
+    """What is said of a polygon in space; ``fixed`` are the vertices at its pole."""
+
+    def __init__(self, scene: SceneInSpace, order: Order, unit: str, fixed: Sequence[str]) -> None:
+        super().__init__(scene, order.number, unit)
+        self.fixed = fixed
+
+    def known(self, label: str, part: Part[SpaceVector]) -> Sentence:
+        """Work out a component that is known before the crossing."""
+        return part.of.says[part.name](label=label)
+
+    def line(self, part: Part[SpaceVector], point: str, meeting: str) -> Sentence:
+        """Say why the next vertex must lie on a construction line."""
+        place = self.place(point, point in self.fixed)
+        return part.of.says["line"](point=place, meeting=meeting)
+
+    def measures(self, part: Part[SpaceVector]) -> str:
+        """Return the symbol of what is zero where a part vanishes."""
+        return part.of.zero
+
+    def is_zero(self, part: Part[SpaceVector]) -> bool:
+        """Tell whether that is said."""
+        return bool(part.of.zero)
+
+    def measured(self, label: str, part: Part[SpaceVector]) -> Sentence:
+        """Measure a result off the polygon."""
+        return part.of.says["result"](label=label)
+
+    def whole(self, label: str, size: float, vector: SpaceVector) -> Sentence:
+        """Measure a whole vector beside its parts."""
+        value, unit = Figure(size, self.unit), Unit(self.unit)
+        return vector.says["whole"](label=label, value=value, unit=unit)
+
+
+def chain(*parts: Part[SpaceVector]) -> Chain[SpaceVector]:
+    """Return the chain of parts that are laid tip to tail."""
+    vectors = tuple(dict.fromkeys(part.of for part in parts))
+    first = vectors[0]
+    return Chain(first.head if first.reverse else first.tail, vectors[-1].end, vectors, parts)
+
+
+def polygon(
+    scene: SceneInSpace,
+    order: Order,
+    stated: Sequence[Stated],
+    places: Mapping[str, complex],
+    fixed: Sequence[str],
+    pole: Sentence,
+    unit: str,
+    *,
+    at_rest: Sequence[str] = (),
+    fold: Stroke | None = None,
+    remark: str = "",
+) -> Drawing:
+    """Return the polygon of some equations.
+
+    Parameters
+    ----------
+    scene, order
+        The pose, and which derivative is drawn of it.
+    stated
+        The equations in drawing order.
+    places
+        Where the vertices are.
+    fixed
+        The vertices at the pole.
+    pole
+        What is said of it.
+    unit
+        The unit of the polygon.
+    at_rest
+        The vertices at the pole where nothing moves, if they are others.
+    fold
+        The stroke that lays the plane of a folded equation over.
+    remark
+        What stands under it.
+    """
+    longest = max(each.equation.longest for each in stated)
+    words = Words(scene, order, unit, fixed)
+    resting = longest == 0.0
+    at_pole = list(at_rest if resting and at_rest else fixed)
+    pencil: Pencil[SpaceVector] = Pencil(words, places.__getitem__, longest, at_pole)
+    rows = tuple(scene.script.rows) if resting else ()
+    pencil.begin(words.still() if resting else pole, rows)
+    player = Player(pencil)
+    for each in stated:
+        if each.equation.folded and fold:
+            pencil.add(fold)
+        player.play(each.equation)
+    drawn = {stroke.name: stroke for stroke in pencil.strokes}
+
+    def terms(names: Sequence[str]) -> tuple[Term, ...]:
+        found = [drawn[name] for name in names if name in drawn]
+        return tuple(Term(s.label, s.link, s.name) for s in found) or (Term("0", None, None),)
+
+    return Drawing(
+        tuple(pencil.strokes),
+        tuple(pencil.zeros),
+        () if resting else tuple(Equation(terms(s.left), terms(s.right)) for s in stated),
+        loops=tuple(player.begins),
+        remark=remark,
+        unit=unit,
+        coincident=pencil.coincident,
+    )

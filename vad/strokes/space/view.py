@@ -1,0 +1,118 @@
+"""A view of a mechanism in space: points, directions, circles and arcs as they are seen.
+
+In come vectors x, y, z, of one pose or of many as arrays; out go complex numbers, x to the right
+and y up on the page, and shapes of strokes.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+from vad.kinematics.space.numbers import Vector3, cross, difference, dot, over, scaled
+from vad.strokes.sheet import Curve, Ellipse
+
+ORIGIN: Vector3 = (0.0, 0.0, 0.0)
+#: As good as in the paper; so short is no stretch behind it, in degrees.
+LEVEL, SHORT = 1e-9, 1e-6
+
+
+@dataclass(frozen=True)
+class View:
+    """A projection along lines that are square to the page.
+
+    Attributes
+    ----------
+    right, up
+        The unit vectors that are seen to the right and up, before the picture is turned.
+    at
+        Where the origin of space is seen.
+    turn
+        By what the picture is turned, and enlarged, on the page.
+    toward
+        The unit vector out of the page, towards who looks at it.
+    """
+
+    right: Vector3
+    up: Vector3
+    at: complex = 0j
+    turn: complex = 1.0 + 0j
+    toward: Vector3 = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "toward", cross(self.right, self.up))
+
+    @classmethod
+    def of_frame(cls, bisector: float) -> View:
+        """Return the view square to the plane of two fixed axes, from the end of the normal AD.
+
+        The axis of A is turned from the right by -90° and by the ``bisector``, half of the arc AD.
+        """
+        turn = cmath.rect(1.0, math.radians(-90.0 - bisector))
+        return cls((0.0, 0.0, 1.0), (0.0, -1.0, 0.0), turn=turn)
+
+    @classmethod
+    def from_above(cls, azimuth: float, elevation: float) -> View:
+        """Return a pictorial view: z points up, and it is seen from so many degrees about z."""
+        east, high = (cmath.rect(1.0, math.radians(angle)) for angle in (azimuth, elevation))
+        up = -high.imag * east.real, -high.imag * east.imag, high.real
+        return cls((-east.imag, east.real, 0.0), up)
+
+    def way(self, vector: Vector3) -> Any:
+        """Return how a vector is seen, wherever it begins."""
+        return self.turn * (dot(vector, self.right) + 1j * dot(vector, self.up))
+
+    def point(self, place: Vector3) -> Any:
+        """Return where a point is seen."""
+        return self.at + self.way(place)
+
+    def circle(
+        self,
+        centre: Vector3,
+        first: Vector3,
+        second: Vector3,
+        start: float = 0.0,
+        sweep: float = 360.0,
+    ) -> Ellipse:
+        """Return a circle by two of its radii at right angles, or an arc of it in degrees.
+
+        What lies behind the origin of space is far: a sphere about the origin hides it.
+        """
+        low, high = sorted((start, start + sweep))
+        depths = [float(dot(each, self.toward)) for each in (centre, first, second)]
+        nearest = math.degrees(math.atan2(depths[2], depths[1]))
+        rise = max(math.hypot(depths[1], depths[2]), LEVEL**2)
+        level = (depths[0] + LEVEL) / rise
+        ahead = math.degrees(math.acos(min(max(-level, -1.0), 1.0)))
+        begin = low + (nearest + ahead - low) % 360.0
+        turns = ((begin + by, begin + by + 360.0 - 2.0 * ahead) for by in (-360.0, 0.0))
+        stretches = ((max(low, begun), min(high, ended)) for begun, ended in turns)
+        far = tuple(each for each in stretches if each[1] - each[0] > SHORT)
+        seen = (complex(self.way(first)), complex(self.way(second)))
+        return Ellipse(complex(self.point(centre)), *seen, start, sweep, far)
+
+    def arc(self, start: Vector3, end: Vector3) -> Ellipse:
+        """Return the shorter arc of the great circle between two points of the unit sphere."""
+        cosine = dot(start, end)
+        across = difference(end, scaled(cosine, start))
+        sine = math.sqrt(dot(across, across))
+        whole = math.degrees(math.atan2(sine, cosine))
+        return self.circle(ORIGIN, start, over(across, sine), 0.0, whole)
+
+    def edge(self, axis: Vector3, degrees: float) -> Curve:
+        """Return the circle on the unit sphere so far about an axis in the paper: it is on edge."""
+        turn, seen = cmath.rect(1.0, math.radians(degrees)), complex(self.way(axis))
+        return Curve((seen * turn, seen * turn.conjugate()))
+
+    def about(self, axis: Vector3, point: Vector3, half: float) -> Ellipse:
+        """Return the circle of a point about an axis through the origin, ``half`` to each side."""
+        foot = scaled(dot(axis, point), axis)
+        first = difference(point, foot)
+        return self.circle(foot, first, cross(axis, point), -half, 2.0 * half)
+
+
+def circle(centre: complex, radius: float, start: float = 0.0, sweep: float = 360.0) -> Ellipse:
+    """Return a circle that is seen along its axis, or an arc of it from ``start`` on."""
+    return Ellipse(centre, complex(radius), 1j * radius, start, sweep)
