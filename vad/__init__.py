@@ -147,6 +147,8 @@ if not TYPE_CHECKING:  # for a type checker, a name that is not imported above i
 
         kind = class_named(name)
         if kind is not None:
+            if kind.__module__.startswith("vad."):  # that of a user may be declared anew
+                globals()[name] = kind
             return kind
         from vad.errors import unknown
 
