@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from functools import cache
 from pathlib import Path
 
@@ -31,4 +30,6 @@ def example_path(name: str) -> Path:
 
 def example_title(name: str) -> str:
     """Return what an example is, in a few words."""
+    import tomllib
+
     return str(tomllib.loads(example_path(name).read_text("utf-8"))["title"])

@@ -54,7 +54,7 @@ class _Run:
 
 @dataclass(frozen=True, slots=True)
 class Bar(_Run):
-    """A vector that turns with a link: (length + offset) · turn · u, with u the link's direction.
+    """A vector that turns with its link: (length + offset) · turn · u; u is the link's direction.
 
     Attributes
     ----------
@@ -69,11 +69,11 @@ class Bar(_Run):
     reverse
         Whether the loop runs through it from head to tail; written ``-Bar(…)``.
     turn
-        Its direction in the axes of its link, as a unit vector: not 1 for the further sides of a
-        link of three points or more.
+        Its direction in the axes of its link, as a unit vector.  It differs from 1 for the further
+        sides of a link with three points or more.
     offset
-        What is added to the length of a slide, as ahead + i·aside: a slot that runs beside the
-        tail, or is not measured from there.  With a slide's length only.
+        What is added to the length of a slide, as ahead + i·aside, where the slot runs beside the
+        tail or is not measured from there.  Only for a bar that has the length of a slide.
     """
 
     ends: str
@@ -113,13 +113,13 @@ class Slide(_Run):
     name
         The slide whose length it has.
     along
-        The direction of the line in degrees, or the name of the turning link that it slides
-        on.  On a link, the length itself is that of the link's bar; the slide adds the sliding
-        and the Coriolis component.
+        The direction of the line in degrees, or the name of the turning link on which it slides.
+        On a link, the link's bar has the length itself; the slide adds the sliding and the Coriolis
+        component.
     origin
-        Where a fixed line has its zero, as x + iy in the user's axes.
+        The zero of a fixed line, as x + iy in the user's axes.
     through_tail
-        Whether a fixed line passes through its tail, however `origin` is rounded.
+        Whether a fixed line passes exactly through its tail, however `origin` is rounded.
     reverse
         Whether the loop runs through it from head to tail; written ``-Slide(…)``.
     turn
@@ -202,7 +202,7 @@ def length_of(slide: str) -> Scalar:
 
 
 def scalar_of(step: Step) -> Scalar:
-    """Name the scalar whose change moves the head of ``step`` against its tail."""
+    """Name the scalar that moves the head of a bar or slide against its tail."""
     return angle_of(step.link) if isinstance(step, Bar) else length_of(step.name)
 
 
@@ -215,10 +215,10 @@ class Loop:
     first, second
         The chains, each from a fixed point, or both from the same point.
     side
-        Which of two places the point takes, +1.0 or -1.0.  For two unknown angles, +1.0 means
-        that it lies to the left of the line from the known end of ``first`` to that of
-        ``second``; for an angle and a length, the greater length.  The crossed assembly of a
-        mechanism takes the other place in every loop.
+        Which of two places the common end point takes, +1.0 or -1.0.  For two unknown angles,
+        +1.0 means that it lies to the left of the line from the known end of ``first`` to that of
+        ``second``; for an angle and a length, +1.0 means the greater length.  In the crossed
+        assembly of a mechanism every loop takes its other place.
     parallel
         Whether its four bars are a parallelogram that stays one through its change points: then
         each chain has one known vector, as long as the unknown bar of the other.
@@ -238,7 +238,7 @@ class Loop:
 
 @dataclass(frozen=True, slots=True)
 class Linkage:
-    """A mechanism as the solver and the polygon builder see it.
+    """A mechanism for the solver and for the polygons: loops, a driver and fixed points.
 
     Attributes
     ----------
@@ -247,9 +247,9 @@ class Linkage:
     loops
         In the order in which they are solved and drawn.
     images
-        Bars to further points of a link, found by proportion, or by their turn.
+        Bars to further points of links, which are found by the lengths and turns of these bars.
     pivot
-        The name of a fixed point, best that about which the driver turns.
+        The name of a fixed point, preferably the one about which the driver turns.
     ground
         A second fixed point: its name, distance and direction in degrees.
     fixed
@@ -288,8 +288,8 @@ class Linkage:
     def frame(self) -> float:
         """The direction of the x axis in which it is solved, in degrees.
 
-        That is the ground link's; without one, and if a slide is driven, that of the other guide,
-        so that the angle between the two guides comes from no difference of directions.
+        It is that of the ground link.  Without a ground link, and if a slide is driven, it is that
+        of the other guide: then the angle between both guides is not a rounded difference.
         """
         if self.ground:
             return self.ground[2]
@@ -336,7 +336,7 @@ def _check(linkage: Linkage) -> None:
 
 
 def _check_fixed(linkage: Linkage) -> None:
-    """Check that every fixed point is somewhere, and there alone."""
+    """Check that every fixed point has one finite place."""
     for name, place in {linkage.pivot: linkage.place, **linkage.fixed}.items():
         if not cmath.isfinite(place):
             raise InputError(f"fixed point {name}: must be at a finite place, got {place}")
@@ -347,7 +347,7 @@ def _check_fixed(linkage: Linkage) -> None:
 
 
 def _is_strut(step: Step, linkage: Linkage) -> TypeGuard[Bar]:
-    """Tell whether the length of a bar is what drives the linkage."""
+    """Tell whether a bar has the length that drives the linkage."""
     return isinstance(step, Bar) and length_of(str(step.length)) == linkage.driver
 
 
@@ -374,7 +374,7 @@ def _path(where: str, chain: tuple[Step, ...]) -> tuple[str, str]:
 
 
 def _check_slide(where: str, way: int, slide: Slide, loop: Loop) -> None:
-    """Check that a slide on a turning link moves as the bar grows that carries it."""
+    """Check that a slide on a turning link runs in the sense of the bar that carries it."""
     carriers = [
         sense
         for sense, bar in loop.steps()
@@ -394,7 +394,7 @@ def _check_slide(where: str, way: int, slide: Slide, loop: Loop) -> None:
 
 
 def _check_lengths(linkage: Linkage) -> None:
-    """Check that a bar that is written twice has one length."""
+    """Check that a bar that stands in two loops has one length and one direction."""
     steps = [step for loop in linkage.loops for _, step in loop.steps()]
     first: dict[tuple[str, str], Bar] = {}
     for bar in (*steps, *linkage.images):

@@ -1,10 +1,9 @@
-"""Six ways to solve a mechanism, for comparison: the three of the textbooks and their rivals.
+"""Six ways to solve a mechanism, for comparison: the three of the textbooks and three others.
 
-In comes a `Problem`, the loop equations of a mechanism with the motion of its driver; every method
-is a function that returns the positions, rates and second derivatives of what is unknown.  Three
-of them know mechanisms in space, too.  The
-methods are independent of the solver and of each other as far as can be, and nothing but
-``vad compare`` and tests uses them.
+Every method is a function.  It takes a `Problem`, which is the loop equations of a mechanism with
+the motion of its driver, and returns the positions, rates and second derivatives of all unknowns.
+Three of the methods solve mechanisms in space, too.  As far as possible the methods are independent
+of the solver and of each other.  Only ``vad compare`` and tests use them.
 """
 
 from collections.abc import Callable
@@ -31,7 +30,7 @@ METHODS: dict[str, Method] = {
     "Newton": newton.solve,
     "finite differences": finite_differences.solve,
 }
-#: Those that know space, too.
+#: The methods that solve mechanisms in space, too.
 METHODS_IN_SPACE: dict[str, Method] = {
     "closed form": closed_form.solve,
     "Newton": newton.solve_in_space,

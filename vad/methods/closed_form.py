@@ -1,4 +1,4 @@
-"""The closed form: `vad.solve` itself, in the form of the other methods."""
+"""The closed form: `vad.solve` itself, as one of the methods."""
 
 from __future__ import annotations
 

@@ -34,7 +34,7 @@ def real_pair(p: complex, q: complex, known: complex) -> tuple[float, float]:
 def position(equation: LoopEquation, values: ByScalar, side: int) -> dict[Scalar, float]:
     """Solve K + a·z + … = 0, K being the sum of all that is known and z = exp(iθ) unknown."""
     known = equation.constant + sum(cmath.rect(*polar(v, values)) for v in equation.known)
-    # The unknowns themselves are set to 1 to read what stands beside them.
+    # With all unknowns set to 1, `polar` returns their factors.
     seen = {**values, **dict.fromkeys(equation.unknowns, 1.0)}
     one, *others = equation.carriers
     a, angle = polar(one, seen)

@@ -53,7 +53,7 @@ def solve(problem: Problem, tolerance: float = TOLERANCE, start: ByScalar | None
     value.update(_positions(problem, value, tolerance, start or sketch(problem)))
     matrix = _jacobian(problem, value)
     unknowns = problem.unknowns
-    # The equations' own derivatives with the unknown rates left out give the right-hand sides.
+    # The derivatives of the equations, with unknown rates set to zero, are the right-hand sides.
     rest = {**dict.fromkeys(unknowns, 0.0), **rate}
     rate.update(_named(unknowns, np.linalg.solve(matrix, -_derivative(problem, value, rest, None))))
     rest = {**dict.fromkeys(unknowns, 0.0), **second}

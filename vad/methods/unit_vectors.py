@@ -38,7 +38,7 @@ def position(equation: LoopEquation, values: ByScalar, side: int) -> dict[Scalar
     for vector in equation.known:
         size, angle = polar(vector, values)
         known = known + size * _along(angle)
-    # The unknowns themselves are set to 1 to read what stands beside them.
+    # With all unknowns set to 1, `polar` returns their factors.
     seen = {**values, **dict.fromkeys(equation.unknowns, 1.0)}
     one, *others = equation.carriers
     size, angle = polar(one, seen)
