@@ -102,4 +102,4 @@ def test_solving_loads_nothing_of_what_draws():
         "units",
         "written",
     }
-    assert len(names) <= 42
+    assert len(names) <= 40

@@ -109,9 +109,7 @@ def test_solving_one_mechanism_imports_no_other_and_nothing_of_space():
     loaded = set(call(ROOT, "-c", code).stdout.split())
     assert "vad.mechanisms.four_bar" in loaded
     assert "vad.mechanisms.slider_crank" not in loaded
-    assert {name for name in loaded if name.startswith("vad.kinematics.space.")} <= {
-        "vad.kinematics.space.linkages"
-    }
+    assert not [name for name in loaded if name.startswith("vad.kinematics.space")]
 
 
 def test_packages_are_not_asked_for_a_name_that_is_known(monkeypatch):

@@ -6,12 +6,15 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import KW_ONLY, dataclass, field, fields
 from types import MappingProxyType
-from typing import Any, ClassVar, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from vad.errors import InputError, one_of, shown
 from vad.kinematics.linkage import Linkage
-from vad.kinematics.space.linkages import SpaceLinkage
 from vad.mechanisms.link_points import LinkPoints, link_points, marked
+
+if TYPE_CHECKING:
+    from vad.kinematics.space.linkages import SpaceLinkage
+
 
 CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}
 # No smaller angle between axes: its sixth power stays in the range of double precision.
@@ -23,8 +26,6 @@ LONGEST_UNIT = 60
 
 #: The quantities of parameters that are numbers; a plain number has no unit.
 NUMBERS = ("length", "angle", "number")
-
-AnyLinkage = Linkage | SpaceLinkage
 
 #: The mechanism classes that are loaded, by the name that the command line knows.
 LOADED: dict[str, type[Mechanism]] = {}
@@ -144,7 +145,7 @@ class Mechanism:
                 _check_arc(name, number, *metadata["between"])
             object.__setattr__(self, name, number)
 
-    def _check_names(self, linkage: AnyLinkage) -> None:
+    def _check_names(self, linkage: Linkage | SpaceLinkage) -> None:
         """Check that everything that turns or slides in the plane is listed in the results."""
         if not isinstance(linkage, Linkage):
             return
@@ -172,11 +173,11 @@ class Mechanism:
             raise InputError(f"{name}: {wanted}, got {number:g}")
         return number
 
-    def linkage(self) -> AnyLinkage:
+    def linkage(self) -> Linkage | SpaceLinkage:
         """Return the loops of this mechanism."""
         raise TypeError(f"{type(self).__name__} declares no linkage")
 
-    def marked(self) -> AnyLinkage:
+    def marked(self) -> Linkage | SpaceLinkage:
         """Return its loops, with the points that are marked on its links."""
         linkage = self.linkage()
         if isinstance(linkage, Linkage):
