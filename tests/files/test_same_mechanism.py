@@ -12,7 +12,7 @@ import pytest
 
 import vad
 from tests.files.verified import BY_NAME, verified
-from vad.files.linking import fixed_points, posed_points
+from vad.files.linkage import fixed_points, posed_points
 
 each = pytest.mark.parametrize("name", list(BY_NAME))
 ANGLE, SHIFT = 37.0, 250 - 125j

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from vad.errors import InputError
 from vad.files.description import Description, Values
-from vad.files.linking import fixed_points, linkage_of
+from vad.files.linkage import fixed_points, linkage_of
 from vad.files.places import PARALLEL, SAME, Place, ahead, words_for
 from vad.files.structure import Dyad
 from vad.kinematics.any_solver import Evaluation

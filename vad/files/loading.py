@@ -19,7 +19,7 @@ from typing import Any, ClassVar
 from vad.errors import InputError, VadError, shown, unknown
 from vad.files.assembling import Assembly, UnplacedError, assemble
 from vad.files.description import Description, Parameter, Values
-from vad.files.linking import check_numbers, linkage_of, names_under
+from vad.files.linkage import check_numbers, linkage_of, names_under
 from vad.files.places import HINT, PARALLEL, WORDS, Place, opposite, place_of
 from vad.files.reading import describe
 from vad.files.structure import Dyad, Mobility, check_dyads, check_mobility

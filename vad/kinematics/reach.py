@@ -22,7 +22,7 @@ from vad.kinematics.any_solver import AnySolver
 from vad.kinematics.closed_forms import OpenLoopError
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Slide
-from vad.kinematics.loops import ParallelLoop
+from vad.kinematics.loop_kinds import ParallelLoop
 from vad.kinematics.numbers import cross, positive
 from vad.kinematics.solver import Solver, solver_of
 

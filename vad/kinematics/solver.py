@@ -19,7 +19,7 @@ from vad.kinematics.closed_forms import OpenLoopError
 from vad.kinematics.frame import ReferenceFrame, Routes
 from vad.kinematics.linkage import Linkage, Slide, angle_of
 from vad.kinematics.loop import LoopSolver
-from vad.kinematics.loops import loop_solver
+from vad.kinematics.loop_kinds import loop_solver
 from vad.kinematics.numbers import (
     Number,
     degrees_of,
