@@ -5,12 +5,16 @@ from __future__ import annotations
 import re
 import string
 from importlib import import_module
+from types import SimpleNamespace
 
 import pytest
 
 import vad
+import vad.words
 from tests.strokes.motions import everything, in_every_language, strokes
-from vad.words import Language, languages
+from vad.errors import InputError
+from vad.strokes.sentences import Sentence, Voice
+from vad.words import Language, _Tables, languages
 
 
 def gaps(phrase: str) -> set[str]:
@@ -48,3 +52,20 @@ def test_numbers_are_the_same_in_every_language() -> None:
     sheets = [vad.draw(motion, language=code) for code in languages()]
     shapes = [[[s.shape for s in panel.strokes] for panel in sheet.panels] for sheet in sheets]
     assert all(other == shapes[0] for other in shapes)
+
+
+@pytest.mark.parametrize(
+    ("phrase", "problem"),
+    [
+        ("{letter está", "expected '}' before end of string"),
+        ("{letra} está", "there is no {letra}"),
+    ],
+)
+def test_a_mistake_in_a_language_of_a_package_is_named(
+    phrase: str, problem: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    module = SimpleNamespace(PHRASES={"crossing": phrase})
+    monkeypatch.setattr(vad.words, "_tables", lambda code: _Tables(code, module))
+    with pytest.raises(InputError) as error:
+        Voice("es").text(Sentence("crossing", {"letter": "c"}))
+    assert str(error.value) == f"language 'es': phrase 'crossing': {problem}"

@@ -17,7 +17,7 @@ from vad.errors import UsageError
 from vad.export.sheet_json import sheet_from_json, to_dict, to_text
 from vad.files.examples import example_names, example_path
 from vad.strokes.sheet import Sheet
-from vad.words import languages
+from vad.words import gaps, languages
 
 FLOATS = 1e-9
 EXAMPLES = example_names()
@@ -93,6 +93,20 @@ def test_every_number_of_a_caption_is_in_its_data(name: str) -> None:
                 kinds = [piece.text for piece in stroke.said.pieces if piece.kind == "words"]
                 fixed = {found for text in kinds for found in FIGURE.findall(text)}
                 assert fixed <= {"1", "2", "3", "4", "24", "90"}, stroke.caption
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", [*MECHANISMS, *EXAMPLES])
+def test_a_sentence_has_the_parts_that_it_says_and_no_others(name: str) -> None:
+    for sheet in poses_of(name):
+        for half in sheet.halves:
+            for stroke in half.strokes:
+                said = stroke.said
+                assert set(said.parts) == gaps(said.phrase), said
+                named = {each.result for each in said.calculations} | {
+                    name for each in said.calculations for name in each.operands
+                }
+                assert {each for each in named if isinstance(each, str)} <= set(said.parts)
 
 
 @pytest.mark.exhaustive

@@ -15,9 +15,10 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any, TypeAlias
 
+from vad.errors import InputError
 from vad.strokes.arithmetic import Calculation, Figure
 from vad.strokes.notation import Notation
-from vad.words import Gap, Language, Piece, text_of
+from vad.words import Gap, Language, Piece, gaps, text_of
 from vad.written import MINUS, squared
 
 
@@ -206,6 +207,9 @@ def _pieces(
         speaker = language.speaker(part.phrase)
         for each in speaker.template(part.phrase):
             if isinstance(each, Gap):
+                if each.name not in part.parts:
+                    where = f"language '{speaker.code}': phrase '{part.phrase}'"
+                    raise InputError(f"{where}: there is no {{{each.name}}}")
                 yield from _pieces(part.parts[each.name], voice, speaker, each.article)
             else:
                 yield each
@@ -243,7 +247,13 @@ class Saying:
         object.__setattr__(self, "voice", voice)
 
     def say(self, phrase: str, *calculations: Calculation, **parts: SentencePart) -> Sentence:
-        """Return a sentence, and note down what it calculates."""
+        """Return a sentence, and note down what it calculates.
+
+        Of the parts it keeps those for which its phrase has gaps.
+        """
+        wanted = gaps(phrase)
+        if not wanted.issuperset(parts):
+            parts = {name: part for name, part in parts.items() if name in wanted}
         sentence = Sentence(phrase, parts, calculations, self.voice)
         if calculations:
             self.calculated.append(sentence)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+from vad.errors import InputError
 from vad.strokes.sentences import Sentence, Text, Voice
 from vad.strokes.shapes import PolarInset
 from vad.strokes.sheet import Equation, Note, Panel, Sheet, Stroke, Term
@@ -46,7 +47,7 @@ def as_written(sheet: Sheet) -> Sheet:
             return words
         try:
             said = Text.of(words.said, voice)
-        except (KeyError, AttributeError):  # a phrase of another program, or a part is missing
+        except (KeyError, InputError):  # a phrase of another program, or a part is missing
             return str(words)
         return said if said == words else str(words)
 

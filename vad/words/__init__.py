@@ -73,6 +73,19 @@ def template(phrase: str) -> Template:
     return tuple(found)
 
 
+@cache
+def gaps(phrase: str) -> frozenset[str]:
+    """Return the names of the parts that a phrase of the language files has.
+
+    Examples
+    --------
+    >>> sorted(gaps("crossing zero"))
+    ['found', 'letter']
+    """
+    found = Language(ENGLISH).template(phrase)
+    return frozenset(each.name for each in found if isinstance(each, Gap))
+
+
 def text_of(pieces: Iterable[Piece]) -> str:
     """Return what pieces spell."""
     return "".join([piece[0] for piece in pieces])
@@ -150,7 +163,8 @@ class Language:
 class _Tables:
     """The tables of a language's file, each in English where it has none of its own."""
 
-    def __init__(self, module: Any) -> None:
+    def __init__(self, code: str, module: Any) -> None:
+        self.code = code
         self.phrases: Mapping[str, str] = _table(module, "PHRASES")
         self.point: str = getattr(module, "POINT", ".")
         self._module = module
@@ -166,7 +180,10 @@ class _Tables:
         text = self.phrases[phrase]
         for tied in self._tied:
             text = text.replace(tied, tied.replace(" ", "\N{NO-BREAK SPACE}"))
-        return template(text)
+        try:
+            return template(text)
+        except ValueError as error:
+            raise InputError(f"language '{self.code}': phrase '{phrase}': {error}") from None
 
     def _name(self, name: str) -> str:
         names = _table(self._module, "NAMES")
@@ -194,11 +211,11 @@ def _tables(code: str) -> _Tables:
     own = languages()
     one_of_all("language", code, own, GROUP)
     if code in own:
-        return _Tables(import_module(f"{__name__}.{code}"))
+        return _Tables(code, import_module(f"{__name__}.{code}"))
     module = from_packages(GROUP)[code]
     if not isinstance(getattr(module, "PHRASES", None), Mapping):
         raise InputError(f"language '{code}': has no table PHRASES", hint="as vad.words.en has it")
-    return _Tables(module)
+    return _Tables(code, module)
 
 
 def _english(table: str) -> Mapping[str, str]:
