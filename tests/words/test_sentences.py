@@ -76,6 +76,32 @@ def test_the_json_alone_tells_what_every_caption_calculates(name: str) -> None:
             assert bool(results) >= any(in_figures(stroke["caption"])), stroke["caption"]
 
 
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", [*MECHANISMS, *EXAMPLES])
+def test_units_are_multiplied_like_numbers(name: str) -> None:
+    """Length times rate is a rate: mm · rad/s = mm/s, by counting lengths and seconds."""
+    for sheet in poses_of(name):
+        for stroke in strokes(to_dict(sheet)):
+            said = stroke["caption_said"]
+            for each in said.get("calculations", []):
+                if each["operation"] == "product":
+                    (result,) = dimensions(said, [each["result"]])
+                    found = dimensions(said, each["operands"])
+                    assert result == tuple(map(sum, zip(*found, strict=True))), stroke["caption"]
+
+
+def dimensions(said: dict[str, Any], names: list[str | float]) -> list[tuple[int, int]]:
+    """Return the powers of length and of time in the numbers of a sentence."""
+    found = []
+    for name in names:
+        part = said["parts"][name] if isinstance(name, str) else {}
+        unit, power = part.get("unit", ""), part.get("power", 1)
+        length, _, second = unit.partition("/")
+        times = {"": 0, "s": -1, "s^2": -2}[second]
+        found.append((power * (length in ("mm", "cm", "m", "ft", "in")), power * times))
+    return found
+
+
 def in_figures(caption: str) -> Iterator[bool]:
     """Tell of the equations of a caption whether one has numbers on both sides."""
     for chain in chains(caption):

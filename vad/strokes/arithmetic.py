@@ -35,18 +35,21 @@ class Figure:
     value
         The number, in the unit of the data.
     unit
-        That unit; a length by which a rate is calculated goes by the rate's, lest metres be
-        multiplied by millimetres.
+        That unit.
     given
         Whether it was given, not measured.
     power
         Its power in a product: −1 where it divides, 2 where its square is written.
+    scale
+        The unit by which it is scaled, where that is not its own: a length from which a rate is
+        calculated is written in metres where the rate is.
     """
 
     value: float
     unit: str = ""
     given: bool = False
     power: int = 1
+    scale: str = ""
 
     def __post_init__(self) -> None:
         """Make the number one that JSON can hold: Python's own, and never a negative zero."""
@@ -173,8 +176,8 @@ class _Typed:
 
     def __init__(self, figure: Figure, notation: Notation) -> None:
         self.figure, self.key = figure, key(figure.value)
-        self._value = notation.scaled(figure.value, figure.unit)
-        self._unit = notation.unit(figure.unit)
+        unit = figure.scale or figure.unit
+        self._value, self._unit = notation.scaled(figure.value, unit), notation.unit(unit)
         self.read(0)
 
     def read(self, digits: int) -> None:

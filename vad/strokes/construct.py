@@ -265,7 +265,7 @@ class _Construction:
         tail, head = self.members.ends(bar)
         phrase = "compass strut" if self.members.is_strut(bar) else "compass"
         centre = tail if end == head else head
-        self.further.arc(bar, centre, end, self.scene.length(bar, self.scene.unit), phrase)
+        self.further.arc(bar, centre, end, self.scene.length(bar), phrase)
 
     def _lever_line(self, bar: Bar, end: str, slide: Slide) -> tuple[str, dict[str, SentencePart]]:
         """Draw the line of a lever through the block on it."""

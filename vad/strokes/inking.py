@@ -97,7 +97,7 @@ class Ink:
         return {
             "link": Noun(bar.link),
             "bar": scene.motion.mechanism.links[bar.link] if whole else scene.members.letters(bar),
-            "size": scene.length(bar, scene.unit),
+            "size": scene.length(bar),
             "unit": Unit(scene.unit),
             "angle": Figure(scene.motion.link(bar.link).angle, "°", driven),
             "symbol": scene.members.symbol("θ", bar.link),

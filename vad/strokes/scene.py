@@ -22,7 +22,7 @@ from vad.kinematics.linkage import (
     scalar_of,
 )
 from vad.strokes.arithmetic import Figure
-from vad.strokes.diagram import Spot
+from vad.strokes.diagram import ORDERS, Spot
 from vad.strokes.sentences import Noun, Saying, Sentence
 from vad.strokes.sheet import Cell, Row
 from vad.written import PRIME, per_second, subscript
@@ -260,9 +260,10 @@ class Scene(Saying, ABC):
             self._images[place] = self.outward(rate)
         return self._images[place]
 
-    def measured(self, value: float, unit: str, power: int = 1) -> Figure:
+    def measured(self, value: float, unit: str, power: int = 1, scale: str = "") -> Figure:
         """Return a number of a link's shape: as given where it is short, as somebody writes it."""
-        return Figure(value, unit, abs(value - float(f"{value:.6g}")) <= 1e-12 * abs(value), power)
+        given = abs(value - float(f"{value:.6g}")) <= 1e-12 * abs(value)
+        return Figure(value, unit, given, power, scale)
 
     def span(self, point: str, other: str) -> float:
         """Return the distance of two points."""
@@ -314,12 +315,16 @@ class Scene(Saying, ABC):
 
     def spin(self, link: str, order: int, power: int = 1) -> Figure:
         """Return ω (1) or α (2) of a link, without its sign."""
-        return self.figure(angle_of(link), abs(self.rate(link, order)), power=power)
+        rate, unit = abs(self.rate(link, order)), ORDERS[order].unit
+        return self.figure(angle_of(link), rate, unit, power)
 
-    def length(self, bar: Bar, unit: str, power: int = 1) -> Figure:
-        """Return the length of a bar, which is given unless it is that of a slide to be found."""
+    def length(self, bar: Bar, scale: str = "", power: int = 1) -> Figure:
+        """Return the length of a bar, which is given unless it is that of a slide to be found.
+
+        It is scaled as the unit ``scale`` of a rate that is calculated by it.
+        """
         given = isinstance(bar.length, float) or length_of(bar.length) == self.driver
-        return Figure(self.size(bar), unit, given, power)
+        return Figure(self.size(bar), self.unit, given, power, scale)
 
     @cached_property
     def pose(self) -> Pose:

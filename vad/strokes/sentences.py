@@ -199,7 +199,7 @@ def _pieces(
     if isinstance(part, str):
         yield Piece(part, "symbol")
     elif isinstance(part, Figure):
-        text = notation.number(part.value, part.unit, part.given)
+        text = notation.number(part.value, part.scale or part.unit, part.given)
         yield Piece(squared(text) if part.power == 2 else text, "figure")
     elif isinstance(part, Unit):
         yield Piece(notation.unit(part.name), "unit")

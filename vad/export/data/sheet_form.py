@@ -6,7 +6,8 @@ text is a sentence, its data stand beside it: ``caption_said`` beside ``caption`
 
 =============  =================================================================================
 a string       letters of a point, a vector or a quantity
-``figure``     a number with its unit, ``given`` where it was not measured, and its ``power``
+``figure``     a number with its unit, ``given`` where it was not measured, its ``power``, and the
+               ``scale`` of another unit by which it is written
 ``unit``       a unit
 ``word``       a name of the language files, behind which ``of`` may follow
 ``terms``      the numbers of a sum
@@ -115,6 +116,7 @@ FIGURE = record(
     unit=optional(UNIT, ""),
     given=optional(FLAG, False),
     power=optional(one_of((-1, 1, 2)), 1),
+    scale=optional(UNIT, ""),
 )
 CALCULATION = record(
     Calculation,

@@ -215,7 +215,7 @@ class Script(ScriptInSpace):
         """Return what is said of the vector of a link."""
         say, panel, ends = self.scene.say, order.panel, ENDS[link]
         unit, plain = Unit(self.unit(order)), self.unit(order)
-        size = replace(self.length(link), unit=plain)
+        size = replace(self.length(link), scale=plain)
         over = replace(size, power=-1)
         value, symbol = Figure(abs(rest), plain), self._symbol(link, order)
         rate = Figure(abs(float(self._turning(link, order))), order.unit, link == "crank")

@@ -381,7 +381,7 @@ def _motion_of_a(script: Script, bodies: Bodies, order: Order) -> Drawing:
         product("value", "turn", "lever"),
         symbol=order.symbol + subscript(4),
         turn=Figure(abs(turn), order.unit),
-        lever=Figure(abs(bodies.ground), unit, given=True),
+        lever=Figure(abs(bodies.ground), script.scene.unit, given=True, scale=unit),
         value=Figure(abs(turn * bodies.ground), unit),
         unit=Unit(unit),
     )
@@ -459,7 +459,7 @@ def _about_i(script: Script, bodies: Bodies, order: Order) -> Callable[..., Sent
     if order is VELOCITY:
         parts |= {
             "turn": Figure(abs(omega), VELOCITY.unit),
-            "lever": Figure(abs(bodies.height), unit),
+            "lever": Figure(abs(bodies.height), script.scene.unit, scale=unit),
         }
         return partial(
             script.scene.say, "spatial about I velocity", product("value", "turn", "lever"), **parts
