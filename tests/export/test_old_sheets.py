@@ -18,14 +18,19 @@ from vad.strokes.sheet import Sheet
 
 def without_facts(sheet: dict[str, Any]) -> dict[str, Any]:
     """Return a sheet's JSON as it was before."""
-    return {key: _panels(each) for key, each in sheet.items() if key != "driver"}
+    return {key: _without(each) for key, each in sheet.items() if key != "driver"}
 
 
-def _panels(value: Any) -> Any:
+def _without(value: Any) -> Any:
+    if isinstance(value, list):
+        return [_without(each) for each in value]
     if not isinstance(value, dict):
         return value
-    facts = "bodies", "coincident"
-    return {key: _panels(each) for key, each in value.items() if key not in facts}
+    return {
+        key: _without(each)
+        for key, each in value.items()
+        if key not in ("bodies", "coincident") and (key, each) != ("below", True)
+    }
 
 
 @pytest.mark.parametrize("key", MECHANISMS)

@@ -161,14 +161,16 @@ def test_a_crank_turns_from_0_to_360_degrees_and_the_cycle_closes():
     assert abs(cycle.curves["position"].values[1:] - cycle.curves["position"].values[:-1]).max() < 2
 
 
-@pytest.mark.parametrize("mechanism", [vad.Whitworth(rod=300), vad.GateActuator()])
+@pytest.mark.parametrize(
+    "mechanism", [vad.Whitworth(rod=300), vad.GateActuator(), vad.SpatialFourBar()]
+)
 def test_the_points_of_a_pose_lie_on_the_ways_of_the_cycle(mechanism):
     turn = vad.turn(mechanism, fps=90)
     for frame in range(0, turn.frames, 45):
         sheet, place = turn.pose(frame), turn.share(frame) * 720
         if abs(place - round(place)) > 1e-6:
             continue
-        for panel in sheet.panels:
+        for panel in sheet.halves:
             ways = turn.cycle.tracks[panel.name]
             arrows = [s.shape for s in panel.strokes if hasattr(s.shape, "head")]
             ends = {a.head: a.end for a in arrows} | {a.tail: a.start for a in arrows}

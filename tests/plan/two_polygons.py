@@ -151,7 +151,7 @@ def sheet(inset: PolarInset | None = None, remark: str = "") -> Sheet:
             "axis",
             "I",
             {
-                "velocity": (Cell("ω₄₂", -8.877, "rad/s"), Cell("v₄₂", -386.9, "mm/s")),
+                "velocity": (Cell("ω₄₂", -8.877, "rad/s"), Cell("v₄₂", -386.9, "mm/s", below=True)),
                 "acceleration": (
                     Cell("ω₄₂τ̇", 21.19, "rad/s²"),
                     Cell("α₄₂ₜ", 17.69, "rad/s²"),
@@ -162,7 +162,7 @@ def sheet(inset: PolarInset | None = None, remark: str = "") -> Sheet:
             "rocker",
             "rocker",
             "D",
-            {"velocity": (Cell("ω₄", 3.05, "rad/s"), Cell("ṡ", -406.8, "mm/s"))},
+            {"velocity": (Cell("ω₄", 3.05, "rad/s"), Cell("ṡ", -406.8, "mm/s", below=True))},
         ),
     )
     return Sheet(

@@ -344,13 +344,12 @@ class Panel:
         return self.name.removesuffix(BELOW)
 
     def measures(self, row: Row) -> tuple[tuple[Panel, tuple[Cell, ...]], ...]:
-        """Return what each half measures of a row: the one below, what bears its unit."""
+        """Return what each half measures of a row."""
         cells = row.cells.get(self.name, ())
-        lower = self.below.unit if self.below else None
-        above = self, tuple(cell for cell in cells if cell.unit != lower)
         if self.below is None:
-            return (above,)
-        return above, (self.below, tuple(cell for cell in cells if cell.unit == lower))
+            return ((self, cells),)
+        above, below = (tuple(c for c in cells if c.below is lower) for lower in (False, True))
+        return (self, above), (self.below, below)
 
     def full(self, name: str) -> str:
         """Return the full name of a stroke of this panel: ``velocity:BC.line``."""
@@ -383,13 +382,15 @@ class Panel:
 class Cell:
     """One quantity of the results table: θ₃ = 338.2°, with the value in full.
 
-    The ``symbol`` is a letter and an index: the number of a body (ω₃) or a point (ψ_P).
+    The ``symbol`` is a letter and an index: the number of a body (ω₃) or a point (ψ_P).  What is
+    ``below`` is measured in the polygon below the first.
     """
 
     symbol: str
     value: float
     unit: str
     given: bool = False
+    below: bool = False
 
     @property
     def quantity(self) -> str:

@@ -6,7 +6,7 @@ is the only place where the meaning of a stroke is guessed from its letters.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from vad.strokes.sheet import (
@@ -36,7 +36,18 @@ _CLOSE = 1e-9
 def with_facts(sheet: Sheet) -> Sheet:
     """Return a sheet with its driver, the bodies of its mechanism and what coincides."""
     panels = tuple(_with_facts(panel) for panel in sheet.panels)
-    return replace(sheet, panels=panels, driver=_driver(sheet.rows, panels))
+    lower = {panel.name: panel.below.unit for panel in panels if panel.below}
+    rows = tuple(_with_halves(row, lower) for row in sheet.rows)
+    return replace(sheet, panels=panels, rows=rows, driver=_driver(rows, panels))
+
+
+def _with_halves(row: Row, lower: Mapping[str, str]) -> Row:
+    """Return a row whose cells are measured below where they bear the lower polygon's unit."""
+    cells = {
+        name: tuple(replace(cell, below=cell.unit == lower.get(name)) for cell in found)
+        for name, found in row.cells.items()
+    }
+    return replace(row, cells=cells)
 
 
 def _driver(rows: Sequence[Row], panels: Sequence[Panel]) -> Driver:

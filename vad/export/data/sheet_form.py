@@ -305,7 +305,14 @@ PANEL = record(
     **_DRAWN,
     below=optional(LOWER),
 )
-CELL = record(Cell, symbol=TEXT, value=NUMBER, unit=UNIT, given=optional(FLAG, False))
+CELL = record(
+    Cell,
+    symbol=TEXT,
+    value=NUMBER,
+    unit=UNIT,
+    given=optional(FLAG, False),
+    below=optional(FLAG, False),
+)
 ROW = record(Row, key=TEXT, title=words("title"), letters=TEXT, cells=by_name(many(CELL)))
 NOTATION = record(
     Notation,

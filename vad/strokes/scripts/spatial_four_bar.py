@@ -60,10 +60,12 @@ class Script(BodyScript):
             return Cell("τ", bodies.screw.tau, order.unit), Cell("AH", bodies.height, unit)
         if key == "axis":
             turning, sliding = bodies.relative(order)[0], bodies.of_a(order)[0]
-            return Cell(RELATIVE[n], turning, order.unit), Cell(ALONG_I[n], sliding, unit)
+            along = Cell(ALONG_I[n], sliding, unit, below=True)
+            return Cell(RELATIVE[n], turning, order.unit), along
         turning = super().cells(order, key)
         slid = getattr(self.motion.slide("slide_d"), order.panel)
-        return turning if key == "crank" else (*turning, Cell(ALONG_D[n], slid, unit))
+        along = Cell(ALONG_D[n], slid, unit, below=n > 0)
+        return turning if key == "crank" else (*turning, along)
 
     def tracks(self, order: Order) -> Mapping[Spot, Any]:
         if order is POSITION:
