@@ -1,4 +1,4 @@
-"""What shows itself: the one way up from what is drawn to the notebook that shows it.
+"""Base class of what shows itself in a notebook: sheets, lessons and turns.
 
 In comes anything that can be seen, out goes what a notebook asks of it.
 """

@@ -1,4 +1,4 @@
-"""What is seen of a thing in a notebook.
+"""How sheets, lessons and turns show themselves in a notebook.
 
 In come a sheet, a lesson, a turn …, out goes a bundle of forms, of which a viewer takes the best
 that it knows: drawings as SVG, lessons and films as HTML, for all others a PNG and words.  The
@@ -32,8 +32,8 @@ from vad.strokes.sheet import Sheet
 
 Thing = Sheet | Lesson | Turn | Still | Multiples
 
-#: A cell's film: as wide as a column of text, and no heavier than a notebook can bear, as one of
-#: more pictures is.
+#: A film in a cell: its width in pixels, as that of a column of text; the most bytes that it may
+#: add to the notebook; and the most pictures, beyond which it would have more bytes.
 _WIDTH, _HEAVIEST, _LONGEST = 960, 1_000_000, 400
 
 
@@ -74,7 +74,7 @@ def _shell() -> Any:
 
 
 def in_notebook() -> bool:
-    """Tell whether a shell runs this program that serves a notebook, and no terminal."""
+    """Tell whether this program runs in a notebook rather than in a terminal."""
     return getattr(_shell(), "kernel", None) is not None
 
 

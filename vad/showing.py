@@ -1,4 +1,4 @@
-"""What is asked to be seen: in comes a thing, and it stands in the notebook or in the browser.
+"""The verbs `show` and `widget`: in comes a thing, and a notebook or the browser shows it.
 
 A drawing, a lesson or a film is shown as it is, a mechanism in the window in which it is turned by
 hand.

@@ -20,7 +20,7 @@ from vad.gui.server import served
 
 #: Of the processor time of solving and drawing a pose, what a move takes at most.
 TIME = 7.0
-#: Of its function calls, what the next pose, one with another length, and the fair copy make at
+#: Of its function calls, what the next pose, one with another length, and the lesson make at
 #: most.  They are counted, and so the same on every machine; the limits lie 1.3 times above what
 #: is needed, so that work done twice is noticed.
 MOVE, SIZE, LESSON = 5.1, 7.6, 26.0
@@ -55,7 +55,7 @@ class Hand:
         self._pose({**self._parameters, "crank": next(self._lengths)}, 60.0)
 
     def rest(self) -> None:
-        """Answer with the fair copy of the next pose."""
+        """Answer with the lesson of the next pose."""
         lesson(LessonQuestion(self._name, self._parameters, {"angle": next(self._angles)}))
 
     def _pose(self, parameters: Mapping[str, float], angle: float) -> None:

@@ -122,7 +122,7 @@ class Folder:
         self._notes = {note["number"]: note for note in self._noted()}
 
     def standing(self, job: Job) -> Done | None:
-        """Return a sheet that stands already; None where it is still to be made."""
+        """Return a sheet that is in the folder already; None if it must be made."""
         note = self._notes.get(job.number)
         if note is None or note["made_from"] != job.fingerprint:
             return None
@@ -166,7 +166,7 @@ class Folder:
         (self.path / _JOURNAL).unlink(missing_ok=True)
 
     def _noted(self) -> Iterator[Note]:
-        """Yield what earlier runs noted, the latest last; what is no note is left out."""
+        """Yield the notes of earlier runs, the latest last; other lines are left out."""
         for name in (_ANSWERS, _JOURNAL):
             try:
                 text = (self.path / name).read_text("utf-8")

@@ -30,7 +30,7 @@ _NICE = (*range(10, 20), *range(20, 100, 5))
 _MOST = 10_000
 #: No number of a mechanism is larger, nor any whole number that a file may hold.
 LARGEST = 1e300
-#: So much beyond an end, as a share of it, a number is still at the end.
+#: A number that lies beyond an end by at most this share of it counts as the end.
 _ROUNDING = 1e-12
 _FORMS = "write a number, a list, { from, to, step } or { share = 0.25 }"
 _STEP = "add a step, as in { from = 0, to = 355, step = 5 }"

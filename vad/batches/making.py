@@ -27,9 +27,10 @@ from vad.lecture.lesson import Lesson
 from vad.mechanisms import Mechanism
 from vad.strokes.sheet import Sheet
 
-#: The bytes of a film depend on it; nor is another core free where many sheets are made.
+#: Threads of the encoder.  The bytes of a film depend on their number, and so it is fixed; and
+#: where many sheets are made, no other core is free.
 _THREADS = 1
-#: How often numbers are drawn before it is given up.
+#: How often numbers are drawn before the program gives up.
 TRIES = 2000
 
 

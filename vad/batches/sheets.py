@@ -38,9 +38,9 @@ PROBLEM = "problem"
 #: The most sheets of one file.
 MOST = 100_000
 _BLANK = ("velocity", "acceleration")
-#: Those that are not handed on to the verbs.
+#: Words that are not options of `vad.draw`, `vad.animate` and `vad.save`.
 _OF_THE_BATCH = ("count", "seed", "files", "blank")
-#: The least sine where nothing else is said: lines cross at more than 11.5°.
+#: The least sine unless [keep] says another: lines cross at more than 11.5°.
 KEEP = 0.2
 _TABLES = ("sheet", "vary", "keep")
 _LISTS = ("files", "blank", "panels")
@@ -230,7 +230,7 @@ def read_toml(text: str, path: Path) -> list[Job]:
 
 
 def _checked(source: Source) -> Source:
-    """Return the tables apart.
+    """Return the source after checking that it has only the tables of a file of sheets.
 
     Raises
     ------

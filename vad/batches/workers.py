@@ -84,7 +84,7 @@ def _shared(
 
 
 def _elsewhere(job: Job) -> Product:
-    """Make a sheet in a worker; Ctrl+C reaches it, too, but what follows is its master's affair."""
+    """Make a sheet in a worker; Ctrl+C reaches it, too, but the main process deals with that."""
     try:
         return make(job)
     except KeyboardInterrupt:

@@ -41,7 +41,7 @@ LARGEST = 1_000_000
 
 @contextmanager
 def progress(what: str) -> Iterator[Progress]:
-    """Yield what a film calls after each frame: it obeys signals, and on a terminal moves a bar."""
+    """Yield the function to call after each frame: it heeds signals and moves a progress bar."""
 
     def obey(_done: int, _total: int) -> None:
         check_interrupt()
@@ -71,7 +71,10 @@ def written(path: str, details: str = "") -> None:
 
 
 def passed(mechanism: Mechanism, low: float = -math.inf, high: float = math.inf) -> None:
-    """Say on stderr which change points lie in a range of the driver: there, two motions go on."""
+    """Write on stderr which change points lie in a range of the driver.
+
+    At a change point the mechanism can go on in two ways.
+    """
     from vad.kinematics.reach import change_points
     from vad.kinematics.results import place_unit
 

@@ -15,7 +15,7 @@ from vad.files.places import PARALLEL
 if TYPE_CHECKING:
     from vad.files.examination import Choice, Examination, FoundDyad
 
-# A smaller sine is that of a dead centre, which a grid only nearly meets.
+# A smaller sine is taken for that of a dead centre: a grid of poses rarely meets one exactly.
 _DEAD = 5e-4
 
 
@@ -75,12 +75,12 @@ def _at(place: complex) -> str:
 
 
 def _changes(examined: Examination, unit: str) -> list[str]:
-    """Say where it passes a change point."""
+    """Return a line for each change point of the mechanism."""
     return [f"dyad {change.loop + 1}: {change.words(unit)}" for change in examined.changes]
 
 
 def _range(examined: Examination, unit: str) -> str:
-    """Say where it closes and where it is nearest to a dead centre."""
+    """Return a line with the ranges that close and the pose that is nearest to a dead centre."""
     turns = unit == "°"
     name = next(iter(examined.mechanism.inputs))
     if turns and examined.closes == ((0.0, 360.0),):

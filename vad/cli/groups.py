@@ -33,7 +33,7 @@ class HelpfulCommand(click.Command):
         except click.NoSuchOption as error:
             name = error.option_name
             if not name.startswith("--"):
-                # click takes -crank for -c -r …; the word as it was written is more use.
+                # click reads -crank as -c -r …; the message quotes the word as it was written.
                 name = next((word for word in words if word.startswith(name)), name)
             name = name.partition("=")[0]
             names = [each for option in self.get_params(ctx) for each in option.opts]
@@ -115,7 +115,7 @@ class MechanismGroup(click.Group):
         return super().parse_args(ctx, args)
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
-        """Return what a shell may offer where NAME is still to come."""
+        """Return what a shell may offer before NAME is given."""
         own = click.Command(self.name, params=list(self.options), add_help_option=False)
         return [
             *super().shell_complete(ctx, incomplete),

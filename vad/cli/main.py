@@ -17,7 +17,7 @@ def main() -> int:
     try:
         process.raise_on_signals()
         process.quieten()
-        # From here on a request to stop leaves in good order, even while modules are loaded.
+        # From here on a signal ends the process in good order, even while modules are imported.
         from vad.cli import completion
         from vad.cli.run import run
 

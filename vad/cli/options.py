@@ -85,7 +85,7 @@ def quantity_of(name: str, length_unit: str) -> Callback:
 
 
 def places() -> Callback:
-    """Read places of the driver with commas between them, for the mechanism that is called."""
+    """Read places of the driver with commas between them, in the units of the mechanism."""
 
     def places_of(words: str, ctx: click.Context) -> list[float]:
         mechanism = kind_of(str(ctx.info_name))()

@@ -1,4 +1,4 @@
-"""The process around a command: signals, streams that go away, and what must not be printed."""
+"""The process of a command: its signals, its standard streams, and what libraries may print."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ BROKEN_PIPE = 128 + 13
 
 @dataclass
 class _Heard:
-    """The signals that came, and whether they wait for `check_interrupt`."""
+    """The signals that have come, and whether they wait until `check_interrupt` is called."""
 
     received: list[int] = field(default_factory=list)
     held_back: bool = False
@@ -32,7 +32,7 @@ _heard = _Heard()
 
 
 class Interrupted(BaseException):
-    """The process was asked to stop; files in the making clean up as for any exception."""
+    """A signal asks the process to stop; unfinished files are removed as for any exception."""
 
     def __init__(self, number: int) -> None:
         super().__init__(number)
@@ -56,7 +56,7 @@ def say(line: str) -> None:
 
 
 def open_standard_streams() -> None:
-    """Give closed streams a descriptor, lest the next file be opened under their number."""
+    """Open standard streams that are closed, so that no file is opened under their numbers."""
     for descriptor in (0, 1, 2):
         try:
             os.fstat(descriptor)
@@ -70,9 +70,8 @@ def open_standard_streams() -> None:
 def quieten() -> None:
     """Keep libraries from writing to stderr, unless Python was asked for warnings.
 
-    Nor does Python itself, where a signal comes while it tidies up after an import.
-
-    Nothing is shown in a window, whatever the user's own programs are set to.
+    Python itself would report a signal that comes while it cleans up after an import; that report
+    is left out, too.  matplotlib opens no window, whatever its configuration says.
     """
     import logging
     import warnings
@@ -85,7 +84,7 @@ def quieten() -> None:
 
 
 def _complain(lost: sys.UnraisableHookArgs) -> None:
-    """Show what went wrong where nobody can catch it; `check_interrupt` remembers a signal."""
+    """Report an exception that nobody can catch, but no signal: `check_interrupt` knows of it."""
     if not isinstance(lost.exc_value, Interrupted):
         sys.__unraisablehook__(lost)
 
@@ -93,8 +92,8 @@ def _complain(lost: sys.UnraisableHookArgs) -> None:
 def raise_on_signals() -> None:
     """Turn the first of the signals that this process does not ignore into `Interrupted`.
 
-    Later ones do nothing, so that they do not disturb the clearing up.  They have a handler all the
-    same: Python complains of one that is pending when it is set to be ignored.
+    Later ones do nothing, so that files can be removed undisturbed.  They have a handler all the
+    same, because Python reports a pending signal that is then set to be ignored.
     """
 
     def stop(number: int, _frame: FrameType | None) -> None:
@@ -110,9 +109,9 @@ def raise_on_signals() -> None:
 
 @contextmanager
 def signals_held_back() -> Iterator[None]:
-    """Let signals wait for the next `check_interrupt`, of which the last is the end of the block.
+    """Let signals wait until `check_interrupt` is called; the end of the block calls it, too.
 
-    For work with threads: an exception that comes out of nowhere can leave a lock taken for ever.
+    For work with threads: an exception at any moment could leave a lock taken for ever.
     """
     _heard.held_back = True
     try:
@@ -145,5 +144,5 @@ def be_done() -> None:
 
 
 def abandon_stdout() -> None:
-    """Let Python's own last flush go nowhere, where it cannot fail."""
+    """Send what Python flushes at its end to the null device, where writing cannot fail."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)

@@ -24,7 +24,7 @@ from typing import BinaryIO
 
 from vad.errors import ExportError
 
-#: What is in the making, and for how long it may stand untouched.
+#: The name of an unfinished file, and how many seconds it may stand untouched.
 _PART, _HOUR = re.compile(r"\.vad-[0-9a-f]{8}\.part"), 3600.0
 
 
@@ -114,7 +114,7 @@ def new_folder(path: str | os.PathLike[str], replaceable: Callable[[Path], bool]
 
 @contextmanager
 def _cleared_up(clear: Callable[[], None]) -> Iterator[None]:
-    """Call ``clear`` when the block ends: twice, for an interrupt may cut the first call short."""
+    """Call ``clear`` twice when the block ends: an interrupt may cut short the first call."""
     try:
         try:
             yield
@@ -125,9 +125,9 @@ def _cleared_up(clear: Callable[[], None]) -> Iterator[None]:
 
 
 def _sweep(folder: Path) -> None:
-    """Remove from ``folder`` what a process that was killed has begun and left.
+    """Remove unfinished files from ``folder`` that a killed process has left behind.
 
-    Whoever still writes has touched its part within the hour.
+    A process that still writes has touched its file within the last hour.
     """
     long_ago = time.time() - _HOUR
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
@@ -144,7 +144,7 @@ def _sweep(folder: Path) -> None:
 
 
 def _place(path: str | os.PathLike[str]) -> Path:
-    """Return where ``path`` really is (behind links), in a folder that can be written."""
+    """Return ``path`` with links resolved, in a folder that can be written."""
     try:
         final = Path(os.path.realpath(path))
         final.exists()

@@ -20,7 +20,7 @@ from vad.export.palette import Palette, fine
 from vad.painting.film import EMPTY, Frame
 
 _NAME = re.compile(r"frame_\d{4,}\.png")
-#: Says that a picture was made here; see `is_frame`.
+#: The entry by which a picture is known as made here; see `is_frame`.
 _MAKER = ("Software", "vad")
 
 
@@ -75,7 +75,7 @@ def is_frame(path: Path) -> bool:
 
 
 def _again(path: Path, copy: Path) -> Path:
-    """Let ``copy`` be the same picture as ``path``; return the one to repeat from then on."""
+    """Make ``copy`` the same picture as ``path``; return the one to link the next one to."""
     try:
         os.link(path, copy)
     except OSError:  # no hard links here, or as many as a file can have

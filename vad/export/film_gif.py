@@ -20,18 +20,19 @@ from vad.painting.film import EMPTY, Box, Frame, union
 
 Bytes = NDArray[np.uint8]
 
-#: Pictures a second of what moves in a lesson: each costs a kilobyte while a tool moves.
+#: The most pictures a second of what moves in a lesson; each of them takes about a kilobyte.
 MOST = 9.0
-#: Many players take a delay of less than 2 hundredths of a second for a tenth.
+#: Many players show a picture for a tenth of a second if its delay is below 2 hundredths.
 _SHORTEST = 2
-#: In a turn all moves at once, and a picture stands at least so long; that halves the file.
+#: In a turn everything moves at once.  A picture stands at least so many hundredths of a second,
+#: which halves the file.
 _SHORTEST_OF_TURN = 7
 _LONGEST = 0xFFFF
 #: After a pause as long as this, a picture may come in that many bands; see `_Film.show`.
 _PAUSE, _BANDS = 10, 3
 _LEAVE_IN_PLACE, _HAS_TRANSPARENT = 1 << 2, 1
 Mask = NDArray[np.bool_]
-#: The index that leaves a pixel as it was.
+#: The index of a pixel that stays as it was.
 AS_BEFORE = 0
 
 

@@ -24,7 +24,7 @@ Film = Lesson | Turn
 #: Called with how many frames are done and how many there will be.
 Progress = Callable[[int, int], None]
 Picture = NDArray[Any]
-#: Rows without a change that part two bands.
+#: So many rows without a change divide what changed into two bands.
 _GAP = 32
 _MOST = 3
 

@@ -1,4 +1,4 @@
-"""A lesson as PDF: in comes a lesson, out goes one page a step, as its still."""
+"""A lesson as PDF: in comes a lesson, out goes one page for each step."""
 
 from __future__ import annotations
 

@@ -18,12 +18,13 @@ from vad.style import Style, load_style
 Bytes = NDArray[np.uint8]
 Colour = NDArray[np.float64]
 
-#: How much ink is in the tints of the board (glow, blocks, set square) and in its faded lines;
-#: the antialiased edges of lines and letters need no more steps than these.
+#: The shares of ink in the tints of the board (glow, blocks, set square) and in its pale lines.
+#: The antialiased edges of lines and letters need no further shares.
 _TINTS = (0.16, 0.43)
 #: Tints that are nearer than this to each other share a colour.
 _APART = 10.0
-#: An ink this near the blends of a stronger one needs none of its own (a grey beside black).
+#: An ink that is this near the blends of a stronger one, as grey is to those of black, has no
+#: blends of its own.
 _BESIDE = 8.0
 #: Finer steps between ink and background than this are not seen.
 _FINEST = 6.0
@@ -31,7 +32,7 @@ _MOST = 255
 
 
 class Palette:
-    """A table of RGB colours, given as floats of shape (n, 3), and the way into it.
+    """A table of RGB colours, given as floats of shape (n, 3), and the index of each colour in it.
 
     Attributes
     ----------

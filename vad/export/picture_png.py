@@ -1,4 +1,4 @@
-"""A picture as PNG: its pixels, and it in words.
+"""A picture as PNG, with a description in words.
 
 In comes a sheet, a step of a lesson, or a turn with numbered positions.
 """

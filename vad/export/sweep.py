@@ -25,7 +25,8 @@ from vad.units import scene_unit
 FORMATS = formats("sweep")
 _LINK = ("angle", "omega", "alpha")
 _SLIDE = _POINT = ("position", "velocity", "acceleration")
-# Where this share of the poses at either end makes the range so much wider, it is cut off.
+# The range that is shown leaves out this share of the poses (in percent) at either end, if they
+# make it so many times as wide.
 _TAIL, _PEAK = 4.0, 6.0
 
 

@@ -151,7 +151,7 @@ def _curves(figure: Figure, results: Results, symbols: Mapping[str, str], style:
 
 
 def _dress(plot: Axes, curves: Sequence[Column], symbol: str, scale: float, style: Style) -> None:
-    """Name the quantity, fit its range and leave a grid in place of a box.
+    """Name the quantity, set the range of its axis and draw a grid instead of a frame.
 
     What is nothing to ``scale`` is rounding, and shown as the straight line that it stands for.
     """

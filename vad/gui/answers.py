@@ -144,12 +144,12 @@ def board_of(mechanism: Mechanism, panels: tuple[str, ...], language: str) -> Li
 
 
 def _quoted(html: str) -> str:
-    """Return HTML with single quotes, of which JSON escapes none; a text has neither of both."""
+    """Return HTML with single quotes, which JSON need not escape; no text contains either quote."""
     return html.replace('"', "'")
 
 
 def _over(mechanism: Mechanism) -> Iterable[Motion]:
-    """Yield poses over all that the driver reaches."""
+    """Yield poses over the whole range of the driver."""
     driven, ranges = next(iter(mechanism.inputs)), reach(mechanism)
     for low, high in ranges:
         count = max(2, _POSES // len(ranges))
@@ -309,7 +309,7 @@ def grip(motion: Motion, sheet: Sheet, scale: Scale, form: Format) -> dict[str, 
 
 
 def _way(motion: Motion, letter: str) -> complex:
-    """Return where a driven point goes."""
+    """Return the direction in which a driven point moves, as a unit vector."""
     place, speed, *_ = motion.inputs
     moved = vad.solve(motion.mechanism, **{place: motion.inputs[place], speed: 1.0})
     return complex(moved.point(letter).velocity)

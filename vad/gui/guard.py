@@ -1,4 +1,4 @@
-"""Who may ask: the page itself, opened by whoever reads the terminal, and nobody else.
+"""Who may ask: only the page itself, opened by the person who reads the terminal.
 
 The server is on 127.0.0.1, but so are other users of the machine, and every page of the web can
 send requests there from this very browser.  What they send is refused here, before anything
@@ -19,7 +19,8 @@ from starlette.requests import Request
 from starlette.responses import JSONResponse, RedirectResponse, Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-#: What the server is called, whatever a name of the web is made to point at.
+#: The names by which the server may be called.  A request under any other name is refused: somebody
+#: may have made that name point at this machine.
 HOSTS = ("127.0.0.1", "localhost")
 #: The longest question, in bytes.
 LONGEST = 16 * 1024
@@ -39,7 +40,7 @@ _POLICY = (
 
 @dataclass(frozen=True)
 class Key:
-    """What opens the page: a token in the printed address, then a cookie of the same worth."""
+    """What opens the page: the token in the printed address, then a cookie with that token."""
 
     port: int
     token: str = field(default_factory=lambda: secrets.token_urlsafe(24), repr=False)
@@ -55,7 +56,7 @@ class Key:
         return f"http://127.0.0.1:{self.port}/?token={self.token}"
 
     def fits(self, other: str | None) -> bool:
-        """Tell whether a token is this one, in a time that tells nothing of it."""
+        """Tell whether a token is this one, in a time that does not depend on where they differ."""
         return other is not None and hmac.compare_digest(other.encode(), self.token.encode())
 
 
@@ -117,7 +118,10 @@ class Guard:
             await self._app(scope, _limited(receive), send)
 
     def _welcome(self, request: Request) -> Response | None:
-        """Return the way in for who has the token, None for who is in; refuse everybody else."""
+        """Return a redirection for a request with the token, None for one with the cookie.
+
+        Any other request is refused.
+        """
         _check_origin(request.headers, f"127.0.0.1:{self._key.port}", f"localhost:{self._key.port}")
         if request.method == "GET" and self._key.fits(request.query_params.get("token")):
             way_in = RedirectResponse("/", 303)

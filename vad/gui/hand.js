@@ -7,8 +7,8 @@ const picture = () => find(".panels").children[names.indexOf("position")]?.query
 
 let view = null; // from the drawing's pixels to the window's, where there is something to hold
 
-// Where the drawing is, is read here alone, after an answer and when the window changes: the browser
-// lays out the page for it at once.
+// Reads the place of the drawing, after an answer and when the window changes, and nowhere else:
+// the browser has to lay out the page for it at once.
 function hold() {
   if (grip) write();
   view = grip && picture()?.getScreenCTM();
@@ -67,7 +67,8 @@ handle.addEventListener("pointerdown", (event) => {
   handle.focus({ preventScroll: true });
   event.preventDefault();
 });
-// A "pointermove" waits for the next frame; a question need not. What it asks is written with its answer.
+// A "pointermove" event waits for the next frame, a raw update does not, and so the question goes out
+// earlier. The box and the handle are written when its answer comes.
 const moves = "onpointerrawupdate" in handle ? "pointerrawupdate" : "pointermove";
 handle.addEventListener(moves, (event) => {
   if (grip && view && handle.hasPointerCapture(event.pointerId)) turn(measured(event));

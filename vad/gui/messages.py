@@ -155,7 +155,7 @@ class PoseQuestion(Question):
     ways
         Where each label of each panel stood from its dot in the pose before: degrees.
     stands
-        The parameters of the fair copy before, of which supports and the like are kept; None
+        The parameters of the last lesson, whose supports and the like stay where they are; None
         for those that are asked for.
     known
         The classes whose rules the page has.
@@ -167,7 +167,7 @@ class PoseQuestion(Question):
     known: tuple[str, ...] = ()
 
     def rested(self, mechanism: Mechanism) -> Mechanism:
-        """Return that of the fair copy before, which may be the ``mechanism`` asked for."""
+        """Return the mechanism of the last lesson, which may be the ``mechanism`` asked for."""
         if self.stands is None or self.stands == self.parameters:
             return mechanism
         return self.with_dimensions(self.stands)

@@ -167,7 +167,7 @@ def _told(work: Callable[[Any], dict[str, Any]], question: Question) -> dict[str
 
 
 def _explained(endpoint: Endpoint) -> Endpoint:
-    """Answer a question that no page of ours asks with what is wrong with it."""
+    """Answer a faulty question, which our own page never asks, with what is wrong with it."""
 
     async def asked(request: Request) -> Response:
         try:

@@ -21,8 +21,8 @@ function move({ panels, rows, looks, scales: fresh, ways: sides }) {
 
 const said = new WeakMap();
 
-// A child becomes what HTML says. From pose to pose it is patched, and what is so already is left
-// alone: a browser lays out and paints what is touched. What a lesson has made belongs to its player.
+// Makes a child what HTML says. From pose to pose only what differs is changed, because a browser lays
+// out and paints whatever is touched. What a lesson has made belongs to its player, and is replaced.
 function become(place, index, html) {
   const old = place.children[index], made = document.createElement(place.localName);
   if (old && said.get(old) === html) return;

@@ -17,7 +17,7 @@ const written = (value) => typeof value === "number" ? String(+value.toPrecision
 const filled = (text, values) => text.replace(/{(\w+)}/g, (_, key) => values[key]);
 // What is set: the boxes, sliders and choices on the left.
 
-const CALM = 260; // milliseconds after the last change, until the fair copy is asked for
+const CALM = 260; // milliseconds after the last change, until the lesson is asked for
 
 function choose(mechanism, given = {}) {
   const values = (list) => Object.fromEntries(list.map(({ name, default: value }) => [name, given[name] ?? value]));
@@ -158,7 +158,8 @@ function take(kind, asked, answer) {
   hold();
 }
 
-// At a dead centre there is the position; where nothing is shown yet, in the panels of a pose beside it.
+// At a dead centre only the position is drawn. Where nothing is shown yet, the lesson of a pose near by
+// is asked for first, which has all panels.
 function stay(error) {
   if (names.length) return want("pose");
   if (!error.try) return;
@@ -173,7 +174,7 @@ function backdrop(answer) {
   want("pose");
 }
 
-// Boxes in which a text with a unit was written show what it came to.
+// A box in which a text with a unit was written shows its value in the unit of the box.
 function settle({ parameters, input, assembly }, asked) {
   for (const [name, value] of Object.entries({ ...parameters, ...input })) {
     const { box } = fields.get(name), own = group(name);

@@ -59,7 +59,7 @@ class Inker:
         groups: dict[tuple[Level, str], dict[Span, None]] = {}
         for item in plan.items:
             if item.region == panel:
-                # What shows again and again, as the light on a link, is written once.
+                # What shows several times, as a highlighted link does, is written once.
                 key = item.level, "".join(map(self._mark, item.marks))
                 groups.setdefault(key, {})[item.since, item.until] = None
         beats = groupby(groups.items(), key=lambda group: when(group[1]))
@@ -103,7 +103,7 @@ def when(spans: Iterable[Span]) -> str:
 
 
 def grown(mark: Mark, grid: Grid) -> list[Any]:
-    """Return how a growing mark comes about."""
+    """Return the growth of a mark as the player reads it; see the head of this file."""
     growth = mark.growth
     match growth:
         case Trimming(knots):
@@ -134,7 +134,7 @@ def _knots(knots: Any) -> list[list[float]]:
 
 
 def _short(value: float) -> float:
-    """Return a number as precise as an eye is, whole if it can be."""
+    """Return a number with four decimals, as an int if it is whole."""
     rounded = round(value, 4)
     return int(rounded) if rounded == int(rounded) else rounded
 

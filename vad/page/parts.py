@@ -176,7 +176,7 @@ def scale_bar(board: Plan, panel: Panel, words: Words) -> str:
 
 
 def picture(board: Plan, panel: Panel, inker: Inker) -> str:
-    """Return the drawing of a panel, which knows where its ink ends."""
+    """Return the drawing of a panel, with how far its ink reaches up and down."""
     area = board.page.panels[panel.name].drawing
     ink = reach(item for item in board.items if item.region == panel.name)
     top, low = min(area.top, ink.top + 0.01), max(area.bottom, ink.bottom - 0.01)
@@ -199,7 +199,7 @@ def _foot(board: Plan, panel: Panel, inker: Inker, words: Words) -> str:
 
 
 def _piece(board: Plan, piece: Piece, inker: Inker, words: Words) -> str:
-    """Return a sign, or a term in its ink, grey until its stroke is inked."""
+    """Return a sign, or a term in its ink; a term is grey until its stroke is drawn."""
     space = f"margin-left:{number(piece.space)}em" if piece.space else ""
     colour, beats = "", ""
     if piece.term:
@@ -244,7 +244,7 @@ def _key(number: int, key: float, inker: Inker) -> str:
 
 
 def values_of(plan: Plan, key: float) -> float:
-    """Return how far behind the margin the first cells begin."""
+    """Return the distance from the left margin to the first cells."""
     laid = laid_out(plan.sheet, plan.page, key)
     return laid.values if isinstance(laid, Columns) else VALUES
 

@@ -15,7 +15,7 @@ from vad.style import Look, Style, load_style, mix, style_names
 
 #: The least contrast of letters to their ground.
 CONTRAST = 4.5
-#: How much ink is left in letters when it is mixed with the colour of text, in turn.
+#: Shares of ink that are tried, from all to none, when an ink is mixed with the colour of text.
 _SHARES = [part / 20 for part in range(20, -1, -1)]
 
 

@@ -14,7 +14,7 @@ from vad.plan.marks import Mark, Outline
 from vad.style import Look, Pen
 
 Colour = tuple[float, float, float, float]
-#: Paths that are kept: all that a film repaints in a frame, and some of what grows.
+#: How many paths are kept: enough for all marks that a film repaints in a frame.
 KEPT = 400
 
 
@@ -49,10 +49,10 @@ class AggPainter:
         self.words[:] = self.word(background)
 
     def group(self, item: Item) -> None:
-        """Take no notice: pixels know no groups."""
+        """Do nothing: pixels have no groups."""
 
     def end(self) -> None:
-        """Have nothing to do: the pixels are there."""
+        """Do nothing: the pixels are complete."""
 
     def paint(self, mark: Mark, look: Look) -> None:
         """Paint one mark."""
@@ -72,7 +72,7 @@ class AggPainter:
             path.should_simplify = False
             if len(self._paths) == KEPT:
                 self._paths.clear()
-            # With its shape, so that no other one can have its id.
+            # The shape is kept beside its path, so that no other shape can get the same id.
             known = self._paths[id(shape)] = shape, path
         return known[1]
 

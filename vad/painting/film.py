@@ -1,4 +1,4 @@
-"""Films: each frame paints only what changed on a committed base.
+"""Films: each frame paints only what has changed since the one before.
 
 In comes a lesson or a turn, or a board and its moments, out go `Frame` objects, as an encoder takes
 them; `redraw` paints one moment from nothing, which is what every incremental frame must equal.
@@ -122,7 +122,7 @@ def redraw(board: Board, moment: Moment, style: Style) -> Pixels:
 
 
 class _Incremental:
-    """Holds the buffer, and the committed base beneath what grows.
+    """Holds the pixels of the frame, and of the base: what lies beneath the marks that grow.
 
     While a stroke is drawn, the base holds all that lies beneath it; what grows and what lies
     above it is painted in each frame, as far as it is touched.
@@ -136,12 +136,13 @@ class _Incremental:
         self._words = self._painter.words
         self._base = self._words.copy()
         self._shown: dict[str, list[Item]] = {}
-        #: What is not in the base, in painting order: marks that grow, and marks with their boxes.
+        #: The marks above the base, in painting order: without a box those that grow, the others
+        #: with the box of their pixels.
         self._top: list[tuple[Mark, Box | None]] = []
         self._beat: int | None = None
         self._near = 0.0
         self._dirty: Box = EMPTY
-        #: Of each region what it showed at first since its last change, painted.
+        #: For each region the items that it began with when it last changed, and their pixels.
         self._beneath: dict[str, tuple[list[Item], Words]] = {}
         self.pixels = self._painter.pixels
 
@@ -195,7 +196,7 @@ class _Incremental:
     def _commit(
         self, regions: dict[str, list[Item]], top: list[tuple[Mark, Box | None]], beat: int
     ) -> None:
-        """Repaint the regions that look different; keep what lies beneath the top as base."""
+        """Repaint the regions that look different, and make what lies beneath ``top`` the base."""
         self._cut(self._dirty)[:] = self._base[window(self._dirty)]
         for region, items in regions.items():
             self._repaint(region, items[: _first_growing(items, beat)])
@@ -206,7 +207,7 @@ class _Incremental:
                 self._painter.paint(mark, self._looks(mark))
 
     def _repaint(self, region: str, items: list[Item]) -> None:
-        """Paint a region; what it showed at first the last time, too, is painted already."""
+        """Paint a region; the items with which it began the last time, too, come from pixels."""
         area = self._cut(self._pixels_of(self._board.regions[region]))
         before, picture = self._beneath.get(region, ([], None))
         kept = _shared(before, items)

@@ -1,4 +1,4 @@
-"""Shapes as paths, and lines of text in stretches: what painters are made of.
+"""Shapes as paths, and lines of text in stretches, for the painters of every medium.
 
 In come the shapes and texts of a plan, out go vertices with codes, in page units, and runs of
 letters that a medium with type of its own can set in one go.

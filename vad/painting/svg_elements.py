@@ -60,7 +60,10 @@ class Grid:
         return f"M{self._listed(places[0])}" + (f"l{self._listed(ways)}" if ways else "")
 
     def _curve(self, bow: Bow) -> str:
-        """Return Bézier curves: of a narrow arc, whose middle hangs on how its ends are rounded."""
+        """Return Bézier curves for an arc of an ellipse.
+
+        As an SVG arc its middle would depend on how its ends are rounded.
+        """
         (x, y), *places = map(self.steps, bow.curve())
         data = f"M{self._listed((x, y))}c"
         ways: list[int] = []
@@ -87,13 +90,13 @@ class Grid:
         return round(away.real), -round(away.imag)
 
     def _listed(self, steps: Iterable[int]) -> str:
-        """Return lengths one after the other; a minus sign parts them as well as a blank."""
+        """Return lengths one after the other, with a space between them unless a minus sign is."""
         return " ".join(map(self._length, steps)).replace(" -", "-")
 
 
 @cache
 def _lengths(fine: int) -> Callable[[int], str]:
-    """Return what writes steps of the grid as `number` writes them.
+    """Return a function that writes steps of the grid as `number` would write them in pixels.
 
     What was written is kept: a picture has hundreds of them, again and again.
     """
@@ -149,7 +152,7 @@ class Classes:
 
 @lru_cache(maxsize=1024)
 def named(initial: str, content: str) -> str:
-    """Return a short name that speaks for its content.
+    """Return a short name that is computed from its content.
 
     Examples
     --------
@@ -170,7 +173,7 @@ def filled(look: Look) -> str:
 
 @lru_cache(maxsize=256)
 def drawn(pen: Pen | None, unit: float, alpha: float = 1.0) -> str:
-    """Return the declarations of a line, its widths in what a page unit is."""
+    """Return the declarations of a line; ``unit`` is the length of a page unit."""
     if not pen:
         return ""
     dash = " ".join(number(part * unit) for part in pen.dash)

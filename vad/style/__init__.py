@@ -17,7 +17,7 @@ from vad.plan.roles import ROLES, Ink
 GROUP = "vad.styles"
 #: How much ink is in the tint of a block, and in the words of a panel that is not begun.
 TINT, PALE = 0.12, 0.55
-#: The lines of rows beyond those that have an ink or a dash of their own.
+#: Width and dash of rows beyond those that have an ink or a line of their own.
 THINNER, DASH = 0.7, (8.0, 1.6)
 
 
@@ -97,7 +97,7 @@ class Style:
                 return str(getattr(self, ink))
 
     def line(self, row: int) -> LineStyle:
-        """Return the line of a row; where inks and lines are used up it is thinner, and dashed."""
+        """Return the line of a row: a thinner, dashed one where all inks and lines are in use."""
         again, place = divmod(row, max(len(self.inks), len(self.lines)))
         line = self.lines[place % len(self.lines)]
         return LineStyle(THINNER * line.weight, line.dash or DASH) if again else line
