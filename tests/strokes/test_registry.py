@@ -70,6 +70,7 @@ def pose(scene):
             Arrow(0j, 80 - 20j, "o", "l"),
             "The load.",
             scene.output,
+            "load",
             reveals=(scene.output,),
             part=StrokePart("ol", "load"),
         ),

@@ -94,7 +94,19 @@ Kind = Literal[
     "intersection",
     "result",
 ]
-Component = Literal["normal", "tangential", "coriolis", "sliding", "relative", "absolute", "link"]
+Component = Literal[
+    "normal",
+    "tangential",
+    "coriolis",
+    "sliding",
+    "relative",
+    "absolute",
+    "link",  # in mechanisms
+    "force",  # and what follows: in panels of forces
+    "load",
+    "couple",
+    "action",
+]
 #: Names the angle in the title that goes with the length before it.
 TWIST = "∠"
 #: Ends the name of a polygon that stands below another.
