@@ -17,6 +17,9 @@ from vad.strokes.sentences import Text, Voice
 from vad.strokes.sheet import Cell, Equation, Panel, Row, Stroke, Term
 from vad.strokes.vector_equations import NOTHING
 
+#: What of a label depends on how numbers are written.
+_COUNTED = ("figure", "unit")
+
 
 def finished(panel: Panel, voice: Voice) -> Panel:
     """Return a panel with the numbers in its labels and equations, and all canonical.
@@ -30,7 +33,9 @@ def finished(panel: Panel, voice: Voice) -> Panel:
     """
 
     def fill(label: str) -> str:
-        return Text.of(label.said, voice) if isinstance(label, Text) else label
+        if isinstance(label, Text) and any(kind in _COUNTED for _, kind in label.pieces):
+            return Text.of(label.said, voice)
+        return label
 
     def stroke(raw: Stroke) -> Stroke:
         label = fill(raw.label)

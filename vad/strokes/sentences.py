@@ -77,7 +77,9 @@ class Voice:
 
     def pieces(self, part: SentencePart) -> tuple[Piece, ...]:
         """Return what a part says, stretch by stretch."""
-        return tuple(_pieces(part, self, Language(self.language)))
+        found: list[Piece] = []
+        _add(found, part, self, Language(self.language))
+        return tuple(found)
 
     def text(self, part: SentencePart) -> str:
         """Return what a part says, as a string."""
@@ -192,43 +194,43 @@ def pieces_of(said: str | Sentence) -> tuple[Piece, ...]:
     return (Piece(said),)
 
 
-def _pieces(
-    part: SentencePart, voice: Voice, language: Language, article: str = ""
-) -> Iterator[Piece]:
-    notation = voice.notation
+def _add(
+    found: list[Piece], part: SentencePart, voice: Voice, language: Language, article: str = ""
+) -> None:
+    """Append what a part says to the pieces ``found`` so far."""
     if isinstance(part, str):
-        yield Piece(part, "symbol")
+        found.append(Piece(part, "symbol"))
     elif isinstance(part, Figure):
-        text = notation.number(part.value, part.scale or part.unit, part.given)
-        yield Piece(squared(text) if part.power == 2 else text, "figure")
+        text = voice.notation.number(part.value, part.scale or part.unit, part.given)
+        found.append(Piece(squared(text) if part.power == 2 else text, "figure"))
     elif isinstance(part, Unit):
-        yield Piece(notation.unit(part.name), "unit")
+        found.append(Piece(voice.notation.unit(part.name), "unit"))
     elif isinstance(part, Sentence):
         speaker = language.speaker(part.phrase)
         for each in speaker.template(part.phrase):
-            if isinstance(each, Gap):
-                if each.name not in part.parts:
-                    where = f"language '{speaker.code}': phrase '{part.phrase}'"
-                    raise InputError(f"{where}: there is no {{{each.name}}}")
-                yield from _pieces(part.parts[each.name], voice, speaker, each.article)
+            if not isinstance(each, Gap):
+                found.append(each)
+            elif each.name in part.parts:
+                _add(found, part.parts[each.name], voice, speaker, each.article)
             else:
-                yield each
+                where = f"language '{speaker.code}': phrase '{part.phrase}'"
+                raise InputError(f"{where}: there is no {{{each.name}}}")
     elif isinstance(part, Noun):
-        yield Piece(language.noun(part.name, article, part.generic))
+        found.append(Piece(language.noun(part.name, article, part.generic)))
         if part.of:
-            yield Piece(" ")
-            yield from _pieces(part.of, voice, language)
+            found.append(Piece(" "))
+            _add(found, part.of, voice, language)
     elif isinstance(part, Terms):
         first, *others = part.addends
-        yield from _pieces(first, voice, language)
+        _add(found, first, voice, language)
         for addend in others:
-            yield Piece(f" {MINUS} " if addend.value < 0.0 else " + ")
-            yield from _pieces(replace(addend, value=abs(addend.value)), voice, language)
+            found.append(Piece(f" {MINUS} " if addend.value < 0.0 else " + "))
+            _add(found, replace(addend, value=abs(addend.value)), voice, language)
     else:
         for number, item in enumerate(part.items):
             if number:
-                yield Piece(part.between)
-            yield from _pieces(item, voice, language)
+                found.append(Piece(part.between))
+            _add(found, item, voice, language)
 
 
 @dataclass(frozen=True)

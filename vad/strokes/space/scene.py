@@ -39,6 +39,7 @@ from vad.strokes.sheet import (
     Term,
 )
 from vad.strokes.space.view import circle
+from vad.words import gaps
 from vad.written import subscript
 
 if TYPE_CHECKING:
@@ -210,8 +211,10 @@ class Script(ABC):
         **parts: SentencePart,
     ) -> None:
         """Draw a stroke, a ``body`` as thick as links are; ``parts`` fill in its phrase."""
-        unit = Unit(self.scene.unit)
-        said = self.scene.say(f"{self.topic} {phrase}", *calculations, unit=unit, **parts)
+        key = f"{self.topic} {phrase}"
+        if "unit" in gaps(key):
+            parts["unit"] = Unit(self.scene.unit)
+        said = self.scene.say(key, *calculations, **parts)
         component: Component | None = "link" if body else None
         part = StrokePart.named(name)
         self.strokes.append(
