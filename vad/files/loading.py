@@ -28,7 +28,7 @@ from vad.kinematics.linkage import Linkage
 from vad.kinematics.solver import solver_of
 from vad.mechanisms.mechanism import Mechanism, unit
 
-Entries = Mapping[str, Any]
+FileTable = Mapping[str, Any]
 
 
 def load(path: str | Path) -> type[WrittenMechanism]:
@@ -56,13 +56,13 @@ def load(path: str | Path) -> type[WrittenMechanism]:
 
 def mechanism(
     *,
-    fixed: Entries,
-    links: Entries,
-    driver: Entries,
-    guides: Entries | None = None,
-    assembly: Entries | None = None,
-    dimensions: Entries | None = None,
-    pose: Entries | None = None,
+    fixed: FileTable,
+    links: FileTable,
+    driver: FileTable,
+    guides: FileTable | None = None,
+    assembly: FileTable | None = None,
+    dimensions: FileTable | None = None,
+    pose: FileTable | None = None,
     title: str = "Mechanism",
     unit: str = "mm",
     about: str = "",

@@ -155,7 +155,7 @@ def dot(a: Triple, b: Triple) -> Any:
 
 _MOST_STEPS = 60
 #: What does not close, and its two derivatives, each as a list of numbers.
-Gap = tuple[list[Any], list[Any], list[Any]]
+Miss = tuple[list[Any], list[Any], list[Any]]
 Jets = Mapping[Scalar, Derivatives]
 
 
@@ -210,13 +210,13 @@ class _Loop:
         self._arithmetic = arithmetic
         self._driver = driver
         linkage = problem.linkage
-        self._equations: Callable[[Jets, Derivatives], Gap]
+        self._equations: Callable[[Jets, Derivatives], Miss]
         if isinstance(linkage, BallJointed):
             self._equations = lambda jets, crank: _balls(arithmetic, linkage, jets, crank)
         else:
             self._equations = lambda jets, crank: _axes(arithmetic, linkage, jets, crank)
 
-    def gap(self, place: Mapping[Scalar, Any], rates: Mapping[Scalar, Any] | None = None) -> Gap:
+    def gap(self, place: Mapping[Scalar, Any], rates: Mapping[Scalar, Any] | None = None) -> Miss:
         """Return what does not close, with rates of the unknowns, or with none."""
         rates = rates or dict.fromkeys(place, 0)
         jets = {scalar: (place[scalar], rates[scalar], 0) for scalar in place}
@@ -238,7 +238,7 @@ def _axes(
     linkage: FourAxes | CrossedShafts,
     jets: Jets,
     crank: Derivatives,
-) -> Gap:
+) -> Miss:
     """Walk over crank and coupler, and over frame and rocker, to the coupler's foot at C."""
     if isinstance(linkage, FourAxes):
         arcs = [linkage.ground, linkage.crank, linkage.coupler, linkage.rocker]
@@ -260,7 +260,7 @@ def _axes(
     return one, two, three
 
 
-def _balls(arithmetic: Arithmetic, linkage: BallJointed, jets: Jets, crank: Derivatives) -> Gap:
+def _balls(arithmetic: Arithmetic, linkage: BallJointed, jets: Jets, crank: Derivatives) -> Miss:
     """Walk to B and to C: half the square of BC does not change."""
     frame = Walk(arithmetic)
     b = frame.joint(crank).link(0, linkage.crank)
