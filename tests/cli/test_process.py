@@ -40,6 +40,12 @@ def test_the_exit_codes_of_a_process(process):
     assert wrong.err == "error: unknown command 'sovle'\nhint: did you mean 'solve'?\n"
 
 
+def test_an_option_of_a_verb_that_is_not_imported_yet_is_named(process):
+    wrong = process("solve", "four-bar", "--fps", "30")
+    assert wrong.code == 2
+    assert wrong.err == ("error: unknown option '--fps'\nhint: --fps is an option of vad animate\n")
+
+
 @posix
 def test_a_reader_that_goes_away_is_no_error(shell):
     for verb in ("list", "solve four-bar --json", "--help"):

@@ -237,3 +237,19 @@ def test_a_narrow_range_is_exact() -> None:
 )
 def test_how_far_slides_get(mechanism: Any, slide: str, ends: tuple[float, float]) -> None:
     assert travels(mechanism)[slide] == pytest.approx(ends, abs=1e-9)
+
+
+def test_a_slot_beside_its_pivot_closes_in_the_narrowest_range():
+    """The pin is never as far from the pivot D as the slot is beside it, but for two moments."""
+    ground, crank, aside, way = 100.0, 40.0, 139.9999999, -72.345
+    kind = vad.mechanism(
+        fixed={"A": [0, 0], "D": {"from": "A", "length": ground, "angle": way}},
+        links={"crank": {"AB": crank}, "lever": {"DC": 200}},
+        guides={"B": {"along": "DC", "offset": aside}},
+        driver={"crank": {"angle": way + 180.0, "omega": 10}},
+    )
+    ((low, high),) = closing_range(kind())
+    square = (ground + crank) ** 2 - aside**2
+    half = math.degrees(2.0 * math.asin(math.sqrt(square / (4.0 * ground * crank))))
+    assert (low + high) / 2.0 == pytest.approx(way + 180.0, abs=1e-9)
+    assert (high - low) / 2.0 == pytest.approx(half, rel=1e-6)

@@ -14,6 +14,7 @@ import vad
 from vad.errors import UsageError
 from vad.found import from_packages, names_in
 from vad.mechanisms import MECHANISMS, class_named, mechanism_named, mechanism_names
+from vad.mechanisms.mechanism import LOADED
 
 ROOT = Path(__file__).parents[2]
 WHEEL = """
@@ -110,6 +111,19 @@ def test_solving_one_mechanism_imports_no_other_and_nothing_of_space():
     assert "vad.mechanisms.four_bar" in loaded
     assert "vad.mechanisms.slider_crank" not in loaded
     assert not [name for name in loaded if name.startswith("vad.kinematics.space")]
+
+
+def test_a_class_that_is_declared_anew_takes_the_place_of_the_old_one():
+    """As in a notebook, where a cell runs twice."""
+    try:
+        for title in ("first", "second"):
+            kind = type("OddOne", (vad.FourBar,), {"name": "odd-one", "title": title})
+            assert vad.OddOne is kind is MECHANISMS["odd-one"]
+            assert vad.OddOne.title == title
+        assert list(MECHANISMS)[-1] == "odd-one"
+    finally:
+        LOADED.pop("odd-one")
+    assert "odd-one" not in MECHANISMS
 
 
 def test_packages_are_not_asked_for_a_name_that_is_known(monkeypatch):
