@@ -187,6 +187,35 @@ def test_what_is_no_part_of_a_sentence_is_refused_with_its_place() -> None:
         vad.sheet_from_json(data)
 
 
+ODD: list[Any] = [
+    None,
+    -3.5,
+    "{",
+    [],
+    {},
+    {"terms": []},
+    {"list": [], "between": "*"},
+    {"word": "", "generic": "?"},
+    {"phrase": "crossing"},
+    {"phrase": "{"},
+    {"figure": 1e308, "power": 2},
+    {"word": "crank", "of": {"phrase": "still"}},
+]
+
+
+@pytest.mark.parametrize("odd", ODD, ids=str)
+def test_odd_data_of_a_sentence_are_refused_or_its_text_stays(odd: Any) -> None:
+    for place in ("caption_said", "value", "label", "unit", "omega"):
+        data = json.loads(to_text(vad.draw(vad.solve(vad.FourBar()))))
+        stroke = data["panels"]["velocity"]["strokes"][1]
+        (stroke if place in stroke else stroke["caption_said"]["parts"])[place] = odd
+        try:
+            read = vad.sheet_from_json(data, language="de").panel("velocity").strokes[1]
+        except vad.VadError:
+            continue
+        assert read.said == stroke["caption"] or place == "label"
+
+
 def test_sheets_go_to_other_processes() -> None:
     sheet = vad.draw(vad.solve(vad.FourBar()), language="de")
     again = pickle.loads(pickle.dumps(sheet))

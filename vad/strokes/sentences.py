@@ -221,11 +221,11 @@ def _add(
             found.append(Piece(" "))
             _add(found, part.of, voice, language)
     elif isinstance(part, Terms):
-        first, *others = part.addends
-        _add(found, first, voice, language)
-        for addend in others:
-            found.append(Piece(f" {MINUS} " if addend.value < 0.0 else " + "))
-            _add(found, replace(addend, value=abs(addend.value)), voice, language)
+        for number, addend in enumerate(part.addends):
+            size = replace(addend, value=abs(addend.value)) if number else addend
+            if number:
+                found.append(Piece(f" {MINUS} " if addend.value < 0.0 else " + "))
+            _add(found, size, voice, language)
     else:
         for number, item in enumerate(part.items):
             if number:
