@@ -151,6 +151,7 @@ def test_play_takes_the_time_of_the_lesson(browser: Browser, tmp_path: Path) -> 
         page.locator(".speed").select_option("4")
         seconds = sum(step.grow + step.hold for step in LESSON.steps) / LESSON.fps / 4
         button = page.locator("[data-do=play]")
+        page.clock.pause_at(60)  # from here on its time runs by the test alone
         button.click()
         expect(button).to_have_attribute("aria-label", WORDS["pause"])
         page.clock.run_for(int(1000 * seconds) - 500)
