@@ -63,6 +63,7 @@ def test_changed_box_holds_all_that_differs_and_no_margin():
     assert (before[..., 3] == 255).all()
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize(
     ("name", "style"), list(zip(sorted(vad.MECHANISMS), cycle(style_names()), strict=False))
 )

@@ -41,6 +41,7 @@ def rendered(medium: str, shown: Posed) -> Pixels:
     return page.pixels()
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize(("name", "style", "size"), PICTURES)
 def test_every_painter_paints_the_same(name: str, style: str, size: tuple[int, int]) -> None:
     shown = posed(sheet_of(name), size, style)
