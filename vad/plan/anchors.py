@@ -17,7 +17,7 @@ from typing import Any
 from vad.plan.geometry import SHORTEST, Rect, bar_corners, direction_of
 from vad.plan.growth import Growth, swelling
 from vad.plan.lettering.runs import Runs
-from vad.plan.marks import Bow, Disc, Hanging, Lettering, Mark, Polygon, Polyline
+from vad.plan.marks import Bow, Disc, Hanging, Lettering, Mark, Outline, Polygon, Polyline
 from vad.plan.roles import ROLES
 from vad.plan.scale import Scale
 from vad.strokes.sheet import Arc, Arrow, Panel, Shape
@@ -108,7 +108,7 @@ class Solved:
     """The solved points and directions of a panel in one pose, at a scale."""
 
     def __init__(self, panel: Panel, scale: Scale) -> None:
-        self.scale = scale
+        self.panel, self.scale = panel, scale
         self._shapes: dict[str, Shape] = {each.name: each.shape for each in panel.zeros}
         self._shapes.update((each.name, each.shape) for each in panel.strokes)
         self._ways: dict[str, complex] = {"": 1.0 + 0j}
@@ -160,6 +160,17 @@ def point_of(shape: Shape, vertex: str | int) -> complex:
         several: Any = shape
         found = (several.corners if hasattr(several, "corners") else several.points)[vertex]
     return complex(found)
+
+
+@dataclass(frozen=True, slots=True)
+class OnPage:
+    """A shape that hangs on nothing: a note, a dimension, the frame of an inset."""
+
+    shape: Outline
+
+    def posed(self, solved: Solved) -> Outline:
+        """Return the shape, which stands where it stands in all poses."""
+        return self.shape
 
 
 @dataclass(frozen=True, slots=True)
@@ -304,6 +315,11 @@ class Beside:
     def posed(self, solved: Solved) -> Lettering:
         """Return the text in a pose, which stands about its anchor as it stood."""
         return Lettering(self.runs, solved.place(self.anchor) + self.offset, self.size)
+
+
+def on_page(marks: Iterable[Mark]) -> list[Mark]:
+    """Return marks that say of themselves that they hang on nothing."""
+    return [replace(mark, hangs=OnPage(mark.shape)) for mark in marks]
 
 
 #: How a mark comes about that swells about its own middle.

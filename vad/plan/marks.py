@@ -181,8 +181,8 @@ class Mark:
     alpha
         How much of the role's alpha it has.
     hangs
-        On what the shape hangs, one of the shapes of `vad.plan.anchors`; None for what stands on
-        the page itself.
+        On what the shape hangs, one of those of `vad.plan.anchors`.  None for what is no part of a
+        picture, and for what passes while a stroke is drawn: lights, and the teacher's tools.
     """
 
     shape: Outline

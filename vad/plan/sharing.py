@@ -5,6 +5,7 @@ In come a panel and its place on the page, out go rectangles and marks.
 
 from __future__ import annotations
 
+from vad.plan.anchors import on_page
 from vad.plan.geometry import Rect
 from vad.plan.items import Level
 from vad.plan.sketch import Sketch
@@ -39,5 +40,6 @@ def add_lower_bar(sketch: Sketch) -> None:
     length, runs = stated(panel, sketch.scale, widest, setting.centimetre, notation)
     start = complex(room.left, room.bottom + BAR_OFF)
     pole = panel.strokes[0]  # with which it comes
-    sketch.add(pole, Level.GROUND, setting.during(0), bar_marks(length, runs, start))
+    bar = on_page(bar_marks(length, runs, start))
+    sketch.add(pole, Level.GROUND, setting.during(0), bar)
     sketch.obstacles.box(bar_box(length, runs, start))

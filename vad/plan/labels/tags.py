@@ -12,10 +12,9 @@ from vad.plan.growth import Growth
 from vad.plan.items import Level, Span
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import APART, CLEARANCE, Placed, Wish, beside, place
-from vad.plan.labels.vertices import text_beside
+from vad.plan.labels.vertices import leader_of, text_beside
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import Runs, symbols
-from vad.plan.marks import line
 from vad.plan.sketch import Sketch, Tag
 from vad.strokes.sheet import Stroke
 
@@ -47,7 +46,8 @@ def add_tag(
     marks = [replace(said, growth=growth)]
     if placed.leader:
         sketch.obstacles.line(placed.leader, PIXEL, span)
-        marks.insert(0, line(placed.leader, "leader", growth=growth))
+        leader = leader_of(ends[0], start, placed.leader)
+        marks.insert(0, replace(leader, growth=growth))
     sketch.add(stroke, Level.LABEL, since, marks, span[1])
     sketch.tags.append(Tag(text, placed.box, span))
 

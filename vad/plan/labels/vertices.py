@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from itertools import combinations
 
-from vad.plan.anchors import Anchor, Beside
+from vad.plan.anchors import RIGHT, Anchor, Beside, Chains, PointName
 from vad.plan.carriers import reached
 from vad.plan.geometry import direction_of
 from vad.plan.items import FOREVER, Level, Span
@@ -21,7 +21,7 @@ from vad.plan.lettering.runs import Runs, symbols
 from vad.plan.marks import Lettering, Mark, line
 from vad.plan.scale import Scale
 from vad.plan.sketch import Sketch, Tag
-from vad.strokes.sheet import Arrow, Bearing, Curve, Dot, Ellipse, Line, Panel, Plate
+from vad.strokes.sheet import Arrow, Bearing, Block, Curve, Dot, Ellipse, Line, Panel, Plate, Stroke
 
 LETTER = 0.040
 COINCIDENT = 0.012
@@ -90,6 +90,26 @@ def corners(panel: Panel) -> list[complex]:
     return points
 
 
+def lettered(panel: Panel) -> dict[str, list[PointName]]:
+    """Return the points of a panel by their letters, also those of what is not drawn in a pose."""
+    found: dict[str, list[PointName]] = {}
+    for stroke in (*panel.strokes, *panel.zeros):
+        for letters, point in _named(stroke):
+            for letter in letters.split(","):
+                found.setdefault(letter.strip(), []).append((stroke.name, point))
+    return found
+
+
+def _named(stroke: Stroke) -> list[tuple[str, str | int]]:
+    """Return the letters of a stroke, each with the point of it that bears them."""
+    shape = stroke.shape
+    if isinstance(shape, Arrow):
+        return [(shape.tail, "start"), (shape.head, "end")]
+    if isinstance(shape, Plate):
+        return [(letter, number) for number, letter in enumerate(shape.letters)]
+    return [(stroke.label, "at")] if isinstance(shape, Dot | Block) else []
+
+
 def find_vertices(panel: Panel, scale: Scale) -> list[Vertex]:
     """Return the vertices of ``panel`` in the order in which they appear."""
     found: list[Vertex] = []
@@ -155,6 +175,12 @@ def text_beside(
     return Mark(shape, role, row, hangs=Beside(anchor, shape.at - at, runs, size))
 
 
+def leader_of(anchor: Anchor, at: complex, ends: tuple[complex, complex]) -> Mark:
+    """Return the line from a label to what it names, as it hangs on an anchor that is ``at``."""
+    start, end = (anchor + (spot - at) * RIGHT for spot in ends)
+    return replace(line(ends, "leader"), hangs=Chains(((start, end),)))
+
+
 def label_vertices(
     sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
 ) -> None:
@@ -201,7 +227,7 @@ def _letter(sketch: Sketch, vertex: Vertex, placed: Placed) -> None:
     strokes = setting.panel.strokes
     sketch.tags.append(Tag(vertex.label, placed.box, _span(sketch, vertex)))
     if placed.leader:
-        leader = line(placed.leader, "leader")
+        leader = leader_of(vertex.anchor, vertex.at, placed.leader)
         sketch.add(strokes[vertex.since], Level.LABEL, setting.after(vertex.since), [leader])
     numbers = sorted(set(vertex.letters.values()))
     ends = [*map(setting.after, numbers[1:]), FOREVER]

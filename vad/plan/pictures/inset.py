@@ -10,6 +10,7 @@ import cmath
 import math
 from dataclasses import dataclass, replace
 
+from vad.plan.anchors import OnPage, Solved, on_page
 from vad.plan.geometry import Rect
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import Obstacles
@@ -18,7 +19,7 @@ from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.lettering.wrapping import wrap
-from vad.plan.marks import Bow, Mark, area, disc, line
+from vad.plan.marks import Bow, Hanging, Mark, Outline, area, disc, line
 from vad.plan.pictures.angles import sense_arrow
 from vad.plan.pictures.vectors import vector
 from vad.plan.sketch import Setting, Sketch, Tag
@@ -127,11 +128,14 @@ def add_inset(sketch: Sketch, inset: Inset, spot: Corner) -> None:
     setting, drawn = sketch.setting, sketch.setting.panel.inset
     assert drawn is not None
     index = setting.panel.number(drawn.stroke)
-    marks = [replace(mark.moved(spot.origin), growth=None) for mark in inset.marks]
+    marks = [
+        replace(mark.moved(spot.origin), growth=None, hangs=_hung(mark, spot.origin))
+        for mark in inset.marks
+    ]
     above = spot.caption + 0.5j * (len(inset.caption) - 1) * CAPTION_PITCH
     for number, runs in enumerate(inset.caption):
         at = above - 1j * number * CAPTION_PITCH
-        marks.append(text_at(runs, runs, at, CAPTION_SIZE, "notes"))
+        marks += on_page([text_at(runs, runs, at, CAPTION_SIZE, "notes")])
     stroke = setting.panel.strokes[index]
     sketch.add(stroke, Level.STROKE, setting.after(index), marks)
     caption = Placed(spot.caption, *inset.caption_box).box
@@ -185,6 +189,39 @@ def _rule(
     return marks, tags, reach
 
 
+@dataclass(frozen=True, slots=True)
+class Speed:
+    """On what moves of the speeds over a turn hangs: the present one, laid off from their origin.
+
+    ``part`` is 0 for the shaft of its arrow, 1 for the head, 2 for the dot on the circle.
+    """
+
+    origin: complex
+    factor: float
+    part: int
+
+    def posed(self, solved: Solved) -> Outline | None:
+        """Return the part in a pose."""
+        inset = solved.panel.inset
+        if not isinstance(inset, PolarInset):
+            return None
+        marks = _ray(inset, self.factor)
+        return marks[self.part].moved(self.origin).shape if len(marks) == 3 else None
+
+
+def _ray(inset: PolarInset, factor: float) -> list[Mark]:
+    """Return the arrow of the present speed about the origin, and the dot on its circle."""
+    dot = disc(cmath.rect(inset.circle * factor, cmath.phase(inset.ray)), DOT, "position")
+    return [*vector(0j, inset.ray * factor, None, "inset arrow", whole=True), dot]
+
+
+def _hung(mark: Mark, origin: complex) -> Hanging:
+    """Return on what a mark of an inset hangs that is moved to an origin."""
+    if isinstance(mark.hangs, Speed):
+        return replace(mark.hangs, origin=origin)
+    return OnPage(mark.moved(origin).shape)
+
+
 def _speeds(
     inset: PolarInset, setting: Setting, size: float
 ) -> tuple[list[Mark], list[Tag], list[complex]]:
@@ -203,11 +240,12 @@ def _speeds(
         *(line(ends, "hairline") for ends in axes),
         Mark(circle, "path", driver),
         line(curve, "path", driven),
-        *vector(0j, inset.ray * factor, driven, "inset arrow", whole=True),
         *(disc(dot * factor, DOT * size, "position", None) for dot in inset.dots),
     ]
-    whole = cmath.rect(inset.circle * factor, cmath.phase(inset.ray))
-    marks.append(replace(disc(whole, DOT, "position", driver), width=size))
+    *arrow, dot = _ray(inset, factor)
+    for part, mark in enumerate(arrow):
+        marks.insert(4 + part, replace(mark, row=driven, hangs=Speed(0j, factor, part)))
+    marks.append(replace(dot, row=driver, width=size, hangs=Speed(0j, factor, 2)))
     return marks, [], [point for ends in axes for point in ends]
 
 

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
-from vad.plan.anchors import SWELLING, Anchor, Hung, Term
+from vad.plan.anchors import SWELLING, Anchor, Hung, Term, on_page
 from vad.plan.growth import Scaling, Trimming
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.labels.choices import PLACED, LabelChoice
@@ -324,7 +324,7 @@ def add_notes(sketch: Sketch) -> None:
         wide = max(wide for wide, _ in sizes)
         high = max(high for _, high in sizes) + (len(rows) - 1) * NOTE_PITCH
         centre = _nearest(sketch.obstacles, sketch.scale(note.at), (wide, high))
-        sketch.add(None, Level.LABEL, setting.during(0), _rows(rows, centre))
+        sketch.add(None, Level.LABEL, setting.during(0), on_page(_rows(rows, centre)))
         box = Placed(centre, wide, high).box
         sketch.tags.append(Tag(note.text, box))
         sketch.obstacles.box(box)

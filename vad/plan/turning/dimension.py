@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from vad.plan.anchors import on_page
 from vad.plan.geometry import Rect
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import PIXEL, Obstacles
@@ -75,8 +76,8 @@ def add_dimension(
             for centre in _centres(start + away, end + away, way, box, setting.room):
                 if free(away, centre):
                     marks = _marks(start + away, end + away)
-                    words = text_at(runs, runs, centre, SIZE, "value")
-                    sketch.add(None, Level.GROUND, 0, [*marks, words])
+                    marks.append(text_at(runs, runs, centre, SIZE, "value"))
+                    sketch.add(None, Level.GROUND, 0, on_page(marks))
                     sketch.obstacles.line([start + away, end + away], TICK)
                     aside = max(box[0] - box[1], 0.0) / 2
                     sketch.obstacles.line([centre - aside, centre + aside], box[1] / 2)

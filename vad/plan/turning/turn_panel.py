@@ -6,17 +6,18 @@ the ways of the labels are chosen once for all poses.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from vad.lecture.cycle import Cycle
+from vad.plan.anchors import Anchor, PointName, Solved
 from vad.plan.items import Item, Level
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import Placed
 from vad.plan.labels.tags import SMALL_SIZE
-from vad.plan.labels.vertices import LETTER, text_at
+from vad.plan.labels.vertices import LETTER, lettered, text_beside
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
 from vad.plan.pictures import over_turn
@@ -86,9 +87,12 @@ class TurnPanel:
     def pose(self, panel: Panel, phase: float) -> Sketch:
         """Return one pose with its labels."""
         sketch = self.picture.pose(panel)
+        points, solved = lettered(panel), Solved(panel, self.scale)
         for name, placed, alpha in self.labels(panel, phase):
             runs, role = symbols(name.text), "letter" if name.row is None else "tag"
-            text = text_at(runs, runs, placed.centre, name.size, role, name.row)
+            anchor = self._anchor(name, points, solved, phase)
+            at = solved.place(anchor)
+            text = text_beside(anchor, at, runs, placed.centre, name.size, role, name.row)
             sketch.add(None, Level.LABEL, 0, [replace(text, alpha=alpha)])
             sketch.obstacles.box(placed.box)
         return sketch
@@ -107,6 +111,17 @@ class TurnPanel:
     def dot(self, name: Name, panel: Panel, phase: float) -> complex:
         """Return what a label stands beside: its dot, or the middle of its vector."""
         return self._dot(name.letters, panel, phase)[0]
+
+    def _anchor(
+        self, name: Name, points: Mapping[str, list[PointName]], solved: Solved, phase: float
+    ) -> Anchor:
+        """Return on what a label hangs: of a point that is seen twice, where it names it."""
+        if TWISTING in name.letters:
+            [arrow, *_] = [s.name for s in solved.panel.strokes if s.component == "coriolis"]
+            return Anchor(((arrow, "start"), (arrow, "end")))
+        dot, _ = self._dot(name.letters, solved.panel, phase)
+        found = [Anchor((point,)) for point in points.get(name.letters[0].letter, ())]
+        return min(found, key=lambda anchor: abs(solved.place(anchor) - dot))
 
     def _dot(self, letters: tuple[Spot, ...], panel: Panel, phase: float) -> tuple[complex, float]:
         """Return the dot of a label and the label's share of ink."""
