@@ -35,7 +35,7 @@ def arrows(panel: Panel) -> dict[str, complex]:
 
 def third_view(motion: Any) -> Any:
     scene: Any = scene_of(motion, Language("en"))
-    return scene.script.third
+    return scene.script.true
 
 
 @poses

@@ -16,10 +16,10 @@ from functools import cached_property, partial
 from typing import Any, ClassVar
 
 from vad.kinematics.space.instant_axis import Z
-from vad.kinematics.space.numbers import dot, dual, real
-from vad.strokes.arithmetic import Figure, product, total
+from vad.kinematics.space.numbers import dot, real
+from vad.strokes.arithmetic import Figure, product
 from vad.strokes.diagram import ACCELERATION, VELOCITY, Drawing, Order, Spot
-from vad.strokes.sentences import Sentence, SentencePart, Terms, Unit
+from vad.strokes.sentences import Sentence, SentencePart, Unit
 from vad.strokes.sheet import Component, Ellipse, Fold, Stroke, StrokePart
 from vad.strokes.space.bodies import Bodies
 from vad.strokes.space.polygon import SpaceVector, Stated, chain, polygon, stated
@@ -30,10 +30,10 @@ from vad.written import PRIME, subscript
 
 #: What ω₄₂ changes by as it turns with OI.
 TURNED = "ω" + subscript(42) + "τ̇"
-#: Quantities by their order: of 4 against 2 along I, of A along I, and of the slide at D.
+#: How 4 turns against 2, along I, by the number of the order.
 RELATIVE = ("", "ω" + subscript(42), "α" + subscript(42) + "ₜ")
-ALONG_I = ("", "v" + subscript(42), "a" + subscript(42))
-ALONG_D = ("s_D", "ṡ_D", "s\N{COMBINING DIAERESIS}_D")
+#: The axes along which the vectors of a polygon of bodies lie.
+AXES = {"12": "OA", "24": "OI", "14": "OD", "23": "OB", "43": "OC"}
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class Names:
     """
 
     rows: Mapping[str, str]
-    axes: Mapping[str, SentencePart]
+    axes: Mapping[str, SentencePart] = field(default_factory=lambda: AXES)
     measured: Mapping[int, Sequence[str]] = field(default_factory=dict)
     topic: str = "bodies"
     lines: Mapping[str, str] = field(default_factory=dict)
@@ -306,165 +306,3 @@ class BodyScript(Script):
         polygon = BodyPolygon(self, self.bodies, order, self.names())
         remark = self.scene.write("bodies remark") if self.twice else ""
         return polygon.drawing(self.twice, self.centre, remark)
-
-
-def turning_and_sliding(script: Script, bodies: Bodies, order: Order, names: Names) -> Drawing:
-    """Return the polygon of ω or α of bodies that slide, too, and that of A under it."""
-    upper = BodyPolygon(script, bodies, order, names)
-    prime = PRIME * (order.number - 1)
-    vertices = [f"1{prime}", f"2{prime}", *(["4ₙ"] if order is ACCELERATION else []), f"4{prime}"]
-    drawing = polygon(
-        script.scene,
-        order,
-        [upper.frame()],
-        bodies.vertices(order, coupler=False),
-        vertices[:1],
-        script.scene.say(f"bodies pole {order.panel}"),
-        order.unit,
-        at_rest=vertices,
-    )
-    return replace(drawing, below=_motion_of_a(script, bodies, order))
-
-
-def _motion_of_a(script: Script, bodies: Bodies, order: Order) -> Drawing:
-    """Return the polygon of A as a point of the rocker: about I and along it, about D and along."""
-    say, write, unit, panel = (
-        script.scene.say,
-        script.scene.write,
-        order.unit_of(script.scene.unit),
-        order.panel,
-    )
-    places = bodies.sliding(order)
-    a, d, y, z, end = places
-    i, along_d, turn = (
-        bodies.seen(bodies.axis.i),
-        bodies.seen(bodies.axis.d),
-        bodies.turns(order)[1].at_d,
-    )
-
-    def found(letter: str, value: float, symbol: str) -> dict[str, Callable[..., Sentence]]:
-        line = partial(say, f"spatial along {letter} {panel}", axis="O" + letter)
-        figure = Figure(float(value), unit)
-        return {
-            "line": line,
-            "result": partial(
-                say, "turning measured", symbol=symbol, value=figure, unit=Unit(unit)
-            ),
-        }
-
-    def part(
-        name: str,
-        tail: str,
-        head: str,
-        row: str,
-        component: Component,
-        way: complex,
-        says: Any,
-        **more: Any,
-    ) -> Part[SpaceVector]:
-        vector = SpaceVector(name, tail, head, row, says=says)
-        return Part(
-            vector,
-            component,
-            places[head] - places[tail],
-            way,
-            "label" in more,
-            component,
-            head,
-            **more,
-        )
-
-    slid = getattr(script.motion.slide("slide_d"), order.panel)
-    about_d = partial(
-        say,
-        "spatial about D",
-        product("value", "turn", "lever"),
-        symbol=order.symbol + subscript(4),
-        turn=Figure(abs(turn), order.unit),
-        lever=Figure(abs(bodies.ground), script.scene.unit, given=True, scale=unit),
-        value=Figure(abs(turn * bodies.ground), unit),
-        unit=Unit(unit),
-    )
-    along, _ = bodies.of_a(order)
-    first = chain(
-        part(
-            "ay",
-            a,
-            y,
-            "axis",
-            "normal",
-            1j * i,
-            {"normal": _about_i(script, bodies, order)},
-            dictated=True,
-            called="ay",
-        ),
-        part(
-            "I",
-            y,
-            end,
-            "axis",
-            "sliding",
-            i,
-            found("I", along, ALONG_I[order.number]),
-            label=write("parallel", line="OI"),
-            symbol=ALONG_I[order.number],
-            called="ya4",
-        ),
-    )
-    second = chain(
-        part(
-            "dz",
-            d,
-            z,
-            "rocker",
-            "normal",
-            1j * along_d,
-            {"normal": about_d},
-            dictated=True,
-            called="dz",
-        ),
-        part(
-            "D",
-            z,
-            end,
-            "rocker",
-            "sliding",
-            along_d,
-            found("D", slid, ALONG_D[order.number]),
-            label=write("parallel", line="OD"),
-            symbol=ALONG_D[order.number],
-            called="za4",
-        ),
-    )
-    equation = VectorEquation(first, second, "a4")
-    return polygon(
-        script.scene,
-        order,
-        [stated(equation)],
-        places,
-        [a, d],
-        say(f"spatial pole {panel}"),
-        unit,
-        at_rest=[*places],
-    )
-
-
-def _about_i(script: Script, bodies: Bodies, order: Order) -> Callable[..., Sentence]:
-    """Say how A turns about I, as a point of the rocker that is seen from the crank."""
-    omega, sliding = (part(bodies.pace.omega) for part in (real, dual))
-    tau, rising = (part(bodies.pace.tau) for part in (real, dual))
-    unit = order.unit_of(script.scene.unit)
-    parts: dict[str, SentencePart] = {"value": Figure(abs(float(bodies.of_a(order)[1])), unit)}
-    parts["unit"] = Unit(unit)
-    if order is VELOCITY:
-        parts |= {
-            "turn": Figure(abs(omega), VELOCITY.unit),
-            "lever": Figure(abs(bodies.height), script.scene.unit, scale=unit),
-        }
-        return partial(
-            script.scene.say, "spatial about I velocity", product("value", "turn", "lever"), **parts
-        )
-    sums = bodies.relative(ACCELERATION)[0] * bodies.height, omega * rising, sliding * tau
-    sign = 1.0 if sum(sums) >= 0.0 else -1.0
-    parts["sum"] = Terms(tuple(Figure(sign * float(each), unit) for each in sums))
-    return partial(script.scene.say, "spatial about I acceleration", total("value", "sum"), **parts)

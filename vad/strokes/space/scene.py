@@ -9,9 +9,9 @@ from __future__ import annotations
 import cmath
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -22,7 +22,7 @@ from vad.kinematics.space.instant_axis import Z
 from vad.kinematics.space.numbers import Vector3
 from vad.strokes.arithmetic import Calculation, Figure
 from vad.strokes.diagram import POSITION, Drawing, Order, Spot
-from vad.strokes.sentences import Saying, SentencePart, Text, Unit
+from vad.strokes.sentences import Saying, Text, Unit
 from vad.strokes.sheet import (
     Arc,
     Arrow,
@@ -103,6 +103,18 @@ class SceneInSpace(Saying):
             )
             for key, letters in self.script.rows.items()
         ]
+
+
+#: The kinds of strokes that views have.
+KINDS: tuple[Kind, ...] = (
+    "fixed",
+    "guide",
+    "known",
+    "construction",
+    "intersection",
+    "result",
+    "angle",
+)
 
 
 class Script(ABC):
@@ -199,8 +211,8 @@ class Script(ABC):
 
     def draw(
         self,
-        name: str,
         kind: Kind,
+        name: str,
         shape: Shape,
         phrase: str,
         link: str | None = None,
@@ -208,18 +220,26 @@ class Script(ABC):
         body: bool = False,
         reveals: tuple[str, ...] = (),
         calculations: tuple[Calculation, ...] = (),
-        **parts: SentencePart,
+        **parts: Any,
     ) -> None:
-        """Draw a stroke, a ``body`` as thick as links are; ``parts`` fill in its phrase."""
-        key = f"{self.topic} {phrase}"
-        if "unit" in gaps(key):
-            parts["unit"] = Unit(self.scene.unit)
-        said = self.scene.say(key, *calculations, **parts)
+        """Draw a stroke, a ``body`` as thick as links are; of ``parts`` a phrase takes its own."""
+        key, given = f"{self.topic} {phrase}", {"unit": Unit(self.scene.unit), **parts}
+        told = {part: value for part, value in given.items() if part in gaps(key)}
+        said = self.scene.say(key, *calculations, **told)
         component: Component | None = "link" if body else None
         part = StrokePart.named(name)
         self.strokes.append(
             Stroke(kind, label, shape, said, link, component, reveals=reveals, part=part)
         )
+
+    @property
+    def pens(self) -> tuple[Callable[..., None], ...]:
+        """What draws each kind of stroke of `KINDS`, with the arguments of `draw` from its name on.
+
+        A pen for bodies is last: it draws a result as thick as links are.
+        """
+        plain = (partial(self.draw, kind) for kind in KINDS)
+        return *plain, partial(self.draw, "result", body=True)
 
     def rose(
         self,
@@ -227,26 +247,31 @@ class Script(ABC):
         phrases: Sequence[str],
         at: complex,
         sizes: tuple[float, float, float],
-        kinds: tuple[Kind, Kind],
-        degrees: float,
+        angle: Figure,
         link: str,
-        label: str,
-        reveals: tuple[str, ...] = (),
+        label: str = "",
         **parts: Any,
     ) -> None:
         """Draw an angle in true size beside a view: rim, line of reference, arm and arc.
 
-        ``sizes`` are the radius of the rim, the length of the reference and the radius of the arc;
-        ``kinds`` are those of the rim and of the arm.
+        ``sizes`` are the radius of the rim, the length of the reference and the radius of the arc.
+        With a label of its own the angle is a result.
         """
-        rim, reference, arm, arc = names
+        (rim, reference, arm, arc), (around, zero, true, between) = names, phrases
         radius, length, inner = sizes
-        end = at + radius * cmath.exp(1j * math.radians(degrees))
-        self.draw(rim, kinds[0], circle(at, radius), phrases[0], link, **parts)
-        self.draw(reference, "guide", Curve((at, at + length)), phrases[1])
+        end = at + radius * cmath.exp(1j * math.radians(angle.value))
+        kinds: tuple[Kind, Kind] = ("construction", "result") if label else ("known", "known")
+        reveals = (link,) if label else ()
+        label, parts = label or self.degrees(angle), {**parts, "angle": angle}
+        self.draw(kinds[0], rim, circle(at, radius), around, link, **parts)
+        self.draw("guide", reference, Curve((at, at + length)), zero)
         shape = Arrow(at, end, "", "")
-        self.draw(arm, kinds[1], shape, phrases[2], link, body=True, reveals=reveals, **parts)
-        self.draw(arc, "angle", Arc(at, inner, 0.0, degrees), phrases[3], link, label, **parts)
+        self.draw(kinds[1], arm, shape, true, link, body=True, reveals=reveals, **parts)
+        self.draw("angle", arc, Arc(at, inner, 0.0, angle.value), between, link, label, **parts)
+
+    def note(self, at: complex, phrase: str, **parts: Any) -> Note:
+        """Return what stands beside a view."""
+        return Note(at, self.scene.write(f"{self.topic} {phrase}", **parts))
 
     def leave_out(self) -> None:
         """Keep the last stroke among those that are not drawn in this pose."""
@@ -283,9 +308,12 @@ class Script(ABC):
         """Return a parameter that is a length."""
         return Figure(self.sizes[name], self.scene.unit, given=True)
 
-    def angle(self, value: float) -> Figure:
-        """Return an angle that is found."""
-        return Figure(float(value), "°")
+    def angle(self, of: str | float) -> Figure:
+        """Return an angle that is found: of a link or joint, or in degrees."""
+        if isinstance(of, str):
+            joints = self.motion.solver.joints
+            of = (self.motion.joint(of) if of in joints else self.motion.link(of)).angle
+        return Figure(float(of), "°")
 
     def degrees(self, angle: Figure) -> Text:
         """Write an angle beside its arc."""

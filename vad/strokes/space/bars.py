@@ -1,0 +1,241 @@
+"""The polygon ab + bc = dc of three bars in space, in a view that sees BC and C's path true.
+
+BC keeps its length, so that c lies in a plane square to BC, which this view sees as a line: the
+polygon is there that of the four-bar in the plane, letter by letter.  What a vector has off the
+paper is told where it counts.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cached_property, partial
+from typing import Any
+
+import numpy as np
+
+from vad.kinematics.space.numbers import (
+    Vector3,
+    added,
+    cross,
+    difference,
+    dot,
+    scaled,
+    unit,
+)
+from vad.strokes.arithmetic import Figure, hypotenuse, product
+from vad.strokes.diagram import ACCELERATION, VELOCITY, Drawing, Order
+from vad.strokes.scene import image_letter
+from vad.strokes.sentences import Text, Unit
+from vad.strokes.sheet import Component
+from vad.strokes.space.polygon import SpaceVector, chain, polygon, stated
+from vad.strokes.space.scene import Script
+from vad.strokes.space.view import View
+from vad.strokes.vector_equations import Part, VectorEquation
+from vad.written import subscript
+
+#: The bars by their rows.
+BARS = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
+
+
+class BarScript(Script):
+    """What is drawn of crank AB, coupler BC and rocker DC with fixed axes at A and D.
+
+    Attributes
+    ----------
+    tilt
+        The direction of BC in the view of its polygons, as a unit vector.
+    """
+
+    rows, numbers = BARS, {"crank": 2, "coupler": 3, "rocker": 4}
+    tilt: complex
+
+    def unit(self, order: Order) -> str:
+        """Return the unit of the views (order 0) or of a polygon."""
+        return order.unit_of(self.scene.unit)
+
+    @cached_property
+    def at(self) -> dict[str, Vector3]:
+        """Where the points are in space."""
+        return {letter: self.place(letter) for letter in "ABCD"}
+
+    @cached_property
+    def path(self) -> Vector3:
+        """The unit vector along C's path, as the rocker turns counter-clockwise."""
+        return unit(cross(self.axis("D"), difference(self.at["C"], self.at["D"])))
+
+    @cached_property
+    def true(self) -> View:
+        """The view in which BC and the path of C are in true length, from the side of D's axis."""
+        along, d = unit(difference(self.at["C"], self.at["B"])), self.axis("D")
+        across = cross(along, self.path)
+        flat = 1.0 * (dot(across, across) < 1e-24)  # BC lies along the path
+        upright = difference(d, scaled(dot(along, d), along))
+        across = added(scaled(1.0 - flat, across), scaled(flat, upright))
+        outward = unit(scaled(1.0 - 2.0 * (dot(across, d) < 0.0), across))
+        return View(along, cross(outward, along), turn=self.tilt)
+
+    def vertices(self, order: Order) -> dict[str, Any]:
+        """Return where the vertices of a polygon are, of one pose or of many."""
+        number = order.number
+        return {image_letter(x, number): self.true.way(self.place(x, order)) for x in "ABCD"}
+
+    def turning(self, link: str, order: Order) -> Any:
+        """Return how a link turns; of the coupler the size of it, without its idle spin."""
+        value = getattr(self.motion.link(link), order.rate)
+        return length_of(value) if link == "coupler" else value
+
+    def length(self, name: str) -> Figure:
+        """Return the length of a bar: as given where it is short, as somebody writes it."""
+        value = self.sizes[name]
+        given = abs(value - float(f"{value:.6g}")) <= 1e-12 * abs(value)
+        return Figure(value, self.scene.unit, given)
+
+    # --- the polygon --------------------------------------------------------------------------
+
+    def polygon(self, order: Order) -> Drawing:
+        """Return the polygon of velocities or accelerations."""
+        say, second = self.scene.say, order is ACCELERATION
+        places, unit = self.vertices(order), self.unit(order)
+        a, b, c, d = places
+        wholes = {"crank": places[b], "coupler": places[c] - places[b], "rocker": places[c]}
+        parts: dict[str, list[Part[SpaceVector]]] = {link: [] for link in BARS}
+        for link, whole in wholes.items():
+            normal = self._normal(link) if second else 0j
+            vector, rest = self._vector(link, order, whole, normal), whole - normal
+            first = link == "crank"
+            if second:
+                stage = (b if first else c[:1]) + "ₙ"
+                way = _way(normal)
+                parts[link].append(
+                    Part(vector, "normal", normal, way, False, "normal", stage, first)
+                )
+            way, label, square_to = (_way(rest), "", None) if first else self._line(link)
+            more: dict[str, Any] = {"label": label, "square_to": square_to, "dictated": first}
+            parts[link].append(
+                Part(vector, "tangential", rest, way, not first, "tangential", vector.head, **more)
+            )
+        first_chain = chain(*parts["crank"], *parts["coupler"])
+        sums = [stated(VectorEquation(first_chain, chain(*parts["rocker"]), "C"))]
+        pole = say(f"pole {order.panel}", letters=say("and", first=a, last=d))
+        remark = self.scene.write(f"{self.topic} remark")
+        return polygon(self.scene, order, sums, places, [a, d], pole, unit, remark=remark)
+
+    def _line(self, link: str) -> tuple[complex, str | Text, str | None]:
+        """Return the direction of a construction line, its label, and what it is square to."""
+        if link == "coupler":
+            return 1j * self.tilt, "⟂ BC", "BC"
+        path = self.scene.say(f"{self.topic} path")
+        return self.true.way(self.path), self.scene.write("parallel", line=path), None
+
+    def _normal(self, link: str) -> complex:
+        """Return a normal component as this view sees it."""
+        tail, head = (self.at[letter] for letter in BARS[link])
+        bar = difference(head, tail)
+        if link != "coupler":
+            return complex(-(self.motion.link(link).omega ** 2) * self.true.way(bar))
+        return complex(-self.tilt * self._relative_speed**2 / math.sqrt(dot(bar, bar)))
+
+    def _relative(self, order: Order) -> Vector3:
+        return difference(self.place("C", order), self.place("B", order))
+
+    @property
+    def _relative_speed(self) -> float:
+        relative = self._relative(VELOCITY)
+        return math.sqrt(dot(relative, relative))
+
+    def _off(self, order: Order) -> float:
+        """Return by how much b and c stand at different heights over the paper."""
+        return float(abs(dot(self._relative(order), self.true.toward)))
+
+    # --- what is said of it -------------------------------------------------------------------
+
+    def _symbol(self, link: str, order: Order) -> str:
+        return order.symbol + subscript(self.numbers[link])
+
+    def _vector(self, link: str, order: Order, whole: complex, normal: complex) -> SpaceVector:
+        """Return the vector of a bar with its sentences."""
+        say, topic, panel, ends = self.scene.say, self.topic, order.panel, BARS[link]
+        tail, head = (image_letter(letter, order.number) for letter in ends)
+        unseen = link == "coupler" and bool(self._off(order))
+        relative = " relative" if link == "coupler" else ""
+        whose = say(f"{panel} of{relative}", head=ends[1], tail=ends[0])
+        summed: Component = "relative" if relative else "absolute"
+        says: dict[str, Any] = {"whole": partial(say, f"{topic} whole", whose=whose)}
+        of_line = {"symbol": self._symbol(link, ACCELERATION)}
+        says["line"] = partial(say, f"{topic} line {ends} {panel}", **of_line)
+        if link == "crank":
+            says["tangential"] = self._turned(link, order, f"tangential {panel}", whole - normal)
+        else:
+            says["result"] = self._found(link, order, abs(whole - normal))
+        if order is ACCELERATION:
+            says["normal"] = self._turned(link, VELOCITY, "normal", normal, power=2)
+            if link == "coupler":
+                says["normal"] = self._relative_normal(abs(normal))
+        return SpaceVector(
+            ends,
+            tail,
+            head,
+            link,
+            whole=summed if order is ACCELERATION else None,
+            says=says,
+            zero="" if unseen else self._symbol(link, order),
+        )
+
+    def _turned(
+        self, link: str, order: Order, phrase: str, seen: complex, power: int = 1
+    ) -> partial[Any]:
+        """Say what a rate to a power times the length of a bar is, and what is seen of it."""
+        ends, unit = BARS[link], self.unit(ACCELERATION if power == 2 else order)
+        size, rate = self.length(link), abs(float(self.turning(link, order)))
+        return partial(
+            self.scene.say,
+            f"{self.topic} {phrase}",
+            product("value", "rate", "size"),
+            symbol=self._symbol(link, order),
+            ends=ends,
+            tail=ends[0],
+            head=ends[1],
+            rate=Figure(rate, order.unit, link == "crank", power),
+            size=replace(size, scale=unit),
+            value=Figure(rate**power * size.value, unit),
+            seen=Figure(abs(seen), unit),
+            unit=Unit(unit),
+        )
+
+    def _relative_normal(self, seen: float) -> partial[Any]:
+        """Say what the normal component of BC is: the square of a velocity over its length."""
+        unit = self.unit(ACCELERATION)
+        return partial(
+            self.scene.say,
+            f"{self.topic} normal BC",
+            product("seen", "speed", "size"),
+            seen=Figure(seen, unit),
+            speed=Figure(self._relative_speed, self.unit(VELOCITY), power=2),
+            size=replace(self.length("coupler"), scale=unit, power=-1),
+            unit=Unit(unit),
+        )
+
+    def _found(self, link: str, order: Order, length: float) -> partial[Any]:
+        """Measure a vector, from which follows how its body turns."""
+        unit, turning = self.unit(order), self.turning(link, order)
+        rate, size = abs(float(turning)), replace(self.length(link), scale=unit, power=-1)
+        parts: dict[str, Any] = {"symbol": self._symbol(link, order), "unit": Unit(unit)}
+        parts |= {"value": Figure(length, unit), "rate": Figure(rate, order.unit), "size": size}
+        phrase = f"{self.topic} {link} {order.panel}"
+        if link == "rocker":
+            parts["sense"] = self.scene.say("counter-clockwise" if turning > 0 else "clockwise")
+            return partial(self.scene.say, phrase, product("rate", "value", "size"), **parts)
+        whole, off = Figure(rate * size.value, unit), Figure(self._off(order), unit)
+        steps = hypotenuse("whole", "value", "off"), product("rate", "whole", "size")
+        return partial(self.scene.say, phrase, *steps, whole=whole, off=off, **parts)
+
+
+def length_of(vector: Any) -> Any:
+    """Return the length of a vector: a number, or an array of them."""
+    size = np.linalg.norm(vector, axis=-1)
+    return size if size.ndim else float(size)
+
+
+def _way(vector: complex) -> complex:
+    return vector / abs(vector) if vector else 1.0 + 0j
