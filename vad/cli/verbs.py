@@ -1,30 +1,53 @@
-"""The verbs that draw, with their options: names of panels, styles, languages and formats.
+"""The verbs that draw: their options, and what each does with a mechanism and its input.
 
 They are imported only when one of them is asked for, because they know all that can be drawn.
+While a film is written, a bar moves on a terminal; when a file is done, its name is said there.  A
+pipe sees neither.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import math
+import sys
+import webbrowser
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
 
 import click
 
 import vad
-from vad.cli import actions, completion
+from vad.cli import completion
 from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import NamedOption, path, places, several, size
-from vad.cli.process import say
-from vad.errors import UsageError
-from vad.export import FOLDER, FORMATS, formats
+from vad.cli.process import check_interrupt, say, signals_held_back, wait_for_signal
+from vad.errors import AssemblyError, UsageError, VadError
+from vad.export import FOLDER, FORMATS, format_of, formats, own_options
 from vad.lecture.lesson import Lesson, Still
+from vad.lecture.turn import Turn
+from vad.mechanisms import Mechanism
 from vad.plan.format import paper_names
 from vad.strokes.diagrams import DIAGRAMS
+from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 from vad.style import GROUP as STYLES
 from vad.style import style_names
 from vad.words import GROUP as LANGUAGES
 from vad.words import languages
 
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from vad.export.frames import Progress
+
+
+Inputs = dict[str, Any]
+#: The files that lie beside a film with ``--subtitles``, and the films that take them.
+SUBTITLES = (".srt", ".vtt")
+_SUBTITLED = (".mp4", ".gif", FOLDER)
+#: The most poses of a sweep.
+LARGEST = 1_000_000
 _SHEET = [
     click.Option(
         ["--panels"],
@@ -41,12 +64,6 @@ _SIZE = click.Option(["--size"], callback=size(), metavar="WxH", help="in pixels
 _PAPER = NamedOption("paper", "paper", paper_names(), "a PDF in true scale, to be measured")
 _POSITIONS = click.Option(
     ["--turn"], is_flag=True, help="a full turn: the ways of all points, in twelve positions"
-)
-_AT = click.Option(
-    ["--at"],
-    callback=places(),
-    metavar="PLACE,PLACE",
-    help="two to six poses side by side, at these places of the driver  [one pose]",
 )
 _BLANK = click.Option(
     ["--blank"],
@@ -73,21 +90,6 @@ _FILM = [
     ),
     click.Option(["--subtitles"], is_flag=True, help="FILE.srt and FILE.vtt beside the film, too"),
 ]
-
-
-def _output(extensions: Iterable[str]) -> click.Option:
-    """Return the option that names the file, with the kinds of file that there are."""
-    *names, last = ("FOLDER/" if each == FOLDER else f"FILE{each}" for each in extensions)
-    return click.Option(
-        ["-o", "--output"],
-        required=True,
-        callback=path(),
-        shell_complete=completion.a_file,
-        metavar="FILE",
-        help=f"{', '.join(names)} or {last}",
-    )
-
-
 _HELP = """\
 Make problem sheets with their keys by the hundred.
 
@@ -109,6 +111,248 @@ SHEETS is a .csv file with one row a sheet, or a .toml file such as
 [sheet] also takes seed, panels, points, language, style, paper, size, fps, speed, length_unit.
 What stands in FOLDER already, made from the same settings, is not made again.
 """
+_AT = click.Option(
+    ["--at"],
+    callback=places(),
+    metavar="PLACE,PLACE",
+    help="two to six poses side by side, at these places of the driver  [one pose]",
+)
+
+
+@contextmanager
+def progress(what: str) -> Iterator[Progress]:
+    """Yield the function to call after each frame: it heeds signals and moves a progress bar."""
+
+    def obey(_done: int, _total: int) -> None:
+        check_interrupt()
+
+    with signals_held_back():
+        if sys.stderr is None or not sys.stderr.isatty():
+            yield obey
+            return
+        from rich.console import Console
+        from rich.markup import escape
+        from rich.progress import Progress as Bar
+
+        with Bar(console=Console(stderr=True), transient=True) as bar:
+            task = bar.add_task(escape(what), total=None)
+
+            def move(done: int, total: int) -> None:
+                obey(done, total)
+                bar.update(task, completed=done, total=total)
+
+            yield move
+
+
+def say_written(path: str, details: str = "") -> None:
+    """Say on a terminal which file is done."""
+    if sys.stdout is not None and sys.stdout.isatty():
+        click.echo(f"wrote {path}" + (f" ({details})" if details else ""))
+
+
+def note_change_points(
+    mechanism: Mechanism, low: float = -math.inf, high: float = math.inf
+) -> None:
+    """Write on stderr which change points lie in a range of the driver.
+
+    At a change point the mechanism can go on in two ways.
+    """
+    from vad.kinematics.reach import change_points
+    from vad.kinematics.results import place_unit
+
+    turns = "angle" in mechanism.inputs
+    for change in change_points(mechanism):
+        turned = turns and low > -math.inf  # the same angle, not below the range
+        place = low + (change.place - low) % 360.0 if turned else change.place
+        if low <= place <= high:
+            click.echo(f"note: {change.words(place_unit(mechanism))}", err=True)
+
+
+def sweep_places(
+    mechanism: Mechanism, start: float | None = None, stop: float | None = None, steps: int = 361
+) -> NDArray[np.float64]:
+    """Return ``steps`` places of the driver, evenly spaced from ``start`` to ``stop``.
+
+    What is left out is a whole turn of a driven link, or the widest range in which a driven
+    slide closes.
+
+    Raises
+    ------
+    UsageError
+        If the number of steps or the ends make no range.
+    AssemblyError
+        If the mechanism closes nowhere.
+    """
+    import numpy as np
+
+    if not 2 <= steps <= LARGEST:
+        raise UsageError(f"--steps: must be from 2 to {LARGEST}, got {steps}")
+    if "angle" in mechanism.inputs:
+        first, last = 0.0, 360.0
+    elif start is None or stop is None:
+        first, last = _widest(mechanism)
+    first = first if start is None else start
+    last = last if stop is None else stop
+    if not math.isfinite(last - first) or first == last:
+        raise UsageError(f"--from, --to: {first:g} to {last:g} is no range")
+    return np.linspace(first, last, steps)
+
+
+def _widest(mechanism: Mechanism) -> tuple[float, float]:
+    """Return the widest range of the driver that closes, the greater one of two equal ones."""
+    from vad.kinematics.reach import closing_range
+
+    ranges = closing_range(mechanism)
+    if not ranges:
+        raise AssemblyError("with these lengths the links close nowhere")
+    widest = max(ranges, key=lambda ends: (float(f"{ends[1] - ends[0]:.6g}"), ends[1]))
+    if widest[0] == widest[1]:
+        raise AssemblyError(f"with these lengths the links close only at {widest[0]:g}")
+    return widest
+
+
+def draw(
+    mechanism: Mechanism, inputs: Inputs, output: str, turn: bool = False, **options: Any
+) -> None:
+    """Write a pose as a picture, or its strokes as data; or a few poses, or a whole turn."""
+    at = options.pop("at", None)
+    if turn and at is not None:
+        raise UsageError("--turn and --at: choose one of them")
+    if turn and "blank" in options:
+        raise UsageError("--blank is for one pose, not for a turn")
+    made = Turn if turn else Sheet if at is None else Multiples
+    kind = format_of(Sheet, output)  # before anything is worked out
+    format_of(made, output)
+    if "paper" in options and kind != ".pdf":
+        raise UsageError(f"--paper is for PDF, not for '{output}'", hint="as in -o sheet.pdf")
+    if "blank" in options and kind == ".json":
+        raise UsageError(
+            f"--blank is for pictures, not for '{output}'", hint="as in -o problem.pdf"
+        )
+    look = _pop(options, "style", "size", "paper", "blank", *own_options([FORMATS[made][kind]]))
+    drawn: Sheet | Multiples | Turn
+    if at is not None:
+        drawn = _multiples(mechanism, inputs, at, **options)
+    else:
+        motion = vad.solve(mechanism, **inputs)
+        drawn = (vad.turn if turn else vad.draw)(motion, **options)
+    vad.save(drawn, output, **look)
+    say_written(output)
+    if turn:
+        note_change_points(mechanism)
+
+
+def _multiples(mechanism: Mechanism, inputs: Inputs, at: list[float], **options: Any) -> Multiples:
+    """Draw a few poses; what is wrong with their places is said of the option."""
+    driven = next(iter(mechanism.inputs))
+    if driven in inputs:
+        raise UsageError(f"--at: takes the place of --{driven}", hint=f"leave out --{driven}")
+    try:
+        return vad.multiples(vad.solve(mechanism, **inputs), at, **options)
+    except VadError as error:
+        raise type(error)(f"--at: {str(error).removeprefix('at: ')}", error.hint) from None
+
+
+def animate(
+    mechanism: Mechanism,
+    inputs: Inputs,
+    output: str,
+    still: str | None = None,
+    subtitles: bool = False,
+    turn: bool = False,
+    **options: Any,
+) -> None:
+    """Write the film in which one pose is drawn stroke by stroke, one step of it, or a turn."""
+    if turn:
+        of_strokes = {"--still": still is not None, "--subtitles": subtitles}
+        for name, given in (of_strokes | {"--loop": "loop" in options}).items():
+            if given:
+                why = "which draws no strokes one by one"
+                raise UsageError(f"{name} does not go with --turn, {why}")
+        _turn(mechanism, inputs, output, **options)
+        return
+    thing = Lesson if still is None else Still
+    kind = format_of(thing, output)
+    if subtitles and (still is not None or kind not in _SUBTITLED):
+        hint = "as in -o lecture.mp4 --subtitles; or -o lecture.srt alone"
+        raise UsageError(f"--subtitles go beside a film, not beside '{output}'", hint)
+    own = _pop(options, *own_options([FORMATS[thing][kind]]))
+    timing = _pop(options, "fps", "size", "speed", "style", "loop")
+    sheet = vad.draw(vad.solve(mechanism, **inputs), **options)
+    lesson = vad.animate(sheet, **timing)
+    if still is not None:
+        vad.save(_still(lesson, still), output, **own)
+        say_written(output)
+        return
+    with progress(output) as moved:
+        vad.save(lesson, output, beside=SUBTITLES if subtitles else (), progress=moved, **own)
+    say_written(output, f"{lesson.duration:.1f} s, {lesson.frames} frames")
+
+
+def _still(lesson: Lesson, step: str) -> Still:
+    """Return one step; what is wrong with its name is said of the option."""
+    try:
+        return vad.still(lesson, step)
+    except UsageError as error:
+        raise UsageError(f"--still: {error}", error.hint) from None
+
+
+def _turn(mechanism: Mechanism, inputs: Inputs, output: str, **options: Any) -> None:
+    """Write the film in which the mechanism runs through a full turn."""
+    own = _pop(options, *own_options([FORMATS[Turn][format_of(Turn, output)]]))
+    film = vad.turn(vad.solve(mechanism, **inputs), **options)
+    with progress(output) as moved:
+        vad.save(film, output, progress=moved, **own)
+    say_written(output, f"{film.duration:.1f} s, {film.frames} frames")
+    note_change_points(mechanism)
+
+
+def sweep(mechanism: Mechanism, inputs: Inputs, output: str, **ends: Any) -> None:
+    """Write the results over a range of the input, as a table or a plot."""
+    from vad.export.sweep import save_sweep
+
+    driven = next(iter(mechanism.inputs))
+    swept = sweep_places(mechanism, **ends)
+    save_sweep(vad.solve(mechanism, **{driven: swept}, **inputs), output)
+    say_written(output)
+    note_change_points(mechanism, float(swept.min()), float(swept.max()))
+
+
+def gui(
+    mechanism: Mechanism,
+    inputs: Inputs,
+    port: int = 0,
+    no_browser: bool = False,
+    **options: Any,
+) -> None:
+    """Serve the page until the process is asked to stop; its address is the only line printed."""
+    from vad.gui.messages import ExportQuestion
+    from vad.gui.server import served
+
+    start = ExportQuestion.of(mechanism, inputs, **options)
+    with signals_held_back(), served(start, port) as address:
+        click.echo(address)
+        if not no_browser:
+            webbrowser.open(address)
+        wait_for_signal()
+
+
+def _pop(options: dict[str, Any], *names: str) -> dict[str, Any]:
+    """Take from ``options`` those of ``names`` that are there."""
+    return {name: options.pop(name) for name in names if name in options}
+
+
+def _output(extensions: Iterable[str]) -> click.Option:
+    """Return the option that names the file, with the kinds of file that there are."""
+    *names, last = ("FOLDER/" if each == FOLDER else f"FILE{each}" for each in extensions)
+    return click.Option(
+        ["-o", "--output"],
+        required=True,
+        callback=path(),
+        shell_complete=completion.a_file,
+        metavar="FILE",
+        help=f"{', '.join(names)} or {last}",
+    )
 
 
 @click.command("batch", cls=HelpfulCommand, help=_HELP)
@@ -137,7 +381,7 @@ def make_batch(
     """Make problem sheets with their keys by the hundred."""
     if sheets is None:
         raise UsageError("batch needs a file of sheets", "vad batch sheets.toml -o sheets/")
-    with actions.progress(output) as moved:
+    with progress(output) as moved:
         made = vad.batch(
             sheets,
             output,
@@ -150,7 +394,7 @@ def make_batch(
     for each in failed:
         hint = f" ({each.error.hint})" if each.error and each.error.hint else ""
         say(f"error: sheet {each.number}: {each.error}{hint}")
-    actions.written(output, f"{len(made) - len(failed)} sheets")
+    say_written(output, f"{len(made) - len(failed)} sheets")
     if failed:
         ctx.exit(1)
 
@@ -160,21 +404,21 @@ VERBS: tuple[click.Command, ...] = (
     MechanismGroup(
         "draw",
         "Draw the polygons of one pose.",
-        actions.draw,
+        draw,
         [_output(FORMATS[Sheet]), *_SHEET, _SIZE, _PAPER, _BLANK, _AT, _POSITIONS],
         formats=FORMATS[Sheet],
     ),
     MechanismGroup(
         "animate",
         "Make a film that draws the polygons stroke by stroke.",
-        actions.animate,
+        animate,
         [_output(FORMATS[Lesson]), *_SHEET, _SIZE, *_FILM],
         formats=FORMATS[Lesson] | FORMATS[Still],
     ),
     MechanismGroup(
         "sweep",
         "Write the numbers over a turn, as a table or a plot.",
-        actions.sweep,
+        sweep,
         [
             _output(formats("sweep")),
             click.Option(["--steps"], type=int, help="number of poses, both ends included  [361]"),
@@ -184,7 +428,7 @@ VERBS: tuple[click.Command, ...] = (
     MechanismGroup(
         "gui",
         "Open a page on which a mechanism is turned by hand.",
-        actions.gui,
+        gui,
         [
             *_SHEET,
             _SIZE,
