@@ -12,7 +12,7 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
 import vad
-from tests.space.conditions import BOUNDS, errors
+from tests.kinematics.space.conditions import BOUNDS, errors
 from vad.kinematics.solver import solver_of
 
 FEW = settings(max_examples=3, deadline=None, suppress_health_check=list(HealthCheck))
