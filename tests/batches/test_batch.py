@@ -242,3 +242,13 @@ def test_a_film_is_encoded_by_one_thread(written, tmp_path):
         films.append((tmp_path / "film.mp4").read_bytes())
     assert films[0] != films[1]
     assert made.files[0].read_bytes() == films[0]
+
+
+def test_numbers_in_the_cells_of_a_table_may_have_a_fraction(written, tmp_path):
+    table = "mechanism,files,size,fps,speed\nfour-bar,film.srt,320x240,12.5,2.5\n"
+    (made,) = vad.batch(written(table, "sheets.csv"), tmp_path / "out")
+    assert made.error is None
+    mechanism = vad.FourBar(**made.answers["parameters"])
+    sheet = vad.draw(vad.solve(mechanism, **made.answers["input"]))
+    vad.save(vad.animate(sheet, fps=12.5, speed=2.5), tmp_path / "film.srt")
+    assert made.files[0].read_bytes() == (tmp_path / "film.srt").read_bytes()

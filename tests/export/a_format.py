@@ -4,17 +4,22 @@ from __future__ import annotations
 
 from typing import Annotated, BinaryIO
 
+from vad.export.frames import Progress
+from vad.lecture.lesson import Lesson, Still
+from vad.lecture.turn import Turn
 from vad.strokes.sheet import Sheet
 
 
 def write(
-    sheet: Sheet,
+    thing: Sheet | Still | Lesson | Turn,
     target: BinaryIO,
     style: str | None = None,
     whole: Annotated[bool, "a whole document"] = False,
     wide: Annotated[float, "its width in cm"] = 12.0,
     head: Annotated[str, "its first line"] = "none",
     copies: Annotated[int, "how often it is there"] = 1,
+    *,
+    progress: Progress | None = None,
 ) -> None:
-    """Write the options."""
-    target.write(repr((len(sheet.panels), style, whole, wide, head, copies)).encode())
+    """Write what was saved and the options."""
+    target.write(repr((type(thing).__name__, style, whole, wide, head, copies)).encode())

@@ -9,9 +9,9 @@ import pytest
 import vad
 from vad.batches.sheets import format_words
 from vad.cli.run import run
+from vad.cli.verbs import VERBS
 from vad.errors import UsageError
 from vad.export import FORMATS, formats
-from vad.strokes.sheet import Sheet
 
 SHEETS = """
 [sheet]
@@ -26,7 +26,9 @@ wide = 9
 
 @pytest.fixture(autouse=True)
 def new_format(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(FORMATS[Sheet], ".new", "tests.export.a_format")
+    (animate,) = (verb for verb in VERBS if verb.name == "animate")
+    for formats_of_one in (*FORMATS.values(), animate.formats):
+        monkeypatch.setitem(formats_of_one, ".new", "tests.export.a_format")
     format_words.cache_clear()
     yield
     format_words.cache_clear()
@@ -43,7 +45,7 @@ def test_it_is_found_by_its_name(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_the_library_passes_its_options_on() -> None:
     sheet = vad.draw(vad.solve(vad.FourBar()))
     vad.save(sheet, "a.new", whole=True, head="x")  # type: ignore[call-arg]
-    assert Path("a.new").read_text() == "(3, None, True, 12.0, 'x', 1)"
+    assert Path("a.new").read_text() == "('Sheet', None, True, 12.0, 'x', 1)"
     with pytest.raises(UsageError, match=r"whole: \.png has no such option"):
         vad.save(sheet, "a.png", whole=True)  # type: ignore[call-arg]
 
@@ -52,7 +54,7 @@ def test_the_command_line_has_its_options(capsys: pytest.CaptureFixture[str]) ->
     words = ["--whole", "--wide", "7.5", "--copies", "2", "--style", "chalk"]
     for output in (["-o", "a.new"], ["--output=a.new"], ["-oa.new"]):
         assert run(["draw", *words, "four-bar", *output]) == 0
-        assert Path("a.new").read_text() == "(3, 'chalk', True, 7.5, 'none', 2)"
+        assert Path("a.new").read_text() == "('Sheet', 'chalk', True, 7.5, 'none', 2)"
     for output in (["-o", "a.png"], ["--output=a.png"], ["-oa.png"]):
         assert run(["draw", "four-bar", "--whole", *output]) == 2
         assert "unknown option '--whole'" in capsys.readouterr().err
@@ -62,11 +64,27 @@ def test_the_command_line_has_its_options(capsys: pytest.CaptureFixture[str]) ->
     assert "--wide FLOAT its width in cm [12.0]" in text
 
 
+@pytest.mark.parametrize(
+    ("words", "kind"),
+    [
+        (("draw", "--turn"), "Turn"),
+        (("draw", "--at", "30,60"), "Multiples"),
+        (("animate",), "Lesson"),
+        (("animate", "--still", "2"), "Still"),
+        (("animate", "--turn"), "Turn"),
+    ],
+)
+def test_its_options_reach_every_kind_of_thing(words: tuple[str, ...], kind: str) -> None:
+    verb, *others = words
+    assert run([verb, "four-bar", *others, "--whole", "--head", "x", "-o", "a.new"]) == 0
+    assert Path("a.new").read_text() == f"('{kind}', None, True, 12.0, 'x', 1)"
+
+
 def test_a_batch_has_its_options() -> None:
     Path("sheets.toml").write_text(SHEETS)
     (done,) = vad.batch("sheets.toml", "class")
     assert done.error is None
-    assert Path("class/001-key.new").read_text() == "(3, 'chalk', True, 9.0, 'none', 1)"
+    assert Path("class/001-key.new").read_text() == "('Sheet', 'chalk', True, 9.0, 'none', 1)"
     rows = [
         "mechanism,files,head,copies,whole",
         "four-bar,key.new,x,3,false",
@@ -74,8 +92,8 @@ def test_a_batch_has_its_options() -> None:
     ]
     Path("sheets.csv").write_text("\n".join(rows))
     assert [done.error for done in vad.batch("sheets.csv", "other")] == [None, None]
-    assert Path("other/001-key.new").read_text() == "(3, None, False, 12.0, 'x', 3)"
-    assert Path("other/002-key.new").read_text() == "(3, None, True, 12.0, 'none', 1)"
+    assert Path("other/001-key.new").read_text() == "('Sheet', None, False, 12.0, 'x', 3)"
+    assert Path("other/002-key.new").read_text() == "('Sheet', None, True, 12.0, 'none', 1)"
 
 
 @pytest.mark.parametrize(

@@ -167,3 +167,15 @@ def test_results_that_have_not_the_room_are_smaller():
     assert len(sizes) > 5
     assert 60 < min(sizes) < 85
     assert max(sizes) <= 100
+
+
+def test_a_chapter_begins_with_its_panel_and_is_as_long():
+    html = page_of("slider-crank")
+    chapters = re.findall(r'<button data-x="(\d+)" style="flex-grow:(\d+)">(.*?)</button>', html)
+    panels = lesson_of("slider-crank").sheet.panels
+    counts = [len(panel.strokes) for panel in panels]
+    starts = [sum(counts[:place]) for place in range(len(counts))]
+    assert [(int(x), int(long), title) for x, long, title in chapters] == [
+        (start, count, panel.title)
+        for start, count, panel in zip(starts, counts, panels, strict=True)
+    ]
