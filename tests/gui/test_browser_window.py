@@ -284,6 +284,7 @@ def test_a_mistake_is_marked_and_its_button_mends_it(window: Page):
     angle, before = window.locator("#field-angle"), cell(window, 1, 0)
     angle.fill("10")
     angle.press("Enter")
+    assert window.locator("#inputs .row input[type=range]").first.input_value() == "10"
     until(window, lambda: angle.get_attribute("aria-invalid") == "true")
     assert "the links miss by 4.014 mm" in window.locator(".message").inner_text()
     assert cell(window, 1, 0) == before
@@ -390,13 +391,18 @@ def test_every_kind_of_file(window: Page):
 
 
 def test_the_address_has_all_that_is_set(window: Page, address: str):
-    load(window, "four-bar", crank=35, angle=75, assembly="crossed", step=4)
+    load(window, "four-bar", crank=35, angle=75, assembly="crossed", unit="cm", step=4)
     assert window.locator(".scrub").input_value() == "4"
     window.reload()
     still(window)
     assert (value(window, "crank"), value(window, "angle")) == (35, 75)
     assert window.locator(".choice input[value=crossed]").is_checked()
+    assert window.locator("#parameters .unit").first.inner_text() == "cm"
     assert window.locator(".scrub").input_value() == "4"
+    window.locator(".handle").press("ArrowRight")  # and it is written, not only read
+    window.locator(".handle").press("ArrowLeft")
+    still(window)
+    assert "unit=cm" in window.url
     other = window.context.new_page()  # two tabs do not disturb each other
     other.goto(address.partition("?")[0] + "#m=scotch-yoke&colour=red&crank=x")
     until(other, lambda: "'x'" in other.locator(".message").inner_text())
