@@ -13,7 +13,7 @@ from vad.plan.board import Plan, plan
 from vad.plan.format import screen
 from vad.plan.lettering.runs import plain
 from vad.plan.marks import Lettering
-from vad.plan.page.halves import MOST
+from vad.plan.page.table import MOST
 from vad.strokes.sheet import Sheet
 from vad.style import load_style
 

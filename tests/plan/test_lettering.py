@@ -13,7 +13,7 @@ from vad.plan.lettering.glyphs import fitted, typeset, width
 from vad.plan.lettering.runs import Run, roman, said, symbols
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Lettering
-from vad.plan.page.captioning import caption_marks
+from vad.plan.page.changing import caption_marks
 from vad.strokes.arithmetic import Figure
 from vad.strokes.sentences import Sentence, Unit, Voice
 from vad.words import Piece, languages, text_of

@@ -17,7 +17,7 @@ from vad.plan.format import screen
 from vad.plan.items import Item
 from vad.plan.live_board import LiveBoard
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Polygon
-from vad.plan.page.captioning import caption_lines
+from vad.plan.page.changing import caption_lines
 from vad.plan.pictures.curves import curve_of
 from vad.plan.pictures.views import Views
 from vad.plan.scale import Scale

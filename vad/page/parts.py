@@ -30,10 +30,9 @@ from vad.plan.lettering.wrapping import tied
 from vad.plan.marks import line
 from vad.plan.opening import reach
 from vad.plan.page.changing import measuring
-from vad.plan.page.columns import CLEAR, EQUALS, VALUES, Columns, alike
-from vad.plan.page.entries import SIZE as ENTRY
-from vad.plan.page.foot import REMARK_SIZE, Piece, compose
-from vad.plan.page.heads import APART, TITLE
+from vad.plan.page.heads import APART, REMARK_SIZE, TITLE, Piece, compose
+from vad.plan.page.quarter import SIZE as ENTRY
+from vad.plan.page.table import CLEAR, EQUALS, VALUES, Columns, alike
 from vad.plan.page.table import table as laid_out
 from vad.plan.stated_scale import bar
 from vad.strokes.description import parameters

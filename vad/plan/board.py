@@ -19,12 +19,17 @@ from vad.plan.items import CAPTION, OPENING, RESULTS, TITLE, Item, Level, foot_o
 from vad.plan.labels.vertices import corners
 from vad.plan.layout import MARGIN, Page, lay_out
 from vad.plan.opening import Opening, opening
-from vad.plan.page.captioning import caption_lines
-from vad.plan.page.changing import captions, equations, heads, lights, readings, results
-from vad.plan.page.foot import Foot, compose
-from vad.plan.page.halves import height_of_halves
-from vad.plan.page.measured import lines_of
-from vad.plan.page.title import title_marks
+from vad.plan.page.changing import (
+    caption_lines,
+    captions,
+    equations,
+    heads,
+    lights,
+    readings,
+    results,
+)
+from vad.plan.page.heads import Foot, compose, lines_of, title_marks
+from vad.plan.page.table import height_of_halves
 from vad.plan.pictures import sketched
 from vad.plan.pictures.views import folds
 from vad.plan.scale import Scale, is_tall

@@ -19,14 +19,13 @@ from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark
 from vad.plan.page.heads import TITLE as TITLE_SIZE
-from vad.plan.page.heads import head
-from vad.plan.page.title import title_marks
+from vad.plan.page.heads import head, title_marks
 from vad.plan.pictures import sketched
 from vad.plan.scale import Scale, fill
 from vad.plan.scaling import views_scale
 from vad.plan.sharing import rooms
 from vad.plan.sketch import Setting, Sketch
-from vad.plan.stated_scale import SIZE as SCALE
+from vad.plan.stated_scale import SCALE_SIZE as SCALE
 from vad.strokes.multiples import Multiples
 from vad.strokes.notation import Notation
 from vad.strokes.sheet import Cell, Sheet

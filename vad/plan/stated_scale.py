@@ -13,12 +13,12 @@ from vad.plan.scale import Scale, scale_bar
 from vad.strokes.notation import Notation
 from vad.strokes.sheet import Panel
 
-SIZE = 0.030
+SCALE_SIZE = 0.030
 LONGEST_BAR = 0.12
 SHORTEST_BAR = 0.03
-GAP = 0.0125  # from the bar to its value
-RISE = 0.0098  # of the bar above the baseline
-TICK = 0.008
+SCALE_GAP = 0.0125  # from the bar to its value
+SCALE_RISE = 0.0098  # of the bar above the baseline
+SCALE_TICK = 0.008
 _CENTIMETRES = {"mm": 0.1, "cm": 1.0, "m": 100.0}
 
 
@@ -41,19 +41,19 @@ def bar(panel: Panel, scale: Scale, room: float, notation: Notation) -> tuple[fl
         runs = roman(notation.quantity(value, panel.unit, given=True))
         length = value * scale.factor
         shorter = scale_bar(scale.factor, 0.9 * length)
-        fits = width(runs, SIZE) + GAP + length <= room
+        fits = width(runs, SCALE_SIZE) + SCALE_GAP + length <= room
         if fits or shorter * scale.factor < SHORTEST_BAR:
             return length, runs
         value = shorter
 
 
-def bar_marks(length: float, runs: Runs, start: complex, size: float = SIZE) -> list[Mark]:
+def bar_marks(length: float, runs: Runs, start: complex, size: float = SCALE_SIZE) -> list[Mark]:
     """Return a scale bar that begins at ``start`` on the baseline, and its value behind it."""
     first, last = start.real, start.real + length
-    y = start.imag + RISE
-    ticks = [(complex(x, y - TICK), complex(x, y + TICK)) for x in (first, last)]
+    y = start.imag + SCALE_RISE
+    ticks = [(complex(x, y - SCALE_TICK), complex(x, y + SCALE_TICK)) for x in (first, last)]
     return [
-        Mark(Lettering(runs, start + length + GAP, size), "notes"),
+        Mark(Lettering(runs, start + length + SCALE_GAP, size), "notes"),
         line([complex(first, y), complex(last, y)], "scale bar"),
         lines(ticks, "scale bar"),
     ]
@@ -61,9 +61,11 @@ def bar_marks(length: float, runs: Runs, start: complex, size: float = SIZE) -> 
 
 def bar_box(length: float, runs: Runs, start: complex) -> Rect:
     """Return the box that the marks of a scale bar fill."""
-    _, high = ink_size(runs, SIZE)
-    right = start.real + length + GAP + width(runs, SIZE)
-    return Rect(start.real, start.imag - TICK, right, start.imag + max(high, RISE + TICK))
+    _, high = ink_size(runs, SCALE_SIZE)
+    right = start.real + length + SCALE_GAP + width(runs, SCALE_SIZE)
+    return Rect(
+        start.real, start.imag - SCALE_TICK, right, start.imag + max(high, SCALE_RISE + SCALE_TICK)
+    )
 
 
 def _on_paper(panel: Panel, value: float, notation: Notation) -> Runs:

@@ -1,21 +1,44 @@
-"""The head of a panel: its rule, its title and its scale bar."""
+"""What stands about the panels: title, heads with their scales, equations, and what a ruler finds.
+
+In come a sheet and its page, out go marks; the loop equation stands at the foot of its panel.
+"""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 
-from vad.plan.layout import PanelPlace
+from vad.plan.items import Item, Level, foot_of
+from vad.plan.layout import Page, PanelPlace
 from vad.plan.lettering.glyphs import fitted, width
-from vad.plan.lettering.runs import bold, roman
+from vad.plan.lettering.runs import Runs, bold, roman, symbols
+from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Lettering, Mark, line
 from vad.plan.scale import Scale
-from vad.plan.stated_scale import GAP, SIZE, bar_marks, stated
+from vad.plan.sketch import Sketch
+from vad.plan.stated_scale import SCALE_GAP, SCALE_SIZE, bar_marks, stated
+from vad.strokes.description import parameters
 from vad.strokes.notation import Notation
-from vad.strokes.sheet import Panel
+from vad.strokes.sentences import pieces_of
+from vad.strokes.sheet import Arrow, Equation, Panel, Sheet, Term
+from vad.written import typeset
 
 TITLE = 0.037
 LEAST_TITLE, LEAST_SCALE = 0.024, 0.020
 APART = 0.0225  # the least from title to bar
+PAGE_TITLE = 0.050
+LEAST_PAGE_TITLE = 0.036
+PARAMETERS = 0.032
+LEAST_PARAMETERS = 0.028
+EQUATION_SIZE = 0.036
+LEAST_EQUATION = 0.034  # below this a loop takes two lines
+SPACE = 0.24  # about a sign, in type sizes
+LOOP_SPACE = 1.3
+REMARK_SIZE = 0.030
+READING = 0.030
+LEAST_READING = 0.022
+#: The room that one of them takes.
+COLUMN = 0.58
 
 
 def head(
@@ -32,9 +55,9 @@ def head(
     title = bold(roman(panel.title))
     room = right - left - width(title, TITLE) - APART
     length, runs = stated(panel, scale, room, centimetre, notation)
-    beside = right - left - width(title, LEAST_TITLE) - APART - length - GAP
-    size = fitted(runs, SIZE, LEAST_SCALE, beside)
-    start = right - width(runs, size) - GAP - length
+    beside = right - left - width(title, LEAST_TITLE) - APART - length - SCALE_GAP
+    size = fitted(runs, SCALE_SIZE, LEAST_SCALE, beside)
+    start = right - width(runs, size) - SCALE_GAP - length
     marks = _head(panel, place, fitted(title, TITLE, LEAST_TITLE, start - APART - left))
     return [*marks, *bar_marks(length, runs, complex(start, place.title), size)]
 
@@ -50,3 +73,154 @@ def _head(panel: Panel, place: PanelPlace, size: float) -> list[Mark]:
     ends = complex(left, place.rule), complex(right, place.rule)
     title = Lettering(bold(roman(panel.title)), complex(left, place.title), size)
     return [line(ends, "rule"), Mark(title, "words")]
+
+
+def title_marks(sheet: Sheet, page: Page) -> list[Mark]:
+    """Return the title and the parameters, which take two lines where one has no room."""
+    title = bold(roman(sheet.title))
+    room = page.right - page.left
+    size = fitted(title, PAGE_TITLE, LEAST_PAGE_TITLE, 0.6 * room)
+    marks = [Mark(Lettering(title, complex(page.left, page.title), size), "words")]
+    items = parameters(sheet)
+    room -= width(title, size) + 0.04
+    rows = [items]
+    if width(_listed(items), LEAST_PARAMETERS) > room:
+        half = (len(items) + 1) // 2
+        rows = [items[:half], items[half:]]
+    widest = max(width(_listed(row), 1.0) for row in rows)
+    most = PARAMETERS if len(rows) == 1 else LEAST_PARAMETERS
+    size = min(most, room / max(widest, 1e-9))
+    for depth, row in enumerate(reversed(rows)):
+        runs = _listed(row)
+        at = complex(page.right - width(runs, size), page.title + depth * 1.25 * size)
+        marks.append(Mark(Lettering(runs, at, size), "notes"))
+    return marks
+
+
+def _listed(items: list[str]) -> Runs:
+    return roman(",   ".join(items))
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A term or a sign, with the space before it in type sizes, of a ``half`` of a panel."""
+
+    runs: Runs
+    term: Term | None
+    space: float
+    half: str
+
+
+@dataclass(frozen=True, slots=True)
+class Foot:
+    """What stands under one panel: its remark in lines, then its equations and their type size."""
+
+    lines: tuple[tuple[Piece, ...], ...]
+    size: float
+    remark: tuple[Runs, ...] = ()
+
+    @property
+    def count(self) -> int:
+        """The number of all lines."""
+        return len(self.remark) + len(self.lines)
+
+
+def _sum(terms: Sequence[Term], half: str, sign: str = "") -> list[Piece]:
+    pieces: list[Piece] = []
+    for term in terms:
+        if sign:
+            pieces.append(Piece(roman(sign), None, SPACE, half))
+        pieces.append(Piece(symbols(term.label), term, SPACE if sign else 0.0, half))
+        sign = "+"
+    return pieces
+
+
+def _pieces(equation: Equation, half: str) -> list[Piece]:
+    return _sum(equation.left, half) + _sum(equation.right, half, "=")
+
+
+def _width(pieces: Sequence[Piece]) -> float:
+    return sum(width(piece.runs, 1.0) + piece.space for piece in pieces)
+
+
+def compose(panel: Panel, room: float) -> Foot:
+    """Return the lines of a panel's foot: loops share a line if they fit ``room``.
+
+    A loop that is too long for one line goes on with its equals sign on the next.
+    """
+    remark = tuple(wrap(pieces_of(panel.remark), REMARK_SIZE, room)) if panel.remark else ()
+    equations = [(each, half.name) for half in panel.halves for each in half.equations]
+    loops = [_pieces(*each) for each in equations]
+    if not loops:
+        return Foot((), EQUATION_SIZE, remark)
+    together: list[Piece] = []
+    for loop in loops:
+        first = replace(loop[0], space=LOOP_SPACE if together else 0.0)
+        together += [first, *loop[1:]]
+    if _width(together) * EQUATION_SIZE <= room:
+        return Foot((tuple(together),), EQUATION_SIZE, remark)
+    lines: list[tuple[Piece, ...]] = []
+    for (equation, half), loop in zip(equations, loops, strict=True):
+        if _width(loop) * LEAST_EQUATION <= room:
+            lines.append(tuple(loop))
+        else:
+            left = _sum(equation.left, half)
+            lines += [tuple(left), tuple(loop[len(left) :])]
+    widest = max(_width(line) for line in lines)
+    return Foot(tuple(lines), min(EQUATION_SIZE, room / widest), remark)
+
+
+def placed(foot: Foot, baselines: Sequence[float], middle: float) -> list[tuple[Lettering, Piece]]:
+    """Return the terms and signs of the equation, centred, each with its piece."""
+    found: list[tuple[Lettering, Piece]] = []
+    for pieces, baseline in zip(foot.lines, baselines[len(foot.remark) :], strict=False):
+        x = middle - _width(pieces) * foot.size / 2
+        for piece in pieces:
+            x += piece.space * foot.size
+            found.append((Lettering(piece.runs, complex(x, baseline), foot.size), piece))
+            x += width(piece.runs, foot.size)
+    return found
+
+
+def lines_of(panel: Panel, room: float) -> int:
+    """Return how many lines the measured vectors of a panel take in a width."""
+    return -(-len(_measured(panel)) // _columns(room))
+
+
+def measured(sketch: Sketch, place: PanelPlace, first: int) -> Iterator[Item]:
+    """Yield the measured vectors, from the line of the foot with number ``first`` on."""
+    setting, room = sketch.setting, place.drawing
+    assert setting.centimetre is not None
+    panel, columns = setting.panel, _columns(room.width)
+    value = setting.centimetre / sketch.scale.factor
+    for count, (index, arrow) in enumerate(_measured(panel)):
+        stroke = panel.strokes[index]
+        length = abs(arrow.end - arrow.start) / value
+        runs = symbols(stroke.label) + _reading(length, value, panel.unit, setting.sheet.notation)
+        size = fitted(runs, READING, LEAST_READING, room.width / columns - READING)
+        left = room.left + count % columns * room.width / columns
+        at = complex(left, place.equations[first + count // columns])
+        mark = Mark(Lettering(runs, at, size), "term", setting.row(stroke.link))
+        name, region = panel.full(stroke.name), foot_of(panel.column)
+        yield Item(name, region, Level.LABEL, (mark,), setting.after(index))
+
+
+def _measured(panel: Panel) -> list[tuple[int, Arrow]]:
+    """Return the vectors by which a row of the results is measured, with their numbers."""
+    return [
+        (index, stroke.shape)
+        for index, stroke in enumerate(panel.strokes)
+        if panel.picture == "vectors" and stroke.reveals and isinstance(stroke.shape, Arrow)
+    ]
+
+
+def _columns(room: float) -> int:
+    return max(1, int(room / COLUMN))
+
+
+def _reading(length: float, value: float, unit: str, notation: Notation) -> Runs:
+    """Return a length in centimetres, each of which stands for a value, and what that makes."""
+    read = f"{length:.2f}"
+    result = notation.quantity(float(read) * value, unit, given=True)
+    scale = notation.number(value, unit, given=True)
+    return roman(f" = {typeset(read, notation.point)} cm × {scale} = {result}")

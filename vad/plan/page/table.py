@@ -1,19 +1,35 @@
-"""The results: one row per link or slide, which is the legend too.
+"""The results laid out as a page has room for them: beneath the panels, or in a place of their own.
 
-In come the sheet's rows, out go the marks of the table's frame and of each of its cells.
+In come the sheet's rows, out go the marks of the table's frame and of each of its cells.  Beneath
+panels side by side, what a panel measures stands under it, or many rows stand in two halves.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Protocol
 
+from vad.plan.geometry import Rect
 from vad.plan.layout import Page
-from vad.plan.marks import Mark
-from vad.plan.page.columns import Columns
-from vad.plan.page.entries import Entries, Entry, Figures, figures
-from vad.plan.page.halves import Halves
-from vad.plan.page.quarter import Quarter
-from vad.strokes.sheet import Row, Sheet
+from vad.plan.lettering.glyphs import fitted, width
+from vad.plan.lettering.runs import Runs, roman, symbols
+from vad.plan.marks import Lettering, Mark, line
+from vad.plan.page.quarter import NAME_GAP, SIZE, Entries, Entry, Figures, Quarter, figures, need
+from vad.strokes.sheet import Cell, Row, Sheet
+from vad.written import with_unit
+
+LEAST = 0.024
+VALUES = 0.2986  # from the margin to the symbols of the first column
+EQUALS = 0.0400
+NUMBERS = 0.0705
+WRITTEN = 0.20  # width of a number that is written by hand
+SIGN_GAP = 0.008  # from a long symbol to its equals sign
+CLEAR = 0.02  # after a name, and between cells
+#: So many rows stand one below another.
+MOST = 6
+SQUEEZE = 0.8  # of the height that halves have
+GUTTER = 0.06
+LEGEND_GAP = 0.03
 
 
 class Table(Protocol):
@@ -37,3 +53,211 @@ def table(sheet: Sheet, page: Page, key: float, setting: Figures | None = None) 
         return Columns(entries, page)
     kind = Halves if page.columns else Quarter
     return kind(entries, page.results, list(page.panels), sheet.rows)
+
+
+class Columns:
+    """The table of a page with its panels side by side."""
+
+    def __init__(self, entries: Entries, page: Page) -> None:
+        self._entries, self._page = entries, page
+        drawings = {name: place.drawing for name, place in page.panels.items()}
+        self._spans = [(drawing.left, drawing.right) for drawing in drawings.values()]
+        if len({round(drawing.width, 9) for drawing in drawings.values()}) == 1:
+            # A long number reaches into the gutter before it shrinks.
+            rights = [*(right + CLEAR for _, right in self._spans[:-1]), self._spans[-1][1]]
+            first = self._first_left(next(iter(drawings)), rights[0])
+            lefts = [first, *(left for left, _ in self._spans[1:])]
+            self._places = dict(zip(drawings, zip(lefts, rights, strict=True), strict=True))
+            self._usual = dict(zip(drawings, (right for _, right in self._spans), strict=True))
+        else:
+            self._spans = [(page.left, page.right)]
+            self._places = self._packed()
+            self._usual = {name: right for name, (_, right) in self._places.items()}
+
+    def _first_left(self, panel: str, right: float) -> float:
+        """Return where the cells beside the names begin: as far to the left as they need."""
+        usual, names = self._page.left + VALUES, self._names()
+        least = self._page.left + self._entries.key + NAME_GAP + names + CLEAR
+        return min(usual, max(least, right - self._widest(panel)))
+
+    def _names(self) -> float:
+        """Return the width of the longest name."""
+        rows = self._entries.sheet.rows
+        return max((width(self._entries.heading(row), SIZE) for row in rows), default=0.0)
+
+    def _widest(self, panel: str) -> float:
+        """Return the width that the cells of a panel need at most."""
+        rows = self._entries.sheet.rows
+        return max((self._need(row.cells.get(panel, ())) for row in rows), default=0.0)
+
+    @property
+    def values(self) -> float:
+        """How far behind the margin the cells of the first panel begin."""
+        return min(left for left, _ in self._places.values()) - self._page.left
+
+    def frame(self) -> list[Mark]:
+        """Return rules, keys and names, and what grey means."""
+        y, page = self._page.hairline, self._page
+        marks = [
+            line([complex(left, y), complex(right, y)], "hairline") for left, right in self._spans
+        ]
+        rows, key = self._entries.sheet.rows, self._entries.key
+        room = VALUES - CLEAR - key - NAME_GAP
+        size = min(
+            (fitted(self._entries.heading(row), SIZE, LEAST, room) for row in rows), default=0.0
+        )
+        for row, baseline in zip(rows, page.rows, strict=True):
+            marks += self._entries.name(row, complex(page.left, baseline), key, size)
+        for baseline in page.rows[:1]:
+            marks += self._entries.legend(complex(page.right, baseline))
+        return marks
+
+    def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Entry]:
+        """Return the first cell at the column's left and a second one at its right."""
+        left, right = self._places[panel]
+        baseline, dressed = self._page.rows[index], self._entries.dressed
+        cells = row.cells.get(panel, ())
+        tight = len(cells) > 1 and self._need(cells, new) > right - left
+        bare = tight and alike(cells, panel, self._entries.sheet.rows)
+        values = [dressed(cell, new, self._reading(cell, bare)) for cell in cells]
+        signs = [dressed(cell, new, _sign(cell)) for cell in cells]
+        need = self._need(cells, new, bare)
+        shrink = min(1.0, (right - left) / need)
+        size, symbol = SIZE * shrink, self._symbol(panel) * shrink
+        last = min(right, max(self._usual[panel], left + need))
+        ends = self._ends(values, signs, left + symbol + (NUMBERS - EQUALS) * shrink, last, size)
+        found: list[Entry] = []
+        for count, (cell, value, sign) in enumerate(zip(cells, values, signs, strict=True)):
+            name, equals = dressed(cell, new, symbols(cell.symbol)), dressed(cell, new, roman("="))
+            places = [(name, left), (equals, left + symbol)]
+            start = left + symbol + (NUMBERS - EQUALS) * shrink
+            end = min(start + WRITTEN * shrink, right)
+            if len(cells) > 1:  # up to the symbol behind it
+                ahead = width(values[1], size) + width(signs[1], size) + CLEAR * shrink
+                end = min(end, ends[1] - ahead)
+            if count:
+                end = ends[count]
+                start = end - width(value, size)
+                places = [(sign, start - width(sign, size))]
+            role = self._entries.role(cell)
+            *before, number = (
+                Mark(Lettering(runs, complex(x, baseline), size), role)
+                for runs, x in [*places, (value, start)]
+            )
+            found.append(Entry(tuple(before), number, start, end))
+        return found
+
+    def _symbol(self, panel: str) -> float:
+        """Return how far behind the symbols of a column its equals signs stand."""
+        firsts = [row.cells[panel][0] for row in self._entries.sheet.rows if row.cells.get(panel)]
+        widest = max((width(symbols(cell.symbol), SIZE) for cell in firsts), default=0.0)
+        return EQUALS if widest <= EQUALS else widest + SIGN_GAP
+
+    @staticmethod
+    def _ends(
+        values: Sequence[Runs], signs: Sequence[Runs], start: float, right: float, size: float
+    ) -> list[float]:
+        """Return where the cells of a row end: the first at its own length, the last at ``right``.
+
+        What lies between them stands at equal distances.
+        """
+        wide = [width(value, size) for value in values[:1]]
+        pairs = zip(values[1:], signs[1:], strict=True)
+        wide += [width(value, size) + width(sign, size) for value, sign in pairs]
+        spare = (right - start - sum(wide)) / max(1, len(wide) - 1)
+        return [*(start + sum(wide[: i + 1]) + i * spare for i in range(len(wide) - 1)), right]
+
+    def _packed(self) -> dict[str, tuple[float, float]]:
+        """Return where the cells of each panel stand that has no room beneath: side by side."""
+        rows, page = self._entries.sheet.rows, self._page
+        left = page.left + self._entries.key + NAME_GAP + min(self._names() + CLEAR, VALUES)
+        wide = {name: self._widest(name) + CLEAR for name in page.panels}
+        # What grey means stands at the end of the first line.
+        legend = [m.shape for m in self._entries.legend(0j) if isinstance(m.shape, Lettering)]
+        last, first = next(reversed(wide)), rows[0].cells if rows else {}
+        end = self._need(first.get(last, ())) + 2 * CLEAR
+        wide[last] = max(wide[last], end + sum(width(text.runs, text.size) for text in legend))
+        stretch = (page.right + CLEAR - left) / sum(wide.values())
+        places: dict[str, tuple[float, float]] = {}
+        for name, wanted in wide.items():
+            places[name] = left, left + wanted * stretch - CLEAR
+            left += wanted * stretch
+        return places
+
+    def _need(self, cells: Sequence[Cell], new: bool = True, bare: bool = False) -> float:
+        """Return the width of cells at full size; ``bare`` ones are without their units."""
+        signs = [self._entries.dressed(cell, new, _sign(cell)) for cell in cells[1:]]
+        values = [self._entries.dressed(cell, new, self._reading(cell, bare)) for cell in cells]
+        runs = sum(width(runs, SIZE) for runs in (*values, *signs))
+        symbol = width(symbols(cells[0].symbol), SIZE) if cells else 0.0
+        more = symbol + SIGN_GAP - EQUALS if symbol > EQUALS else 0.0
+        return NUMBERS + more + runs + CLEAR * len(signs)
+
+    def _reading(self, cell: Cell, bare: bool) -> Runs:
+        unit = with_unit("", self._entries.unit(cell))
+        return self._entries.figures(cell) + (() if bare else roman(unit))
+
+
+def alike(cells: Sequence[Cell], panel: str, rows: Sequence[Row]) -> bool:
+    """Tell whether cells have the unit that stands behind the first number of their column.
+
+    A degree sign is part of its number.
+    """
+    firsts = [row.cells[panel][0] for row in rows if row.cells.get(panel)]
+    units = {cell.unit for cell in cells}
+    return units == {firsts[0].unit} and "°" not in units and cells[0] is not firsts[0]
+
+
+def _sign(cell: Cell) -> Runs:
+    return symbols(cell.symbol) + roman(" = ")
+
+
+class Halves:
+    """The table of a page with its panels side by side and many rows."""
+
+    def __init__(self, entries: Entries, area: Rect, names: list[str], rows: Sequence[Row]) -> None:
+        self._entries, self._area = entries, area
+        self._first = first_half(rows, names)
+        middle = (area.left + area.right) / 2
+        left = Rect(area.left, area.bottom, middle - GUTTER / 2, area.top)
+        right = Rect(middle + GUTTER / 2, area.bottom, area.right, area.top)
+        parts = rows[: self._first], rows[self._first :]
+        squeeze = min(area.height / need(part, names, titled=False) for part in parts)
+        self._halves = [
+            Quarter(entries, place, names, part, titled=False, squeeze=squeeze)
+            for place, part in zip((left, right), parts, strict=True)
+        ]
+
+    def frame(self) -> list[Mark]:
+        """Return names, keys, heads and rules; and what grey means, where there is room."""
+        marks = [mark for half in self._halves for mark in half.frame()]
+        last = self._halves[-1]
+        legend = self._entries.legend(complex(self._area.right, last.head))
+        texts = [mark.shape for mark in legend if isinstance(mark.shape, Lettering)]
+        room = self._area.right - last.right - LEGEND_GAP
+        fits = all(width(text.runs, text.size) <= room for text in texts)
+        return [*marks, *legend] if fits else marks
+
+    def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Entry]:
+        """Return what row number ``index`` shows for a panel."""
+        if index < self._first:
+            return self._halves[0].cells(index, row, panel, new)
+        return self._halves[1].cells(index - self._first, row, panel, new)
+
+
+def first_half(rows: Sequence[Row], names: list[str]) -> int:
+    """Return how many rows stand on the left, so that the halves are equally high."""
+
+    def height(count: int) -> float:
+        return max(need(part, names, titled=False) for part in (rows[:count], rows[count:]))
+
+    return min(range((len(rows) + 1) // 2, len(rows)), key=height)
+
+
+def height_of_halves(rows: Sequence[Row], names: list[str]) -> float:
+    """Return how high the halves of many rows are; 0 where they are few."""
+    if len(rows) <= MOST:
+        return 0.0
+    count = first_half(rows, names)
+    parts = rows[:count], rows[count:]
+    return SQUEEZE * max(need(part, names, titled=False) for part in parts)

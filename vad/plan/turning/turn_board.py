@@ -15,8 +15,7 @@ from vad.plan.format import Format, screen
 from vad.plan.geometry import Rect
 from vad.plan.items import TITLE, Item, Level, curve_of, head_of
 from vad.plan.marks import Mark, lines
-from vad.plan.page.heads import head
-from vad.plan.page.title import title_marks
+from vad.plan.page.heads import head, title_marks
 from vad.plan.sharing import rooms
 from vad.plan.sketch import Setting
 from vad.plan.turning.chart import Chart, dial, driver_ticks
