@@ -15,9 +15,9 @@ from tests.plan.overlaps import _in_panel
 from vad.errors import AssemblyError, InputError, UsageError
 from vad.painting.posed import posed
 from vad.plan.format import paper, screen
-from vad.plan.labels.vertices import corners
 from vad.plan.marks import Lettering
 from vad.plan.multiples_board import LOWEST, NARROWEST, MultiplesBoard
+from vad.plan.reach import corners
 
 PLACES = {
     "turn": (vad.FourBar(), (0, 60, 120, 180, 240, 300), screen((1280, 720))),

@@ -12,7 +12,7 @@ from tests.painting.readers import centres, media_box, operations, pdf_catalog, 
 from vad.errors import UsageError
 from vad.painting.posed import posed
 from vad.plan.format import paper_names
-from vad.plan.labels.vertices import corners
+from vad.plan.reach import corners
 from vad.strokes.sheet import Arrow, Sheet
 
 MILLIMETRE = 72 / 25.4

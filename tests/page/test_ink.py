@@ -12,8 +12,7 @@ from tests.page.lessons import lesson_of
 from vad.page.ink import grown
 from vad.page.parts import page_plan
 from vad.painting.svg_elements import Grid
-from vad.plan.growth import Sliding, Turning
-from vad.plan.marks import Disc, Mark, Polygon, Polyline
+from vad.plan.marks import Disc, Mark, Polygon, Polyline, Sliding, Turning
 
 
 def vertices(mark: Mark, grid: Grid) -> list[complex]:

@@ -12,7 +12,7 @@ from vad.cli.run import run
 from vad.lecture.moment import Moment
 from vad.painting.film import EMPTY, Frame, filmed, frames, redraw
 from vad.painting.shapes import outline
-from vad.plan.turning.turn_board import TurnBoard
+from vad.plan.turn_board import TurnBoard
 from vad.style import load_style
 
 SIZE = (640, 360)

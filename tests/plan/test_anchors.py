@@ -30,10 +30,10 @@ from vad.plan.board import plan, rows_of
 from vad.plan.format import screen
 from vad.plan.geometry import Rect
 from vad.plan.labels.choices import KeptLabels
-from vad.plan.labels.vertices import corners
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Polygon, Polyline
 from vad.plan.pictures import over_reach
 from vad.plan.pictures.polygon import Polygon as VectorPolygon
+from vad.plan.reach import corners
 from vad.plan.scale import Scale, fill
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Panel, Plate, Sheet, Stroke

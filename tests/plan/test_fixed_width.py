@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from vad.plan.chart import fixed_width
 from vad.plan.lettering.glyphs import width
-from vad.plan.turning.fixed_width import fixed_width
 from vad.written import number
 
 

@@ -13,10 +13,22 @@ from tests.plan.snapshots import SCENES, lesson
 from vad.painting.posed import board_of
 from vad.plan.board import Plan
 from vad.plan.geometry import Rect
-from vad.plan.growth import Fading, Growth, Scaling, Sliding, Trimming, Turning
 from vad.plan.items import Item
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.marks import Bow, Disc, Lettering, Mark, Polygon, Polyline
+from vad.plan.marks import (
+    Bow,
+    Disc,
+    Fading,
+    Growth,
+    Lettering,
+    Mark,
+    Polygon,
+    Polyline,
+    Scaling,
+    Sliding,
+    Trimming,
+    Turning,
+)
 from vad.plan.pictures.constructions import HINGE, compass
 from vad.strokes.sheet import Arrow
 

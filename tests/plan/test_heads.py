@@ -8,7 +8,7 @@ import vad
 from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.plan.lettering.glyphs import width
-from vad.plan.stated_scale import SHORTEST_BAR
+from vad.plan.scale import SHORTEST_BAR
 from vad.words import languages
 
 GAP = 0.015

@@ -16,8 +16,9 @@ from vad.plan.format import screen
 from vad.plan.geometry import Rect
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import Wish, beside, fan, outward, place
-from vad.plan.labels.vertices import corners, find_vertices
+from vad.plan.labels.vertices import find_vertices
 from vad.plan.layout import GUTTER_GRID, Page, grid_columns, lay_out
+from vad.plan.reach import corners
 from vad.plan.scale import fill, scale_bar
 
 PANELS = {"position": 1, "velocity": 1, "acceleration": 1}

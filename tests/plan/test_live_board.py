@@ -9,9 +9,9 @@ import pytest
 
 import vad
 from vad.gui.answers import board_of
-from vad.plan.labels.vertices import corners
 from vad.plan.live_board import LiveBoard, LivePose
 from vad.plan.marks import Bow, Outline, Polygon, Polyline
+from vad.plan.reach import corners
 from vad.strokes.sheet import Sheet
 
 PANELS = ("position", "velocity", "acceleration")

@@ -11,7 +11,7 @@ from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import Placed
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Lettering, Mark, Polyline
-from vad.plan.turning.numbered_turn import NumberedTurn
+from vad.plan.turn_board import NumberedTurn
 
 FRAMES = 240  # of the 8 s that a turn takes
 EVERY = 24

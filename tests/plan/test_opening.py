@@ -12,12 +12,11 @@ from tests.plan.test_growth import points
 from vad.files.examples import example_path
 from vad.lecture.moment import Moment, done, drawing
 from vad.painting.posed import board_of
-from vad.plan.board import Plan, seen
+from vad.plan.board import LARGEST, USUAL, Plan, seen
+from vad.plan.board import reach as reach_of
 from vad.plan.items import OPENING, Item
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Lettering, Mark
-from vad.plan.opening import LARGEST, USUAL
-from vad.plan.opening import reach as reach_of
 
 EVERY = pytest.mark.parametrize("scene", SCENES)
 SHARES = [k / 5 for k in range(6)]

@@ -8,12 +8,11 @@ import pytest
 import vad
 from vad.cli.run import run
 from vad.plan.format import paper, screen
+from vad.plan.hodographs import TOLERANCE, thinned
 from vad.plan.items import Item
+from vad.plan.layout import lay_out_turn
 from vad.plan.marks import Disc, Lettering, Mark, Polyline
-from vad.plan.turning.numbered_turn import NumberedTurn
-from vad.plan.turning.thinning import TOLERANCE, thinned
-from vad.plan.turning.turn_board import TurnBoard
-from vad.plan.turning.turn_layout import lay_out_turn
+from vad.plan.turn_board import NumberedTurn, TurnBoard
 from vad.strokes.diagram import Spot
 
 

@@ -20,8 +20,7 @@ from vad.plan.marks import Bow, Disc, Lettering, Mark, Polygon
 from vad.plan.page.changing import caption_lines
 from vad.plan.pictures.curves import curve_of
 from vad.plan.pictures.views import Views
-from vad.plan.scale import Scale
-from vad.plan.scaling import views_scale
+from vad.plan.scale import Scale, views_scale
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Arrow, Ellipse
 

@@ -33,8 +33,7 @@ from vad.plan.board import plan
 from vad.plan.format import Format, screen
 from vad.plan.live_board import LiveBoard
 from vad.plan.pictures.views import held_arc, tip_of
-from vad.plan.scale import Scale
-from vad.plan.scaling import calm_scale
+from vad.plan.scale import Scale, calm_scale
 from vad.strokes.draw import chosen
 from vad.strokes.sheet import Arrow, Block, Panel, Sheet
 from vad.style import load_style

@@ -29,9 +29,8 @@ from vad.painting.svg_text import Faces, SetText
 from vad.plan.board import Plan
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
-from vad.plan.growth import Fading, Scaling, Sliding, Trimming, Turning
 from vad.plan.items import FOREVER, Level, Span
-from vad.plan.marks import Bow, Mark
+from vad.plan.marks import Bow, Fading, Mark, Scaling, Sliding, Trimming, Turning
 
 
 class Inker:

@@ -20,7 +20,7 @@ from vad.page.themed import Inks, lettered
 from vad.painting.posed import SIZE
 from vad.painting.svg_elements import number
 from vad.painting.svg_text import Faces
-from vad.plan.board import Plan, plan
+from vad.plan.board import Plan, plan, reach
 from vad.plan.format import screen
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER
@@ -28,13 +28,12 @@ from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, said, symbols
 from vad.plan.lettering.wrapping import tied
 from vad.plan.marks import line
-from vad.plan.opening import reach
 from vad.plan.page.changing import measuring
 from vad.plan.page.heads import APART, REMARK_SIZE, TITLE, Piece, compose
 from vad.plan.page.quarter import SIZE as ENTRY
 from vad.plan.page.table import CLEAR, EQUALS, VALUES, Columns, alike
 from vad.plan.page.table import table as laid_out
-from vad.plan.stated_scale import bar
+from vad.plan.scale import bar
 from vad.strokes.description import parameters
 from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Cell, Panel, Row

@@ -100,7 +100,7 @@ def filmed(film: Lesson | Turn, most: float = math.inf) -> Iterator[Frame]:
     style = load_style(film.style)
     if isinstance(film, Lesson):
         return frames(board_of(film), moments(film, most), style)
-    from vad.plan.turning.turn_board import TurnBoard
+    from vad.plan.turn_board import TurnBoard
 
     states = ((Moment(number), 1) for number in range(film.frames))
     return frames(TurnBoard(film), states, style)

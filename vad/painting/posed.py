@@ -82,7 +82,7 @@ def posed(
         form = paper_format(paper)
     look = load_style(usual[1] if style is None else style)
     if isinstance(thing, Turn):
-        from vad.plan.turning.numbered_turn import NumberedTurn
+        from vad.plan.turn_board import NumberedTurn
 
         return Posed(NumberedTurn(thing, form), Moment(0), look, thing.sheet)
     if isinstance(thing, Multiples):

@@ -15,9 +15,19 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from vad.plan.geometry import SHORTEST, Rect, bar_corners, direction_of
-from vad.plan.growth import Growth, swelling
 from vad.plan.lettering.runs import Runs
-from vad.plan.marks import Bow, Disc, Hanging, Lettering, Mark, Outline, Polygon, Polyline
+from vad.plan.marks import (
+    Bow,
+    Disc,
+    Growth,
+    Hanging,
+    Lettering,
+    Mark,
+    Outline,
+    Polygon,
+    Polyline,
+    swelling,
+)
 from vad.plan.roles import ROLES
 from vad.plan.scale import Scale
 from vad.strokes.sheet import Arc, Arrow, Panel, Shape

@@ -16,14 +16,12 @@ from vad.plan.geometry import Rect
 from vad.plan.items import Item
 from vad.plan.labels.choices import KeptLabels, Ways
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.layout import Page
+from vad.plan.layout import OVERLAP, Page, rooms
 from vad.plan.pictures import over_reach, resized
 from vad.plan.pictures.polygon import Polygon
 from vad.plan.pictures.skeleton import Skeleton
 from vad.plan.pictures.views import Views
-from vad.plan.scale import Scale
-from vad.plan.scaling import calm_scale
-from vad.plan.sharing import OVERLAP, rooms
+from vad.plan.scale import Scale, calm_scale
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Panel, Sheet
 

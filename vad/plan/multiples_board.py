@@ -13,19 +13,17 @@ from vad.plan.board import rows_of
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, TITLE, Item, Level
-from vad.plan.labels.vertices import corners
-from vad.plan.layout import FLOOR, GUTTER, MARGIN, Page, PanelPlace
+from vad.plan.layout import FLOOR, GUTTER, MARGIN, Page, PanelPlace, rooms
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark
 from vad.plan.page.heads import TITLE as TITLE_SIZE
 from vad.plan.page.heads import head, title_marks
 from vad.plan.pictures import sketched
-from vad.plan.scale import Scale, fill
-from vad.plan.scaling import views_scale
-from vad.plan.sharing import rooms
+from vad.plan.reach import corners
+from vad.plan.scale import SCALE_SIZE as SCALE
+from vad.plan.scale import Scale, fill, views_scale
 from vad.plan.sketch import Setting, Sketch
-from vad.plan.stated_scale import SCALE_SIZE as SCALE
 from vad.strokes.multiples import Multiples
 from vad.strokes.notation import Notation
 from vad.strokes.sheet import Cell, Sheet

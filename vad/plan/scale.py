@@ -1,22 +1,55 @@
-"""Scales: how a panel's coordinates become places on the page.
+"""Scales: how a panel's coordinates become places on the page, how they are chosen, and stated.
 
-In come points and the room for them, out go the scale at which they fill it, and round numbers
-for scales that are stated.
+A still fills its panel (`fill`).  A turn has one scale for all poses, chosen for those that are
+usual (`mechanism_scale`, `polygon_scale`, `views_scale`).  Under the hand a picture keeps its scale
+while it fits its panel, and is not lost in it (`calm_scale`).  A bar with its value states a scale;
+on paper, what a centimetre stands for does.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
 
 from vad.plan.geometry import Rect
+from vad.plan.lettering.glyphs import ink_size, width
+from vad.plan.lettering.runs import Runs, roman
+from vad.plan.marks import Bow, Lettering, Mark, line, lines
+from vad.plan.reach import corners
+from vad.strokes.notation import Notation
+from vad.strokes.sheet import Arc, Guide, Panel
+
+if TYPE_CHECKING:
+    from vad.plan.sketch import Setting
 
 SIDE_PADDING = 0.075
 TOP_PADDING = 0.055
 BOTTOM_PADDING = 0.060
 BOTTOM_PADDING_POSITION = 0.090
 TALL = 1.5  # height over width
+SCALE_SIZE = 0.030
+LONGEST_BAR = 0.12
+SHORTEST_BAR = 0.03
+SCALE_GAP = 0.0125  # from the bar to its value
+SCALE_RISE = 0.0098  # of the bar above the baseline
+SCALE_TICK = 0.008
+_CENTIMETRES = {"mm": 0.1, "cm": 1.0, "m": 100.0}
+#: Where the largest polygon dwarfs that of three poses in four, the scale is theirs.
+USUAL, DWARFED, ABOUT = 75.0, 2.2, 1.15
+SLACK = 0.020  # labels glide, and so a polygon needs less room about it than in a still
+#: In views letters stand beside what reaches farthest, seldom beyond it: so much less room is kept.
+VIEWS_SLACK = 0.025
+#: The room that a dimension and its words take of a panel, beside a guide.
+DIMENSION = 0.050
+#: Of its panel, a picture fills at least this; where a new scale is found, it leaves that to spare.
+LEAST, SPARE = 0.22, 0.20
+_DEEP = 0.1  # by that share of its height a mechanism reaches below a guide
+_LEVEL = 0.9  # the height of the unit vector across a guide that is about level
+_ROUNDING = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,3 +144,124 @@ def scale_bar(factor: float, longest: float) -> float:
         if step * power <= most:
             return step * power
     return power
+
+
+def stated(
+    panel: Panel, scale: Scale, room: float, centimetre: float | None, notation: Notation
+) -> tuple[float, Runs]:
+    """Return the length of the scale bar and what it says; on paper it is a centimetre."""
+    if centimetre:
+        return centimetre, _on_paper(panel, centimetre / scale.factor, notation)
+    return bar(panel, scale, room, notation)
+
+
+def bar(panel: Panel, scale: Scale, room: float, notation: Notation) -> tuple[float, Runs]:
+    """Return the length of the scale bar and what it says: the longest that fits the ``room``.
+
+    Where none of a length that can be measured fits, the shortest one.
+    """
+    value = scale_bar(scale.factor, LONGEST_BAR)
+    while True:
+        runs = roman(notation.quantity(value, panel.unit, given=True))
+        length = value * scale.factor
+        shorter = scale_bar(scale.factor, 0.9 * length)
+        fits = width(runs, SCALE_SIZE) + SCALE_GAP + length <= room
+        if fits or shorter * scale.factor < SHORTEST_BAR:
+            return length, runs
+        value = shorter
+
+
+def bar_marks(length: float, runs: Runs, start: complex, size: float = SCALE_SIZE) -> list[Mark]:
+    """Return a scale bar that begins at ``start`` on the baseline, and its value behind it."""
+    first, last = start.real, start.real + length
+    y = start.imag + SCALE_RISE
+    ticks = [(complex(x, y - SCALE_TICK), complex(x, y + SCALE_TICK)) for x in (first, last)]
+    return [
+        Mark(Lettering(runs, start + length + SCALE_GAP, size), "notes"),
+        line([complex(first, y), complex(last, y)], "scale bar"),
+        lines(ticks, "scale bar"),
+    ]
+
+
+def bar_box(length: float, runs: Runs, start: complex) -> Rect:
+    """Return the box that the marks of a scale bar fill."""
+    _, high = ink_size(runs, SCALE_SIZE)
+    right = start.real + length + SCALE_GAP + width(runs, SCALE_SIZE)
+    return Rect(
+        start.real, start.imag - SCALE_TICK, right, start.imag + max(high, SCALE_RISE + SCALE_TICK)
+    )
+
+
+def _on_paper(panel: Panel, value: float, notation: Notation) -> Runs:
+    """Return what a centimetre of paper stands for, and the ratio where both are metric lengths."""
+    text = f"1 cm = {notation.quantity(value, panel.unit, given=True)}"
+    ratio = value * _CENTIMETRES.get(panel.unit, 0.0)
+    if ratio:
+        sides = (notation.number(max(1.0, side), given=True) for side in (1.0 / ratio, ratio))
+        text += f"   ({' : '.join(sides)})"
+    return roman(text)
+
+
+def mechanism_scale(setting: Setting, poses: Sequence[Panel]) -> Scale:
+    """Return the scale at which a mechanism fills its panel in all poses, with its dimensions."""
+    points = [point for pose in poses for point in corners(pose)]
+    room = _beside_guides(poses[0], points, setting.room)
+    return fill(points, room, True, setting.centimetre)
+
+
+def polygon_scale(
+    polygons: Sequence[Sequence[complex]], room: Rect, centimetre: float | None
+) -> Scale:
+    """Return the scale at which polygons fill a room, but for those that dwarf the rest.
+
+    ``polygons`` are the corners of each of them.
+    """
+    sizes = [max(map(abs, points), default=0.0) for points in polygons]
+    usual, most = float(np.percentile(sizes, USUAL)), max(sizes)
+    limit = ABOUT * usual if most > DWARFED * usual else most
+    kept = zip(polygons, sizes, strict=True)
+    points = [point for points, size in kept if size <= limit for point in points]
+    return fill(points, room.inside(-SLACK), False, centimetre)
+
+
+def views_scale(setting: Setting, poses: Sequence[Panel]) -> Scale:
+    """Return the scale at which the views fill their panel in all poses; they state none."""
+    points = [point for pose in poses for point in reach(pose)]
+    room = setting.room.inside(-VIEWS_SLACK)
+    scale = fill(points, room, position=False, centimetre=setting.centimetre)
+    return replace(scale, bare=True)
+
+
+def reach(panel: Panel) -> list[complex]:
+    """Return the points of the views that have to be on the page."""
+    arcs = [stroke.shape for stroke in panel.strokes if isinstance(stroke.shape, Arc)]
+    bows = (Bow(arc.centre, arc.radius, arc.start, arc.sweep) for arc in arcs)
+    return corners(panel) + [point for bow in bows for point in bow.line()]
+
+
+def _beside_guides(panel: Panel, points: Sequence[complex], room: Rect) -> Rect:
+    """Return the room of a mechanism that leaves some for a dimension along a level guide."""
+    guides = [s.shape for s in panel.strokes if isinstance(s.shape, Guide) and s.shape.side]
+    above = any(guide.side and guide.side.imag > _LEVEL for guide in guides)
+    lowest, highest = min(z.imag for z in points), max(z.imag for z in points)
+    high = [g.through.imag for g in guides if g.side and g.side.imag < -_LEVEL]
+    below = any(height - lowest > _DEEP * (highest - lowest) for height in high)
+    bottom, top = room.bottom + 0.7 * DIMENSION * below, room.top - DIMENSION * above
+    return Rect(room.left, bottom, room.right, top)
+
+
+def calm_scale(panel: Panel, room: Rect, before: Scale | None) -> Scale:
+    """Return the scale of the pose before, unless polygon or mechanism has outgrown it."""
+    points, position = corners(panel), panel.picture == "skeleton"
+    fitting = fill(points, room, position)
+    if before is None:
+        return fitting
+    if fitting.bare:
+        return before
+    inner = padded(room, position)
+    fits = all(inner.holds(before(point), _ROUNDING) for point in points)
+    lost = before.factor < LEAST * fitting.factor
+    if fits and not lost:
+        return before
+    spared = fitting.factor / (1.0 + SPARE)
+    return fill(points, room, position, factor=spared if lost else min(spared, before.factor))

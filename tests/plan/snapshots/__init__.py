@@ -19,10 +19,23 @@ from vad.lecture.lesson import Lesson
 from vad.painting.posed import board_of
 from vad.plan.board import plan
 from vad.plan.format import screen
-from vad.plan.growth import Fading, Growth, Scaling, Sliding, Trimming, Turning
 from vad.plan.items import FOREVER, Item
-from vad.plan.marks import Bow, Disc, Lettering, Mark, Outline, Polygon, Polyline
-from vad.plan.turning.turn_board import TurnBoard
+from vad.plan.marks import (
+    Bow,
+    Disc,
+    Fading,
+    Growth,
+    Lettering,
+    Mark,
+    Outline,
+    Polygon,
+    Polyline,
+    Scaling,
+    Sliding,
+    Trimming,
+    Turning,
+)
+from vad.plan.turn_board import TurnBoard
 from vad.strokes.sheet import Sheet
 
 HERE = Path(__file__).parent

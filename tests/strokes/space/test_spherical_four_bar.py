@@ -14,8 +14,7 @@ import vad
 from tests.plan.overlaps import overlaps, planned
 from tests.strokes.named import dot, stroke, vector
 from vad.export.sheet_json import sheet_from_json, to_text
-from vad.plan.growth import Scaling
-from vad.plan.marks import Polyline
+from vad.plan.marks import Polyline, Scaling
 from vad.strokes.sheet import Ellipse, Fold, Line, Sheet
 
 ANGLES = [*range(0, 360, 30), 140]

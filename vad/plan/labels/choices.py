@@ -2,7 +2,7 @@
 
 What is labelled is the affair of a picture.  Where its labels stand is chosen: each placed for one
 pose, clear of all that is there (`Placed`), or kept under the hand, on the side of its dot on which
-it stood (`Kept`).  Those of a whole turn are the affair of `vad.plan.turning.springs`.
+it stood (`Kept`).  Those of a whole turn are the affair of `vad.plan.labels.springs`.
 """
 
 from __future__ import annotations
@@ -18,8 +18,16 @@ from vad.plan.geometry import direction_of
 from vad.plan.items import ALWAYS, Level
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import APART, CLEARANCE, WAYS, Placed, Wish, beside, place
-from vad.plan.labels.tags import GAPS, SMALL_SIZE, add_tag
-from vad.plan.labels.vertices import LETTER, Vertex, label_vertices, text_beside, wish
+from vad.plan.labels.vertices import (
+    GAPS,
+    LETTER,
+    SMALL_SIZE,
+    Vertex,
+    add_tag,
+    label_vertices,
+    text_beside,
+    wish,
+)
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.marks import Bow

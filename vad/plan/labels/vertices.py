@@ -1,7 +1,7 @@
-"""The lettered points of a panel, and their labels.
+"""The lettered points of a panel with their labels, and labels along strokes.
 
-In come strokes and a scale, out go vertices (coincident ones share a dot and a label) and,
-once they are placed, the items of their labels.
+In come strokes and a scale, out go vertices (coincident ones share a dot and a label) and, once
+they are placed, the items of their labels.  Beside a line stands what it is: ``⟂ BC``, ``2ωv``.
 """
 
 from __future__ import annotations
@@ -12,22 +12,35 @@ from functools import cached_property, lru_cache
 from itertools import combinations
 
 from vad.plan.anchors import RIGHT, Anchor, Beside, Chains, PointName
-from vad.plan.carriers import reached
 from vad.plan.geometry import direction_of
 from vad.plan.items import FOREVER, Level, Span
-from vad.plan.labels.placing import Placed, Wish, outward, place_all
+from vad.plan.labels.obstacles import PIXEL, Obstacles
+from vad.plan.labels.placing import (
+    APART,
+    CLEARANCE,
+    Placed,
+    Wish,
+    beside,
+    outward,
+    place,
+    place_all,
+)
 from vad.plan.lettering.glyphs import ink_size, typeset
 from vad.plan.lettering.runs import Runs, symbols
-from vad.plan.marks import Lettering, Mark, line
+from vad.plan.marks import Growth, Lettering, Mark, line
 from vad.plan.scale import Scale
 from vad.plan.sketch import Sketch, Tag
-from vad.strokes.sheet import Arrow, Bearing, Block, Curve, Dot, Ellipse, Line, Panel, Plate, Stroke
+from vad.strokes.sheet import Arrow, Block, Dot, Panel, Plate, Stroke
 
 LETTER = 0.040
 COINCIDENT = 0.012
 #: So many letters stand in one line, and lines so far apart.
 IN_LINE = 4
 LEADING = 1.15 * LETTER
+SIZE = 0.033
+SMALL_SIZE = 0.030
+GAPS = (0.013, 0.022, 0.034)
+SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82, 0.10, 0.90)
 
 
 @dataclass
@@ -67,27 +80,6 @@ class Vertex:
     def rows(self) -> list[tuple[str, ...]]:
         """The letters in lines of like length: one, or more where it would be too long."""
         return _rows(tuple(self.letters))
-
-
-def corners(panel: Panel) -> list[complex]:
-    """Return the points of a panel that have to be on the page, in its own unit."""
-    points = reached(panel)
-    for stroke in panel.strokes:
-        if isinstance(stroke.shape, Dot):
-            points.append(stroke.shape.at)
-        elif isinstance(stroke.shape, Arrow):
-            points += [stroke.shape.start, stroke.shape.end]
-        elif isinstance(stroke.shape, Plate):
-            points += stroke.shape.corners
-        elif isinstance(stroke.shape, Line):
-            points += [stroke.shape.through, stroke.shape.until]
-        elif isinstance(stroke.shape, Curve):
-            points += stroke.shape.points
-        elif isinstance(stroke.shape, Ellipse):
-            points += stroke.shape.outermost
-        elif isinstance(stroke.shape, Bearing):
-            points.append(stroke.shape.at)
-    return points
 
 
 def lettered(panel: Panel) -> dict[str, list[PointName]]:
@@ -242,3 +234,49 @@ def _letter(sketch: Sketch, vertex: Vertex, placed: Placed) -> None:
                 text = text_beside(*hung, runs[0], spot, LETTER, "letter", whole=runs[1])
                 texts.append(text)
         sketch.add(strokes[index], Level.LABEL, setting.after(index), texts, until)
+
+
+def add_tag(
+    sketch: Sketch,
+    stroke: Stroke,
+    text: str,
+    ends: tuple[Anchor, Anchor],
+    size: float,
+    span: Span,
+    since: int,
+    growth: Growth | None = None,
+) -> None:
+    """Write ``text`` beside the line between ``ends``, nearest its middle; it hangs on the first.
+
+    It keeps clear of all that shows in its ``span`` of beats, and appears at ``since``.
+    """
+    runs, row = symbols(text), sketch.setting.row(stroke.link)
+    start, end = sketch.solved.places(ends)
+    placed = _along(sketch.obstacles.during(span), start, end, runs, size)
+    sketch.obstacles.box(placed.box, span)
+    said = text_beside(ends[0], start, runs, placed.centre, size, "tag", row)
+    marks = [replace(said, growth=growth)]
+    if placed.leader:
+        sketch.obstacles.line(placed.leader, PIXEL, span)
+        leader = leader_of(ends[0], start, placed.leader)
+        marks.insert(0, replace(leader, growth=growth))
+    sketch.add(stroke, Level.LABEL, since, marks, span[1])
+    sketch.tags.append(Tag(text, placed.box, span))
+
+
+def _along(obstacles: Obstacles, start: complex, end: complex, runs: Runs, size: float) -> Placed:
+    wide, high = ink_size(runs, size)
+    span = end - start
+    normal = 1j * span / abs(span) if abs(span) > 1e-9 else 1j
+    if normal.imag < 0 or (normal.imag < 1e-9 and normal.real < 0):
+        normal = -normal
+    for gap in GAPS:
+        centres = [
+            beside(start + share * span, side * normal, gap, wide, high)
+            for share in SHARES
+            for side in (1, -1)
+        ]
+        free = obstacles.free(centres, wide, high, CLEARANCE, APART)
+        if free.any():
+            return Placed(centres[int(free.argmax())], wide, high)
+    return place(obstacles, Wish((start + end) / 2, normal, wide, high, near=()))

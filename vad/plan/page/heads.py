@@ -14,9 +14,8 @@ from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Lettering, Mark, line
-from vad.plan.scale import Scale
+from vad.plan.scale import SCALE_GAP, SCALE_SIZE, Scale, bar_marks, stated
 from vad.plan.sketch import Sketch
-from vad.plan.stated_scale import SCALE_GAP, SCALE_SIZE, bar_marks, stated
 from vad.strokes.description import parameters
 from vad.strokes.notation import Notation
 from vad.strokes.sentences import pieces_of

@@ -9,15 +9,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from vad.plan.labels.vertices import corners
 from vad.plan.pictures import polygon
 from vad.plan.pictures.polygon import Polygon
 from vad.plan.pictures.skeleton import Skeleton, angle_centre
+from vad.plan.pictures.supports import add_dimension
 from vad.plan.pictures.views import Views
-from vad.plan.scale import Scale, fill
-from vad.plan.scaling import calm_scale, mechanism_scale, views_scale
+from vad.plan.reach import corners
+from vad.plan.scale import Scale, calm_scale, fill, mechanism_scale, views_scale
 from vad.plan.sketch import Setting, Sketch
-from vad.plan.turning.dimension import add_dimension
 from vad.strokes.sheet import Panel
 
 Picture = Skeleton | Polygon | Views

@@ -14,17 +14,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from vad.plan.anchors import RIGHT, Anchor, AngleArc, Arch, Area, Hung, Term
-from vad.plan.carriers import is_yoke
-from vad.plan.growth import Trimming
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside
 from vad.plan.labels.vertices import text_beside
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
-from vad.plan.marks import Bow, Mark, area
+from vad.plan.marks import Bow, Mark, Trimming, area
 from vad.plan.pictures import machine
 from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, HEAD_NOTCH, Vector
+from vad.plan.reach import is_yoke
 from vad.plan.roles import ROLES
 from vad.plan.sketch import Sketch, Tag
 from vad.strokes.sheet import Arc, Arrow, Stroke

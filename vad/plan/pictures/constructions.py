@@ -14,11 +14,22 @@ from itertools import pairwise, product
 
 from vad.plan.anchors import RIGHT, Anchor, Hung, Solved
 from vad.plan.geometry import SHORTEST, Rect
-from vad.plan.growth import Fading, Growth, Sliding, Trimming, Turning
 from vad.plan.items import FOREVER, Level, Span, together
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.labels.tags import SIZE, SMALL_SIZE, add_tag
-from vad.plan.marks import Bow, Mark, Polyline, area, disc, line
+from vad.plan.labels.vertices import SIZE, SMALL_SIZE, add_tag
+from vad.plan.marks import (
+    Bow,
+    Fading,
+    Growth,
+    Mark,
+    Polyline,
+    Sliding,
+    Trimming,
+    Turning,
+    area,
+    disc,
+    line,
+)
 from vad.plan.pictures.vectors import PlacedVector
 from vad.plan.roles import CONSTRUCTION
 from vad.plan.sketch import Sketch

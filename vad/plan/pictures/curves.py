@@ -14,10 +14,9 @@ from typing import TypeGuard
 
 from vad.plan.anchors import Anchor, Area, Chains, Hung, Solved, Term
 from vad.plan.geometry import SHORTEST
-from vad.plan.growth import Fading, Trimming
 from vad.plan.items import FOREVER, Level, Span
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.marks import Bow, Disc, Mark, Polyline
+from vad.plan.marks import Bow, Disc, Fading, Mark, Polyline, Trimming
 from vad.plan.pictures import machine
 from vad.plan.roles import BAR, ROLES
 from vad.plan.scale import Scale

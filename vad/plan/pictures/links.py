@@ -9,13 +9,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from vad.plan.anchors import Anchor, Area, Chains, Hung, Strip, Term
-from vad.plan.carriers import block_along, block_on, carries_block, ends_of_travel, is_yoke
 from vad.plan.geometry import direction_of
-from vad.plan.growth import Fading, Trimming
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import PIXEL
+from vad.plan.marks import Fading, Trimming
 from vad.plan.pictures import machine, supports
 from vad.plan.pictures.vectors import Pen
+from vad.plan.reach import block_along, block_on, carries_block, ends_of_travel, is_yoke
 from vad.plan.roles import BAR, BLOCK_RIM, PLATE_EDGE
 from vad.plan.sketch import Part, Piece, Sketch
 from vad.strokes.sheet import Arrow, Block, Guide, Panel, Plate, Stroke

@@ -11,9 +11,9 @@ import math
 from itertools import combinations
 
 from vad.plan.anchors import Anchor, Area, Chains, Circle, Hung, Term
-from vad.plan.carriers import carries_block
 from vad.plan.geometry import SHORTEST
-from vad.plan.growth import Growth
+from vad.plan.marks import Growth
+from vad.plan.reach import carries_block
 from vad.plan.roles import BLOCK_RIM, DOT_RIM, JOINT_RIM
 from vad.plan.scale import Scale
 from vad.strokes.sheet import Arrow, Dot, Panel

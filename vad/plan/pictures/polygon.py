@@ -11,12 +11,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import product
 
-from vad.plan.anchors import SWELLING, Anchor, Area, Circle, Hung, PointName
+from vad.plan.anchors import SWELLING, Anchor, Area, Circle, Hung, PointName, on_page
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, Level
 from vad.plan.labels.choices import PLACED, LabelChoice
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.labels.vertices import corners, find_vertices
+from vad.plan.labels.vertices import find_vertices
 from vad.plan.pictures.constructions import add_construction, line_of, name_construction
 from vad.plan.pictures.inset import (
     SIZES,
@@ -28,10 +28,9 @@ from vad.plan.pictures.inset import (
     reserved,
 )
 from vad.plan.pictures.vectors import add_vector, place_vectors
+from vad.plan.reach import corners
 from vad.plan.roles import DOT_RIM, ROLES
-from vad.plan.scale import Scale, fill
-from vad.plan.scaling import polygon_scale
-from vad.plan.sharing import add_lower_bar
+from vad.plan.scale import Scale, bar_box, bar_marks, fill, polygon_scale, stated
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Arrow, Dot, Line, Panel, PolarInset, Stroke, StrokePart
 
@@ -40,6 +39,8 @@ DOT = 0.0068
 RADIUS = DOT + DOT_RIM
 NEAR = (0.014, 0.020, 0.027, 0.034)
 CAPTION_ROOMS = (math.inf, 0.18)  # in one line or, rather than at a smaller size, in two
+BAR_OFF = 0.012  # the lower edge of the room, for the scale bar of a polygon below another
+WIDEST_BAR = 0.45  # of the room's width, with its value
 _PARTS = ("normal", "tangential")
 
 
@@ -199,6 +200,21 @@ def _with_inset(setting: Setting, full: Sketch, labels: LabelChoice) -> Sketch:
                 add_inset(sketch, inset, spot)
                 return sketch
     return full
+
+
+def add_lower_bar(sketch: Sketch) -> None:
+    """Add the scale bar of a polygon below another, in the lower left corner of its room."""
+    setting = sketch.setting
+    panel, room, notation = setting.panel, setting.room, setting.sheet.notation
+    if panel.name == panel.column or sketch.scale.bare:
+        return
+    widest = WIDEST_BAR * room.width
+    length, runs = stated(panel, sketch.scale, widest, setting.centimetre, notation)
+    start = complex(room.left, room.bottom + BAR_OFF)
+    pole = panel.strokes[0]  # with which it comes
+    bar = on_page(bar_marks(length, runs, start))
+    sketch.add(pole, Level.GROUND, setting.during(0), bar)
+    sketch.obstacles.box(bar_box(length, runs, start))
 
 
 def _add_triangles(sketch: Sketch) -> None:

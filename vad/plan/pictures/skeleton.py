@@ -12,7 +12,6 @@ from dataclasses import replace
 from functools import cached_property
 
 from vad.plan.anchors import SWELLING, Anchor, Hung, Solved
-from vad.plan.carriers import is_yoke
 from vad.plan.items import Level
 from vad.plan.labels.choices import PLACED, LabelChoice
 from vad.plan.labels.obstacles import PIXEL, Obstacles
@@ -28,6 +27,7 @@ from vad.plan.pictures.constructions import (
 )
 from vad.plan.pictures.links import Links
 from vad.plan.pictures.supports import Foot, PlacedRail, Rail
+from vad.plan.reach import is_yoke
 from vad.plan.scale import Scale
 from vad.plan.sketch import Piece, Setting, Sketch
 from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Plate, Stroke

@@ -1,7 +1,7 @@
 """What holds a mechanism and stands still: axes of reference, guides of the frame, fixed pivots.
 
 In come poses of a mechanism, one for a still and many for a turn; where its supports stand is
-chosen once for all of them.
+chosen once for all of them.  A dimension says how far a block travels along its guide.
 """
 
 from __future__ import annotations
@@ -12,17 +12,22 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise, permutations
 
-from vad.plan.anchors import RIGHT, Anchor, Chains, Hung, Solved, Term
-from vad.plan.carriers import ends_of_travel
-from vad.plan.growth import Trimming
+from vad.plan.anchors import RIGHT, Anchor, Chains, Hung, Solved, Term, on_page
+from vad.plan.geometry import Rect
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.labels.vertices import Vertex
+from vad.plan.labels.placing import beside
+from vad.plan.labels.vertices import Vertex, text_at
+from vad.plan.lettering.glyphs import ink_size
+from vad.plan.lettering.runs import roman
+from vad.plan.marks import Mark, Trimming, area, line, lines
 from vad.plan.pictures import machine
+from vad.plan.reach import ends_of_travel
 from vad.plan.roles import AXIS, BLOCK_RIM
 from vad.plan.scale import Scale
 from vad.plan.sketch import Part, Piece, Setting, Sketch
 from vad.strokes.sheet import Arc, Block, Dot, Guide, Panel, Stroke
+from vad.words import Language
 
 REFERENCE = 0.164
 REFERENCE_IN_CRANKS = 2.0
@@ -34,6 +39,15 @@ EDGE = 0.010  # from the lower and the upper edge of the room, a guide ends
 YOKE_GAP = 0.012  # between the slot of a yoke, farthest ahead, and its guide
 YOKE_HELD = 0.035  # of its shaft, farthest back
 YOKE_GUIDE = 0.085
+SIZE = 0.030
+NEAR = 0.064  # from the guide
+CLEAR = 0.024  # from the outermost stroke
+GAP = 0.010  # from the line to its words
+HEAD, HALF = 0.014, 0.0045
+TICK = 0.010
+LEAST = 0.05  # less is not dimensioned
+DIGITS = 4
+SAMPLED = 3  # so many poses apart are enough to choose by
 
 
 def axes(panel: Panel, solved: Solved, obstacles: Obstacles) -> Iterator[tuple[int, Piece]]:
@@ -348,3 +362,89 @@ def yoke_of(panel: Panel, link: str | None, size: float) -> Yoke:
         frame=frame,
         size=size,
     )
+
+
+def add_dimension(
+    sketch: Sketch, start: complex, end: complex, side: complex, poses: Sequence[Obstacles]
+) -> None:
+    """Add the way from ``start`` to ``end`` where no stroke ever meets it; else leave it out.
+
+    Parameters
+    ----------
+    sketch
+        What stands still in a turn's position panel.
+    start, end
+        Where the block turns back, on the page.
+    side
+        The unit vector across the guide, to the side that is hatched.
+    poses
+        The strokes of all poses.
+    """
+    length = abs(end - start)
+    if length < LEAST:
+        return
+    setting = sketch.setting
+    size = float(f"{length / sketch.scale.factor:.{DIGITS}g}")
+    text = setting.sheet.notation.quantity(size, setting.panel.unit, given=True)
+    runs = roman(f"{Language(setting.sheet.language).say('stroke')} {text}")
+    box = ink_size(runs, SIZE)
+    sampled = poses[::SAMPLED]
+    outermost = [line for pose in sampled for line in pose.lines]
+
+    def free(away: complex, centre: complex) -> bool:
+        along = [start + away + (end - start) * step / 8 for step in range(9)]
+        own = Obstacles(setting.room)
+        own.line(along, PIXEL)
+        return bool(own.free([centre], *box, 0.0)[0]) and all(
+            pose.free([centre], *box, PIXEL)[0] and pose.free(along, 0.0, 0.0, TICK).all()
+            for pose in sampled
+        )
+
+    for way in (side, -side):
+        past = max(
+            ((spot - start) * way.conjugate()).real + half
+            for first, last, half, _ in outermost
+            for spot in (first, last)
+        )
+        for away in (way * NEAR, way * (past + CLEAR)):
+            for centre in _centres(start + away, end + away, way, box, setting.room):
+                if free(away, centre):
+                    marks = _marks(start + away, end + away)
+                    marks.append(text_at(runs, runs, centre, SIZE, "value"))
+                    sketch.add(None, Level.GROUND, 0, on_page(marks))
+                    sketch.obstacles.line([start + away, end + away], TICK)
+                    aside = max(box[0] - box[1], 0.0) / 2
+                    sketch.obstacles.line([centre - aside, centre + aside], box[1] / 2)
+                    return
+
+
+def _centres(
+    start: complex, end: complex, way: complex, box: tuple[float, float], room: Rect
+) -> list[complex]:
+    """Return where the words may stand: beside the line, else beyond an end of it."""
+    along = (end - start) / abs(end - start)
+    centres = [
+        beside((start + end) / 2, way, GAP, *box),
+        beside(end, along, GAP, *box),
+        beside(start, -along, GAP, *box),
+    ]
+    inner = Rect(
+        room.left + box[0] / 2, room.bottom + box[1] / 2, room.right - box[0] / 2, room.top
+    ).inside(PIXEL)
+    # Words that would leave the panel stand closer to its middle.
+    return [
+        complex(min(max(z.real, inner.left), inner.right), max(z.imag, inner.bottom))
+        for z in centres
+    ]
+
+
+def _marks(start: complex, end: complex) -> list[Mark]:
+    """Return the line with its ticks and heads."""
+    way = (end - start) / abs(end - start)
+    half, tick = HALF * 1j * way, TICK * 1j * way
+    heads = [
+        area([tip, tip + inward * HEAD + half, tip + inward * HEAD - half], "head")
+        for tip, inward in ((start, way), (end, -way))
+    ]
+    ticks = [(spot - tick, spot + tick) for spot in (start, end)]
+    return [line([start, end], "dimension"), lines(ticks, "dimension"), *heads]

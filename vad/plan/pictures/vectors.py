@@ -15,11 +15,10 @@ from typing import Literal
 
 from vad.plan.anchors import Anchor, Solved
 from vad.plan.geometry import SHORTEST, Rect, direction_of
-from vad.plan.growth import Sliding, Trimming
 from vad.plan.items import FOREVER, Level
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.vertices import COINCIDENT
-from vad.plan.marks import Hanging, Mark, Outline, Polygon, Polyline, line
+from vad.plan.marks import Hanging, Mark, Outline, Polygon, Polyline, Sliding, Trimming, line
 from vad.plan.roles import ROLES
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arrow, Panel, Stroke

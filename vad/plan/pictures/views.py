@@ -14,17 +14,15 @@ from dataclasses import replace
 from functools import cached_property
 
 from vad.plan.anchors import SWELLING, Anchor, Hung, Term, on_page
-from vad.plan.growth import Scaling, Trimming
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.labels.choices import PLACED, LabelChoice
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import APART, CLEARANCE, Placed
-from vad.plan.labels.tags import SMALL_SIZE, add_tag
-from vad.plan.labels.vertices import Vertex, find_vertices, text_at
+from vad.plan.labels.vertices import SMALL_SIZE, Vertex, add_tag, find_vertices, text_at
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import Runs
 from vad.plan.lettering.wrapping import wrap
-from vad.plan.marks import Bow, Mark, lines
+from vad.plan.marks import Bow, Mark, Scaling, Trimming, lines
 from vad.plan.pictures import angles, machine
 from vad.plan.pictures.constructions import (
     CompassArc,

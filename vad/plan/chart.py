@@ -1,29 +1,39 @@
 """The curve under a panel: what comes out, over what goes in, with a cursor.
 
-In come a curve of a cycle and its place, out go marks; the dot's value stands above.
+In come a curve of a cycle and its place, out go marks; the dot's value stands above, and is always
+as wide as the widest (`FixedWidth`).  A line above the mechanism tells the times of a quick return,
+or the limits of a driver that swings (`Clock`).
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from vad.lecture.cycle import Course, Curve, Cycle
 from vad.plan.geometry import Rect
+from vad.plan.hodographs import thinned
 from vad.plan.lettering.glyphs import fitted, width
-from vad.plan.lettering.runs import Runs, roman, symbols
+from vad.plan.lettering.runs import Run, Runs, roman, symbols
 from vad.plan.marks import Lettering, Mark, area, disc, line, lines
 from vad.plan.pictures.polygon import DOT
 from vad.plan.roles import DOT_RIM
-from vad.plan.turning.clock import written_end
-from vad.plan.turning.fixed_width import fixed_width
-from vad.plan.turning.thinning import thinned
 from vad.strokes.notation import Notation
 from vad.strokes.sheet import Sheet
-from vad.written import with_unit
+from vad.words import Language
+from vad.written import (
+    MEASURED,
+    MINUS,
+    THIN_SPACE,
+    WRITTEN_OUT,
+    in_turn,
+    power_of_ten,
+    typeset,
+    with_unit,
+)
 
 VALUE = 0.0335
 LEAST_VALUE = 0.020
@@ -38,6 +48,10 @@ BESIDE = 0.026  # right of the curve, for half of the last tick
 SMALL_DOT = 0.0048
 MARGIN = 0.008  # of the shading, above and below the curve
 CLOSEST = 0.034  # ticks nearer than this to one another lose the zero
+SIZE, LEAST = 0.030, 0.020
+SPACE = 0.9  # between its parts, in type sizes
+BASELINE = 0.032  # below the panel's upper edge
+HEIGHT = 0.042  # of the line
 
 
 @dataclass(frozen=True, slots=True)
@@ -246,3 +260,122 @@ def _corners(box: Rect) -> list[complex]:
         complex(box.right, box.top),
         complex(box.left, box.top),
     ]
+
+
+class Clock:
+    """What is said above the mechanism: the ways of a quick return, or the ends of a swing.
+
+    Attributes
+    ----------
+    height
+        What it takes of the panel, 0 where there is nothing to be said.
+    """
+
+    def __init__(self, cycle: Cycle, course: Course, sheet: Sheet, room: Rect) -> None:
+        self._back = cycle.back
+        say = Language(sheet.language).say
+        if cycle.back:
+            part = cycle.back[1] - cycle.back[0]
+            words = [
+                f"{say('forward')} {_degrees(1.0 - part)}",
+                f"{say('return')} {_degrees(part)}",
+                f"{say('ratio')} {typeset(f'{cycle.ratio:.2f}', sheet.notation.point)}",
+            ]
+        elif course.swing:
+            phrase = "swings" if sheet.driver.turns else "slides"
+            row = next(row for row in sheet.rows if row.key == cycle.driver)
+            unit, notation = cycle.place.unit, sheet.notation
+            low, high = (written_end(end, unit, notation) for end in course.ends)
+            words = [say(phrase, part=f"{row.title} {row.letters}", low=low, high=high)]
+        else:
+            words = []
+        self.height = HEIGHT if words else 0.0
+        self._texts = _set(words, room)
+
+    def marks(self, share: float | None = None) -> list[Mark]:
+        """Return the line; the way that is run through at a share of the cycle is dark."""
+        if self._back is None or share is None:
+            return [Mark(text, "notes") for text in self._texts]
+        returns = (share - self._back[0]) % 1.0 < self._back[1] - self._back[0]
+        roles = ("notes", "words", "notes") if returns else ("words", "notes", "notes")
+        return [Mark(text, role) for text, role in zip(self._texts, roles, strict=True)]
+
+
+def _set(words: list[str], room: Rect) -> list[Lettering]:
+    """Return the words on one line, in a type that fits."""
+    parts: list[Runs] = [roman(text) for text in words]
+    gaps = SPACE * SIZE * max(len(parts) - 1, 0)
+    size = fitted(tuple(run for part in parts for run in part), SIZE, LEAST, room.width - gaps)
+    found, left = [], room.left
+    for part in parts:
+        found.append(Lettering(part, complex(left, room.top - BASELINE), size))
+        left += width(part, size) + SPACE * size
+    return found
+
+
+def _degrees(share: float) -> str:
+    return with_unit(typeset(f"{360.0 * share:.0f}"), "°")
+
+
+def written_end(value: float, unit: str, notation: Notation) -> str:
+    """Write where a driver turns back."""
+    if unit == "°":
+        return notation.quantity(value, unit)
+    return notation.quantity(float(f"{value:.4g}"), unit, given=True)
+
+
+@dataclass(frozen=True, slots=True)
+class FixedWidth:
+    """How the numbers of one quantity are written.
+
+    They are multiples of ten to the ``power``, with so many ``digits`` before and ``decimals``
+    after the point; ``signed`` where some are negative, ``turns`` where they are degrees;
+    ``point`` is the decimal sign.
+    """
+
+    digits: int
+    decimals: int
+    signed: bool
+    power: int = 0
+    turns: bool = False
+    point: str = "."
+
+    def runs(self, value: float) -> Runs:
+        """Return a number, its missing digits and sign kept as room.
+
+        Examples
+        --------
+        >>> "".join(run.text for run in FixedWidth(3, 1, True).runs(-7.25) if run.shown)
+        '−7.2'
+        """
+        value = in_turn(value) if self.turns else value
+        size = round(abs(value) / 10.0**self.power, self.decimals)
+        text = f"{size:.{self.decimals}f}"
+        negative = value < 0 and float(text) != 0
+        missing = self.digits - len(text.partition(".")[0])
+        # Thousands are parted as in the widest: what is missing stands before what is shown.
+        whole = typeset("0" * missing + text, self.point)
+        shown = whole.lstrip("0" + THIN_SPACE) if missing else whole
+        shown = shown if shown[:1].isdecimal() else "0" + shown
+        room = whole.removesuffix(shown) + (MINUS if self.signed and not negative else "")
+        blank = (Run(room, shown=False),) if room else ()
+        tail = power_of_ten(self.power) if self.power else ""
+        return blank + roman((MINUS if negative else "") + shown + tail)
+
+    def bare(self, value: float) -> Runs:
+        """Return a number of an axis, as wide as it is; a full turn ends at 360, not at 0."""
+        return tuple(run for run in replace(self, turns=False).runs(value) if run.shown)
+
+
+def fixed_width(unit: str, values: Iterable[float], point: str = ".") -> FixedWidth:
+    """Return how to write ``values``: the largest has as many digits as anywhere else."""
+    known = list(values)
+    peak = max(map(abs, known), default=0.0)
+    signed = any(value < 0 for value in known)
+    if unit == "°":
+        return FixedWidth(3, 1, signed, turns=True, point=point)
+    # Rounded to the digits first: 9999.7 reads 10000.
+    power = int(f"{peak:.{MEASURED - 1}e}".partition("e")[2])
+    if not WRITTEN_OUT[0] <= power < WRITTEN_OUT[1]:
+        return FixedWidth(1, MEASURED - 1, signed, power, point=point)
+    return FixedWidth(max(power, 0) + 1, max(MEASURED - 1 - power, 0), signed, point=point)

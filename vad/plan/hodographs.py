@@ -15,7 +15,6 @@ from vad.plan.geometry import SHORTEST, Rect
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.marks import Mark, lines
 from vad.plan.scale import Scale
-from vad.plan.turning.thinning import Ints, thinned
 from vad.strokes.diagram import Spot
 
 Complexes = NDArray[np.complex128]
@@ -26,6 +25,11 @@ TAIL_STEPS = 6
 END = 0.011  # half of the tick at either end of a straight way
 JUMP = 0.06  # from one sample to the next
 INSET = 0.004  # from the panel's edge, a way that leaves it ends
+Ints = NDArray[np.int64]
+
+#: No point that is left out is farther than this from the line: a fourteenth of a pixel.
+TOLERANCE = 1e-4
+_PIECES = 4  # a closed line has no chord, but its quarters have
 
 
 class Hodographs:
@@ -156,3 +160,27 @@ def _extent(way: Complexes) -> tuple[NDArray[np.float64], float]:
     near = way[np.abs(way - far).argmax()]
     turned = (way - near) * np.conj(far - near) / max(abs(far - near), 1e-12)
     return turned.real, float(np.ptp(turned.imag))
+
+
+def thinned(points: Complexes) -> Ints:
+    """Return the numbers of the points that are kept, in order; all of them where one is NaN."""
+    last = len(points) - 1
+    if not np.isfinite(points).all() or last < _PIECES:
+        return np.arange(len(points))
+    ends = [round(last * piece / _PIECES) for piece in range(_PIECES + 1)]
+    kept, left = set(ends), list(pairwise(ends))
+    while left:
+        first, end = left.pop()
+        if end - first < 2:
+            continue
+        chord, between = points[end] - points[first], points[first + 1 : end] - points[first]
+        length = max(abs(chord), SHORTEST)
+        turned = between * np.conj(chord) / length
+        beyond = np.maximum(turned.real - length, -turned.real)
+        away = np.maximum(np.abs(turned.imag), beyond)
+        farthest = int(away.argmax())
+        if away[farthest] > TOLERANCE:
+            middle = first + 1 + farthest
+            kept.add(middle)
+            left += [(first, middle), (middle, end)]
+    return np.array(sorted(kept))

@@ -13,19 +13,17 @@ import numpy as np
 
 from vad.lecture.cycle import Cycle
 from vad.plan.anchors import Anchor, PointName, Solved
+from vad.plan.hodographs import Complexes, Hodographs
 from vad.plan.items import Item, Level
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import Placed
-from vad.plan.labels.tags import SMALL_SIZE
-from vad.plan.labels.vertices import LETTER, lettered, text_beside
+from vad.plan.labels.springs import Ballast, Boxes, Crowd, Spring, find_spring
+from vad.plan.labels.vertices import LETTER, SMALL_SIZE, lettered, text_beside
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
 from vad.plan.pictures import over_turn
 from vad.plan.pictures.polygon import CORIOLIS
 from vad.plan.sketch import Setting, Sketch
-from vad.plan.turning.crowd import Crowd
-from vad.plan.turning.hodographs import Complexes, Hodographs
-from vad.plan.turning.springs import Ballast, Boxes, Spring, find_spring
 from vad.strokes.diagram import Spot
 from vad.strokes.sheet import Arrow, Block, Dot, Panel
 

@@ -1,12 +1,24 @@
-"""Moving links that carry a block: levers, and yokes with their slots.
+"""How far a panel reaches: its points, and levers and yokes with the ways of their blocks.
 
-In come the strokes of a position panel, out goes what carries what, and how far it reaches over all
-poses.
+In come the strokes of a panel, out go what carries what, and the points that must be on the page.
 """
 
 from __future__ import annotations
 
-from vad.strokes.sheet import Block, Guide, Panel, Shape, Stroke
+from vad.strokes.sheet import (
+    Arrow,
+    Bearing,
+    Block,
+    Curve,
+    Dot,
+    Ellipse,
+    Guide,
+    Line,
+    Panel,
+    Plate,
+    Shape,
+    Stroke,
+)
 
 
 def carries_block(panel: Panel, stroke: Stroke) -> bool:
@@ -57,4 +69,25 @@ def reached(panel: Panel) -> list[complex]:
             case Guide(side=None):
                 block = block_along(panel, stroke)
                 points += ends_of_travel(block.shape) if block else ()
+    return points
+
+
+def corners(panel: Panel) -> list[complex]:
+    """Return the points of a panel that have to be on the page, in its own unit."""
+    points = reached(panel)
+    for stroke in panel.strokes:
+        if isinstance(stroke.shape, Dot):
+            points.append(stroke.shape.at)
+        elif isinstance(stroke.shape, Arrow):
+            points += [stroke.shape.start, stroke.shape.end]
+        elif isinstance(stroke.shape, Plate):
+            points += stroke.shape.corners
+        elif isinstance(stroke.shape, Line):
+            points += [stroke.shape.through, stroke.shape.until]
+        elif isinstance(stroke.shape, Curve):
+            points += stroke.shape.points
+        elif isinstance(stroke.shape, Ellipse):
+            points += stroke.shape.outermost
+        elif isinstance(stroke.shape, Bearing):
+            points.append(stroke.shape.at)
     return points

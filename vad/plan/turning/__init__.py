@@ -1,1 +1,0 @@
-"""A mechanism in motion: the page of a turn, its hodographs and curves, and labels that glide."""
