@@ -8,7 +8,7 @@ import pytest
 
 import vad
 from tests.plan.snapshots import SCENES, lesson
-from tests.plan.test_growth import points
+from tests.plan.test_marks import points
 from vad.files.examples import example_path
 from vad.lecture.moment import Moment, done, drawing
 from vad.painting.posed import board_of
