@@ -52,6 +52,7 @@ class Bodies:
         self.axis = InstantAxis(b, c, d, real(solver.coupler_sine), i)
         self.seen = view.way
         self._turns: dict[Order, tuple[Any, Turns]] = {}
+        self._of_a: dict[Order, tuple[Any, Any]] = {}
 
     def laid(self, vector: Vector3, side: Any) -> Any:
         """Return a vector of the coupler's plane, laid over about OI to a side of it, ±1."""
@@ -136,12 +137,13 @@ class Bodies:
 
     def of_a(self, order: Order) -> tuple[Any, Any]:
         """Return the motion of A as a point of 4 against 2, along I and across, in one pose."""
-        motion = self.motion.velocity if order is VELOCITY else self.motion.acceleration
-        crank = motion.turning[self.solver.driver.name]
-        vector = self.screw.difference(crank, self.solver.turns(motion))
-        x, y, z = map(dual, vector)
-        i, m = reals(self.screw.i), reals(self.screw.m)
-        return dot((x, y, z), i), dot((x, y, z), m)
+        if order not in self._of_a:
+            motion = self.motion.velocity if order is VELOCITY else self.motion.acceleration
+            crank = motion.turning[self.solver.driver.name]
+            x, y, z = map(dual, self.screw.difference(crank, self.solver.turns(motion)))
+            i, m = reals(self.screw.i), reals(self.screw.m)
+            self._of_a[order] = dot((x, y, z), i), dot((x, y, z), m)
+        return self._of_a[order]
 
     def sliding(self, order: Order) -> Mapping[str, Any]:
         """Return where the vertices of the polygon below are: A as a point of the rocker."""

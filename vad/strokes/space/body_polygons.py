@@ -49,7 +49,9 @@ class Names:
     topic
         What the phrases of its lines begin with.
     lines
-        What the construction lines through 4 are called, if not by the bodies.
+        What the construction lines through 4 are called, if not by the bodies: then the strokes of
+        vectors are called by the bodies alone, ``24`` in place of ``24.relative``, and nothing is
+        said of what is zero.
     sines
         The arcs AI and DI, of which the ratio ω₄/ω₂ is said to be that of their sines.
     """
@@ -79,6 +81,8 @@ class BodyPolygon:
 
     def __init__(self, script: Script, bodies: Bodies, order: Order, names: Names) -> None:
         self.bodies, self.order, self.names = bodies, order, names
+        #: Whether vectors are called by their ends alone, and lines by names of their own.
+        self.named = bool(names.lines)
         self.scene, self.panel, self.unit = script.scene, order.panel, order.unit
         self.crank, self.turns = bodies.turns(order)
         self.one, self.two, self.three, self.four = (
@@ -111,39 +115,31 @@ class BodyPolygon:
 
         The ``whole`` of α₄₂ is inked where nothing else is drawn of it.
         """
-        bodies, axis, at_d, tail = self.bodies, self.bodies.axis, self.turns.at_d, self.two
+        bodies, axis, at_d = self.bodies, self.bodies.axis, self.turns.at_d
         along, across = bodies.relative(self.order)
         given = {"absolute": self._says("bodies given", "12", self.crank, given=True)}
         crank = self._vector("12", self.one, self.two, given)
         parts = [self._part(crank, "absolute", bodies.seen(Z), self.crank, dictated=True)]
-        size = along if self.names.lines else abs(along)
+        size, symbol = along if self.named else abs(along), RELATIVE[self.order.number]
         says: dict[str, Callable[..., Sentence]] = {
             "line": self._line("24", f" {self.panel}"),
-            "result": self._says("turning measured", "24", size, RELATIVE[self.order.number]),
+            "result": self._says("turning measured", "24", size, symbol),
             "whole": partial(self.scene.say, "turning measured", symbol=self._symbol("24")),
         }
         component: Component = "relative"
         if self.order is ACCELERATION:
             component = "tangential"
             says["normal"] = self._turned("frame", across, bodies.pace.tau)
-        relative = self._vector(
-            "24",
-            tail,
-            self.four,
-            says,
-            RELATIVE[self.order.number],
-            whole="relative" if whole else None,
-        )
+        more: dict[str, Any] = {"whole": "relative" if whole else None}
+        relative = self._vector("24", self.two, self.four, says, symbol, **more)
         if self.order is ACCELERATION:
-            turned = replace(relative, name="24", head="4ₙ") if self.names.lines else relative
-            if self.names.lines:
+            turned, way = relative, bodies.seen(axis.m)
+            if self.named:  # both parts are vectors by themselves
+                turned = replace(relative, name="24", head="4ₙ")
                 relative = replace(relative, tail="4ₙ")
-            way = bodies.seen(axis.m)
             parts.append(self._part(turned, "normal", way, across, symbol=TURNED, stage="4ₙ"))
         way = bodies.seen(axis.i)
-        parts.append(
-            self._found(relative, "24", component, way, along, RELATIVE[self.order.number])
-        )
+        parts.append(self._found(relative, "24", component, way, along, symbol))
         rocker = self._vector("14", self.one, self.four, self._measured("14", at_d))
         last = self._found(rocker, "14", "absolute", bodies.seen(axis.d), at_d)
         return stated(VectorEquation(chain(*parts), chain(last), "4"))
@@ -196,7 +192,7 @@ class BodyPolygon:
         **more: Any,
     ) -> SpaceVector:
         names = self.names
-        zero = "" if names.lines else zero or self._symbol(ends)
+        zero = "" if self.named else zero or self._symbol(ends)
         measured = not names.measured or ends in names.measured[self.order.number]
         own = names.lines.get(ends, ends)
         more |= {"measured": measured, "says": says, "zero": zero}
@@ -206,7 +202,7 @@ class BodyPolygon:
         self, of: SpaceVector, name: Component, way: complex, value: float, **more: Any
     ) -> Part[SpaceVector]:
         """Return a part that is known beforehand."""
-        if self.names.lines and name != "normal":
+        if self.named and name != "normal":
             more["called"] = of.name
         more.setdefault("symbol", self._symbol("12"))
         more.setdefault("stage", of.head)
@@ -223,7 +219,7 @@ class BodyPolygon:
     ) -> Part[SpaceVector]:
         """Return a part that the crossing finds."""
         label = self.scene.write("parallel", line=self.names.axes[ends])
-        called = ends if self.names.lines else ""
+        called = ends if self.named else ""
         symbol = symbol or self._symbol(ends)
         at = value * way, way, True, name, of.head
         return Part(of, name, *at, label=label, symbol=symbol, called=called)
