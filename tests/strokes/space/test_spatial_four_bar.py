@@ -255,6 +255,8 @@ def test_at_rest_there_are_two_poles():
         for half in still.panel(name).halves:
             assert [each.name for each in half.strokes] == ["pole"]
             assert not half.equations
+    poles = [half.strokes[0].label for half in still.halves[1:]]
+    assert poles == ["1,2,4", "a,d,y,z,a₄", "1′,2′,4ₙ,4′", "a′,d′,y′,z′,a′₄"]
 
 
 def test_a_sheet_comes_back_from_its_json():

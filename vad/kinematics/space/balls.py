@@ -180,10 +180,6 @@ class BallSolver(SpaceSolver):
         """The unit vector along the rocker's axis; the crank's is z."""
         return self.closure.d
 
-    def axis_of(self, letter: str, pose: Pose) -> Vector3:
-        """Raise an error: no axis moves."""
-        raise KeyError(letter)
-
     def spins(self, body: str, pose: Pose, rates: tuple[Rates, ...]) -> tuple[Vector3, ...]:
         """Return ω, and with two orders α, of a body; the coupler's without its idle spin."""
         if body != "coupler":

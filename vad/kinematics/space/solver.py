@@ -96,9 +96,9 @@ class SpaceSolver(AnySolver):
     def d(self) -> Vector3:
         """The unit vector along the fixed axis of the driven body; that of the driver is z."""
 
-    @abstractmethod
     def axis_of(self, letter: str, pose: Pose) -> Vector3:
-        """Return the unit vector along an axis that moves: at B, at C, or the instant axis I."""
+        """Return the unit vector along an axis that moves, if there is one by that letter."""
+        raise KeyError(letter)
 
     @abstractmethod
     def point(self, letter: str, pose: Pose, rates: tuple[Rates, ...]) -> Vector3:
