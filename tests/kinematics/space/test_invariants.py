@@ -183,6 +183,17 @@ def test_hookes_joint_is_a_spherical_four_bar(pose: Any) -> None:
     assert -bars.point("C").velocity == pytest.approx(joint.point("Q").velocity, abs=1e-12)
 
 
+def test_hookes_joint_has_formulas_of_its_own_for_a_reason() -> None:
+    """Where the shafts are nearly in line, those of the spherical four-bar lose the digits of ψ."""
+    shafts, angle = 1e-6, 40.0
+    swing = math.asin(sines(shafts)[0] * math.cos(math.radians(angle)))
+    joint = vad.solve(vad.HookeJoint(shafts), angle=angle).joint("Q").angle
+    bars = vad.solve(spherical("open", ground=shafts, crank=90.0, coupler=90.0, rocker=90.0))
+    other = vad.solve(bars.mechanism, angle=angle).joint("C").angle + 90.0
+    assert math.radians(joint) == pytest.approx(swing, rel=1e-15)
+    assert 1e-9 < abs(math.radians(other % 360.0) / swing - 1.0) < 1e-6
+
+
 @pytest.mark.parametrize("angle", np.linspace(7.0, 173.0, 5))
 def test_bennett_never_slides(angle: float) -> None:
     """Opposite links alike, a / sin α the same for both pairs."""

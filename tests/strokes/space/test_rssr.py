@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import math
 from typing import Any
 
 import numpy as np
@@ -131,3 +132,25 @@ def test_without_twist_the_polygon_is_the_four_bars() -> None:
 def test_balls_that_meet_nowhere_are_an_error(panel: str) -> None:
     with pytest.raises(vad.AssemblyError, match="they close at no angle"):
         vad.draw(vad.solve(vad.RSSR(coupler=300.0)), panels=panel)
+
+
+def test_where_bc_lies_along_the_path_the_third_view_is_along_the_axis() -> None:
+    """The rocker upright, BC level: then every view square to BC shows both in true length."""
+    sizes = {"ground": 100.0, "crank": math.hypot(20.0, 80.0), "coupler": 120.0, "rocker": 80.0}
+    flat = vad.RSSR(**sizes, ground_twist=0.0, crank_offset=0.0, rocker_offset=0.0)
+    motion = vad.solve(flat, angle=math.degrees(math.atan2(80.0, -20.0)))
+    assert motion.link("rocker").angle == pytest.approx(90.0)
+    assert np.array(third_view(motion).toward) == pytest.approx([0.0, 0.0, 1.0])
+    bars = arrows(vad.draw(motion).panel("position"))
+    assert abs(bars["BC.third"]) == pytest.approx(120.0)
+
+
+@pytest.mark.parametrize(("ground", "coupler", "share"), [(100.0, 120.0, 1.0), (1e3, 1e3, 0.2)])
+def test_the_third_view_is_drawn_in_a_round_scale_and_never_enlarged(
+    ground: float, coupler: float, share: float
+) -> None:
+    offsets = {"crank_offset": 0.0, "rocker_offset": 0.0, "ground_twist": 40.0}
+    motion = vad.solve(vad.RSSR(ground, 50.0, coupler, 100.0, **offsets), angle=75.0)
+    panel = vad.draw(motion).panel("position")
+    assert abs(arrows(panel)["BC.third"]) == pytest.approx(share * coupler)
+    assert panel.notes[-1].text.endswith(" 1 : 5") == (share == 0.2)

@@ -18,11 +18,11 @@ from vad.kinematics.numbers import fold
 from vad.kinematics.reach import closing_range
 from vad.kinematics.space.numbers import difference, dot
 from vad.strokes.arithmetic import Figure, leg
-from vad.strokes.diagram import POSITION, VELOCITY, Drawing, Order, Spot
-from vad.strokes.sheet import Arc, Arrow, Cell, Curve, Dot
-from vad.strokes.space.bars import BarScript, length_of
+from vad.strokes.diagram import POSITION, Drawing, Order, Spot
+from vad.strokes.sheet import Arc, Arrow, Curve, Dot
+from vad.strokes.space.bars import BarScript
 from vad.strokes.space.scene import SceneInSpace
-from vad.strokes.space.view import View, circle
+from vad.strokes.space.view import View, circle, round_share
 from vad.words import Language
 
 #: The view along A's axis, from its end.
@@ -61,21 +61,16 @@ class Script(BarScript):
         _, y, z = self.axis("D")
         return View((1.0, 0.0, 0.0), (0.0, z, -y))
 
-    def cells(self, order: Order, key: str) -> tuple[Cell, ...]:
-        if key == "coupler" and order is POSITION:
-            return ()
-        turning = self.cell(order, key, self.turning(key, order))
-        if order is not VELOCITY or key == "crank":
-            return (turning,)
-        c, b = (self.motion.point(letter).velocity for letter in "CB")
-        speed = length_of(c - b if key == "coupler" else c)
-        return turning, Cell("v", speed, self.unit(order))
+    @property
+    def layout(self) -> Layout:
+        """Where the views stand."""
+        return _layout(self.motion.mechanism)
 
     def tracks(self, order: Order) -> Mapping[Spot, Any]:
         if order is not POSITION:
             return {Spot(letter): at for letter, at in self.vertices(order).items()}
         way = self.true.way(difference(self.at["C"], self.at["B"]))
-        views = _layout(self.motion.mechanism)
+        views = self.layout
         top = replace(TOP, at=-1j * views.drop)
         return {
             **{Spot(letter): self.front.way(at) for letter, at in self.at.items()},
@@ -87,11 +82,7 @@ class Script(BarScript):
     def views(self) -> Drawing:
         fixed, _, known, construction, crossing, _, angle, bar = self.pens
         at, unit, write, say = self.spots(), self.scene.unit, self.scene.write, self.scene.say
-        views, crank, rocker = (
-            _layout(self.motion.mechanism),
-            self.sizes["crank"],
-            self.sizes["rocker"],
-        )
+        views, (crank, rocker) = self.layout, map(self.sizes.__getitem__, ("crank", "rocker"))
 
         def rod(tail: str, head: str) -> Arrow:
             return Arrow(at[tail], at[head], tail[0], head[0])
@@ -157,16 +148,10 @@ def _layout(mechanism: Any) -> Layout:
     drop = top.imag.max() - front.imag.min() + GAP * size
     height = front.imag.max() - (top.imag.min() - drop)
     coupler, tilt = mechanism.parameters()["coupler"], Script.tilt
-    share = _round_share(TALLEST * height / coupler)
+    share = round_share(TALLEST * height / coupler)
     reach = share * coupler
     middle = 0.5 * (front.imag.max() + top.imag.min() - drop) - 0.5 * reach * tilt.imag
     place = right + 2.2 * GAP * size - reach * tilt.real
     turned = np.unwrap(motion.link("rocker").angle[closed], period=360.0)
     swing = float(turned.min()), float(min(turned.max(), turned.min() + 360.0))
     return Layout(float(drop), complex(place, middle), share, swing)
-
-
-def _round_share(most: float) -> float:
-    """Return 1, or the half, fifth, tenth … that is not above ``most``."""
-    power = 10.0 ** math.floor(math.log10(most))
-    return min(1.0, next(each * power for each in (5.0, 2.0, 1.0) if each * power <= most))

@@ -24,10 +24,10 @@ from vad.kinematics.space.numbers import (
     unit,
 )
 from vad.strokes.arithmetic import Figure, hypotenuse, product
-from vad.strokes.diagram import ACCELERATION, VELOCITY, Drawing, Order
+from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY, Drawing, Order
 from vad.strokes.scene import image_letter
 from vad.strokes.sentences import Text, Unit
-from vad.strokes.sheet import Component
+from vad.strokes.sheet import Cell, Component
 from vad.strokes.space.polygon import SpaceVector, chain, polygon, stated
 from vad.strokes.space.scene import Script
 from vad.strokes.space.view import View
@@ -83,13 +83,24 @@ class BarScript(Script):
     def turning(self, link: str, order: Order) -> Any:
         """Return how a link turns; of the coupler the size of it, without its idle spin."""
         value = getattr(self.motion.link(link), order.rate)
-        return length_of(value) if link == "coupler" else value
+        return _size(value) if link == "coupler" else value
 
     def length(self, name: str) -> Figure:
         """Return the length of a bar: as given where it is short, as somebody writes it."""
         value = self.sizes[name]
         given = abs(value - float(f"{value:.6g}")) <= 1e-12 * abs(value)
         return Figure(value, self.scene.unit, given)
+
+    def cells(self, order: Order, key: str) -> tuple[Cell, ...]:
+        """Return what a row measures: how its bar turns, and the speed of C or of C against B."""
+        if key == "coupler" and order is POSITION:
+            return ()
+        turning = self.cell(order, key, self.turning(key, order))
+        if order is not VELOCITY or key == "crank":
+            return (turning,)
+        c, b = (self.motion.point(letter).velocity for letter in "CB")
+        speed = _size(c - b if key == "coupler" else c)
+        return turning, Cell("v", speed, self.unit(order))
 
     # --- the polygon --------------------------------------------------------------------------
 
@@ -231,7 +242,7 @@ class BarScript(Script):
         return partial(self.scene.say, phrase, *steps, whole=whole, off=off, **parts)
 
 
-def length_of(vector: Any) -> Any:
+def _size(vector: Any) -> Any:
     """Return the length of a vector: a number, or an array of them."""
     size = np.linalg.norm(vector, axis=-1)
     return size if size.ndim else float(size)

@@ -116,3 +116,15 @@ class View:
 def circle(centre: complex, radius: float, start: float = 0.0, sweep: float = 360.0) -> Ellipse:
     """Return a circle that is seen along its axis, or an arc of it from ``start`` on."""
     return Ellipse(centre, complex(radius), 1j * radius, start, sweep)
+
+
+def round_share(most: float) -> float:
+    """Return 1, or the half, fifth, tenth … that is not above ``most``: the scale of a view.
+
+    Examples
+    --------
+    >>> round_share(3.0), round_share(0.7), round_share(0.034)
+    (1.0, 0.5, 0.02)
+    """
+    power = 10.0 ** math.floor(math.log10(most))
+    return min(1.0, next(each * power for each in (5.0, 2.0, 1.0) if each * power <= most))
