@@ -1,8 +1,8 @@
-"""A whole turn of the driver: its course, and the ways of all points, solved at once.
+"""A whole turn of the driver: its course, and the paths of all points, solved at once.
 
-A driver goes once round, or to and fro where it cannot go round.  In comes a mechanism, out go its
-`Course`, and a `Cycle` of arrays over its shares: share 0 is where the driver passes 0° or the
-lower end of its swing, share 1 a turn later.
+A driver goes once round, or to and fro if it cannot go round.  The `Course` is its motion; the
+`Cycle` has arrays over the shares of one turn.  Share 0 is where the driver passes 0° or the lower
+end of its swing, share 1 is a turn later.
 """
 
 from __future__ import annotations
@@ -31,7 +31,8 @@ if TYPE_CHECKING:
 
 #: How far a swing keeps away from the dead centre at either end, as a share of its range.
 KEPT = 0.03
-#: The given place counts as no nearer to an end of the swing than this (a sine).
+#: The speed of a swing is the given rate over the sine of the given phase.  The sine counts as no
+#: less than this, or a place near the end of the swing would make the speed too large.
 LEAST = 0.3
 
 
@@ -39,10 +40,11 @@ LEAST = 0.3
 class Course:
     """The motion of the driver over one turn; the phase runs from 0 to 1.
 
-    ``names`` are those of its place and rates ("angle", "omega", "alpha"), ``given`` the values
-    at phase 0.  ``swing`` is None for a full turn; otherwise the driver swings harmonically, and
-    it holds the middle, the amplitude, the angle of the swing at phase 0 (radians) and its speed
-    (rad/s).  Such a swing slows down towards the dead centres, so that no rate runs away there.
+    ``names`` are those of its place and rates ("angle", "omega", "alpha"), ``given`` the values at
+    phase 0.  ``swing`` is None for a full turn; otherwise the driver swings harmonically, and it
+    holds the middle, the amplitude, the angle of the swing at phase 0 (radians) and its speed
+    (rad/s).  Such a swing slows down towards the dead centres, so that no rate becomes too large
+    there.
     """
 
     names: tuple[str, ...]
@@ -123,7 +125,7 @@ def course(motion: Motion) -> Course:
     here = min(around, key=lambda x: abs(x - middle))
     start = math.acos(min(max((here - middle) / half, -1.0), 1.0))
     rate = given[1] / (math.radians(half) if turns else half)
-    # The driver passes the given place at the given rate, and so in its sense.
+    # The driver passes the given place at the given rate, and in the sense of that rate.
     speed = abs(rate) / max(math.sin(start), LEAST)
     return Course(names, given, (middle, half, -start if rate > 0 else start, speed))
 
@@ -131,7 +133,7 @@ def course(motion: Motion) -> Course:
 def _parted(
     mechanism: Mechanism, ranges: Sequence[tuple[float, float]]
 ) -> list[tuple[float, float]]:
-    """Return the ranges parted at change points: a swing keeps away from them as from its ends."""
+    """Return the ranges, cut at change points: a swing keeps away from these as from its ends."""
     places = [point.place for point in change_points(mechanism)]
     parted: list[tuple[float, float]] = []
     for low, high in ranges:
@@ -144,13 +146,13 @@ Reals = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
 
 SAMPLES = 720
-#: A ratio of forward to return below this is none.
+#: If the ratio of forward to return time is below this, the mechanism has no quick return.
 LEAST_RATIO = 1.005
-_WHOLE = 359.0  # degrees: what covers as much goes round
+_WHOLE = 359.0  # degrees: an angle with at least this range goes round
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Curve:
+class Series:
     """One quantity over the cycle, an angle without jumps; NaN where there is none."""
 
     symbol: str
@@ -167,8 +169,8 @@ class Cycle:
     shares
         From 0 to 1, shape (n,).
     driver, output
-        The rows of the results that are driven, and that the mechanism is there for: the last
-        slide on a guide of the frame, else the last link that turns.
+        The rows of the results of the driver and of the output.  The output is the last slide on a
+        guide of the frame, or else the last link that turns.
     place
         The driver's angle or position.
     curves
@@ -176,20 +178,20 @@ class Cycle:
     tracks
         Where the lettered points of each panel are, as complex arrays of shape (n,).
     back
-        The shares at which a quick return begins and ends (that may lie beyond 1), or None.
+        The shares at which a quick return begins and ends, or None.  The second may be above 1.
     """
 
     shares: Reals
     driver: str
     output: str
-    place: Curve
-    curves: Mapping[str, Curve]
+    place: Series
+    curves: Mapping[str, Series]
     tracks: Mapping[str, Mapping[Spot, Complexes]]
     back: tuple[float, float] | None
 
     @property
     def ratio(self) -> float:
-        """The time of the way forward over that of the return; 1 where there is no return."""
+        """The time of the forward stroke over that of the return; 1 without a quick return."""
         if self.back is None:
             return 1.0
         part = self.back[1] - self.back[0]
@@ -199,7 +201,10 @@ class Cycle:
 def cycle_of(
     mechanism: Mechanism, course: Course, panels: Sequence[str], language: str, later: float
 ) -> Cycle:
-    """Return the cycle of a mechanism; a pose without rates is taken ``later`` by that phase."""
+    """Return the cycle of a mechanism.
+
+    A pose without rates is replaced by the pose that is ``later`` by that phase.
+    """
     shares = np.linspace(0.0, 1.0, SAMPLES + 1)
     phases = course.opening + shares
     scene = _scene(mechanism, course, phases, language)
@@ -237,8 +242,8 @@ def _tracks(scene: AnyScene, panels: Sequence[str]) -> dict[str, dict[Spot, Comp
     return found
 
 
-def _curve(scene: AnyScene, panel: str, name: str) -> Curve | None:
-    """Return what a panel measures of a link or slide, None for nothing."""
+def _curve(scene: AnyScene, panel: str, name: str) -> Series | None:
+    """Return what a panel measures of a link or slide, or None if it measures nothing."""
     motion = scene.motion
     cells = DIAGRAMS[panel].cells(scene, name, name in motion.slides)
     if not cells:
@@ -247,7 +252,7 @@ def _curve(scene: AnyScene, panel: str, name: str) -> Curve | None:
     values = np.broadcast_to(np.asarray(cells[0].value, dtype=np.float64), shape)
     if cells[0].unit == "°":
         values = _unwrapped(values)
-    return Curve(cells[0].symbol, cells[0].unit, values)
+    return Series(cells[0].symbol, cells[0].unit, values)
 
 
 def _unwrapped(degrees: Reals) -> Reals:
@@ -261,7 +266,7 @@ def _unwrapped(degrees: Reals) -> Reals:
 
 
 def _return(rate: Reals) -> tuple[float, float] | None:
-    """Return when the shorter way of what goes to and fro begins and ends."""
+    """Return the shares at which the shorter stroke of a motion to and fro begins and ends."""
     count = len(rate) - 1
     forward = rate[:-1] > 0.0
     turns = np.flatnonzero(forward != np.roll(forward, -1))

@@ -1,7 +1,7 @@
 """A sheet that is drawn stroke by stroke: how long each grows and rests, and the page at one step.
 
-In comes a sheet, out goes a `Lesson` in whole frames.  How a frame looks is known only to
-`vad.plan`.
+A `Lesson` is made from a sheet, and its times are whole frames.  Only `vad.plan` knows how a frame
+looks.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ class Lesson(Displayed):
         return next((i for i, step in enumerate(self.steps) if not step.there), len(self.steps))
 
     def place(self, step: Step) -> int:
-        """Return the number of a step in its panel, from 1: those above it count."""
+        """Return the number of a step in its panel, from 1; a polygon above counts, too."""
         column = self.sheet.panel(step.panel.column)
         return step.index + 1 + (0 if step.panel is column else len(column.strokes))
 
@@ -85,7 +85,8 @@ class Lesson(Displayed):
         return self.frames / self.fps
 
 
-#: Seconds that a stroke grows; of a vector, if it is the panel's longest.
+#: Seconds in which each kind of stroke grows.  A vector takes as long if it is the longest one of
+#: its panel.
 GROWTH = {
     "fixed": 0.4,
     "guide": 0.8,
@@ -96,8 +97,8 @@ GROWTH = {
     "intersection": 0.3,
     "result": 1.2,
 }
-FOLD = 1.0  # a plane that is laid over
-SHORT = 0.75  # of the time, for a vector of no length
+FOLD = 1.0  # a plane that is rotated into the paper
+SHORT = 0.75  # share of that time for a vector of length zero
 WORDS_PER_SECOND = 5.0
 BREATH = 0.3  # after a caption has been read
 LEAST_REST = 0.5
@@ -105,7 +106,7 @@ GLIDE = 0.8
 SETTLE = 0.8
 OPENING = 0.8
 CLOSING = 4.0
-LOOK = 1.5  # at what is on the board already
+LOOK = 1.5  # seconds to look at what is on the board already
 
 FPS = (1.0, 240.0)
 SPEED = (0.01, 1000.0)
@@ -136,8 +137,8 @@ def animate(
     style
         The name of a style.
     loop
-        The number of the loop, and so of the dyad, with which the pencil starts: in every panel
-        those before it are on the board already.
+        The number of the loop, and so of the dyad, at which drawing starts.  In every panel the
+        loops before it are on the board already.
 
     Raises
     ------
@@ -176,7 +177,7 @@ def animate(
 
 
 def _check_loop(sheet: Sheet, loop: int) -> None:
-    """Check that a sheet has a loop of a number."""
+    """Check that a sheet has a loop with this number."""
     count = max(len(panel.loops) for panel in sheet.panels)
     if isinstance(loop, bool) or not isinstance(loop, int) or not 1 <= loop <= max(count, 1):
         hint = "this mechanism has one loop" if count < 2 else f"try 2, of its {count} loops"
@@ -197,16 +198,16 @@ def growth(stroke: Stroke, longest: float) -> float:
 
 
 def rest(stroke: Stroke, grown: float) -> float:
-    """Return how many seconds a stroke rests that has grown for ``grown``.
+    """Return how many seconds a stroke rests that has grown for ``grown`` seconds.
 
-    Over both its caption can be read.
+    Both times together are long enough to read its caption.
     """
     reading = len(stroke.caption.split()) / WORDS_PER_SECOND
     return max(reading + BREATH - grown, LEAST_REST)
 
 
 def _length(stroke: Stroke) -> float:
-    """Return the length of a vector, 0 for what is none."""
+    """Return the length of a vector, 0 for another stroke."""
     shape = stroke.shape
     return abs(shape.end - shape.start) if isinstance(shape, Arrow) else 0.0
 
@@ -219,7 +220,7 @@ def checked(
     Raises
     ------
     vad.errors.UsageError
-        For a film that cannot be, or an unknown style.
+        For a value that no film can have, or an unknown style.
     """
     one_of_all("style", style, names_in("style"), "vad.styles")
     return (
@@ -232,7 +233,7 @@ def checked(
 def _number(name: str, value: object, ends: tuple[float, float], hint: str) -> float:
     """Return a number in its range; NaN is out of every range."""
     if isinstance(value, Real) and not isinstance(value, bool):
-        with contextlib.suppress(OverflowError, TypeError):  # beyond every float; a span of time
+        with contextlib.suppress(OverflowError, TypeError):  # too large for a float; a timedelta
             number = float(value)
             if ends[0] <= number <= ends[1]:
                 return number
@@ -268,7 +269,7 @@ def check_size(size: tuple[int, int]) -> tuple[int, int]:
 
 #: How much of a construction is drawn while it stands still.
 AT_WORK = 0.7
-#: More of them are too many steps, and with very many Python makes no number of them.
+#: A longer number is larger than any step, and Python refuses to read a very long one.
 _DIGITS = 9
 
 
@@ -276,7 +277,7 @@ _DIGITS = 9
 class Still(Displayed):
     """The page of a lesson at a step, which is counted from 1.
 
-    A construction is shown while it is drawn, so that its tool is seen at work; all else is done.
+    A construction line is shown while it is drawn, with its tool; everything before is complete.
     """
 
     lesson: Lesson
@@ -291,17 +292,18 @@ class Still(Displayed):
 
     @property
     def drawn(self) -> Sheet:
-        """The strokes that are there, and the rows with what is given or has been measured."""
+        """The sheet as far as it is drawn, with the results that are known by then."""
         strokes: dict[str, tuple[Stroke, ...]] = {}
         for step in self.lesson.steps[: self.step]:
             strokes[step.panel.name] = (*strokes.get(step.panel.name, ()), step.stroke)
-        return part(self.lesson.sheet, strokes)
+        return drawn_so_far(self.lesson.sheet, strokes)
 
 
-def part(sheet: Sheet, strokes: Mapping[str, tuple[Stroke, ...]]) -> Sheet:
-    """Return what there is of a sheet when of each panel some strokes are drawn, by its name.
+def drawn_so_far(sheet: Sheet, strokes: Mapping[str, tuple[Stroke, ...]]) -> Sheet:
+    """Return a sheet as far as it is drawn.
 
-    Panels without any are left out, and so are values that have not been measured yet.
+    ``strokes`` holds the strokes that are drawn, by the name of their panel.  Panels without any
+    are left out, and so are values that have not been measured yet.
     """
     panels = tuple(filter(None, (_part(panel, strokes) for panel in sheet.panels)))
     known = {
@@ -329,7 +331,7 @@ def part(sheet: Sheet, strokes: Mapping[str, tuple[Stroke, ...]]) -> Sheet:
 
 
 def _part(panel: Panel | None, strokes: Mapping[str, tuple[Stroke, ...]]) -> Panel | None:
-    """Return what there is of a panel, None for nothing."""
+    """Return a panel as far as it is drawn, or None if nothing of it is."""
     if panel is None or not strokes.get(panel.name):
         return None
     return replace(panel, strokes=strokes[panel.name], below=_part(panel.below, strokes))
@@ -369,7 +371,7 @@ def still(lesson: Lesson, step: int | str) -> Still:
 
 
 def _place(number: Any) -> int | None:
-    """Return the number of a step, or None for what is none."""
+    """Return the number of a step, or None if this is no such number."""
     if isinstance(number, str):
         return int(number.strip()[:_DIGITS]) if number.strip().isdecimal() else None
     try:

@@ -1,8 +1,8 @@
 """What is on the board at a frame, counted in beats.
 
-Beat 2k is the board with k strokes done, at rest; beat 2k + 1 is the stroke after them being
-drawn, and after the last of them the finished board.  In comes a lesson, out go `Moment` objects,
-which every painter follows.
+Beat 2k is the board with k strokes done, at rest; beat 2k + 1 is the stroke after them being drawn,
+and after the last of them the finished board.  The `Moment` objects of a lesson are what every
+painter follows.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class Moment:
     share
         How much of the beat's stroke is drawn: 1 at rest.
     near
-        How near the first panel stands: 1 while it is large, alone on the page, 0 in its place.
+        How large the first panel is: 1 while it is alone on the page, 0 in its own place.
     """
 
     beat: int
@@ -64,7 +64,7 @@ def finished(strokes: int) -> int:
 def moments(lesson: Lesson, most: float = math.inf) -> Iterator[tuple[Moment, int]]:
     """Yield every different state of a lesson, and for how many frames it stands.
 
-    What moves has at most ``most`` states a second.
+    A movement has at most ``most`` states per second.
     """
     pace = max(1.0, lesson.fps / most)
     near = 1.0 if any(step.glide for step in lesson.steps) else 0.0
@@ -84,7 +84,7 @@ def moments(lesson: Lesson, most: float = math.inf) -> Iterator[tuple[Moment, in
 
 
 def _passage(frames: int, pace: float) -> Iterator[tuple[float, int]]:
-    """Yield how far a movement has come, and for how many of its frames: ``pace`` or more."""
+    """Yield each share of a movement, and how many of its frames show it: ``pace`` or more."""
     states = min(frames, max(1, int(frames / pace + 1e-9)))
     for number in range(states):
         before, after = (round(frames * end / states) for end in (number, number + 1))

@@ -1,7 +1,7 @@
-"""A full turn of the driver, pose by pose, while the polygons live with it.
+"""A full turn of the driver, pose by pose; the polygons change with the pose.
 
-In comes a mechanism or a pose, out goes a `Turn` in whole frames; each frame is a sheet of `draw`.
-The solver is loaded when a turn is made: to know that turns can be saved takes no numbers.
+A `Turn` is made from a mechanism or a pose, in whole frames; each frame is a sheet of `draw`.  The
+solver is imported only when a turn is made, because `vad.save` needs the class alone.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
 
 SECONDS = 8.0
-#: A pose that has no rates is shown so much later: 1.6 ms of the 8 s that a turn takes.
+#: A pose that has no rates is replaced by the one at this phase later: 1.6 ms of the 8 s of a turn.
 _LATER = 2e-4
 
 
@@ -50,7 +50,7 @@ class Turn(Displayed):
 
     @property
     def cycle(self) -> Cycle:
-        """The whole turn solved at once: the ways of its points, and what comes out."""
+        """The whole turn solved at once: the paths of its points, and the motion of its output."""
         from vad.lecture.cycle import cycle_of
 
         return cycle_of(self.mechanism, self.course, self.panels, self.language, _LATER)
@@ -66,10 +66,10 @@ class Turn(Displayed):
     def at(self, phase: float) -> Sheet:
         """Return the sheet at a phase of the turn, 0 to 1.
 
-        A swing keeps away from its dead centres, but a crank that goes round can stand exactly
-        at one: a parallelogram that folds flat, a crank as long as its rod at 90°, a pin on the
-        lever's pivot.  As it does so for an instant only, the pose a hair's breadth later is
-        drawn instead.
+        A swing keeps away from its dead centres, but a crank that goes round can stand exactly at
+        one: a parallelogram that folds flat, a crank as long as its rod at 90°, a pin on the
+        lever's pivot.  As it does so for an instant only, the pose a very short time later is drawn
+        instead.
 
         Raises
         ------
@@ -89,7 +89,7 @@ class Turn(Displayed):
         sheet = draw(motion, self.panels, self.language)
         if self.course.swing is None:
             return sheet
-        # What a driver does that swings is not as given, but for one instant.
+        # The rates of a swinging driver are the given ones at one instant only.
         rows = tuple(
             replace(
                 row,

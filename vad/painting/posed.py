@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.errors import UsageError
-from vad.lecture.lesson import Lesson, Still, check_size, part
+from vad.lecture.lesson import Lesson, Still, check_size, drawn_so_far
 from vad.lecture.moment import Moment
 from vad.lecture.turn import Turn
 from vad.painting.agg_painter import AggPainter
@@ -93,7 +93,7 @@ def posed(
     if left:
         board = problem(board, left, look.key)
     strokes = {**{half.name: half.strokes for half in thing.halves}, **left}
-    return Posed(board, Moment(board.finished), look, part(thing, strokes))
+    return Posed(board, Moment(board.finished), look, drawn_so_far(thing, strokes))
 
 
 def board_of(lesson: Lesson) -> Plan:

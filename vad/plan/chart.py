@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from vad.lecture.cycle import Course, Curve, Cycle
+from vad.lecture.cycle import Course, Cycle, Series
 from vad.plan.geometry import Rect
 from vad.plan.hodographs import thinned
 from vad.plan.lettering.glyphs import fitted, width
@@ -60,7 +60,7 @@ class Dial:
 
     name: str
     row: int | None
-    curve: Curve
+    curve: Series
     notation: Notation
 
     @property
@@ -88,7 +88,7 @@ class Dial:
         return list(map(float, values[np.isfinite(values)])) or [0.0]
 
 
-def dial(sheet: Sheet, key: str, curve: Curve) -> Dial:
+def dial(sheet: Sheet, key: str, curve: Series) -> Dial:
     """Return the dial of a row of the results."""
     number = next(index for index, row in enumerate(sheet.rows) if row.key == key)
     return Dial(sheet.rows[number].title, number, curve, sheet.notation)
@@ -249,7 +249,7 @@ def driver_ticks(course: Course, unit: str, notation: Notation) -> list[tuple[fl
     return [(k / 4, f"{low + k * step:g}°") for k in range(5)]
 
 
-def _value(cycle: Cycle, curve: Curve, share: float) -> float:
+def _value(cycle: Cycle, curve: Series, share: float) -> float:
     return float(np.interp(share, cycle.shares, curve.values))
 
 

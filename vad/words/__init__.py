@@ -1,9 +1,9 @@
 """The words of every language: one file per language, for captions, boards and pages alike.
 
-`vad.words.en` says how such a file is written.  What a language leaves out is said in English, a
-whole table or a single phrase.  The files are Python and not TOML because Python compiles a file
-once: a drawing waits a tenth of the time for its words.  Other packages bring languages by the
-entry point group ``vad.languages``, each a module like `vad.words.en`.
+`vad.words.en` says how such a file is written.  What a language leaves out, a whole table or a
+single phrase, is said in English.  The files are Python and not TOML because Python compiles a file
+once: reading them takes a tenth of the time.  Other packages bring languages by the entry point
+group ``vad.languages``, each a module like `vad.words.en`.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ GROUP = "vad.languages"
 #: The language that has every phrase.
 ENGLISH = "en"
 
-Kind = Literal["words", "symbol", "figure", "unit"]
+PieceKind = Literal["words", "symbol", "figure", "unit"]
 
 
 class Piece(NamedTuple):
-    """A stretch of what is said: words, a symbol such as ω₃ or b′, a number or a unit."""
+    """A piece of a text: words, a symbol such as ω₃ or b′, a number or a unit."""
 
     text: str
-    kind: Kind = "words"
+    kind: PieceKind = "words"
 
 
 class Gap(NamedTuple):
@@ -64,7 +64,7 @@ def template(phrase: str) -> Template:
     """
     found: list[Piece | Gap] = []
     for fixed, name, article, _ in Formatter().parse(phrase):
-        kinds: tuple[Kind, Kind] = ("words", "symbol")
+        kinds: tuple[PieceKind, PieceKind] = ("words", "symbol")
         for number, text in enumerate(fixed.split("*")):
             if text:
                 found.append(Piece(text, kinds[number % 2]))
@@ -87,7 +87,7 @@ def gaps(phrase: str) -> frozenset[str]:
 
 
 def text_of(pieces: Iterable[Piece]) -> str:
-    """Return what pieces spell."""
+    """Return the text of pieces."""
     return "".join([piece[0] for piece in pieces])
 
 
@@ -107,9 +107,9 @@ class Language:
     Raises
     ------
     vad.errors.UsageError
-        If neither this package nor another one has it.
+        If neither this package nor another one has this language.
     vad.errors.InputError
-        If another package's module is none.
+        If the module of another package is no language file.
 
     Examples
     --------
@@ -132,7 +132,7 @@ class Language:
         return tuple(each for each in self.template(phrase) if isinstance(each, Piece))
 
     def template(self, phrase: str) -> Template:
-        """Return a phrase, in English where this language has it not."""
+        """Return a phrase, in English if this language does not have it."""
         return self.speaker(phrase)._tables.template(phrase)
 
     def speaker(self, phrase: str) -> Language:
@@ -140,13 +140,13 @@ class Language:
         return self if phrase in self._tables.phrases else Language(ENGLISH)
 
     def name(self, name: str) -> str:
-        """Return a name or title in this language; one that no language has stays itself."""
+        """Return a name or title in this language, or as it is if no language has it."""
         return self._tables.name(name)
 
     def noun(self, name: str, article: str = "", generic: str = "link") -> str:
         """Return a name as a sentence has it, with the article for which a phrase asks.
 
-        A name of unknown gender stands behind what it is, its ``generic`` name if it has one.
+        If its gender is unknown, the name follows its ``generic`` name, if it has one.
 
         Examples
         --------
