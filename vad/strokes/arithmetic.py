@@ -1,7 +1,8 @@
-"""The numbers of captions, what is calculated of them, and how many digits they need for it.
+"""The numbers in captions, the calculations with them, and the digits that are printed.
 
-A pocket calculator that is given the printed numbers gets the printed results: at the end of a
-sheet each number gets the digits for that, the same ones wherever it stands.
+A reader who types the printed numbers into a pocket calculator must get the printed results.  So
+when a sheet is complete, each number gets as many digits as that takes, and the same ones wherever
+it is printed.
 """
 
 from __future__ import annotations
@@ -19,9 +20,10 @@ from vad.written import GIVEN, MEASURED, plain
 if TYPE_CHECKING:
     from vad.strokes.sentences import Sentence
 
-#: A factor has at most so many digits more than the result; then the result gets one more.
-MORE = 2
-#: What double precision holds.
+#: A factor gets at most so many digits more than the result.  If they are too few, the result gets
+#: one digit more.
+EXTRA_DIGITS = 2
+#: The significant digits of a number in double precision.
 _ALL = 15
 _EXACT = Context(prec=50)
 
@@ -56,16 +58,17 @@ class Figure:
         self.value = float(self.value) + 0.0
 
 
-#: The ``hypotenuse`` is the root of the sum of the squares of what it is found by, a ``leg`` that
-#: of the difference of the squares of the hypotenuse and the other leg.
+#: A ``hypotenuse`` is the root of the sum of the squares of its operands, the legs.  A ``leg`` is
+#: the root of the difference of the squares of its operands, the hypotenuse and the other leg.
 Operation = Literal["product", "sum", "hypotenuse", "leg"]
 
 
 @dataclass(slots=True)
 class Calculation:
-    """What a sentence calculates: the names of its parts, or numbers that are always the same.
+    """A calculation in a sentence.
 
-    A product takes each number to its power.
+    ``result`` and ``operands`` are the names of parts of the sentence; an operand may also be a
+    constant number.  In a product each number is raised to its ``Figure.power``.
     """
 
     result: str
@@ -74,22 +77,22 @@ class Calculation:
 
 
 def product(result: str, *factors: str | float) -> Calculation:
-    """Return that a part is the product of others."""
+    """Return the calculation of a part as the product of others."""
     return Calculation(result, "product", factors)
 
 
 def total(result: str, *addends: str) -> Calculation:
-    """Return that a part is the sum of others."""
+    """Return the calculation of a part as the sum of others."""
     return Calculation(result, "sum", addends)
 
 
 def hypotenuse(result: str, *legs: str) -> Calculation:
-    """Return that a part is the root of the sum of the squares of others."""
+    """Return the calculation of a part as the root of the sum of the squares of others."""
     return Calculation(result, "hypotenuse", legs)
 
 
 def leg(result: str, whole: str, other: str) -> Calculation:
-    """Return that a part is the root of the square of another less that of a third."""
+    """Return the calculation of a leg of a right triangle from the hypotenuse and the other leg."""
     return Calculation(result, "leg", (whole, other))
 
 
@@ -110,7 +113,7 @@ def _leg(sides: list[Decimal]) -> Decimal:
     return _EXACT.sqrt(max(_EXACT.subtract(whole, other), Decimal(0)))
 
 
-#: What is made of the numbers that a reader types in.
+#: How each operation is calculated from the printed numbers.
 _OPERATIONS: dict[Operation, Callable[[list[Decimal]], Decimal]] = {
     "product": _product,
     "sum": _sum,
@@ -119,16 +122,16 @@ _OPERATIONS: dict[Operation, Callable[[list[Decimal]], Decimal]] = {
 }
 
 
-def settled(notation: Notation, sentences: Iterable[Sentence]) -> Notation:
-    """Return the notation in which every calculation holds as it is printed.
+def with_digits(notation: Notation, sentences: Iterable[Sentence]) -> Notation:
+    """Return the notation with enough digits for every calculation to hold as it is printed.
 
     Parameters
     ----------
     notation
         How numbers are written otherwise.
     sentences
-        Those that calculate, in the order in which they are said.  What is measured last is
-        settled first: its factors are the results of what came before.
+        The sentences with calculations, in the order in which they are said.  The digits of the
+        last one are chosen first, because its factors are the results of earlier ones.
     """
     alike: dict[str, list[_Typed]] = defaultdict(list)
 
@@ -169,9 +172,9 @@ class _Typed:
     figure
         The number in its sentence.
     key
-        By what the notation finds it again.
+        The key of its digits in the notation.
     number, factor
-        What is printed, and its power that a product has.
+        The number as it is printed, and that number raised to the power that it has in a product.
     """
 
     def __init__(self, figure: Figure, notation: Notation) -> None:
@@ -181,7 +184,7 @@ class _Typed:
         self.read(0)
 
     def read(self, digits: int) -> None:
-        """Read what is printed with so many digits at least."""
+        """Read the number as it is printed with at least so many digits."""
         self._digits = digits
         self.number = Decimal(plain(self._value, self._unit, self.figure.given, digits))
         self.factor = self.number
@@ -199,7 +202,7 @@ class _Typed:
 
     @property
     def exact(self) -> bool:
-        """Whether nothing of it is rounded off."""
+        """Whether the printed number is not rounded."""
         return float(self.number) == self._value
 
     def agrees(self, calculated: Decimal) -> bool:
@@ -208,8 +211,8 @@ class _Typed:
 
 
 def _to_refine(result: _Typed, factors: list[_Typed]) -> _Typed | None:
-    """Return the number that is to have a further digit; None where no digits are left."""
-    most = min(result.count + MORE, _ALL)
+    """Return the number that needs one more digit, or None if none can have more."""
+    most = min(result.count + EXTRA_DIGITS, _ALL)
     rough = [each for each in factors if each.count < most and not each.exact]
     coarsest = min(rough, key=lambda each: each.count, default=result)
     return coarsest if coarsest.count < _ALL else None

@@ -11,24 +11,27 @@ from vad.strokes.arithmetic import Calculation, Figure, product
 from vad.strokes.diagram import ORDERS
 from vad.strokes.loops import StepVector
 from vad.strokes.scene import Scene, image_letter, point_of
-from vad.strokes.sentences import Listed, Noun, Saying, Sentence, SentencePart, Unit
+from vad.strokes.sentences import CaptionedMotion, Listed, Noun, Sentence, SentencePart, Unit
 from vad.strokes.vector_equations import Part, V
 
 
 class PolygonCaptions(ABC, Generic[V]):
-    """What is said of the polygon of velocities (1) or accelerations (2), in plane and space alike.
+    """The captions of a velocity polygon (order 1) or an acceleration polygon (order 2).
+
+    The ones here are the same for mechanisms in the plane and in space.
 
     Attributes
     ----------
     say
-        Says a sentence and notes down what it calculates: see `vad.strokes.sentences.Saying.say`.
+        The method that makes a sentence and records its calculations: see
+        `vad.strokes.sentences.CaptionedMotion.say`.
     order, panel
         The order of the polygon, and the name of its panel.
     unit
         The unit of its vectors.
     """
 
-    def __init__(self, scene: Saying, order: int, unit: str) -> None:
+    def __init__(self, scene: CaptionedMotion, order: int, unit: str) -> None:
         self.say = scene.say
         self.order, self.panel = order, ORDERS[order].panel
         self.unit = unit
@@ -38,7 +41,7 @@ class PolygonCaptions(ABC, Generic[V]):
         """Return the symbol of what an unknown part measures: ω₃, α₃, v or a."""
 
     def is_zero(self, part: Part[V]) -> bool:
-        """Tell whether what a part measures is zero where the part vanishes."""
+        """Tell whether a component of length zero means that the quantity it measures is zero."""
         return True
 
     def still(self) -> Sentence:
@@ -85,7 +88,7 @@ class PolygonCaptions(ABC, Generic[V]):
         return self.say("counter-clockwise" if rate > 0 else "clockwise")
 
     def size(self, part: Part[V]) -> Figure:
-        """Return the length of a vector's part."""
+        """Return the length of a component."""
         return Figure(abs(part.vector), self.unit)
 
 
@@ -111,7 +114,7 @@ class Captions(PolygonCaptions[StepVector]):
         return self.at_pole(named)
 
     def known(self, label: str, part: Part[StepVector]) -> Sentence:
-        """Work out a component that is known before the crossing."""
+        """Calculate a component that is known before the lines cross."""
         if isinstance(part.of.step, Slide):
             return self._known_slide(label, part, part.of.step)
         scene, bar = self._scene, part.of.step
@@ -180,7 +183,7 @@ class Captions(PolygonCaptions[StepVector]):
         )
 
     def across(self, tail: str, head: str) -> Sentence:
-        """Say that a further point of a link moves across its line to a known one."""
+        """Say that a further point of a link moves perpendicular to its line to a known point."""
         return self.say(
             f"across {self.panel}",
             point=image_letter(tail, self.order),
@@ -228,14 +231,14 @@ class Captions(PolygonCaptions[StepVector]):
         )
 
     def whole(self, label: str, size: float, vector: StepVector) -> Sentence:
-        """Measure a whole vector beside its parts."""
+        """State the length of a whole vector, whose components are drawn already."""
         value, whose = Figure(size, self.unit), self._whose(vector.step)
         return self.quantity("whole", label=label, value=value, whose=whose)
 
     def image(self, bar: Bar, base: Bar, label: str, sizes: tuple[float, float, float]) -> Sentence:
         """Find a further point of a link by proportion.
 
-        ``sizes`` are those of the vectors of ``base``, of ``bar`` and from the pole.
+        ``sizes`` are the lengths of the vectors of ``base``, of ``bar`` and from the pole.
         """
         scene, against = self._scene, self._scene.against(bar)
         known, own, found = (Figure(size, self.unit) for size in sizes)
@@ -246,7 +249,7 @@ class Captions(PolygonCaptions[StepVector]):
         also: list[SentencePart] = []
         if part != label:
             also.append(self.quantity("image other", label=label, value=found))
-        if not against:  # else it would take three lines
+        if not against:  # otherwise the caption would have three lines
             whose = self.say(f"{self.panel} of", head=bar.head)
             also.append(self.say("image whose", whose=whose))
         return self.say(
@@ -281,7 +284,7 @@ class Captions(PolygonCaptions[StepVector]):
         return self.say(phrase, head=bar.head, tail=bar.tail)
 
     def _seen(self, bar: Bar) -> str:
-        """Return from where the motion of a bar's head is seen."""
+        """Return the ending of the phrase: for a strut, an absolute or a relative motion."""
         if self._scene.members.is_strut(bar):
             return " strut"
         return " absolute" if bar.tail in self._scene.members.fixed else ""

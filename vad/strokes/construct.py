@@ -12,8 +12,8 @@ from dataclasses import replace
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, angle_of, points_of, scalar_of
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing
-from vad.strokes.inking import Ink
-from vad.strokes.loops import of_position
+from vad.strokes.inking import PositionPencil
+from vad.strokes.loops import position_equation
 from vad.strokes.scene import Scene
 from vad.strokes.sentences import Noun, SentencePart, Unit
 from vad.strokes.sheet import Arc, Dot, Guide, Line
@@ -23,9 +23,9 @@ COMPASS = 14.0
 
 
 class FurtherPoints:
-    """What draws the points of links that no loop finds; ``found`` are those on the board."""
+    """Draws the points of links that no loop finds; ``found`` holds the points that are drawn."""
 
-    def __init__(self, scene: Scene, ink: Ink, found: set[str]) -> None:
+    def __init__(self, scene: Scene, ink: PositionPencil, found: set[str]) -> None:
         self.scene = scene
         self.ink = ink
         self.found = found
@@ -59,7 +59,7 @@ class FurtherPoints:
             self._third(bar.link, point)
         if len(self.scene.members.points_on(bar.link)) > 2:
             self.ink.plate(bar.link)
-        else:  # the link has nothing else that does not slide
+        else:  # all other points of the link slide on it
             self._tip(bar)
 
     def _tip(self, bar: Bar) -> None:
@@ -103,7 +103,7 @@ class _Construction:
         self.motion = scene.motion
         self.members = scene.members
         self.frame, self.linkage = self.members.frame, self.members.linkage
-        self.ink = Ink(scene)
+        self.ink = PositionPencil(scene)
         self.found: set[str] = set(self.frame.fixed)
         self.further = FurtherPoints(scene, self.ink, self.found)
 
@@ -118,7 +118,7 @@ class _Construction:
             self._construct(loop, unknowns)
             self._ink(loop, unknowns)
             known.update(unknowns)
-            equations.append(of_position(self.scene, loop, self.ink.strokes))
+            equations.append(position_equation(self.scene, loop, self.ink.strokes))
         for bar in self.linkage.images:
             self.further.draw(bar)
         strokes = tuple(self.ink.strokes)
@@ -182,7 +182,7 @@ class _Construction:
         return normal
 
     def _driver(self) -> None:
-        """Draw what the driver dictates: a bar at its angle, or a block in its place."""
+        """Draw what the driver gives: a bar at its angle, or a block at its position."""
         driver = self.scene.driver
         for step in self.frame.steps:
             if scalar_of(step) != driver:
@@ -247,7 +247,7 @@ class _Construction:
                 self._under(step)
 
     def _under(self, slide: Slide) -> None:
-        """Letter the point of a known link that lies under a block."""
+        """Write the letter of the point of a known link that lies under a block."""
         if slide.tail not in self.found and slide.tail in self.members.points:
             self.found.add(slide.tail)
             at = Dot(self.scene.at(slide.tail))
@@ -256,7 +256,7 @@ class _Construction:
             self.ink.draw(slide.tail, "found", "intersection", slide.tail, at, "on lever", parts)
 
     def _is_slot(self, slide: Slide, unknowns: tuple[Scalar, ...]) -> bool:
-        """Tell whether a block slides on a turning link that is known before."""
+        """Tell whether a block slides on a turning link whose angle is already known."""
         known = isinstance(slide.along, str) and angle_of(slide.along) not in unknowns
         return known and slide.head in self.members.points
 
@@ -298,7 +298,10 @@ class _Construction:
         )
 
     def _link_slot_line(self, slide: Slide, end: str) -> None:
-        """Draw the line of the slot in a known link, from where it is next to its first point."""
+        """Draw the line of the slot in a known link.
+
+        It begins at the foot of the perpendicular from the first point of the link.
+        """
         line = self.scene.heading(self.frame.line(slide, self.scene.pose))
         at, start = self.scene.at(end), self.scene.at(self.ink.carrier(slide).tail)
         towards = (line.conjugate() * (at - start)).real

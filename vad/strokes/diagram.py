@@ -1,6 +1,7 @@
-"""Kinds of diagrams: what is drawn, where it stands, what it measures; and orders of derivatives.
+"""Kinds of diagrams, and the orders of derivatives.
 
-In comes the scene of a pose, out goes a `Panel`; a kind is one file of `vad.strokes.diagrams`.
+A diagram makes a `Panel` from the scene of a pose.  It states what is drawn, its place on the page,
+and what it measures.  Each kind is one file of `vad.strokes.diagrams`.
 """
 
 from __future__ import annotations
@@ -31,20 +32,20 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Order:
-    """An order of derivative.
+    """The order of a derivative: position, velocity or acceleration.
 
     Attributes
     ----------
     number
-        0, 1 or 2: so many times a position is differentiated.
+        0, 1 or 2: how many times the position is differentiated.
     panel
-        The name of its diagram; points and slides call their quantity so, too.
+        The name of its diagram, and of the quantity of points and slides.
     rate
-        What a link calls its quantity: "angle", "omega" or "alpha".
+        The name of the quantity of links: "angle", "omega" or "alpha".
     symbol, sliding
-        The letters of what turns and of what slides.
+        The letters of the quantity for links, which turn, and for slides.
     unit
-        The unit of what turns.
+        The unit of the quantity of links.
     """
 
     number: int
@@ -55,7 +56,7 @@ class Order:
     unit: str
 
     def unit_of(self, length: str) -> str:
-        """Return the unit of what slides.
+        """Return the unit of the quantity of slides, for a unit of length.
 
         Examples
         --------
@@ -74,9 +75,10 @@ ORDERS = POSITION, VELOCITY, ACCELERATION
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
-    """What is drawn of one pose: see `Panel`, which adds what its diagram says of itself.
+    """The content of a panel in one pose.
 
-    ``picture`` and ``unit`` are those of its diagram where they are not given.
+    The fields are those of `Panel`, which also has the name and the title of its diagram.  If
+    ``picture`` and ``unit`` are not given, they are those of the diagram.
     """
 
     strokes: tuple[Stroke, ...]
@@ -95,9 +97,10 @@ class Drawing:
 
 
 class Spot(NamedTuple):
-    """Where a lettered point of a diagram is seen.
+    """A lettered point of a diagram, in one of its views.
 
-    ``view`` is the name of the view, empty for the first; ``below`` tells the polygon below.
+    ``view`` is the name of the view, empty for the first.  ``below`` is true for a point of the
+    polygon below.
     """
 
     letter: str
@@ -106,14 +109,14 @@ class Spot(NamedTuple):
 
 
 def in_plane(motion: Motion[Any, Any, Any]) -> bool:
-    """Apply to every mechanism in the plane."""
-    from vad.kinematics.motion import MotionInSpace  # which a list of diagrams need not load
+    """Tell whether the mechanism is one in the plane: a choice for `Diagram.applies`."""
+    from vad.kinematics.motion import MotionInSpace  # a list of diagrams does not need it
 
     return not isinstance(motion, MotionInSpace)
 
 
 def everywhere(motion: Motion[Any, Any, Any]) -> bool:
-    """Apply to every mechanism."""
+    """Return True: the diagram applies to every mechanism."""
     return True
 
 
@@ -123,7 +126,7 @@ def no_cells(scene: AnyScene, key: str, slides: bool) -> tuple[Cell, ...]:
 
 
 def no_tracks(scene: AnyScene) -> Mapping[Spot, Any]:
-    """Follow no point."""
+    """Return no lettered points."""
     return {}
 
 
@@ -142,18 +145,19 @@ class Diagram:
     picture
         How its panel is painted: as a mechanism or as vectors from a pole.
     unit
-        From a scene to the unit of its coordinates.
+        The function from a scene to the unit of its coordinates.
     pose
-        From a scene to its strokes.
+        The function from a scene to its strokes.
     cells
-        From a scene, the key of a row and whether that row is of what slides, to the cells that it
-        adds to the row.
+        The function that returns the cells which the diagram adds to a row of the results, from the
+        scene, the key of the row and whether it is the row of a slide.
     tracks
-        From a scene to where its lettered points are: complex arrays where it has many poses.
+        The function from a scene to the places of its lettered points: complex arrays if the scene
+        has many poses.
     usual
         Whether it is drawn where nobody asks for it by name.
     applies
-        Tells from a motion whether it can be drawn of its mechanism.
+        The function that tells whether the diagram can be drawn for the mechanism of a motion.
     """
 
     name: str

@@ -10,7 +10,7 @@ from vad.errors import InputError, UsageError, one_of, shown
 from vad.kinematics.linkage import points_of
 from vad.kinematics.motion import Motion, solve
 from vad.kinematics.solver import Solver
-from vad.strokes.arithmetic import settled
+from vad.strokes.arithmetic import with_digits
 from vad.strokes.construct import construct
 from vad.strokes.diagram import ACCELERATION, VELOCITY, Drawing, Order
 from vad.strokes.diagrams import DIAGRAMS
@@ -35,9 +35,10 @@ if TYPE_CHECKING:
 
     AnyScene = Scene | SceneInSpace
 
-#: Ends the name of the angle between two axes, whose distance bears the name before it.
+#: The ending of the name of the angle between two axes.  The name without it is that of their
+#: distance.
 _TWIST = "_twist"
-#: So many parameters a title has at most.
+#: The largest number of parameters in a title.
 MOST = 8
 
 
@@ -80,7 +81,7 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     largest = _largest(rows, drawn)
     rates = [largest.get(order.unit_of(scene.unit), 0.0) for order in (VELOCITY, ACCELERATION)]
     notation = Notation(scene.language.point, in_metres(rates))
-    scene.voice.notation = notation = settled(notation, scene.calculated)
+    scene.voice.notation = notation = with_digits(notation, scene.calculated)
     mechanism, clean = motion.mechanism, without_noise(rows, largest)
     return Sheet(
         mechanism=mechanism.name,
@@ -102,9 +103,9 @@ def chosen(
     Parameters
     ----------
     panels
-        Names; None are the usual ones that apply.
+        Names, or None for the usual ones that apply.
     motion
-        What they are to be drawn of, if that is known.
+        The motion that is to be drawn, if it is known.
 
     Raises
     ------
@@ -130,9 +131,11 @@ def chosen(
 
 @lru_cache(maxsize=64)
 def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, str], ...]:
-    """Return all lengths and arcs, and other angles but for 0 and a mechanism's own along axes.
+    """Return the parameters that the title lists: name, value and unit of each.
 
-    Where they are too many for a line, coordinates are left out first, and then the last.
+    It lists all lengths and arcs.  It lists another angle unless that is 0, or a default that is a
+    multiple of 90°.  If these are too many for a line, it leaves out coordinates first, and then
+    the last ones.
     """
     plain, unit = type(mechanism), mechanism.length_unit
     shown: list[tuple[str, float, str]] = []
@@ -140,7 +143,7 @@ def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, 
     for name, value in values.items():
         metadata = plain.__dataclass_fields__[name].metadata
         if name.endswith(_TWIST):
-            continue  # behind its length
+            continue  # it follows its length
         if metadata["quantity"] != "angle":
             shown.append(
                 (
@@ -192,10 +195,10 @@ class PlaneScene(Scene):
 
 
 def scene_of(motion: Motion[Any, Any, Any], language: Language) -> AnyScene:
-    """Return the scene of a motion, whose solver tells the plane from space."""
+    """Return the scene of a motion, in the plane or in space."""
     if isinstance(motion.solver, Solver):
         return PlaneScene(motion, language)
-    from vad.strokes.space.scene import SceneInSpace  # which the plane need not load
+    from vad.strokes.space.scene import SceneInSpace  # the plane does not need it
 
     in_space: Any = motion
     return SceneInSpace(in_space, language)

@@ -1,6 +1,6 @@
-"""From what was drawn to what stands on a sheet: numbers are written, and what is noise is zero.
+"""The last step of a sheet: labels get their numbers, and rounding noise becomes zero.
 
-All numbers become such as JSON can hold: Python's own, and never a negative zero.
+All numbers become ones that JSON can hold: Python's own, and never a negative zero.
 """
 
 from __future__ import annotations
@@ -17,19 +17,19 @@ from vad.strokes.sentences import Text, Voice
 from vad.strokes.sheet import Cell, Equation, Panel, Row, Stroke, Term
 from vad.strokes.vector_equations import NOTHING
 
-#: What of a label depends on how numbers are written.
+#: The kinds of pieces of a label that depend on how numbers are written.
 _COUNTED = ("figure", "unit")
 
 
 def finished(panel: Panel, voice: Voice) -> Panel:
-    """Return a panel with the numbers in its labels and equations, and all canonical.
+    """Return a panel with the numbers in its labels and equations, as canonical data.
 
     Parameters
     ----------
     panel
-        What was drawn.
+        The panel as it was drawn.
     voice
-        Who says its labels, now that it is known how many digits their numbers need.
+        The voice of its labels, which knows by now how many digits their numbers need.
     """
 
     def fill(label: str) -> str:
@@ -65,7 +65,10 @@ def finished(panel: Panel, voice: Voice) -> Panel:
 
 
 def without_noise(rows: Sequence[Row], largest: Mapping[str, float]) -> tuple[Row, ...]:
-    """Write as zero what is zero but for rounding, against the largest of its kind."""
+    """Return rows in which values that are only rounding noise are zero.
+
+    A value is noise if it is very small beside the ``largest`` one of the same unit.
+    """
 
     def cleaned(cell: Cell) -> Cell:
         noise = abs(cell.value) < NOTHING * largest[cell.unit]
@@ -82,26 +85,26 @@ def without_noise(rows: Sequence[Row], largest: Mapping[str, float]) -> tuple[Ro
     )
 
 
-#: How fields without numbers are declared; truth values and whole numbers are left alone.
+#: The types of fields that need no change, as they are declared: they hold no float.
 _WORDS = {"str", "str | None", "bool", "int", "tuple[str, ...]"}
 
 
 def canonical(value: Any) -> Any:
     """Return data in which every number is a ``float`` or ``complex`` without −0.0.
 
-    What is so already is returned itself.
+    Data that are canonical already are returned unchanged.
 
     Examples
     --------
     >>> canonical((-0.0, complex(-0.0, 2.0), "−0"))
     (0.0, 2j, '−0')
     """
-    return _way(value.__class__)(value)
+    return _canonical_form(value.__class__)(value)
 
 
 @cache
-def _way(cls: Any) -> Callable[[Any], Any]:
-    """Return how data of a type become canonical."""
+def _canonical_form(cls: Any) -> Callable[[Any], Any]:
+    """Return the function that makes data of a type canonical."""
     if issubclass(cls, str | int | NoneType):
         return lambda value: value
     if issubclass(cls, complex):
@@ -129,19 +132,19 @@ def _complex(value: complex) -> complex:
 
 
 def _tuple(value: tuple[Any, ...]) -> tuple[Any, ...]:
-    new = tuple([_way(each.__class__)(each) for each in value])
+    new = tuple([_canonical_form(each.__class__)(each) for each in value])
     return new if any(map(is_not, new, value)) else value
 
 
 def _record(cls: Any) -> Callable[[Any], Any]:
-    """Return how a dataclass becomes canonical: made anew if a number differs."""
+    """Return the function that makes a dataclass canonical; it copies only what changes."""
     every = [field.name for field in fields(cls)]
     names = [field.name for field in fields(cls) if field.type not in _WORDS]
 
     def record(value: Any) -> Any:
         for name in names:
             held = getattr(value, name)
-            if held is not None and _way(held.__class__)(held) is not held:
+            if held is not None and _canonical_form(held.__class__)(held) is not held:
                 return cls(*[canonical(getattr(value, name)) for name in every])
         return value
 

@@ -22,13 +22,13 @@ from vad.strokes.sheet import (
 )
 
 
-class Ink:
+class PositionPencil:
     """The strokes of a pose so far, in the order in which they are drawn, and its bodies."""
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self.strokes: list[Stroke] = []
-        #: The points of every body by its row, and the blocks that slide on it.
+        #: The points of every body, and below the blocks that slide on it, by the row of the body.
         self._points: dict[str | None, list[str]] = {None: []}
         self._rides: dict[str | None, list[Ride]] = {}
         self._under: list[Coincidence] = []
@@ -90,7 +90,7 @@ class Ink:
         )
 
     def _said_of(self, bar: Bar) -> Mapping[str, SentencePart]:
-        """Return what a phrase says of a bar."""
+        """Return the parts that a phrase about a bar needs."""
         scene, (tail, head) = self.scene, self.scene.members.ends(bar)
         driven = angle_of(bar.link) == scene.driver
         whole = bar.turn != 1.0 or scene.backward(bar)
@@ -135,7 +135,7 @@ class Ink:
         return isinstance(slide.along, float) or self.carrier(slide).offset.imag != 0.0
 
     def owner(self, slide: Slide) -> str:
-        """Return what bears the slot along which a block slides."""
+        """Return the link or slide that has the slot in which a block slides."""
         if isinstance(slide.along, str):
             return slide.along
         return next(other for other in self.scene.members.sliding if other.head == slide.tail).name
@@ -173,7 +173,7 @@ class Ink:
         )
 
     def _ride(self, slide: Slide) -> None:
-        """Note down on which body a block slides, and along what."""
+        """Record on which body a block slides, and along which stroke."""
         on, block = (slide.along if isinstance(slide.along, str) else None), f"{slide.ends}.block"
         if self.scene.members.is_guide(slide):
             ride = Ride(block, f"{slide.ends}.guide")

@@ -1,6 +1,7 @@
-"""The loops of a linkage as vector equations, each step with its components, and as written.
+"""The loops of a linkage as vector equations, and the equations that are written under a panel.
 
-A polygon draws the equation; under its panel it is written from the vectors that are drawn.
+Every step of a loop is a vector with its components.  A polygon draws the equation; the equation
+under its panel is written from the vectors that are drawn.
 """
 
 from __future__ import annotations
@@ -28,10 +29,10 @@ class StepVector(Vector):
 
 @dataclass(frozen=True, eq=False)
 class _Outline:
-    """One side of a loop equation as it is in all poses.
+    """The part of one side of a loop equation that is the same in all poses.
 
-    ``forms`` holds what all `Part` of a vector have from ``unknown`` on, by the component's name;
-    ``late`` are the vectors whose Coriolis part comes last.
+    ``forms`` holds, for each vector and the name of each component, the fields of its `Part` from
+    ``unknown`` on.  ``late`` are the vectors whose Coriolis component is laid last.
     """
 
     start: str
@@ -60,7 +61,7 @@ def chain_of(scene: Scene, step: Step, order: int) -> Chain[StepVector]:
 
 
 def owner(step: Step) -> str:
-    """Return the row of the results table whose ink a step takes."""
+    """Return the row of the results table whose colour a step has."""
     return scalar_of(step).name
 
 
@@ -129,7 +130,7 @@ def _forms(
     unknowns: tuple[Scalar, ...],
     order: int,
 ) -> dict[str, tuple[Any, ...]]:
-    """Return what is the same in every pose of the parts of a step, by their components' names."""
+    """Return what is the same in every pose for the components of a step, by their names."""
     step, found = vector.step, scalar_of(vector.step) in unknowns
     label, square_to = _line(members, voice, step) if found else ("", None)
     forms = {}
@@ -139,7 +140,7 @@ def _forms(
             found and name in ("tangential", "sliding"),
             "absolute" if members.is_guide(step) else name,
             "z" if coriolis else _stage(members, vector, found),
-            members.drives(step) and not coriolis,  # Coriolis needs a link that is found
+            members.drives(step) and not coriolis,  # it needs a link that is found
             label,
             square_to,
         )
@@ -147,7 +148,7 @@ def _forms(
 
 
 def _line(members: Members, voice: Voice, step: Step) -> tuple[str, str | None]:
-    """Return the label of a step's construction line, and what that is perpendicular to."""
+    """Return the label of a step's construction line, and the letters it is perpendicular to."""
     if isinstance(step, Slide):
         return Text.of(Sentence("parallel", {"line": members.line(step)}), voice), None
     square_to = members.letters(step)
@@ -177,7 +178,7 @@ def _is_driving_strut(members: Members, step: Bar) -> bool:
 
 
 def _coriolis_last(vectors: Sequence[StepVector]) -> tuple[StepVector, ...]:
-    """Return the vectors whose Coriolis part comes behind the normal part of their strut's bar."""
+    """Return the vectors whose Coriolis component follows the normal component of their strut."""
     late = tuple(each for each in vectors if _on_link(each.step) and not each.reverse)
     struts = {each.owner for each in late}
     bars = (each.step for each in vectors if isinstance(each.step, Bar))
@@ -201,8 +202,8 @@ def equation(loop: Loop, first: Side, second: Side) -> Equation:
     return Equation(tuple(left or nothing), tuple(right or nothing))
 
 
-def of_position(scene: Scene, loop: Loop, strokes: Sequence[Stroke]) -> Equation:
-    """Return the equation of a loop of the mechanism itself as drawn, a ground link added."""
+def position_equation(scene: Scene, loop: Loop, strokes: Sequence[Stroke]) -> Equation:
+    """Return the loop equation of the mechanism as it is drawn, with the ground link."""
     fixed = scene.members.fixed
     sides = Side(), Side()
     start = [chain[0].start for chain in (loop.first, loop.second)]
@@ -215,7 +216,7 @@ def of_position(scene: Scene, loop: Loop, strokes: Sequence[Stroke]) -> Equation
     for chain, side in zip((loop.first, loop.second), sides, strict=True):
         for step in chain:
             if isinstance(step, Slide) and isinstance(step.along, str):
-                continue  # the bar carries its length
+                continue  # the bar of the same strut or lever stands for it
             tail, head = scene.members.ends(step)
             if side is sides[1] and step is chain[0] and tail == start[1]:
                 tail = second_start

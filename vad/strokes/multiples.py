@@ -1,7 +1,6 @@
 """Small multiples: a few poses of one mechanism, to be seen side by side at one scale.
 
-In come a mechanism and the places of its driver, out goes a `Multiples`.  The solver is loaded when
-one is made: to know that it can be saved takes no numbers.
+The solver is imported only when one is made, because `vad.save` needs the class alone.
 """
 
 from __future__ import annotations
@@ -23,7 +22,7 @@ FEWEST, MOST = 2, 6
 
 @dataclass(frozen=True, slots=True)
 class Multiples(Displayed):
-    """A few poses: the sheet of each, and the place of the driver, which is its title."""
+    """The sheets of a few poses, and the places of the driver, which are their titles."""
 
     sheets: tuple[Sheet, ...]
     places: tuple[Cell, ...]
@@ -78,7 +77,7 @@ def multiples(
 
 
 def _checked(at: Sequence[float]) -> list[float]:
-    """Return the places, which are as many as have room."""
+    """Return the places of the driver if there are as many as a picture can have."""
     try:
         places = [] if isinstance(at, str) else list(at)
     except TypeError:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 
 from vad.written import plain, typeset, with_unit
 
-#: From this on, rates in millimetres or centimetres are written in metres.
+#: From this value on, rates in millimetres or centimetres are written in metres.
 LARGE = 1e5
 #: How many of a unit make a metre.
 _TO_A_METRE = {"mm": 1000.0, "cm": 100.0}
@@ -27,8 +27,8 @@ class Notation:
     metres
         Whether velocities and accelerations are written in metres, where the data have mm or cm.
     digits
-        The significant digits of numbers, by `key`, whose usual ones are too few for the sheet's
-        own calculations.
+        The significant digits of some numbers, by their `key`: of those whose usual digits are too
+        few for the calculations on the sheet.
     """
 
     point: str = "."
@@ -76,13 +76,13 @@ class Notation:
 
 
 def key(value: float) -> str:
-    """Return by what a number is found again, whatever its sign."""
+    """Return the key of a number in `Notation.digits`, the same for both signs."""
     return f"{abs(value):.12g}"
 
 
 def in_metres(rates: Iterable[float]) -> bool:
     """Tell whether velocities and accelerations are so large that metres suit them better.
 
-    They change together, for a caption multiplies the one and gets the other.
+    Both change together, because a caption calculates one from the other.
     """
     return bool(max(map(abs, rates), default=0.0) >= LARGE)

@@ -1,8 +1,8 @@
 """The player of vector equations, and the pencil with which it draws.
 
-Known parts are laid tip to tail, two lines are drawn in the directions of the unknown ones, they
-cross, and what they cut off is inked and measured.  The pencil keeps the strokes so far and where
-every vertex is.
+Known components are laid tip to tail.  Two lines are drawn in the directions of the unknown
+components, and cross.  The unknown components, which end at the crossing, are inked and measured.
+The pencil keeps the strokes so far and the place of every vertex.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ from vad.strokes.sheet import (
 from vad.strokes.vector_equations import NOTHING, Chain, Part, Side, V, VectorEquation
 
 
-class Words(Protocol[V]):
-    """What is said of the strokes of a polygon."""
+class PencilCaptions(Protocol[V]):
+    """The captions that a pencil asks for."""
 
     def known(self, label: str, part: Part[V]) -> Sentence:
-        """Work out a component that is known before the crossing."""
+        """Calculate a component that is known before the lines cross."""
 
     def line(self, part: Part[V], point: str, meeting: str) -> Sentence:
         """Say why the next vertex must lie on a construction line."""
@@ -43,14 +43,14 @@ class Words(Protocol[V]):
         """Measure a result off the polygon."""
 
     def whole(self, label: str, size: float, vector: V) -> Sentence | str:
-        """Measure a whole vector beside its parts."""
+        """State the length of a whole vector, whose components are drawn already."""
 
 
 class Tip:
     """The vertex at which the drawing of a chain stands, and its coordinates.
 
-    ``name`` is the vertex's letter as it is drawn, ``full`` what it would be if no vector of the
-    chain had vanished.
+    ``name`` is the letter of the vertex as it is drawn.  ``full`` is the letter that it would have
+    if no vector of the chain were zero.
     """
 
     def __init__(self, name: str, at: complex) -> None:
@@ -64,9 +64,9 @@ class Pencil(Generic[V]):
     Parameters
     ----------
     words
-        What is said of them.
+        Their captions.
     place
-        From a vertex to where it truly is.
+        The function from a vertex to its true coordinates.
     longest
         The length of the longest part; 0 where nothing moves.
     fixed
@@ -77,7 +77,7 @@ class Pencil(Generic[V]):
 
     def __init__(
         self,
-        words: Words[V],
+        words: PencilCaptions[V],
         place: Callable[[str], complex],
         longest: float,
         fixed: list[str],
@@ -107,12 +107,12 @@ class Pencil(Generic[V]):
         return stroke
 
     def begin(self, said: Sentence, rows: tuple[str, ...] = ()) -> None:
-        """Draw the pole, where all fixed vertices are; ``rows`` are measured there already."""
+        """Draw the pole, where all fixed vertices are; ``rows`` are the results that it shows."""
         pole = Stroke("pole", ",".join(self.fixed), Dot(0j), said, reveals=rows, part=POLE)
         self.strokes.append(pole)
 
     def share_pole(self, letter: str) -> None:
-        """Write a point that does not move, though it could, beside the pole's letters."""
+        """Add the letter of a point that stands still in this pose to the letters at the pole."""
         if self.from_pole and not self.resting:
             pole = self.strokes[0]
             self.strokes[0] = replace(pole, label=f"{pole.label},{letter}")
@@ -128,7 +128,7 @@ class Pencil(Generic[V]):
         return self.add(stroke)
 
     def vanish(self, kind: Kind, part: Part[V], tip: Tip, name: str) -> None:
-        """Keep a part of length zero, with the letters that it would have."""
+        """Record a component of length zero, which is not drawn, with the letters it would have."""
         arrow = _arrow(part, tip.full, tip.at, name, tip.at)
         self.leave_out(_stroke(kind, part, arrow))
 
@@ -145,7 +145,7 @@ class Pencil(Generic[V]):
     def crossing(self, end: str, point: str, zeros: list[tuple[Part[V], str]]) -> None:
         """Mark the image of a point where two lines cross.
 
-        ``zeros`` vanish there, each at its vertex.
+        ``zeros`` are the components that are zero in this pose, each with its vertex.
         """
         at = self.place(end)
         self.vertices[end] = at
@@ -187,7 +187,7 @@ class Pencil(Generic[V]):
         return tuple(dict.fromkeys(found))
 
     def leave_out(self, stroke: Stroke) -> None:
-        """Keep what is not drawn in this pose."""
+        """Record a stroke that is not drawn in this pose."""
         spoken = stroke.said or stroke.reveals
         self.zeros.append(replace(stroke, said="", reveals=()) if spoken else stroke)
 
@@ -214,7 +214,7 @@ def _stroke(
 class Trace(Generic[V]):
     """A chain that is being drawn: its tip, and the known parts that are not laid yet.
 
-    ``walked`` is its last vector that was on the board already.
+    ``walked`` is the last of its vectors that were drawn before.
     """
 
     chain: Chain[V]
@@ -225,9 +225,9 @@ class Trace(Generic[V]):
 
 
 class Player(Generic[V]):
-    """What draws equation after equation.
+    """Draws one equation after the other.
 
-    ``begins`` are the numbers of the strokes with which they begin.
+    ``begins`` holds the number of the first stroke of each equation.
     """
 
     def __init__(self, pencil: Pencil[V]) -> None:
@@ -241,7 +241,7 @@ class Player(Generic[V]):
         self.begins.append(len(self.pencil.strokes))
         traces = [self.begin(chain) for chain in equation.chains]
         self.set_out(traces)
-        # What the driver dictates comes first, then chain after chain.
+        # What the driver gives comes first, then chain after chain.
         for trace in traces:
             self.lay(trace, [part for part in trace.known if part.dictated])
         self.after_driver()
@@ -261,7 +261,7 @@ class Player(Generic[V]):
         """Do what comes before an equation's first stroke."""
 
     def after_driver(self) -> None:
-        """Do what comes after the parts that the driver dictates."""
+        """Do what comes after the components that the driver gives."""
 
     # --- known parts --------------------------------------------------------------------------
 

@@ -5,9 +5,9 @@ direction of the unknown one; the two lines cross, and the pieces up to the cros
 and measured.
 
 Further points of a link are found by its image, which is similar to the link.  A point in line with
-two known ones divides the image in the link's ratio.  One beside them is the third corner of a
-triangle: its sides are perpendicular to the link's in the velocity polygon, and stand at the link's
-own angles in the acceleration polygon.
+two known ones divides the image in the link's ratio.  A point beside their line is the third corner
+of a triangle: its sides are perpendicular to the link's in the velocity polygon, and stand at the
+link's own angles in the acceleration polygon.
 """
 
 from __future__ import annotations
@@ -67,9 +67,9 @@ class PlanePencil(Pencil[StepVector]):
         return self.scene.image(point, self.order)
 
     def pole(self) -> None:
-        """Draw the pole, where all fixed points are, unless a crossing is to find it.
+        """Draw the pole, where all fixed points are, unless a crossing finds it later.
 
-        Where nothing moves it is the whole polygon.
+        If nothing moves, the pole is the whole polygon.
         """
         members = self.scene.members
         if self.resting:
@@ -80,7 +80,7 @@ class PlanePencil(Pencil[StepVector]):
     def known(
         self, part: Part[StepVector], tip: Tip, name: str, at: complex | None = None
     ) -> Stroke:
-        """Draw a known part; the first Coriolis part has its rule in the inset."""
+        """Draw a known component; the inset shows the rule of the first Coriolis component."""
         stroke = super().known(part, tip, name, at)
         step = part.of.step
         if part.name == "coriolis" and isinstance(step, Slide) and self.inset is None:
@@ -88,9 +88,10 @@ class PlanePencil(Pencil[StepVector]):
         return stroke
 
     def label_from_pole(self, point: str, link: str) -> str:
-        """Return the letters of a point's vector from the pole: from the link's own pivot, if any.
+        """Return the letters of the vector from the pole to the image of a point.
 
-        Fixed points all lie there.
+        All fixed points lie at the pole; the first letter is that of the link's own pivot, if it
+        has one.
         """
         return self.letter(self.scene.members.pivot(link)) + self.letter(point)
 
@@ -110,7 +111,7 @@ class PlanePencil(Pencil[StepVector]):
         return stroke
 
     def leads_to(self, letter: str) -> Stroke | None:
-        """Return what is drawn from the pole to a vertex, or would be if it were not zero."""
+        """Return the stroke from the pole to a vertex, even one that is left out as zero."""
         for stroke in (*self.strokes, *self.zeros):
             match stroke.shape:
                 case Arrow(start=0j, head=head) if head == letter:
@@ -133,7 +134,7 @@ class PlanePencil(Pencil[StepVector]):
 
 
 class Images:
-    """The images that are drawn in one polygon of an order."""
+    """Finds further points of links by their images, and draws them in a polygon."""
 
     def __init__(self, scene: Scene, order: int, pencil: PlanePencil) -> None:
         self._scene = scene
@@ -142,9 +143,10 @@ class Images:
         self.triangles: list[ImageTriangle] = []
 
     def find(self, bar: Bar, whole: bool = True) -> None:
-        """Find the head of a bar, whose link is known; with its vector from the pole if ``whole``.
+        """Find the image of the head of a bar whose link is known.
 
-        A point in line always has that vector, of which its caption speaks.
+        With ``whole`` its vector from the pole is inked, too.  That vector is always inked for a
+        point in line, because the caption names it.
         """
         base = self._scene.members.base(bar.link)
         if self._scene.in_line(bar.link, bar.head):
@@ -303,7 +305,7 @@ class _Polygon(Player[StepVector]):
         return () if self.pencil.resting else tuple(equations)
 
     def set_out(self, traces: Sequence[Trace[StepVector]]) -> None:
-        """Begin behind those vectors of the chains that are drawn already."""
+        """Begin after those vectors of the chains that are drawn already."""
         for trace in traces:
             self._walk(trace)
         if traces[0].tip.name != traces[1].tip.name:

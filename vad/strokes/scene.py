@@ -1,6 +1,6 @@
-"""One pose of a mechanism in the plane as the board sees it, in the user's letters and units.
+"""One pose of a mechanism in the plane, in the user's letters and units.
 
-What the mechanism is made of is the same in all its poses, and found once.
+The members of the mechanism are the same in all its poses, so they are found once.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from vad.kinematics.linkage import (
 )
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import ORDERS, Spot
-from vad.strokes.sentences import Noun, Saying, Sentence
+from vad.strokes.sentences import CaptionedMotion, Noun, Sentence
 from vad.strokes.sheet import Cell, Row
 from vad.written import PRIME, per_second, subscript
 
@@ -39,7 +39,7 @@ def members_of(mechanism: Mechanism) -> Members:
     """Return the members of a mechanism in the plane, found once."""
     from vad.kinematics.motion import solve
 
-    return Members(solve(mechanism))  # any motion tells
+    return Members(solve(mechanism))  # they are the same in any motion
 
 
 class Members:
@@ -54,13 +54,13 @@ class Members:
     driver
         The scalar that drives it.
     points, links, slides
-        The names of what is reported.
+        The names of the points, links and slides of the results.
     fixed
         The fixed points by name, in the solver's unit and frame.
     bars, sliding
         All bars, and all slides of the loops.
     guides
-        Those that slide on a line of the frame.
+        The slides along a line of the frame.
     """
 
     def __init__(self, motion: Motion) -> None:
@@ -95,16 +95,16 @@ class Members:
         return list(dict.fromkeys(end for bar in rigid for end in (bar.tail, bar.head)))
 
     def base(self, link: str) -> Bar:
-        """Return the bar of a link that its loop finds: both its ends are known before others."""
+        """Return the bar by which a loop finds a link: its ends are known before other points."""
         return self._bases[link]
 
     def pivot(self, link: str) -> str:
-        """Return the fixed point on which a link turns, or else that of the mechanism."""
+        """Return the fixed point about which a link turns, else the pivot of the linkage."""
         ends = (end for bar in self.bars if bar.link == link for end in (bar.tail, bar.head))
         return next((end for end in ends if end in self.fixed), self.linkage.pivot)
 
     def letters(self, step: Step) -> str:
-        """Return the letters of a step as a reader knows them: a strut's own ends for its parts."""
+        """Return the letters of a step for readers: those of the strut for its parts."""
         return self._ends[step.link] if self.is_strut(step) else step.ends
 
     def ends(self, step: Step) -> tuple[str, str]:
@@ -154,18 +154,18 @@ class Members:
         return "s"
 
 
-#: A point so near to the line of two others, as a sine, lies on it.
+#: A point lies in line with two others if the sine of the angle between them is below this.
 IN_LINE = 1e-9
-#: A link that turns no faster than this, beside the fastest, is only moved along.
+#: A link whose rate is below this share of the fastest link's rate does not turn: it translates.
 STILL = 1e-9
 
 
 @dataclass(frozen=True)
-class Scene(Saying, ABC):
+class Scene(CaptionedMotion, ABC):
     """A motion, the language of its captions, and the names of everything in it."""
 
     motion: Motion
-    # What was read already.
+    # The places and images that were read before.
     _places: dict[str, complex] = field(default_factory=dict, init=False, compare=False)
     _images: dict[tuple[str, int], complex] = field(default_factory=dict, init=False, compare=False)
 
@@ -216,18 +216,18 @@ class Scene(Saying, ABC):
             rows.append(Row(name, say(name), mechanism.links[name], cells))
         for name in self.members.slides:
             cells = {diagram.name: diagram.cells(self, name, True) for diagram in diagrams}
-            strut = mechanism.links.get(name)  # a link that grows has its stroke
+            strut = mechanism.links.get(name)  # a strut: its slide has its letters
             title = say("stroke" if strut else name.split("_", maxsplit=1)[0])
             rows.append(Row(name, title, strut or mechanism.slides[name], cells))
         return rows
 
     @property
     def output(self) -> str:
-        """The row of what the mechanism is there for.
+        """The row of the output of the mechanism.
 
         That is the last slide on a guide of the frame, else the last link that turns.
         """
-        import numpy as np  # which a list of mechanisms need not load
+        import numpy as np  # a list of mechanisms does not need it
 
         motion, driver = self.motion, self.driver.name
         guided = {slide.name for slide in self.members.guides}
@@ -253,7 +253,7 @@ class Scene(Saying, ABC):
         return self._places[point]
 
     def image(self, point: str, order: int) -> complex:
-        """Return the velocity (1) or acceleration (2) of a point, likewise."""
+        """Return the velocity (1) or acceleration (2) of a point, in the user's frame and unit."""
         place = point, order
         if place not in self._images:
             rate = self.motion.plane.routes.rate(point, self.pose, self.orders(order))
@@ -261,7 +261,7 @@ class Scene(Saying, ABC):
         return self._images[place]
 
     def measured(self, value: float, unit: str, power: int = 1, scale: str = "") -> Figure:
-        """Return a number of a link's shape: as given where it is short, as somebody writes it."""
+        """Return a measure of the shape of a link: one with few digits counts as given."""
         given = abs(value - float(f"{value:.6g}")) <= 1e-12 * abs(value)
         return Figure(value, unit, given, power, scale)
 
@@ -286,7 +286,7 @@ class Scene(Saying, ABC):
         return isinstance(bar.length, str) and self.motion.slide(bar.length).position < 0.0
 
     def against(self, bar: Bar) -> bool:
-        """Tell whether a bar points against the one that its link is found by."""
+        """Tell whether a bar points against the base of its link."""
         base = self.members.base(bar.link)
         known, own = (self.at(each.head) - self.at(each.tail) for each in (base, bar))
         return (own * known.conjugate()).real < 0.0
@@ -295,14 +295,14 @@ class Scene(Saying, ABC):
         """Return how far a slide gets from where it is, back (negative) and ahead."""
         slide = self.motion.slide(name)
         least, most = (end - slide.position for end in slide.travel)
-        return min(0.0, least), max(0.0, most)  # which passes over NaN
+        return min(0.0, least), max(0.0, most)  # the 0.0 first: NaN is ignored
 
     def cylinder(self, bar: Bar) -> float:
-        """Return the length of a link's cylinder, which has room for its rod; else 0."""
+        """Return the length of a strut's cylinder, with room for its rod; 0 for other links."""
         if bar.length != bar.link:
             return 0.0
         _, longest = self.motion.slide(str(bar.length)).travel
-        return min(0.9 * self.size(bar), longest / 2)  # which passes over NaN
+        return min(0.9 * self.size(bar), longest / 2)  # a NaN travel is ignored
 
     @property
     def driver(self) -> Scalar:
@@ -310,7 +310,7 @@ class Scene(Saying, ABC):
         return self.members.driver
 
     def figure(self, scalar: Scalar, value: float, unit: str = "", power: int = 1) -> Figure:
-        """Return a number of a scalar or its rates, which is given for the driver."""
+        """Return the value of a scalar or of its rate; the numbers of the driver count as given."""
         return Figure(value, unit, scalar == self.driver, power)
 
     def spin(self, link: str, order: int, power: int = 1) -> Figure:
@@ -319,9 +319,10 @@ class Scene(Saying, ABC):
         return self.figure(angle_of(link), rate, unit, power)
 
     def length(self, bar: Bar, scale: str = "", power: int = 1) -> Figure:
-        """Return the length of a bar, which is given unless it is that of a slide to be found.
+        """Return the length of a bar, a given one unless a slide that is found determines it.
 
-        It is scaled as the unit ``scale`` of a rate that is calculated by it.
+        ``scale`` is the unit of the rate that is calculated from it: it is written in metres if
+        that is.
         """
         given = isinstance(bar.length, float) or length_of(bar.length) == self.driver
         return Figure(self.size(bar), self.unit, given, power, scale)

@@ -1,11 +1,11 @@
 """Sentences as data: a phrase of the language files, and the parts that fill its gaps.
 
-Strokes carry their captions so.  A sentence becomes text when somebody reads it: the parts say by
-their types what is a number, a unit, a noun or a symbol, and the `Voice` says in which language it
-is spoken and how numbers are written.  A script says one by ``scene.say("crossing", letter="c")``;
-a number in it is a `Figure`, a unit a `Unit`, a link or slide a `Noun`, and any other text the
-letters of points, vectors and quantities.  What a sentence calculates is said before its parts:
-``scene.say("whole", product("value", "rate", "size"), value=…, rate=…, size=…)``.
+The caption of a stroke is such a sentence.  It becomes text when somebody reads it.  The types of
+its parts tell numbers, units, nouns and symbols apart; the `Voice` has the language and knows how
+numbers are written.  A script says one by ``scene.say("crossing", letter="c")``; a number in it is
+a `Figure`, a unit a `Unit`, a link or slide a `Noun`, and any other text the letters of points,
+vectors and quantities.  The calculations of a sentence come before its parts: ``scene.say("whole",
+product("value", "rate", "size"), value=…, rate=…, size=…)``.
 """
 
 from __future__ import annotations
@@ -38,10 +38,10 @@ class Noun:
     name
         What the program calls it.
     generic
-        What it is, link or slider: a name of unknown gender stands behind that.  Empty where it
-        stands alone, as in a title.
+        The general word for it, link or slider.  It is written before a name whose gender is
+        unknown.  Empty for a name that stands alone, as in a title.
     of
-        What follows it, whatever its article: "of A".
+        What follows it: "of A".
     """
 
     name: str
@@ -59,24 +59,24 @@ class Listed:
 
 @dataclass(slots=True)
 class Terms:
-    """The sum of numbers, in which what is negative is taken away."""
+    """A sum of numbers; negative ones are written with a minus sign before them."""
 
     addends: tuple[Figure, ...]
 
 
 @dataclass(slots=True)
 class Voice:
-    """In which language a sheet speaks, and how it writes numbers.
+    """The language of a sheet, and how it writes numbers.
 
-    While strokes are drawn, the notation is not complete: it knows how many digits the numbers
-    need when the last calculation is noted down.
+    While strokes are drawn, the notation is not complete: how many digits the numbers need is known
+    after the last calculation.
     """
 
     language: str = "en"
     notation: Notation = field(default_factory=Notation)
 
     def pieces(self, part: SentencePart) -> tuple[Piece, ...]:
-        """Return what a part says, stretch by stretch."""
+        """Return what a part says, as pieces."""
         found: list[Piece] = []
         _add(found, part, self, Language(self.language))
         return tuple(found)
@@ -88,7 +88,7 @@ class Voice:
 
 @dataclass(slots=True)
 class Sentence:
-    """What is said, which is not yet said in any language.
+    """A sentence as data, which belongs to no language yet.
 
     Attributes
     ----------
@@ -97,9 +97,9 @@ class Sentence:
     parts
         What fills its gaps, by their names.
     calculations
-        What it calculates, by the names of its parts.
+        The calculations in it, by the names of its parts.
     voice
-        Who speaks it where nobody else is asked to: that of the sheet.
+        The voice of its sheet, which says it if no other voice is asked.
 
     Examples
     --------
@@ -118,7 +118,7 @@ class Sentence:
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
-        """What it says, stretch by stretch; kept from the first time on."""
+        """What it says in its voice, as pieces; they are made once."""
         if not self._set:
             self._set = self.voice.pieces(self)
         return self._set
@@ -145,7 +145,7 @@ SentencePart: TypeAlias = str | Figure | Unit | Noun | Listed | Terms | Sentence
 
 
 class Text(str):
-    """A label, a title or a note as it is read, with the part that it says.
+    """The text of a label, a title or a note, together with the data that it was made from.
 
     Examples
     --------
@@ -160,13 +160,13 @@ class Text(str):
 
     @classmethod
     def of(cls, said: SentencePart, voice: Voice) -> Text:
-        """Return what a part says in a voice."""
+        """Return the text of a part in a voice."""
         pieces = voice.pieces(said)
         return cls.kept(text_of(pieces), said, pieces)
 
     @classmethod
     def kept(cls, text: str, said: SentencePart, pieces: tuple[Piece, ...] = ()) -> Text:
-        """Return a text as somebody else has set it."""
+        """Return a text whose pieces are known."""
         made = cls(text)
         made.said, made.pieces = said, pieces
         return made
@@ -177,7 +177,7 @@ class Text(str):
 
 @lru_cache(maxsize=1024)
 def named(name: str, code: str) -> Text:
-    """Return a name of the language files, as titles have it.
+    """Return the word of a language for a name, as titles have it.
 
     Examples
     --------
@@ -188,7 +188,7 @@ def named(name: str, code: str) -> Text:
 
 
 def pieces_of(said: str | Sentence) -> tuple[Piece, ...]:
-    """Return what a caption, label or note consists of; a plain string is but words."""
+    """Return the pieces of a caption, label or note; a plain string is one piece."""
     if isinstance(said, Text | Sentence):
         return said.pieces
     return (Piece(said),)
@@ -234,8 +234,8 @@ def _add(
 
 
 @dataclass(frozen=True)
-class Saying:
-    """A motion, the language of what is said of it, and all that is calculated in that."""
+class CaptionedMotion:
+    """A motion, the language of its captions, and the captions with calculations."""
 
     motion: Any
     language: Language
@@ -244,14 +244,14 @@ class Saying:
     calculated: list[Sentence] = field(default_factory=list, init=False)
 
     def __post_init__(self) -> None:
-        """Begin to speak, with as many digits as numbers usually have."""
+        """Make the voice, in which numbers have their usual digits at first."""
         voice = Voice(self.language.code, Notation(self.language.point))
         object.__setattr__(self, "voice", voice)
 
     def say(self, phrase: str, *calculations: Calculation, **parts: SentencePart) -> Sentence:
-        """Return a sentence, and note down what it calculates.
+        """Return a sentence; one with calculations is recorded.
 
-        Of the parts it keeps those for which its phrase has gaps.
+        It keeps only the parts for which its phrase has gaps.
         """
         wanted = gaps(phrase)
         if not wanted.issuperset(parts):
@@ -262,9 +262,9 @@ class Saying:
         return sentence
 
     def write(self, phrase: str, **parts: SentencePart) -> Text:
-        """Return a label, a title or a note at once, in which no number is calculated."""
+        """Return the text of a label, a title or a note, without calculations."""
         return Text.of(Sentence(phrase, parts), self.voice)
 
     def name(self, name: str) -> Text:
-        """Return a name of the language files."""
+        """Return the word of its language for a name."""
         return named(name, self.language.code)

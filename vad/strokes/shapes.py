@@ -58,9 +58,9 @@ class Line:
 class Arc:
     """A circular arc: the compass about ``centre``, or the angle of the driven link.
 
-    ``start`` and ``sweep`` are degrees, counter-clockwise positive.  ``through`` is the point
-    on a compass arc that the construction is after; None for an angle, whose radius is the
-    painter's affair (``radius`` is then the length of the driven link).
+    ``start`` and ``sweep`` are degrees, counter-clockwise positive.  ``through`` is the point that
+    a compass arc finds.  It is None for the arc of an angle: ``radius`` is then the length of the
+    driven link, and the radius of the arc is chosen where it is drawn.
     """
 
     centre: complex
@@ -109,8 +109,8 @@ class Plate:
 class Curve:
     """A line through ``points``: a bent link, the axis of a shaft, a projector.
 
-    It is dashed where it lies ``far``: behind the rest.  To the points whose numbers are in
-    ``breaks`` the pencil is lifted over.
+    It is dashed if it lies ``far``: behind the rest.  ``breaks`` has the numbers of those points to
+    which no line is drawn from the point before.
     """
 
     points: tuple[complex, ...]
@@ -120,11 +120,12 @@ class Curve:
 
 @dataclass(frozen=True, slots=True)
 class Ellipse:
-    """A circle in space, or an arc of it, as it is seen.
+    """The projection of a circle in space, or of an arc of it.
 
-    ``first`` and ``second`` are seen of two of its radii at right angles; from ``start`` on it
-    turns by ``sweep`` degrees, counter-clockwise positive, as if from the first to the second.
-    Between the angles of ``far`` it lies behind: there it is dashed.
+    ``first`` and ``second`` are the projections of two radii at right angles.  The arc begins at
+    the angle ``start`` and turns by ``sweep``, in degrees; positive angles turn from the first
+    radius towards the second.  Between the angles of ``far`` it lies behind the rest, and is
+    dashed.
     """
 
     centre: complex
@@ -164,11 +165,11 @@ class Bearing:
 
 @dataclass(frozen=True, slots=True)
 class Fold:
-    """A plane in space that is laid over into the paper, in the view of the mechanism.
+    """A plane in space that is rotated into the paper, in the view of the mechanism.
 
-    It swings by ``turn`` degrees about the line through ``centre`` along the unit vector ``axis``;
-    then its points ``arms`` lie in the paper, where they are stated.  ``rim``, a circle about the
-    centre, shows the plane before.
+    It turns by ``turn`` degrees about the line through ``centre`` along the unit vector ``axis``.
+    ``arms`` are the places in the paper that its points have then.  ``rim``, a circle about the
+    centre, shows the plane before it is rotated.
     """
 
     centre: complex
@@ -205,7 +206,7 @@ class PolarInset:
 
     ``circle`` is the radius on which ``driver`` runs, ``curve`` that of ``driven``, which begins
     with the driver at 0°; ``ray`` is the present one.  Both agree at the ``dots``.  ``title`` and
-    ``range`` are said above and below, and it is shown from the stroke called ``stroke`` on.
+    ``range`` are written above and below.  It is shown from the stroke called ``stroke`` on.
     """
 
     driver: str

@@ -107,9 +107,9 @@ Component = Literal[
     "couple",
     "action",
 ]
-#: Names the angle in the title that goes with the length before it.
+#: The name, in the title, of the angle that belongs to the length before it.
 TWIST = "∠"
-#: Ends the name of a polygon that stands below another.
+#: The ending of the name of a polygon that stands below another.
 BELOW = ".below"
 #: A mechanism in the plane, vectors from a pole, or a mechanism in space as it is seen.
 Picture = Literal["skeleton", "vectors", "views"]
@@ -178,7 +178,8 @@ class Stroke:
     reveals
         The rows of the results table whose cell in this panel is measured by this stroke.
     part
-        Which part of what it draws; this names it in its panel, in every pose.
+        Which part of what it draws.  The stroke's name is made of it, and is the same in every
+        pose.
     """
 
     kind: Kind
@@ -234,7 +235,7 @@ class ImageTriangle:
 
 @dataclass(frozen=True, slots=True)
 class Note:
-    """What is said near the point ``at``, which no stroke draws: "seen along shaft 2"."""
+    """A text near the point ``at`` that belongs to no stroke: "seen along shaft 2"."""
 
     at: complex
     text: str
@@ -433,8 +434,8 @@ class Sheet(Displayed):
     """Everything that is drawn for one pose of one mechanism: pure data, in drawing order.
 
     ``parameters`` are (name, value, unit) in the title, where a `TWIST` joins the length before it;
-    ``rows`` are the links, then the slides: their order gives inks.  ``notation`` says how numbers
-    are written that are not so already.  ``driver`` is what drives the mechanism.
+    ``rows`` are the links, then the slides: their order decides their colours.  ``notation`` says
+    how the numbers in these data are written.  ``driver`` is what drives the mechanism.
     """
 
     mechanism: str
@@ -459,7 +460,7 @@ class Sheet(Displayed):
 def driver_of(key: str, turns: bool, rows: Sequence[Row], panels: Sequence[Panel]) -> Driver:
     """Return the driver of a row, with its rate where there is a panel of velocities.
 
-    What draws it is drawn in the panel of the mechanism.
+    Its strokes are those in the panel of the mechanism.
     """
     cells = (c for row in rows if row.key == key for c in row.cells.get("velocity", ()) if c.given)
     own = [s for p in panels if p.picture != "vectors" for s in p.strokes if s.link == key]

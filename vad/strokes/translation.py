@@ -1,4 +1,4 @@
-"""A sheet that is read in another language: the same strokes, with other words."""
+"""A sheet in another language: the same strokes with other words."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from vad.strokes.shapes import PolarInset
 from vad.strokes.sheet import Equation, Note, Panel, Sheet, Stroke, Term
 from vad.words import Language
 
-#: Says a text or a caption anew.
+#: A function that says a text or a caption in another voice.
 Say = Callable[[str | Sentence], str | Sentence]
 
 
@@ -36,9 +36,9 @@ def translated(sheet: Sheet, code: str) -> Sheet:
 
 
 def as_written(sheet: Sheet) -> Sheet:
-    """Return a sheet that comes from a file: a sentence that does not say its text is left out.
+    """Return a sheet from a file, with plain text for each sentence that differs from its text.
 
-    So a caption that somebody has edited in the file stands as it is.
+    So a caption that somebody has edited in the file is kept as it is.
     """
     voice = Voice(sheet.language, sheet.notation)
 
@@ -68,7 +68,7 @@ def _in_voice(words: str | Sentence, voice: Voice) -> str | Sentence:
 
 
 def said_by(sheet: Sheet, say: Say, captions: Say | None = None) -> Sheet:
-    """Return a sheet with all its words said anew, its ``captions`` in a way of their own."""
+    """Return a sheet with all its words changed by ``say``, its captions by ``captions``."""
     caption = captions or say
 
     def text(words: str) -> str:

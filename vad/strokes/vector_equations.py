@@ -1,7 +1,7 @@
 """Vector equations, which a polygon draws: two chains of vectors that end at one vertex.
 
-In the plane they are the loops of a linkage, in space those of bodies that turn.  Who draws them
-needs to know neither: every vector and every part of it bears its own letters.
+In the plane they are the loops of a linkage, in space those of bodies that turn.  The code that
+draws them does not need to know which: every vector and every component has its own letters.
 """
 
 from __future__ import annotations
@@ -25,19 +25,19 @@ class Vector:
     Attributes
     ----------
     name
-        What its strokes are called by: ``BC``.
+        The first part of the names of its strokes: ``BC``.
     owner
         The row of the results table whose ink it takes.
     reverse
         Whether its chain runs through it from head to tail.
     arrives
-        Whether its head is a vertex with a place of its own, if all its parts are known.
+        Whether its head is a vertex of the polygon, if all its components are known.
     lettered
-        Whether its head keeps its letter if it is of no length, also at the pole.
+        Whether its head keeps its letter if the vector is zero, at the pole, too.
     whole
-        What its sum is, where that is measured beside its parts.
+        The component that the sum of its parts is, if that sum is inked, too; else None.
     measured
-        Whether what is found of it stands in the table.
+        Whether the results table has the quantity that is found by it.
     """
 
     name: str
@@ -73,25 +73,26 @@ class Part(Generic[V]):
     of
         The vector.
     name
-        Which component it is, as its stroke is called.
+        Which component it is; the name of its stroke ends so.
     vector
-        Its value, which runs with the vector, in the polygon's unit.
+        Its value in the unit of the polygon, in the sense of the vector.
     direction
         A unit vector along it.
     unknown
         Whether the crossing has to find its length.
     component
-        What its stroke says that it is.
+        The component that its stroke has in the data.
     stage
         The vertex at which it ends, where that is not the vector's own head: cₙ.
     dictated
-        Whether it comes before all else: the driver alone gives it, or the polygon above.
+        Whether it is drawn before all others, because the driver alone gives it, or the polygon
+        above.
     label, square_to
-        What is written beside its construction line, and what that is perpendicular to.
+        The label of its construction line, and the letters that the line is perpendicular to.
     symbol
-        What is written beside its vector; nothing for the letters of its ends.
+        The label of its vector; if empty, the letters of its ends.
     called
-        What its stroke is called, where its vector and its own name do not say it.
+        The name of its stroke, if that is not made of the vector and the component.
     """
 
     of: V
@@ -154,7 +155,7 @@ class Chain(Generic[V]):
 class VectorEquation(Generic[V]):
     """Two chains that end at the same vertex, the image of ``point``.
 
-    ``folded`` tells that it holds in another plane, which is laid over into the paper.
+    ``folded`` is true if it holds in another plane, which is rotated into the paper.
     """
 
     first: Chain[V]

@@ -22,7 +22,7 @@ from vad.kinematics.space.instant_axis import Z
 from vad.kinematics.space.numbers import Vector3
 from vad.strokes.arithmetic import Calculation, Figure
 from vad.strokes.diagram import POSITION, Drawing, Order, Spot
-from vad.strokes.sentences import Saying, Text, Unit
+from vad.strokes.sentences import CaptionedMotion, Text, Unit
 from vad.strokes.sheet import (
     Arc,
     Arrow,
@@ -48,7 +48,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class SceneInSpace(Saying):
+class SceneInSpace(CaptionedMotion):
     """A motion in space, and the language of its captions; its script draws it."""
 
     motion: MotionInSpace[Any, Any]
