@@ -37,5 +37,7 @@ def encode(shown: Posed, target: BinaryIO) -> None:
     words = PngInfo()
     words.add_itxt("Title", shown.title)
     words.add_itxt("Description", shown.description)
-    picture = Image.fromarray(painter.pixels[..., :3])
-    picture.save(target, format="PNG", pnginfo=words, compress_level=4)
+    height, width = painter.words.shape
+    # The buffer as it is: a copy of three of its four bytes takes numpy 4 ms.
+    picture = Image.frombuffer("RGBA", (width, height), painter.pixels, "raw", "RGBA", 0, 1)
+    picture.convert("RGB").save(target, format="PNG", pnginfo=words, compress_level=3)
