@@ -44,6 +44,8 @@ EXAMPLES = {
 }
 KINDS: dict[str, Any] = {**vad.MECHANISMS, **dict(sorted(EXAMPLES.items()))}
 POSES, FEW = 200, 6
+#: Of so many poses one is laid out as a still, too, which takes most of the time.
+STILLS = 5
 ROOM = Rect(0.05, 0.15, 0.60, 0.80)
 #: On the page; a pixel is a 720th.
 CLOSE = 1e-9
@@ -81,9 +83,9 @@ def pictures(name: str) -> Any:
     return over_reach(Setting(sheet, panels[0], ROOM, rows_of(sheet)), panels)
 
 
-def sketches(name: str, picture: Any, sheet: Sheet) -> Iterator[tuple[Panel, Sketch]]:
-    """Yield all panels of a pose: in a turn, under the hand, and of a still."""
-    rows, above = rows_of(sheet), None
+def sketches(picture: Any, sheet: Sheet, still: bool) -> Iterator[tuple[Panel, Sketch]]:
+    """Yield all panels of a pose: in a turn and under the hand, and of a ``still``."""
+    rows = rows_of(sheet)
     for panel in sheet.halves:
         setting = Setting(sheet, panel, ROOM, rows)
         if panel.picture == "vectors":
@@ -93,10 +95,10 @@ def sketches(name: str, picture: Any, sheet: Sheet) -> Iterator[tuple[Panel, Ske
         yield panel, own.still
         yield panel, own.pose(panel)
         yield panel, own.under_hand(setting, KeptLabels({}))
-    board = plan(sheet, screen((1280, 720)), 0.058)
-    for panel in sheet.halves:
-        above = board.sketches[panel.name]
-        yield panel, above
+    if still:
+        board = plan(sheet, screen((1280, 720)), 0.058)
+        for panel in sheet.halves:
+            yield panel, board.sketches[panel.name]
 
 
 def hung(sketch: Sketch) -> Iterator[tuple[str, Mark]]:
@@ -380,9 +382,9 @@ def check(name: str, motions: list[Motion]) -> int:
     """Pose each picture of a mechanism, and return how many marks hang where they belong."""
     picture, seen = pictures(name), 0
     fixed: dict[tuple[str, str, str, int], Any] = {}
-    for motion in motions:
+    for pose, motion in enumerate(motions):
         sheet = vad.draw(motion)
-        for number, (panel, sketch) in enumerate(sketches(name, picture, sheet)):
+        for number, (panel, sketch) in enumerate(sketches(picture, sheet, not pose % STILLS)):
             shown = panel if sketch is not picture.still else sketch.setting.panel
             places, count = Places(motion, sheet, shown, sketch.scale), 0
             for stroke, mark in hung(sketch):

@@ -130,15 +130,16 @@ class KeptLabels:
             wanted = wish(vertex, vertices, radius, near)
             again = sum(other.label == vertex.label for other in vertices[:number])
             name = f"{vertex.label} {again}" if again else vertex.label  # in another view
-            self._add(sketch, name, symbols(vertex.label), LETTER, wanted, vertex.anchor)
+            hung = vertex.anchor, vertex.at
+            self._add(sketch, name, symbols(vertex.label), LETTER, wanted, hung)
 
     def angle(self, sketch: Sketch, index: int, arc: Bow) -> None:
         """Add a value, outside of its arc; see `LabelChoice`."""
         stroke = sketch.setting.panel.strokes[index]
         runs, way = roman(stroke.label), cmath.rect(1.0, math.radians(arc.start + 0.5 * arc.sweep))
         wanted = Wish(arc.centre + arc.radius * way, way, *ink_size(runs, VALUE), near=VALUE_NEAR)
-        centre = Anchor.of(stroke.name, "centre")
-        self._add(sketch, f"angle {stroke.name}", runs, VALUE, wanted, centre, "value")
+        hung = Anchor.of(stroke.name, "centre"), arc.centre
+        self._add(sketch, f"angle {stroke.name}", runs, VALUE, wanted, hung, "value")
 
     def vector(self, sketch: Sketch, index: int, name: str) -> None:
         """Add a name; see `LabelChoice`."""
@@ -148,7 +149,7 @@ class KeptLabels:
         runs, across = symbols(name), 1j * direction_of(start, end)
         wanted = Wish((start + end) / 2, across, *ink_size(runs, SMALL_SIZE), near=GAPS)
         row = sketch.setting.row(stroke.link)
-        self._add(sketch, name, runs, SMALL_SIZE, wanted, ends[0], "tag", row)
+        self._add(sketch, name, runs, SMALL_SIZE, wanted, (ends[0], start), "tag", row)
 
     def _add(
         self,
@@ -157,18 +158,17 @@ class KeptLabels:
         runs: Runs,
         size: float,
         wanted: Wish,
-        anchor: Anchor,
+        hung: tuple[Anchor, complex],
         role: str = "letter",
         row: int | None = None,
     ) -> None:
-        """Add a label; it is remembered by its ``name``."""
+        """Add a label that hangs on an anchor at a place; it is remembered by its ``name``."""
         if name in self._before:
             wanted = replace(wanted, first=cmath.rect(1.0, math.radians(self._before[name])))
         placed = _kept(sketch.obstacles, wanted)
         sketch.obstacles.box(placed.box)
         sketch.tags.append(Tag(name, placed.box))
-        at = sketch.solved.place(anchor)
-        text = text_beside(anchor, at, runs, placed.centre, size, role, row)
+        text = text_beside(*hung, runs, placed.centre, size, role, row)
         sketch.add(None, Level.LABEL, 0, [text])
         self.ways[name] = math.degrees(cmath.phase(placed.centre - wanted.at))
 

@@ -5,7 +5,7 @@ In come strokes of a position panel, out go pieces that hang on solved points al
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from vad.plan.anchors import Anchor, Area, Chains, Hung, Strip, Term
@@ -31,12 +31,27 @@ class Links:
 
     def __init__(self, size: float) -> None:
         self.size = size
-        self._pieces: dict[tuple[str, bool], Piece] = {}
+        self._pieces: dict[tuple[str, bool, bool], Piece] = {}
 
-    def piece(self, sketch: Sketch, index: int, narrow: bool) -> Piece:
-        """Return a bar, block, plate or slot, which hangs alike in all poses."""
+    def pieces(self, sketch: Sketch, order: Iterable[int]) -> Iterator[tuple[int, Piece | None]]:
+        """Yield strokes in an order, each with how it hangs if it is a bar, block, plate or slot.
+
+        That is alike in all poses, but for bars on a longer one, and for levers whose block is
+        behind their pivot.
+        """
+        panel, narrow, behind = sketch.setting.panel, self._narrow(sketch), self._behind(sketch)
+        for index in order:
+            stroke = panel.strokes[index]
+            match stroke.shape:
+                case Arrow() | Block() | Plate() | Guide(side=None):
+                    piece = self._piece(sketch, index, index in narrow, stroke.link in behind)
+                    yield index, piece
+                case _:
+                    yield index, None
+
+    def _piece(self, sketch: Sketch, index: int, narrow: bool, behind: bool) -> Piece:
         stroke = sketch.setting.panel.strokes[index]
-        piece = self._pieces.get((stroke.name, narrow))
+        piece = self._pieces.get((stroke.name, narrow, behind))
         if piece is None:
             match stroke.shape:
                 case Arrow():
@@ -47,7 +62,7 @@ class Links:
                     piece = self._block(sketch, stroke)
                 case _:
                     piece = self._slot(sketch, stroke)
-            self._pieces[stroke.name, narrow] = piece
+            self._pieces[stroke.name, narrow, behind] = piece
         return piece
 
     def _bar(self, sketch: Sketch, index: int, narrow: bool) -> Piece:
@@ -99,7 +114,7 @@ class Links:
         if block is None:
             return None
         assert isinstance(bar, Arrow) and isinstance(block.shape, Block)
-        ahead = ((bar.end - bar.start) * block.shape.direction.conjugate()).real >= 0
+        ahead = _is_ahead(lever, block)
         way = block.shape.direction if ahead else -block.shape.direction
         spots = ends_of_travel(block.shape)[:: 1 if ahead else -1]
         back, far = (((spot - bar.start) * way.conjugate()).real for spot in spots)
@@ -134,7 +149,17 @@ class Links:
                     seen, farthest = hung[1], abs(head - start)
         return seen if farthest < abs(end - start) - PIXEL else None
 
-    def narrow(self, sketch: Sketch) -> set[int]:
+    def _behind(self, sketch: Sketch) -> set[str | None]:
+        """Return the levers whose block is behind their pivot, seen along its way, in this pose."""
+        panel = sketch.setting.panel
+        levers = ((stroke, block_on(panel, stroke)) for stroke in self._levers(panel))
+        return {lever.link for lever, block in levers if block and not _is_ahead(lever, block)}
+
+    def _levers(self, panel: Panel) -> list[Stroke]:
+        bars = (stroke for stroke in panel.strokes if isinstance(stroke.shape, Arrow))
+        return [bar for bar in bars if carries_block(panel, bar)]
+
+    def _narrow(self, sketch: Sketch) -> set[int]:
         """Return the numbers of the bars that lie on a longer one of another link in this pose."""
         panel = sketch.setting.panel
         bars = {
@@ -191,6 +216,13 @@ class Links:
             Part(Level.GROUND, (Hung(strip, "slot", row),), since="after"),
         )
         return Piece(parts, slot=replace(strip, closed=False))
+
+
+def _is_ahead(lever: Stroke, block: Stroke) -> bool:
+    """Tell whether a lever leads along the way of the block on it, not against it."""
+    bar, shape = lever.shape, block.shape
+    assert isinstance(bar, Arrow) and isinstance(shape, Block)
+    return ((bar.end - bar.start) * shape.direction.conjugate()).real >= 0
 
 
 def block_piece(outline: Sequence[Anchor], row: int | None) -> Piece:

@@ -30,7 +30,7 @@ from vad.plan.pictures.supports import Foot, PlacedRail, Rail
 from vad.plan.reach import is_yoke
 from vad.plan.scale import Scale
 from vad.plan.sketch import Piece, Setting, Sketch
-from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Plate, Stroke
+from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Stroke
 
 NEAR = (0.014, 0.020, 0.028, 0.036)
 GRIP = 0.024  # radius of the handle's ring, in a window of usual size
@@ -195,25 +195,27 @@ class Skeleton:
     def _add_strokes(self, sketch: Sketch) -> None:
         """Add all strokes; where some stand still, those that move."""
         panel = sketch.setting.panel
-        narrow = self._links.narrow(sketch)
-        for index in painting_order(panel):
-            stroke = panel.strokes[index]
-            match stroke.shape:
-                case Arrow() | Block() | Plate() | Guide(side=None):
-                    sketch.put(index, self._links.piece(sketch, index, index in narrow))
-                case _ if sketch.finished:
-                    pass
-                case Guide():
-                    sketch.put(index, self._guide(sketch, index))
-                case Dot():
-                    part = machine.joint if stroke.label in pins(panel) else machine.point
-                    at = Anchor.of(stroke.name, "at")
-                    marks = [part(at, SWELLING, self.size)]
-                    sketch.hang(index, Level.DOT, marks, until="after")
-                case Arc() if stroke.kind == "construction":
-                    add_compass_arc(sketch, index)
-                case Line():
-                    add_drawn_line(sketch, index, line_of(sketch, index, {}))
+        for index, piece in self._links.pieces(sketch, painting_order(panel)):
+            if piece:
+                sketch.put(index, piece)
+            elif not sketch.finished:
+                self._add_other(sketch, index)
+
+    def _add_other(self, sketch: Sketch, index: int) -> None:
+        """Add what stands still in a turn, or passes while a lesson is drawn."""
+        panel = sketch.setting.panel
+        stroke = panel.strokes[index]
+        match stroke.shape:
+            case Guide():
+                sketch.put(index, self._guide(sketch, index))
+            case Dot():
+                part = machine.joint if stroke.label in pins(panel) else machine.point
+                mark = part(Anchor.of(stroke.name, "at"), SWELLING, self.size)
+                sketch.hang(index, Level.DOT, [mark], until="after")
+            case Arc() if stroke.kind == "construction":
+                add_compass_arc(sketch, index)
+            case Line():
+                add_drawn_line(sketch, index, line_of(sketch, index, {}))
 
     def _add_joints(self, sketch: Sketch, vertices: Sequence[Vertex]) -> None:
         """Add the pin at each vertex, or its dot where no two bodies meet."""
