@@ -15,6 +15,7 @@ import vad
 from tests.plan.overlaps import overlaps
 from tests.strokes.named import dot, stroke, vector
 from vad.export.sheet_json import to_text
+from vad.kinematics.reach import closing_range
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import scene_of
 from vad.strokes.scripts.spatial_four_bar import PICTORIAL
@@ -247,6 +248,14 @@ def test_what_does_not_slide_is_not_drawn():
     assert labels == ["AB", "BC", "AD", "DC"]
     below = drawn.panel("velocity").below
     assert below is not None and "za4" in {stroke.name for stroke in below.zeros}
+
+
+def test_a_mechanism_that_swings_by_a_few_degrees_is_drawn():
+    narrow = vad.SpatialFourBar(ground_twist=60, crank_twist=50, coupler_twist=1, rocker_twist=73)
+    low, high = closing_range(narrow)[0]
+    assert 7.5 * math.floor(low / 7.5) < low < high < 7.5 * math.ceil(low / 7.5)
+    panel = vad.draw(vad.solve(narrow, angle=(low + high) / 2)).panel("position")
+    assert all(math.isfinite(abs(z)) for z in curve(panel, "DC.rocker"))
 
 
 def test_at_rest_there_are_two_poles():

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from vad.kinematics.motion import solve
+from vad.kinematics.reach import closing_range
 from vad.kinematics.space.instant_axis import Z
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing, Spot
@@ -135,9 +136,12 @@ class Script(SlidingScript):
 def _reach(mechanism: Any) -> tuple[complex, complex]:
     """Return the corners of what the mechanism reaches in a turn, as it is seen."""
     many: Any = solve(mechanism, angle=np.linspace(0.0, 360.0, POSES, endpoint=False))
+    if not many.assembled.any():  # it swings between two of these angles
+        swings = [np.linspace(*ends, POSES) for ends in closing_range(mechanism)]
+        many = solve(mechanism, angle=np.concatenate(swings))
     at = Script(SceneInSpace(many, Language("en"))).ends
     names = "A", "B", "C", "D", "coupler B", "rocker C", "rocker D"
-    spots = np.array([np.broadcast_to(at[name], POSES) for name in names])
+    spots = np.array([np.broadcast_to(at[name], many.shape) for name in names])
     seen = spots[:, np.isfinite(spots).all(axis=0)]  # no dead centre, where nothing is known
     return complex(seen.real.min(), seen.imag.min()), complex(seen.real.max(), seen.imag.max())
 
