@@ -58,6 +58,19 @@ def test_a_fifth_mechanism_is_drawn(wobble_plate: Any, tmp_path: Any) -> None:
     assert scene.output == "rocker"
 
 
+def test_a_scene_draws_its_views_anew_each_time(wobble_plate: Any) -> None:
+    scene: Any = scene_of(vad.solve(wobble_plate()), Language("en"))
+    assert DIAGRAMS["position"].pose(scene) == DIAGRAMS["position"].pose(scene)
+
+
+def test_one_without_a_script_is_solved_alone(wobble_plate: Any, monkeypatch: Any) -> None:
+    monkeypatch.delattr(wobble_plate, "script")
+    motion = vad.solve(wobble_plate())
+    assert motion.link("rocker").omega
+    with pytest.raises(vad.UsageError, match="wobble-plate: it can be solved, but names no script"):
+        vad.draw(motion)
+
+
 def test_it_turns_as_a_whole(wobble_plate: Any) -> None:
     angles = np.array([10.0, 100.0])
     many: Any = scene_of(vad.solve(wobble_plate(), angle=angles), Language("en"))

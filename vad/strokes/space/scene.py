@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
+from vad.errors import UsageError
 from vad.kinematics.linkage import Scalar
 from vad.kinematics.space.instant_axis import Z
 from vad.kinematics.space.numbers import Vector3
@@ -55,8 +56,16 @@ class SceneInSpace(CaptionedMotion):
 
     @cached_property
     def script(self) -> Script:
-        """What draws its mechanism."""
+        """What draws its mechanism.
+
+        Raises
+        ------
+        vad.errors.UsageError
+            If the mechanism names no script.
+        """
         mechanism: Any = self.motion.mechanism
+        if not hasattr(mechanism, "script"):
+            raise UsageError(f"{mechanism.name}: it can be solved, but names no script to draw it")
         script: type[Script] = import_module(mechanism.script).Script
         return script(self)
 
@@ -77,7 +86,10 @@ class SceneInSpace(CaptionedMotion):
 
     def drawing(self, order: Order) -> Drawing:
         """Return the views, or the polygon of an order."""
-        return self.script.polygon(order) if order.number else self.script.views()
+        if order.number:
+            return self.script.polygon(order)
+        self.script.begin()
+        return self.script.views()
 
     def unit_of(self, order: Order) -> str:
         """Return the unit of the coordinates in its diagram."""
@@ -149,8 +161,7 @@ class Script(ABC):
     def __init__(self, scene: SceneInSpace) -> None:
         self.scene, self.motion = scene, scene.motion
         self.sizes = scene.motion.mechanism.parameters()
-        self.strokes: list[Stroke] = []
-        self.zeros: list[Stroke] = []
+        self.begin()
 
     @abstractmethod
     def views(self) -> Drawing:
@@ -206,6 +217,11 @@ class Script(ABC):
             f"{letter}.{view}" if view else letter: complex(at)
             for (letter, view, _), at in self.tracks(POSITION).items()
         }
+
+    def begin(self) -> None:
+        """Take a clean board for the views."""
+        self.strokes: list[Stroke] = []
+        self.zeros: list[Stroke] = []
 
     # --- the pen ------------------------------------------------------------------------------
 
