@@ -96,11 +96,11 @@ class BodyPolygon:
         """
         both = self.order is VELOCITY or twice
         frame = self.frame(whole=not both)
-        stated = [frame, self.coupler()] if both else [frame]
+        sums = [frame, self.coupler()] if both else [frame]
         drawing = polygon(
             self.scene,
             self.order,
-            stated,
+            sums,
             self.bodies.vertices(self.order),
             [self.one],
             self.scene.say(f"bodies pole {self.panel}"),
