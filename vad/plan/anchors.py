@@ -226,9 +226,7 @@ class Strip:
     through, stroke
         The line: a point of it, and the stroke whose direction it has.
     low, high
-        Its ends, from there, in the panel's unit and beyond that by ``past`` in page units.
-    past
-        By which it is longer at either end.
+        Its ends, from there.
     wide
         How wide it is, 0 for a line.
     closed
@@ -241,7 +239,6 @@ class Strip:
     stroke: str
     low: float
     high: float
-    past: float
     wide: float
     room: Rect
     inset: float
@@ -249,14 +246,9 @@ class Strip:
 
     def ends(self, solved: Solved) -> tuple[complex, complex]:
         """Return its ends in a pose."""
-        through, way, factor = (
-            solved.place(self.through),
-            solved.way(self.stroke),
-            solved.scale.factor,
-        )
+        through, way = solved.place(self.through), solved.way(self.stroke)
         low, high = self.room.stretch(through, way, self.inset)
-        first = max(min(0.0, factor * self.low - self.past), low)
-        last = min(max(0.0, factor * self.high + self.past), high)
+        first, last = max(self.low, low), min(self.high, high)
         return through + first * way, through + last * way
 
     def posed(self, solved: Solved) -> Polygon | Polyline | None:

@@ -190,22 +190,32 @@ class Links:
             outline = machine.block_corners(at, Term(stroke.name), on_lever, self.size)
         return block_piece(outline, row)
 
+    def _base(self, panel: Panel, slot: Stroke) -> tuple[Anchor, complex]:
+        """Return a point fixed on the link of a slot: that of a bar, else the slot's own."""
+        assert isinstance(slot.shape, Guide)
+        for stroke in panel.strokes:
+            if isinstance(stroke.shape, Arrow) and stroke.link == slot.link:
+                return Anchor.of(stroke.name, "start"), stroke.shape.start
+        return Anchor.of(slot.name, "through"), slot.shape.through
+
     def _slot(self, sketch: Sketch, stroke: Stroke) -> Piece:
         """Return the slot of a moving link: half a block past all places of its block."""
         panel, row = sketch.setting.panel, sketch.setting.row(stroke.link)
         shape, block = stroke.shape, block_along(panel, stroke)
         assert isinstance(shape, Guide)
-        reach = [
-            ((spot - shape.through) * shape.direction.conjugate()).real
-            for spot in (ends_of_travel(block.shape) if block else ())
-        ]
-        past = machine.BLOCK[0] / 2 * self.size + machine.PAST if reach else 0.0
+        base, at = self._base(panel, stroke)
+        back, factor = shape.direction.conjugate(), sketch.scale.factor
+        off = (shape.through - at) * back
+        past = machine.BLOCK[0] / 2 * self.size + machine.PAST
+        reach = [off.real * factor]
+        for spot in ends_of_travel(block.shape) if block else ():
+            along = ((spot - at) * back).real * factor
+            reach += [along - past, along + past]
         strip = Strip(
-            through=Anchor.of(stroke.name, "through"),
+            through=base + (1j * Term(stroke.name)).in_panel(off.imag) if off else base,
             stroke=stroke.name,
-            low=min(reach, default=0.0),
-            high=max(reach, default=0.0),
-            past=past,
+            low=min(reach),
+            high=max(reach),
             wide=machine.slot_width(self.size),
             room=sketch.setting.room,
             inset=SLOT_EDGE,
