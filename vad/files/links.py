@@ -1,6 +1,7 @@
 """The links of a file: pairs of letters and their distances become a base and rules.
 
-In comes ``{ BC = 120, BE = 180, CBE = 30 }``, out goes a `LinkEntry`; lengths are not looked at.
+The table ``{ BC = 120, BE = 180, CBE = 30 }`` becomes a `LinkEntry`.  The values of lengths are not
+checked here.
 """
 
 from __future__ import annotations

@@ -58,7 +58,7 @@ def words_for(place: complex, other: complex) -> list[str]:
 
 
 def ahead(want: Place, place: complex) -> float:
-    """Return how well a place fits what is wanted, to be compared with another's."""
+    """Return how well a place fits what is wanted: the greater, the better."""
     if isinstance(want, str):
         return (place * WORDS[want].conjugate()).real
     return -abs(place - want)

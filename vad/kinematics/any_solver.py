@@ -83,7 +83,7 @@ class AnySolver(ABC):
 
     @property
     def plane(self) -> Solver:
-        """The same as a solver of the plane, where it is one.
+        """The solver itself, if it solves a mechanism in the plane.
 
         Raises
         ------
@@ -209,7 +209,7 @@ class Evaluation:
         return self._pose
 
     def rates(self, orders: int) -> tuple[Rates, ...]:
-        """Return the first so many orders of rates; NaN for those that do not exist."""
+        """Return the rates of the first ``orders`` orders; a rate that does not exist is NaN."""
         while len(self._found) < orders:
             value = self.inputs[len(self._found) + 1]
             self._found = *self._found, self.solver.rates(self.pose, self._found, value)

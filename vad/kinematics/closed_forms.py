@@ -230,7 +230,7 @@ class AngleAndLength:
 
 
 def slot(pin: Number) -> tuple[Number, Number]:
-    """Return the unit vector and the length of a vector, of a slotted link that points to its pin.
+    """Return the unit vector and the length of a slotted link, which points to its pin.
 
     Where the pin is on the pivot, the length is zero and the unit vector is NaN.
     """
@@ -315,7 +315,7 @@ def triangle_limits(crank: GroundedCrank, r: float, q: float) -> list[float]:
     """
     c, t, first, second = map(Fraction, (crank.c.real, crank.t, r, q))
     found: list[float] = []
-    if not c * t:  # beside the other links nothing turns
+    if not c * t:  # the gap has the same length in all poses
         return found
     for gap in (first + second, first - second):
         half_sine = ((c + t) ** 2 - gap**2) / (4 * c * t)
@@ -353,7 +353,7 @@ def push_limits(height: float, slope: float, r: float) -> list[float]:
 
 
 def _both_ways(half_sine: Fraction, half_cosine: Fraction) -> list[float]:
-    """Return the two angles in degrees of which these are the squares, where there are any."""
+    """Return the two angles in degrees whose halves have these squared sines and cosines."""
     if half_sine < 0 or half_cosine < 0:
         return []
     angle = 2.0 * math.degrees(math.atan2(math.sqrt(half_sine), math.sqrt(half_cosine)))

@@ -186,7 +186,7 @@ def over(a: Number, length: Number) -> Number:
 
 
 def settled(value: Number, least: Number) -> Number:
-    """Return a value, or zero where its size is less than ``least``."""
+    """Return a value, or zero if its size is less than ``least``."""
     return select(abs(value) < least, 0.0, value)
 
 

@@ -30,9 +30,9 @@ if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
 
 
-# A limit hides between two points of the grid only where they are nearer to it than this.  Measured
-# are the sine at which construction lines cross, or the length by which the links miss, in the
-# solver's unit.
+# Two points of the grid can hide a limit between them only if they are nearer to it than this.  The
+# measure is the sine at which construction lines cross, or the length by which the links miss, in
+# the solver's unit.
 _NEAR = 0.2
 _STRIDE = 5  # the search takes one point of the grid in so many
 _GOLDEN = 0.5 * (5**0.5 - 1.0)

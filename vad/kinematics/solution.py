@@ -106,7 +106,7 @@ class Solution(Generic[Truth]):
         return rates
 
     def rates(self, orders: int) -> tuple[Rates, ...]:
-        """Return the first so many orders of rates of one pose; those that do not exist are NaN."""
+        """Return the first ``orders`` orders of rates of one pose; NaN if they do not exist."""
         self.pose  # noqa: B018  # raises where the links do not close
         return self._evaluation.rates(orders)
 
@@ -141,7 +141,7 @@ class Solution(Generic[Truth]):
     def read(self, result: Result) -> Number:
         """Return a result in the user's units: a number, or a new array.
 
-        A pose that does not close has no results, not even those that the driver dictates.
+        A pose that does not close has no results, not even those that the driver gives.
 
         Raises
         ------

@@ -1,4 +1,4 @@
-"""The methods side by side: in comes one pose, out go every method's results, errors and time.
+"""The methods side by side: the results of every method for one pose, their errors and times.
 
 The error of an angle is in radians, that of any other quantity relative to its true value; where
 that is zero, to the largest true value of its kind.

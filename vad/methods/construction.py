@@ -1,7 +1,7 @@
 """The construction as drawn: compasses for the position, two lines that cross for each rate.
 
-In comes a problem, out go the results measured off the drawing: a length is the distance of two
-points, its sense is seen by looking.  The assembly is the intersection on its own side.
+The results are measured off the drawing: a length is the distance of two points, and its sense is
+seen by looking.  The assembly is the intersection on its own side.
 """
 
 from __future__ import annotations

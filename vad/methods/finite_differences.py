@@ -1,7 +1,6 @@
 """Finite differences: the positions of three moments, subtracted and divided.
 
-In comes a problem, out go its results.  Position and assembly are those of the closed form, whose
-positions are differenced.
+Positions and the assembly are those of the closed form.
 """
 
 from __future__ import annotations
@@ -25,7 +24,8 @@ def solve(problem: Driven, step: float = STEP) -> Found:
     problem
         The problem.
     step
-        How far the driver moves between two moments: in radians, or beside the largest length.
+        How far the driver moves between two moments: in radians, or as a share of the largest
+        length.
     """
     time = step / problem.pace if problem.pace else 1.0
     before, now, after = (closed_form.positions(_at(problem, t)) for t in (-time, 0.0, time))

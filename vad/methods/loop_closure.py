@@ -1,7 +1,7 @@
 """The complex loop closure: the loop equation with its conjugate, differentiated twice.
 
-In comes a problem, out go its results.  With the conjugate equation one unknown is eliminated,
-which leaves a quadratic for the other; the assembly is the root on its own side.
+With the conjugate equation one unknown is eliminated, which leaves a quadratic for the other; the
+assembly is the root on its own side.
 """
 
 from __future__ import annotations

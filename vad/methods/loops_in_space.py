@@ -111,7 +111,7 @@ class Walk:
 
 
 def between(one: Walk, other: Walk) -> tuple[tuple[Triple, Triple], ...]:
-    """Return one end less another: how it is turned and placed, and both derivatives.
+    """Return the difference of two ends, in direction and in place, and both its derivatives.
 
     The first is right to the first order, and zero where the ends agree.
     """
@@ -223,7 +223,7 @@ class _Loop:
         return self._equations(jets, self._driver)
 
     def solved(self, place: Mapping[Scalar, Any], gap: list[Any]) -> dict[Scalar, Any]:
-        """Return what of the unknowns makes good a gap, to the first order."""
+        """Return the change of the unknowns that closes a gap, to the first order."""
         columns = []
         still = (self._driver[0], 0, 0)
         for one in self._unknowns:

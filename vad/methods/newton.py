@@ -167,7 +167,8 @@ def _on_its_side(problem: Problem, value: ByScalar) -> bool:
     return True
 
 
-# Farther than this from where it began it is another assembly, in radians or of the largest length.
+# A solution farther than this from its start is the other assembly: in radians, or as a share of
+# the largest length.
 _FAR = 0.1
 
 

@@ -1,7 +1,7 @@
 """The unit-vector equations: i and j components, two linear equations in two unknown rates.
 
-In comes a problem, out go its results.  Positions come from the same components by the law of
-cosines or of sines; the assembly is chosen by the sign of the angle that these leave open.
+Positions come from the same components by the law of cosines or of sines; the assembly is chosen by
+the sign of the angle that these leave open.
 """
 
 from __future__ import annotations

@@ -32,7 +32,7 @@ _LENGTHS = ("ground", "crank_offset", "rocker_offset", "crank", "coupler", "rock
 
 
 class BallPose(NamedTuple):
-    """Where everything is: AB, DC and BC as vectors, the rocker's direction about D, the sine.
+    """A position: AB, DC and BC as vectors, the rocker's direction about D, and a sine.
 
     ``sine`` is that of the angle between BC and the plane square to C's path: 0 at a dead centre.
     """
@@ -151,7 +151,7 @@ class BallSolver(SpaceSolver):
         return f"{miss * self.scale:.4g} {length_unit}"
 
     def why_dead(self, pose: Pose) -> str:
-        """Say what is the matter at a dead centre."""
+        """Say why the rates do not exist at a dead centre."""
         return "dead centre: the coupler BC is square to the path of C"
 
     def closed(self, angle: Number) -> PoseInSpace:

@@ -2,7 +2,7 @@
 
 θ₂ of the driving shaft is the angle of its pin P from the plane of the shafts, θ₄ that of the
 driven one, which starts with it.  ψ at Q grows as the cross turns backward there.  Every
-denominator is a sum of squares: nothing cancels, and below 90° nothing is ever dead.
+denominator is a sum of squares: nothing cancels, and below 90° there is no dead centre.
 
 The formulas of the spherical four-bar hold for it, too, but they take differences of nearly equal
 numbers where the shafts are nearly in line (of ψ at Q) or nearly square to each other (of θ₄).
@@ -23,7 +23,7 @@ from vad.kinematics.state import Pose, Rates
 
 
 class UniversalPose(NamedTuple):
-    """Where everything is, as (cosine, sine): both shafts, and the swings ψ at P and Q.
+    """A position as (cosine, sine): both shafts, and the swings ψ at P and Q.
 
     ``size`` is N, the sine of the angle between the arm OQ and the driving shaft's.
     """

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Arc(NamedTuple):
-    """The angle between neighbouring axes in degrees, and their least distance."""
+    """The angle between neighbouring axes in degrees, and their distance: a dual angle."""
 
     angle: float
     length: float = 0.0

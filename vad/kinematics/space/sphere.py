@@ -274,7 +274,7 @@ class SphereSolver(AxesSolver):
         return self.closure.miss(angle)
 
     def why_dead(self, pose: Pose) -> str:
-        """Say what is the matter at a dead centre."""
+        """Say why the rates do not exist at a dead centre."""
         if self.slides:
             return "dead centre: the axes at B, C and D are parallel to one plane"
         return "dead centre: B, C and D lie on one great circle"
