@@ -1,5 +1,5 @@
 """Many at once: sheets by the hundred, and sweeps over arrays larger than memory.
 
-In comes a file that says what a class is to get, out go numbered problems and keys in a folder.
-joblib and Dask are loaded when they are used.
+A file says what a class is to get; a folder is filled with numbered problems and keys. joblib and
+Dask are imported when they are used.
 """

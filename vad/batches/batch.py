@@ -1,8 +1,8 @@
 """The verb `batch`: from a file that says what a class is to get to a folder of sheets.
 
 While a batch runs, each sheet that is done is noted in a journal, a line each; when it ends, the
-journal becomes ``answers.json``.  A sheet stands if its note says that it was made from the same
-settings, and its files are still those that were written.
+journal becomes ``answers.json``.  A sheet need not be made again if its note says that it was made
+from the same settings, and its files are unchanged.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""What numbers are drawn from: in comes what stands under [vary], out go the values to choose from.
+"""The values from which the numbers of a sheet are chosen at random: what [vary] says.
 
-A value is for a parameter or an input of a mechanism, and what is wrong with it is said with its
-place.  Nice numbers have two digits, the second a 0 or a 5; those that begin with a 1 have any
+A value is for a parameter or an input of a mechanism; an error about it names its place in the
+file.  Nice numbers have two digits, the second a 0 or a 5; those that begin with a 1 have any
 second one.
 """
 
@@ -188,7 +188,7 @@ def _stepped(low: float, high: float, step: float) -> tuple[float, ...]:
 
 
 def text_beside(sheets: Path, mechanism: str) -> str | None:
-    """Return the text of a mechanism's file, which lies beside the sheets; None for a name.
+    """Return the text of a mechanism's file beside the sheets; None if ``mechanism`` is a name.
 
     Raises
     ------
@@ -255,6 +255,6 @@ def _assemblies(kind: type[Mechanism], value: object) -> tuple[Value, ...]:
         if not isinstance(place, str | Mapping):
             raise InputError(f"assembly: must be a word or places of points, got {shown(each)}")
         options: dict[str, Any] = {"assembly": place}
-        kind(**options)  # raises where it cannot be
+        kind(**options)  # raises an error if it cannot be
         found.append(place)
     return tuple(found)

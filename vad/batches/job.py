@@ -77,7 +77,7 @@ class Job:
 
     @property
     def fingerprint(self) -> str:
-        """What tells it from a sheet that is made from anything else."""
+        """A text that is different for a sheet that is made from other settings."""
         return hashlib.sha256(f"{__version__} {self!r}".encode()).hexdigest()
 
 
@@ -94,7 +94,7 @@ class Product:
     files
         The contents of the files by name.
     error
-        Why there is nothing of it, if there is not.
+        Why it could not be made, or None.
     """
 
     job: Job

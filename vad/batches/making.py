@@ -1,8 +1,8 @@
-"""Making one sheet: in comes a job, out go the bytes of its files and its answers.
+"""Making one sheet: a job becomes the bytes of its files and its answers.
 
 It depends on the job alone, so that it can be done anywhere and gives the same bytes everywhere.
-The numbers are drawn from what is offered until they make a good exercise; sheet k of a file draws
-from its own random numbers.
+Numbers are chosen at random from the values that are offered, until they make a good exercise.
+Each sheet of a file has random numbers of its own.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from vad.strokes.sheet import Sheet
 #: Threads of the encoder.  The bytes of a film depend on their number, and so it is fixed; and
 #: where many sheets are made, no other core is free.
 _THREADS = 1
-#: How often numbers are drawn before the program gives up.
+#: How often numbers are chosen before the program gives up.
 TRIES = 2000
 
 

@@ -1,7 +1,7 @@
-"""What a class is to get: in comes the path of a TOML or CSV file, out go its jobs.
+"""What a class is to get: a TOML or CSV file becomes jobs.
 
-The words of [sheet] in TOML are columns in CSV, with one row a sheet.  A row that cannot be read is
-no hindrance for the others; an empty cell is left out.
+The words of [sheet] in TOML are columns in CSV, with one row for each sheet.  If a row cannot be
+read, the others are made all the same.  An empty cell is left out.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
-"""The verb `sweep`: poses by the million, block by block, where the blocks are.
+"""The verb `sweep`: poses by the million, solved block by block where each block is stored.
 
-In come inputs as numpy or Dask arrays, out goes one array of the same kind with a field a result.
+The inputs are numpy or Dask arrays; the result is one array of the same kind, with a field for each
+result.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""Who makes the sheets: this process, further ones beside it, or a cluster.
+"""The workers that make the sheets: this process, further processes beside it, or a cluster.
 
-In come jobs, out come products in the order in which they are done.
+They take jobs, and return products in the order in which these are complete.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _AHEAD = 2
 
 
 def products(jobs: Sequence[Job], workers: int, cluster: str | None) -> Iterator[Product]:
-    """Yield what becomes of jobs.
+    """Yield the products of jobs.
 
     Parameters
     ----------

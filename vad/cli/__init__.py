@@ -1,4 +1,4 @@
-"""The command ``vad``: in come the words of a command line, out go text, files and an exit code.
+"""The command ``vad``: the words of a command line become text, files and an exit code.
 
 `vad.cli.main` is the process, `vad.cli.process` its signals and streams, `vad.cli.run` one call,
 `vad.cli.app` the commands; nothing heavy is imported until the words have been read.

@@ -1,7 +1,7 @@
 """``vad compare``: one pose by every method, as a table of results, errors and time.
 
-In come a mechanism and its input, out goes text or JSON.  The methods, and mpmath with them, are
-loaded when the command is called.
+The table is text or JSON.  The methods, and mpmath with them, are imported when the command is
+called.
 """
 
 from __future__ import annotations

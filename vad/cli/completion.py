@@ -1,4 +1,4 @@
-"""Completion in a shell: in come the words so far, out goes what may follow.
+"""Completion in a shell: which words may follow the words so far.
 
 ``vad --completion bash`` prints the script that teaches a shell to ask.  It asks by calling `vad`
 again, with what it wants in the environment variable `VARIABLE`.

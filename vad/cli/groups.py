@@ -1,4 +1,4 @@
-"""``vad VERB NAME``: in come words, out goes the command of one verb for one mechanism.
+"""``vad VERB NAME``: the command of one verb for one mechanism.
 
 The command for a mechanism is made when its name has been read, with that mechanism's options.
 """

@@ -37,13 +37,13 @@ def main() -> int:
         process.say(f"error: cannot write: {error.strerror or error}")
         return 1
     finally:
-        process.be_done()
+        process.ignore_signals()
 
 
 def answer(question: str) -> int:
     """Print what may follow the words that a shell has put into the environment.
 
-    Nothing follows words that are wrong already.  The exit code is 1 for a question that is none.
+    If the words are wrong already, nothing may follow.  The exit code is 1 if this is no question.
 
     Parameters
     ----------

@@ -1,8 +1,8 @@
 """Options: the kinds of value that one takes, and those made from a mechanism's own fields.
 
-In come a mechanism's class and the words of a command line, out go click's parameters and what the
-words say.  A value that is not given is not passed on, so that every default stands in one place
-only: the mechanism's file.
+A mechanism's class gives click's parameters, and these read the words of a command line.  A value
+that is not given is not passed on, so that every default stands in one place only: the mechanism's
+file.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from vad.written import typed
 if TYPE_CHECKING:
     from vad.export import OwnOption
 
-#: What reads the word that stands behind an option.
+#: A function that reads the word after an option.
 Callback = Callable[[click.Context, click.Parameter, Any], Any]
 #: The options of the verbs: no parameter may have such a name as an option.
 OWN = {
@@ -75,7 +75,7 @@ def kind_of(name: str) -> type[Mechanism]:
 def quantity_of(name: str, length_unit: str) -> Callback:
     """Read a number in the scene's unit, or with a unit of its own.
 
-    ``length_unit`` is that of the scene where the command line does not say another.
+    ``length_unit`` is that of the scene unless the command line gives another one.
     """
 
     def value_of(word: str, ctx: click.Context) -> float:
@@ -190,7 +190,7 @@ def path() -> Callback:
 
 
 def _callback(read: Callable[[Any, click.Context], Any]) -> Callback:
-    """Leave out what is not given, and put the option's name before what is wrong."""
+    """Leave out a value that is not given, and begin every error with the option's name."""
 
     def called(ctx: click.Context, param: click.Parameter, value: Any) -> Any:
         if value is None:
@@ -297,7 +297,7 @@ class NamedOption(click.Option):
         return "|".join(self.names)
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
-        """Return the names that begin so."""
+        """Return the names that begin with ``incomplete``."""
         return completion.one_of(self.names)(ctx, self, incomplete)
 
 

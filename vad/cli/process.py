@@ -15,7 +15,7 @@ from types import FrameType
 _SIGNALS = [
     getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
 ]
-_GLANCE = 0.1  # seconds between two looks whether one has come
+_GLANCE = 0.1  # seconds between two checks for a signal
 # The exit code of a program whose reader has gone away, as a shell reports it.
 BROKEN_PIPE = 128 + 13
 
@@ -42,7 +42,7 @@ class Interrupted(BaseException):
 def check_interrupt() -> None:
     """Raise `Interrupted` if a signal came.
 
-    It may have been held back, or a library may have made another error of it.
+    It may have been held back, or a library may have turned it into another error.
     """
     if _heard.received:
         raise Interrupted(_heard.received[0])
@@ -84,7 +84,7 @@ def quieten() -> None:
 
 
 def _complain(lost: sys.UnraisableHookArgs) -> None:
-    """Report an exception that nobody can catch, but no signal: `check_interrupt` knows of it."""
+    """Report an exception that nobody can catch; signals are left to `check_interrupt`."""
     if not isinstance(lost.exc_value, Interrupted):
         sys.__unraisablehook__(lost)
 
@@ -124,18 +124,18 @@ def signals_held_back() -> Iterator[None]:
 def wait_for_signal() -> None:
     """Wait until a signal comes, in a block of `signals_held_back`.
 
-    An interrupt is what was waited for, and is forgotten; of any other, the process ends.
+    An interrupt ends the waiting and is then forgotten; any other signal ends the process.
     """
     while not _heard.received:
         time.sleep(_GLANCE)
     _heard.received[:] = [each for each in _heard.received if each != signal.SIGINT]
 
 
-def be_done() -> None:
+def ignore_signals() -> None:
     """Ignore signals from now on: Python is about to end this process.
 
-    It takes the handlers away before it does, and a signal that came then would kill it; nor has
-    it anything to say of one that is pending.
+    Python removes its handlers before it ends, and a signal that came then would kill the process.
+    It also reports no signal that is still pending.
     """
     _heard.held_back = True
     sys.unraisablehook = lambda _: None

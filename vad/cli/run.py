@@ -36,9 +36,9 @@ def run(arguments: Sequence[str]) -> int:
         return _report("out of memory", "fewer --steps or a smaller --size")
     except OSError as error:
         if error.filename is None:
-            raise  # standard output, which is the affair of the process
+            raise  # standard output, which the process deals with
         return _report(f"'{os.fsdecode(error.filename)}': {error.strerror}")
-    except UnicodeDecodeError:  # of no file but that one, which comes with no name
+    except UnicodeDecodeError:  # that file raises it, and the error does not name it
         return _report("a matplotlibrc, here or in your home folder, is not UTF-8")
     except Exception as error:
         if os.environ.get("VAD_DEBUG"):

@@ -1,8 +1,8 @@
 """The verbs that draw: their options, and what each does with a mechanism and its input.
 
 They are imported only when one of them is asked for, because they know all that can be drawn.
-While a film is written, a bar moves on a terminal; when a file is done, its name is said there.  A
-pipe sees neither.
+While a film is written, a terminal shows a progress bar; when a file is complete, it shows its
+name.  Output into a pipe has neither.
 """
 
 from __future__ import annotations
@@ -121,7 +121,7 @@ _AT = click.Option(
 
 @contextmanager
 def progress(what: str) -> Iterator[Progress]:
-    """Yield the function to call after each frame: it heeds signals and moves a progress bar."""
+    """Yield the function to call after each frame: it checks for signals and shows progress."""
 
     def obey(_done: int, _total: int) -> None:
         check_interrupt()
@@ -145,7 +145,7 @@ def progress(what: str) -> Iterator[Progress]:
 
 
 def say_written(path: str, details: str = "") -> None:
-    """Say on a terminal which file is done."""
+    """Say on a terminal which file is complete."""
     if sys.stdout is not None and sys.stdout.isatty():
         click.echo(f"wrote {path}" + (f" ({details})" if details else ""))
 
@@ -173,8 +173,8 @@ def sweep_places(
 ) -> NDArray[np.float64]:
     """Return ``steps`` places of the driver, evenly spaced from ``start`` to ``stop``.
 
-    What is left out is a whole turn of a driven link, or the widest range in which a driven
-    slide closes.
+    The ends that are left out are those of a whole turn of a driven link, or of the widest range in
+    which a driven slide closes.
 
     Raises
     ------
@@ -221,7 +221,7 @@ def draw(
     if turn and "blank" in options:
         raise UsageError("--blank is for one pose, not for a turn")
     made = Turn if turn else Sheet if at is None else Multiples
-    kind = format_of(Sheet, output)  # before anything is worked out
+    kind = format_of(Sheet, output)  # before anything is calculated
     format_of(made, output)
     if "paper" in options and kind != ".pdf":
         raise UsageError(f"--paper is for PDF, not for '{output}'", hint="as in -o sheet.pdf")
@@ -243,7 +243,7 @@ def draw(
 
 
 def _multiples(mechanism: Mechanism, inputs: Inputs, at: list[float], **options: Any) -> Multiples:
-    """Draw a few poses; what is wrong with their places is said of the option."""
+    """Draw a few poses; an error about their places names the option."""
     driven = next(iter(mechanism.inputs))
     if driven in inputs:
         raise UsageError(f"--at: takes the place of --{driven}", hint=f"leave out --{driven}")
@@ -290,7 +290,7 @@ def animate(
 
 
 def _still(lesson: Lesson, step: str) -> Still:
-    """Return one step; what is wrong with its name is said of the option."""
+    """Return one step; an error about its name names the option."""
     try:
         return vad.still(lesson, step)
     except UsageError as error:
