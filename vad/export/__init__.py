@@ -1,9 +1,8 @@
-"""Where a sheet, a lesson or a step goes: one module a format, found by its name.
+"""Saving sheets, lessons and films: one module for each format, found by its name.
 
-In comes a `Sheet`, a `Lesson`, a `Still` … and a path, out goes a file (or a folder of frames) that
-appears whole or not at all.  The name of a format's module says what it saves and as what:
-``picture_svg`` saves pictures as ``.svg``, ``film_gif`` films as ``.gif``; see `THINGS`.  It has
-one function::
+A `Sheet`, a `Lesson`, a `Still` … becomes a file (or a folder of frames), which appears whole or
+not at all.  The name of a format's module says what it saves and as what: ``picture_svg`` saves
+pictures as ``.svg``, ``film_gif`` films as ``.gif``; see `THINGS`.  It has one function::
 
     def write(thing, target, **options) -> None
 

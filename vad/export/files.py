@@ -1,11 +1,11 @@
 """Files and folders that appear whole or not at all.
 
-In comes a path, out goes a stream or an empty folder beside it; when the caller has filled it, it
-takes the path's place in one step, a file not before it is on the disk.  Until then whatever stood
-there stays as it was, and after any exception, an interrupt too, nothing half-written remains.
-Signals are the program's own affair: one that it turns into an exception, as the command line does,
-leaves nothing behind either.  What a program leaves that is killed outright is swept when the next
-file is made in the same folder.
+The caller gets a stream, or an empty folder, beside the path.  When the caller has filled it, it
+takes the place of the path in one step; a file is on the disk by then.  Until then, the old file
+stays as it was.  After any exception, also after an interrupt, nothing half-written remains.  A
+signal that the program turns into an exception, as the command line does, leaves nothing behind
+either.  If a program is killed, its unfinished files are removed when the next file is made in the
+same folder.
 """
 
 from __future__ import annotations

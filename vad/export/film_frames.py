@@ -1,7 +1,7 @@
 """A lesson as a folder of PNG pictures, one for every frame of the constant rate.
 
-In come frames, out go ``frame_0001.png`` …; a frame that repeats the one before is a hard link
-to it, where the disk can do that.
+The pictures are ``frame_0001.png`` …; a frame that repeats the one before is a hard link to it, if
+the disk has hard links.
 """
 
 from __future__ import annotations

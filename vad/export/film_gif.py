@@ -1,6 +1,6 @@
 """A film as GIF: few colours, and of each picture only what changed.
 
-In come frames, out goes a file that any program shows and that loops for ever.
+Any program can show such a file, and it loops for ever.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """A film as MP4: H.264 at constant rate, which every player and slide program shows.
 
-In come frames, out goes a file.  Only what changed is converted from RGB to the planes of H.264
-(luma in full and chroma at half the resolution, 4:2:0, BT.709); a pause repeats the same planes.
+Only what changed is converted from RGB to the planes of H.264 (luma in full and chroma at half the
+resolution, 4:2:0, BT.709); a pause repeats the same planes.
 """
 
 from __future__ import annotations

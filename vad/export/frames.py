@@ -1,7 +1,7 @@
 """The frames of a film as encoders take them, their rate, and the boxes of what changed in them.
 
-A caption and a stroke are not the whole board between them: the one box in which a frame differs
-from the one before is parted into more boxes with fewer pixels.
+If a caption and a stroke change at once, one box around both would hold most of the board.  It is
+therefore divided into boxes with fewer pixels.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def painted(
 ) -> Iterator[Frame]:
     """Yield the frames of a film; tell ``progress`` whenever one has been consumed.
 
-    What moves in a lesson has ``most`` pictures a second.
+    A movement of a lesson has at most ``most`` pictures per second.
     """
     from vad.painting.film import filmed
 

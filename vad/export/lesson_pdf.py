@@ -1,4 +1,4 @@
-"""A lesson as PDF: in comes a lesson, out goes one page for each step."""
+"""A lesson as PDF: one page for each step."""
 
 from __future__ import annotations
 

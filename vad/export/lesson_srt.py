@@ -33,7 +33,7 @@ def cues(lesson: Lesson) -> list[Cue]:
 
 
 def spoken(lesson: Lesson) -> list[Cue]:
-    """Return the cues of a file that holds nothing else.
+    """Return the cues of a file of captions, which needs at least one.
 
     Raises
     ------

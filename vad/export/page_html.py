@@ -1,4 +1,4 @@
-"""A lesson as a page in one file: in comes a lesson, or a sheet, which it opens finished."""
+"""A lesson as a page in one file; the page of a sheet opens with all strokes drawn."""
 
 from __future__ import annotations
 

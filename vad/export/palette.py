@@ -1,8 +1,8 @@
 """A film's few colours: inks, their blends with the background, and the map from RGBA to them.
 
-In come a style and how many of its inks are there, out goes a table of at most 255 colours that is
-known before the first frame is painted, and the index of the nearest of them for every pixel.
-Index 0 is left free: it stands for "as before".
+The table has at most 255 colours.  It is made from a style and the number of inks in use, before
+the first frame is painted; every pixel gets the index of the nearest colour.  Index 0 is left free:
+it stands for "as before".
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """A picture as PDF: one page of vector paths.
 
-In comes a sheet, a step of a lesson, or a turn with numbered positions.
+It is of a sheet, a step of a lesson, several poses, or a turn with numbered positions.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """A picture as PNG, with a description in words.
 
-In comes a sheet, a step of a lesson, or a turn with numbered positions.
+It is of a sheet, a step of a lesson, several poses, or a turn with numbered positions.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def write(
 
 
 def encode(shown: Posed, target: BinaryIO) -> None:
-    """Write what is to be seen, as it is posed."""
+    """Write a posed picture."""
     from PIL import Image
     from PIL.PngImagePlugin import PngInfo
 

@@ -1,7 +1,7 @@
 """A sheet as JSON and back: strokes in drawing order, and all else that a sheet holds.
 
-In comes a `Sheet`, out goes an object with a panel per diagram, and the other way round nothing
-is lost.  Coordinates are ``[x, y]`` in the panel's unit, printed in full.
+The JSON of a `Sheet` is an object with a panel for each diagram.  Nothing is lost when it is read
+again.  Coordinates are ``[x, y]`` in the panel's unit, printed in full.
 """
 
 from __future__ import annotations
@@ -117,7 +117,7 @@ def _loaded(source: str | os.PathLike[str] | Mapping[str, Any]) -> tuple[str, An
 
 
 def _check(sheet: Sheet) -> None:
-    """Raise an error where strokes are called by names that they do not bear."""
+    """Raise an error if a stroke is referred to by a name that no stroke has."""
     if not sheet.panels:
         raise InputError("panels: there is none")
     for panel in sheet.halves:

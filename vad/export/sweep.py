@@ -1,6 +1,6 @@
 """A mechanism's results over a range of its input: the columns of a table or a plot.
 
-In comes a motion with an array of inputs, out go columns with units, or a file of them.
+A motion with an array of inputs becomes columns with units, or a file of them.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A sweep as a plot: in come a motion and its columns, out goes a PNG picture.
+"""A sweep as a plot: a PNG picture of the columns of a motion.
 
 Positions, velocities and accelerations stand one above the other, links to the left, slides to
 the right, over the input; the driver itself is left out, for its motion is given.  Each curve has
@@ -153,7 +153,7 @@ def _curves(figure: Figure, results: Results, symbols: Mapping[str, str], style:
 def _dress(plot: Axes, curves: Sequence[Column], symbol: str, scale: float, style: Style) -> None:
     """Name the quantity, set the range of its axis and draw a grid instead of a frame.
 
-    What is nothing to ``scale`` is rounding, and shown as the straight line that it stands for.
+    Values that are tiny beside ``scale`` are rounding noise, and drawn as a straight line.
     """
     quantity, unit = curves[0].quantity, _unit(curves[0].unit)
     plot.set_title(f"{symbol}, {unit}", loc="left", fontsize=_points(0.0335))

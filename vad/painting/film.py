@@ -1,7 +1,7 @@
 """Films: each frame paints only what has changed since the one before.
 
-In comes a lesson or a turn, or a board and its moments, out go `Frame` objects, as an encoder takes
-them; `redraw` paints one moment from nothing, which is what every incremental frame must equal.
+A lesson or a turn, or a board and its moments, become `Frame` objects for an encoder.  `redraw`
+paints one moment from nothing: every incremental frame must equal that.
 """
 
 from __future__ import annotations
@@ -95,7 +95,7 @@ def difference(before: Words, now: Words, box: Box) -> Box:
 def filmed(film: Lesson | Turn, most: float = math.inf) -> Iterator[Frame]:
     """Yield the pictures of a film; see `Frame` for what each says about itself.
 
-    What moves in a lesson has ``most`` pictures a second.
+    A movement of a lesson has at most ``most`` pictures per second.
     """
     style = load_style(film.style)
     if isinstance(film, Lesson):

@@ -69,7 +69,7 @@ def take(pen: Pen, unit: float) -> str:
 
 
 def path(vertices: Points, codes: Codes) -> Iterator[str]:
-    """Yield the operators of a path; a quadratic curve becomes the cubic one that it is."""
+    """Yield the operators of a path; a quadratic curve is written as the same cubic curve."""
     points, kinds = vertices.tolist(), codes.tolist()
     place = 0
     while place < len(kinds):

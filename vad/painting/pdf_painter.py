@@ -1,6 +1,6 @@
 """PDF: shapes become paths and letters on pages; what some pages share is written once.
 
-In come marks, page by page, out goes a file in which a pixel of the same picture is a point.  The
+Marks come page by page and become a file, in which a pixel of the same picture is a point.  The
 file is tagged: every page is a figure, which a screen reader meets in words.
 
 matplotlib can write PDF too, but not share what pages have in common, and its text cannot be

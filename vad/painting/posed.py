@@ -1,4 +1,4 @@
-"""What is to be seen, on its page: in comes a sheet, a step or a lesson, out goes what to play."""
+"""A picture on its page, ready to be painted: of a sheet, a step, a turn or several poses."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ STYLE = "paper"
 class Posed:
     """A board at a moment in a style.
 
-    ``sheet`` is what shows of it, for words: of a step of a lesson, as far as it is drawn;
-    ``others`` are those of further poses.
+    ``sheet`` is the sheet that the picture shows, for its description; that of a step of a lesson
+    has only what is drawn so far.  ``others`` are the sheets of further poses.
     """
 
     board: Board

@@ -1,7 +1,7 @@
 """Shapes as paths, and lines of text in stretches, for the painters of every medium.
 
-In come the shapes and texts of a plan, out go vertices with codes, in page units, and runs of
-letters that a medium with type of its own can set in one go.
+The shapes of a plan become vertices with codes, in page units.  Its texts become stretches of
+letters, each of which a medium with fonts of its own can set as a whole.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """SVG: shapes become elements that other programs open, search and restyle.
 
-In come marks, group by group, out goes one ``<svg>`` element.  Every stroke is a ``<g>`` that bears
-its name, and its caption as a title.
+Marks come group by group and become one ``<svg>`` element.  Every stroke is a ``<g>`` with its
+name, and its caption as a title.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class SvgPainter:
     Raises
     ------
     vad.errors.UsageError
-        If there is no such way with text.
+        For an unknown kind of text.
     """
 
     def __init__(
@@ -110,7 +110,7 @@ class SvgPainter:
         self._close()
         width, height = number(self._grid.width), number(self._grid.height)
         size = f'width="{width}" height="{height}"'
-        if self._classes.scope:  # no cell is to cut it, also where a notebook makes it an image
+        if self._classes.scope:  # it must fit in the cell of a notebook, even as an image
             fits = f'style="width:100%;max-width:{width}px;height:auto"'
             size = f'id="{self._classes.scope}" {fits}'
         self.svg = (

@@ -1,7 +1,7 @@
 """How SVG writes text: as text in embedded fonts, or as the shapes of its letters.
 
 `SetText` is for pages and notebooks: text that can be selected, copied and searched, each stretch
-where the board has it, whatever a browser thinks of kerning.  `DrawnText` looks alike in every
+at its place on the board, without the kerning of a browser.  `DrawnText` looks alike in every
 program, with or without fonts: the outline of a letter is written once and used wherever it stands,
 and over the shapes lie the same words as text that is not seen.  The fonts are STIX, which
 matplotlib ships.  Their licence, the OFL, allows a part to be embedded under another name; what
@@ -98,9 +98,10 @@ def _woff(face: Face, letters: str) -> bytes:
 class SetText:
     """The text of one picture.
 
-    ``faces`` collects the letters that its fonts need; ``setting`` is what no style sheet around it
-    says of all text.  Where there is nothing to say it stands in a page: every browser can paint
-    the outline of a line of one face before its letters, which is their halo.
+    ``faces`` collects the letters that its fonts need.  ``setting`` holds the attributes that all
+    text needs and that no style sheet around the picture has.  It is empty in a page, which has
+    such a style sheet: there a browser can paint the halo, the outline of a line in one face,
+    before its letters.
     """
 
     def __init__(
@@ -234,7 +235,7 @@ class DrawnText:
 
 
 def _data(letter: Letter) -> str:
-    """Return the outline of a letter as the data of a path, without what goes without saying."""
+    """Return the outline of a letter as the data of a path, as short as SVG allows."""
     points = [(round(_EM * x), -round(_EM * y)) for x, y in letter.vertices.tolist()]
     kinds = letter.codes.tolist()
     data, before, place, start = "", "", 0, (0, 0)

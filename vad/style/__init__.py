@@ -1,6 +1,6 @@
 """How roles look: a `Style` is frozen data, one file per style in this folder.
 
-In come a role and a row of the results, out go colours, widths and dashes.
+A role and a row of the results give colours, widths and dashes.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Sheets that were saved before they stated their facts: what drives them, and their bodies.
+"""Sheets from older files, which did not state their facts: what drives them, and their bodies.
 
-In comes a sheet as it was read, out goes one that states what can be told from its strokes.  This
-is the only place where the meaning of a stroke is guessed from its letters.
+The missing facts are derived from the strokes.  This is the only place where the meaning of a
+stroke is guessed from its letters.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Data classes as JSON and back, by one table for both ways.
 
-In comes a table of keys, out goes a `Form` that writes what it reads.  What it cannot read is
-answered with the place in the file: ``panels.velocity.strokes[3].from: missing``.
+A table of keys makes a `Form`, which both writes and reads.  An error about what it cannot read
+names the place in the file: ``panels.velocity.strokes[3].from: missing``.
 """
 
 from __future__ import annotations

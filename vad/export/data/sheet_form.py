@@ -1,8 +1,9 @@
 """The form of a sheet's JSON: one table of keys, by which it is both written and read.
 
-What a stroke has not is absent.  Keys of the public contract (kind, label, component, link, from,
-to, through, direction, at, caption, unit) stand beside those that make the sheet whole.  Where a
-text is a sentence, its data stand beside it: ``caption_said`` beside ``caption``.
+A key is absent if the stroke has no such thing.  Keys of the public contract (kind, label,
+component, link, from, to, through, direction, at, caption, unit) stand beside those that make the
+sheet whole.  Where a text is a sentence, its data stand beside it: ``caption_said`` beside
+``caption``.
 
 =============  =================================================================================
 a string       letters of a point, a vector or a quantity
