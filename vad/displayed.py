@@ -1,6 +1,6 @@
-"""Base class of what shows itself in a notebook: sheets, lessons and turns.
+"""The base class of the things that a notebook displays: sheets, lessons and turns.
 
-In comes anything that can be seen, out goes what a notebook asks of it.
+A notebook asks for their forms by a method of this class.
 """
 
 from __future__ import annotations

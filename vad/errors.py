@@ -113,14 +113,14 @@ def shown(value: object) -> str:
     """
     try:
         text = f"'{value}'" if isinstance(value, str) else repr(value)
-    except Exception:  # of a class that cannot say what it is, or digits beyond Python's limit
+    except Exception:  # its class has a faulty repr, or it has more digits than Python writes
         name = type(value).__name__
         text = f"an {name}" if name[0] in "aeiou" else f"a {name}"
     return _without_middle(text, *_LONGEST_VALUE)
 
 
 def one_line(text: str) -> str:
-    r"""Return a message on one line, without control characters, and not as long as a book.
+    r"""Return a message on one line, without control characters and of limited length.
 
     Examples
     --------

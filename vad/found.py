@@ -1,4 +1,4 @@
-"""What is found by itself: the files of a folder, and what other packages bring along.
+"""Discovery: the files of a folder of this package, and what other packages provide.
 
 Each style, language and mechanism is one file, and no table names them.  Another package brings
 its own by entry points; in its ``pyproject.toml`` it says, for example::
@@ -63,7 +63,7 @@ def from_packages(group: str) -> Mapping[str, object]:
 
 
 def one_of_all(what: str, given: object, own: Collection[str], group: str) -> str:
-    """Return ``given`` if it is one of this package's ``own`` names or another package has it.
+    """Return ``given`` if it is one of this package's ``own`` names, or a name of another package.
 
     Other packages are asked only when the name is not an own one.
 

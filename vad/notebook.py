@@ -1,8 +1,8 @@
-"""How sheets, lessons and turns show themselves in a notebook.
+"""How a notebook displays sheets, lessons and turns.
 
-In come a sheet, a lesson, a turn …, out goes a bundle of forms, of which a viewer takes the best
-that it knows: drawings as SVG, lessons and films as HTML, for all others a PNG and words.  The
-outputs of a notebook share one page: names in a drawing are its own, a lesson has its own frame.
+A thing is given in several forms, and a viewer takes the best one that it knows: SVG for drawings,
+HTML for lessons and films, and for other viewers a PNG and words.  All outputs of a notebook are on
+one page; therefore the names in a drawing are unique, and a lesson has a frame of its own.
 """
 
 from __future__ import annotations
@@ -115,7 +115,7 @@ def _framed(lesson: Lesson) -> str:
 
 
 def _film(turn: Turn, pixels: Callable[[], str]) -> str:
-    """Return a small film that runs again and again, or a picture where that would be heavy."""
+    """Return a small film that repeats, or a picture if the film would have too many bytes."""
     name = f'style="width:100%" aria-label="{escape(title(turn.sheet))}"'
     film = _small(turn) if turn.frames <= _LONGEST else b""
     if film and len(film) <= _HEAVIEST:

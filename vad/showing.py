@@ -1,4 +1,4 @@
-"""The verbs `show` and `widget`: in comes a thing, and a notebook or the browser shows it.
+"""The verbs `show` and `widget`: a notebook or the browser shows a thing.
 
 A drawing, a lesson or a film is shown as it is, a mechanism in the window in which it is turned by
 hand.

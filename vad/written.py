@@ -19,7 +19,7 @@ MEASURED, GIVEN = 4, 6
 #: Powers of ten whose digits are written out: the first of them, and the first that is not.
 WRITTEN_OUT = (-4, 6)
 
-#: Whole numbers of so many digits are parted in thousands.
+#: Whole numbers with at least so many digits get a space between thousands.
 _PARTED = 5
 _THOUSANDS = re.compile(r"(?<=\d)(?=(?:\d{3})+$)")
 _DEGREE = "°"

@@ -1,4 +1,4 @@
-"""What Python answers: a pose while something moves, the lesson of what is set, or a file of it.
+"""The answers of Python: poses while something moves, the lesson of the settings, and files.
 
 What is the same in all poses of a mechanism is kept for the mechanisms that were asked for last.
 Places are in pixels of a page 1280 wide, y down, as in the drawings.  A file is made in a folder of
@@ -44,8 +44,9 @@ LINES = 1
 POSITION = "position"
 #: In how many poses the mechanism is drawn to find out how much room it needs.
 _POSES = 12
-#: How near these poses come to the ends of a range, as an angle in radians of half a turn from one
-#: end to the other.  They lie closer together there, where links turn fastest.
+#: These poses lie closer together near the ends of a range, where links turn fastest: as evenly
+#: spaced points of a half circle do when they are projected on its diameter.  The first and the
+#: last point are this angle from the ends, in radians.
 _END = 0.05
 _TURN = (0.0, 360.0)
 #: The extensions of pictures; and what any file is, by its extension.
@@ -160,7 +161,7 @@ def _over(mechanism: Mechanism) -> Iterable[Motion]:
 
 
 def _pictured(motion: Motion) -> Panel:
-    """Return the mechanism in one pose."""
+    """Return the panel of the mechanism in one pose."""
     return vad.draw(motion, POSITION, "en").panel(POSITION)
 
 
@@ -187,7 +188,7 @@ def _first(motions: Iterable[Motion], panels: tuple[str, ...], language: str) ->
 
 
 def grips(motion: Motion, sheet: Sheet, scales: Mapping[str, Scale]) -> dict[str, Any]:
-    """Return what the hand needs: the ranges of the driver, and its handle."""
+    """Return the ranges of the driver and its handle, by which it is turned by hand."""
     found: dict[str, Any] = {"ranges": reach(motion.mechanism), "handle": None}
     if POSITION in scales:
         found["handle"] = grip(motion, sheet, scales[POSITION], FORM)

@@ -1,4 +1,4 @@
-// The address has all that differs from the defaults.
+// The address of the page holds all settings that differ from the defaults.
 
 const placeKey = (point) => point ? `assembly.${point}` : "assembly";
 
@@ -39,7 +39,7 @@ root.addEventListener("vad:step", () => {
   clearTimeout(writing);
   writing = setTimeout(() => { if (!root.classList.contains("moving") && !broken) remember(); }, 250);
 });
-// The address of the event, for by now another may have been remembered.
+// The address is that of the event, because by now another one may have been remembered.
 addEventListener("hashchange", ({ newURL }) => {
   clearTimeout(writing);
   clearTimeout(timer);
@@ -48,7 +48,7 @@ addEventListener("hashchange", ({ newURL }) => {
 
 const lang = /[#&]lang=(\w\w)/.exec(location.hash)?.[1];
 if (lang && lang !== start.language) location.replace(`/?lang=${lang}${location.hash}`);
-// Buttons and files; and what opens.
+// The buttons and files, and the settings with which the page opens.
 
 const does = {
   draw: () => { clearTimeout(timer); [retry, step] = ["play", null]; want("lesson"); },

@@ -1,4 +1,4 @@
-"""Who may ask: only the page itself, opened by the person who reads the terminal.
+"""Who may ask questions: only the page itself, opened by the person who reads the terminal.
 
 The server is on 127.0.0.1, but so are other users of the machine, and every page of the web can
 send requests there from this very browser.  What they send is refused here, before anything
@@ -73,8 +73,8 @@ class RefusalError(Exception):
         return JSONResponse({"error": error}, self.status)
 
 
-class Manners:
-    """Add to every answer what a browser must heed; the page's scripts are told by a nonce."""
+class SecurityHeaders:
+    """Adds security headers to every answer; a nonce marks the page's own scripts."""
 
     def __init__(self, app: ASGIApp) -> None:
         self._app = app
@@ -103,7 +103,7 @@ class Manners:
 
 
 class Guard:
-    """Let requests pass that come from the page."""
+    """Lets requests pass that come from the page, and refuses all others."""
 
     def __init__(self, app: ASGIApp, key: Key) -> None:
         self._app = app
@@ -145,7 +145,7 @@ def _check_origin(headers: Headers, *own: str) -> None:
 
 
 def _check_body(headers: Headers) -> None:
-    """Refuse what is not JSON, which a foreign page may send only where that is granted."""
+    """Refuse a body that is not JSON: without permission, a foreign page cannot send JSON."""
     if headers.get("content-type", "").partition(";")[0].strip().lower() != "application/json":
         raise RefusalError(400, "the question must be application/json")
     length = headers.get("content-length", "0")

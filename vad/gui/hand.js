@@ -1,14 +1,14 @@
 // The handle: a pointer or a key becomes an angle, a length or a place along a guide.
 
 const INSIDE = 0.002; // of a range, how far from its end
-const RING = 34; // its width on a page 1280 wide: so far labels keep clear of it
+const RING = 34; // its width on a page 1280 wide; labels keep at this distance
 
 const picture = () => find(".panels").children[names.indexOf("position")]?.querySelector("svg");
 
-let view = null; // from the drawing's pixels to the window's, where there is something to hold
+let view = null; // from the drawing's pixels to the window's; null if there is no handle
 
-// Reads the place of the drawing, after an answer and when the window changes, and nowhere else:
-// the browser has to lay out the page for it at once.
+// Puts the handle in its place. It is called only after an answer and when the window changes,
+// because the browser must lay out the page to tell where the drawing is.
 function hold() {
   if (grip) write();
   view = grip && picture()?.getScreenCTM();

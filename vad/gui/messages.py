@@ -1,7 +1,8 @@
-"""What the browser may ask, and what it is told when that cannot be.
+"""The questions of the browser, and the errors that answer questions that cannot be.
 
-In comes JSON that anybody may have written, one dataclass a question, checked field by field; out
-go mechanisms with their inputs, or errors that name the field.  `problem` makes JSON of an error.
+A question is JSON that anybody may have written.  It becomes a dataclass, whose fields are checked
+one by one, and this gives a mechanism with its inputs, or an error that names the field.  `problem`
+makes JSON of an error.
 """
 
 from __future__ import annotations
@@ -76,7 +77,7 @@ class Question:
     style
         How it looks.
     kinds
-        The mechanisms that there are.  The browser does not say that.
+        The mechanisms that may be asked for.  They do not come from the browser.
     """
 
     mechanism: str
@@ -155,8 +156,8 @@ class PoseQuestion(Question):
     ways
         Where each label of each panel stood from its dot in the pose before: degrees.
     stands
-        The parameters of the last lesson, whose supports and the like stay where they are; None
-        for those that are asked for.
+        The parameters of the last lesson: supports and other marks that stand still stay where that
+        lesson has them.  None stands for the parameters of this question.
     known
         The classes whose rules the page has.
     """
@@ -167,7 +168,7 @@ class PoseQuestion(Question):
     known: tuple[str, ...] = ()
 
     def rested(self, mechanism: Mechanism) -> Mechanism:
-        """Return the mechanism of the last lesson, which may be the ``mechanism`` asked for."""
+        """Return the mechanism of the last lesson, or the ``mechanism`` that is asked for."""
         if self.stands is None or self.stands == self.parameters:
             return mechanism
         return self.with_dimensions(self.stands)
@@ -175,14 +176,14 @@ class PoseQuestion(Question):
 
 @dataclass(frozen=True)
 class LessonQuestion(Question):
-    """The lecture of what is set; ``scales`` of polygons that are to be kept."""
+    """The lesson of the present settings; ``scales`` are those of polygons to be kept."""
 
     scales: Scales = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
 class ExportQuestion(Question):
-    """A file of what is set; ``fps`` and ``speed`` are those of a film."""
+    """A file of the present settings; ``fps`` and ``speed`` are those of a film."""
 
     size: tuple[int, int] = (1280, 720)
     fps: float = 30.0

@@ -1,10 +1,10 @@
 """The server on this machine: its routes, its address, and how it ends.
 
 A request that the guard lets pass is answered with a page, a pose, a lesson or a file.  Poses and
-lessons are worked out one at a time, for there is one who looks, and so where they are asked for: a
-thread of their own would cost a move half a millisecond.  A film is made beside them, and a second
-one is put off.  The server takes 127.0.0.1 and nothing else, and there is no option that says
-otherwise.
+lessons are calculated one at a time, because one person looks at them.  They are calculated in the
+thread of the server: another thread would delay each move by half a millisecond.  A film is made in
+a thread of its own, and a second film is refused until the first is complete.  The server takes
+127.0.0.1 and nothing else, and there is no option that says otherwise.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from starlette.types import ASGIApp
 
 from vad.errors import ExportError, VadError
 from vad.gui.answers import MEDIA, lesson, pose, saved
-from vad.gui.guard import HOSTS, Guard, Key, Manners, RefusalError
+from vad.gui.guard import HOSTS, Guard, Key, RefusalError, SecurityHeaders
 from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion, Question, problem, read
 from vad.gui.window import window
 from vad.words import all_languages
@@ -151,7 +151,7 @@ def application(key: Key, start: ExportQuestion, closing: Event) -> ASGIApp:
         Route("/api/export/{extension}", _explained(export), methods=["POST"]),
     ]
     middleware = [
-        Middleware(Manners),
+        Middleware(SecurityHeaders),
         Middleware(TrustedHostMiddleware, allowed_hosts=HOSTS, www_redirect=False),
         Middleware(Guard, key=key),
     ]
@@ -159,7 +159,7 @@ def application(key: Key, start: ExportQuestion, closing: Event) -> ASGIApp:
 
 
 def _told(work: Callable[[Any], dict[str, Any]], question: Question) -> dict[str, Any]:
-    """Return an answer, or what went wrong where a user can do something about it."""
+    """Return an answer, or the error if the user can do something about it."""
     try:
         return work(question)
     except VadError as error:
@@ -167,7 +167,7 @@ def _told(work: Callable[[Any], dict[str, Any]], question: Question) -> dict[str
 
 
 def _explained(endpoint: Endpoint) -> Endpoint:
-    """Answer a faulty question, which our own page never asks, with what is wrong with it."""
+    """Answer a faulty question with its error; the page itself never asks one."""
 
     async def asked(request: Request) -> Response:
         try:

@@ -1,4 +1,4 @@
-// What is shown: poses while something moves, lessons when it rests, and what went wrong.
+// What is shown: poses while something moves, lessons when it rests, and errors.
 
 const GLIDE = 150;
 
@@ -21,8 +21,9 @@ function move({ panels, rows, looks, scales: fresh, ways: sides }) {
 
 const said = new WeakMap();
 
-// Makes a child what HTML says. From pose to pose only what differs is changed, because a browser lays
-// out and paints whatever is touched. What a lesson has made belongs to its player, and is replaced.
+// Changes a child element to what the HTML says. From pose to pose only the differences are
+// changed, because a browser lays out and paints whatever is touched. An element of a lesson
+// belongs to the player, and is replaced.
 function become(place, index, html) {
   const old = place.children[index], made = document.createElement(place.localName);
   if (old && said.get(old) === html) return;
@@ -49,7 +50,7 @@ function match(old, fresh) {
   before.slice(after.length).forEach((node) => node.remove());
 }
 
-// Nothing is left of another mechanism.
+// Removes all that belongs to another mechanism.
 function clear() {
   const title = element("h1", {});
   title.textContent = entry().title;
@@ -89,7 +90,7 @@ function rules(looks) {
 
 const classes = () => [...known].map((rule) => rule.slice(1, rule.indexOf("{")));
 
-// A polygon whose scale has changed comes from the size that it had.
+// A polygon whose scale has changed grows or shrinks from the size that it had.
 function glide(name, old, fresh) {
   if (!old || !fresh || String(old) === String(fresh) || matchMedia("(prefers-reduced-motion: reduce)").matches) return;
   if (scales[`${name}.below`]) return; // two polygons, each at its scale
@@ -100,7 +101,7 @@ function glide(name, old, fresh) {
   const [from, to] = [place(old), place(fresh)], { x, y, width, height } = svg.viewBox.baseVal;
   const part = (corner, i, size) => `${100 * (from[i] - factor * to[i] + (factor - 1) * corner) / size}%`;
   const transform = [`translate(${part(x, 0, width)}, ${part(y, 1, height)}) scale(${factor})`, "none"];
-  // The drawing as a whole is moved without painting it anew; the handle follows at its end.
+  // The whole drawing moves without being painted again; the handle follows at the end.
   svg.animate({ transform }, { duration: GLIDE, easing: "ease-out" }).onfinish = hold;
 }
 

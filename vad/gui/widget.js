@@ -1,4 +1,4 @@
-// The window in a cell: what the frame asks goes to Python, what Python answers to the frame.
+// The window in a cell: questions of the frame go to Python, and its answers go to the frame.
 
 export default {
   render({ model, el }) {

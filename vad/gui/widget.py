@@ -1,4 +1,4 @@
-"""The window in a cell of a notebook: in comes what is set when it opens, out goes a widget.
+"""The window in a cell of a notebook, as a widget.
 
 It is the page of ``vad gui`` in a frame.  Its questions come by the notebook's own channel instead
 of by HTTP, and are answered by the same functions.

@@ -1,6 +1,6 @@
-// The window of vad gui: what is set goes to Python, what is answered is shown. It knows no
-// mechanism. One question is asked at a time, and the newest wins. Its parts are one script, in the
-// order of vad/gui/window.py; this is what they share.
+// The window of vad gui: settings go to Python, and its answers are shown. It knows no mechanism.
+// One question is asked at a time; of several that wait only the newest is asked. The files are
+// joined to one script, in the order of vad/gui/window.py; this part is shared by all.
 
 const DIGITS = 7; // as many as a box has room for; what is set keeps them all
 const root = document.querySelector(".vad"), find = (selector) => root.querySelector(selector);
@@ -102,7 +102,7 @@ function changed() {
   clearTimeout(timer);
   timer = setTimeout(() => want("lesson"), CALM);
 }
-// Questions to Python, and what becomes of its answers.
+// Questions to Python, and what is done with its answers.
 
 function question(kind) {
   const present = (values) => Object.fromEntries(Object.entries(values).filter(([, value]) => value !== null));
@@ -158,8 +158,8 @@ function take(kind, asked, answer) {
   hold();
 }
 
-// At a dead centre only the position is drawn. Where nothing is shown yet, the lesson of a pose near by
-// is asked for first, which has all panels.
+// At a dead centre only the position is drawn. If nothing is shown yet, the lesson of a pose near
+// by is asked for first, because it has all panels.
 function stay(error) {
   if (names.length) return want("pose");
   if (!error.try) return;

@@ -1,4 +1,4 @@
-"""The window as a page: in comes what is set when it opens, out goes HTML with all it needs.
+"""The window as a page: HTML with all that it needs, for the settings with which it opens.
 
 The boxes and sliders are made from the mechanisms' own fields.
 """
@@ -33,7 +33,7 @@ from vad.words import Language, all_languages
 
 #: The parts of its script, in order.
 SCRIPTS = ("window.js", "stage.js", "hand.js", "buttons.js")
-#: What may be written of mechanisms that are yet to be set.
+#: The letters that the words about any mechanism may need.
 _LETTERS = string.digits + string.ascii_letters + string.punctuation + " \u00a0"
 _SIGNS = "ÄÖÜäöüßÀÉàâçéèêëîïôùûœ’«»−×·°′″⟂∥²³→…–₀₁₂₃₄₅₆₇₈₉αβγδθλμπρφψωΔΩ"
 _TURN, _HALF = (0.0, 360.0), (-180.0, 180.0)
@@ -183,7 +183,7 @@ def _ends(low: float, high: float, step: float) -> dict[str, float]:
 
 
 def _step(usual: float) -> float:
-    """Return the power of ten that makes a usual value some tens of steps.
+    """Return the step of a slider: a power of ten, so that a usual value has some tens of steps.
 
     Examples
     --------

@@ -1,6 +1,6 @@
 """The page as one file: its parts in their places, style sheet, fonts, script and data inside.
 
-In comes a lesson, out goes HTML that asks for nothing: its security policy forbids every request.
+The HTML loads nothing: its security policy forbids every request.
 """
 
 from __future__ import annotations
@@ -100,7 +100,7 @@ def player(
 
 
 def colours(name: str, rows: int) -> str:
-    """Return the rules of a style's colours and of its other side, of which one is printed."""
+    """Return the rules of the colours of a style and of its dark or light counterpart."""
     sides = sorted(themes(load_style(name)), key=lambda side: side.name != _PRINTED)
     return f".vad{{{variables(sides[0], rows)}}}\n" + "".join(
         f"@media screen{{.vad[data-theme={side.name}]{{{variables(side, rows)}}}}}\n"
@@ -109,5 +109,5 @@ def colours(name: str, rows: int) -> str:
 
 
 def _json(data: object) -> str:
-    """Return data that no browser takes for markup."""
+    """Return data as JSON that no browser takes for markup."""
     return json.dumps(data, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")

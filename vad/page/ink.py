@@ -1,16 +1,17 @@
-"""The drawings of a page: in comes a plan, out go its panels as SVG, and how their strokes grow.
+"""The drawings of a page: the panels of a plan as SVG, and how their strokes grow.
 
-A group bears the beat from which it shows, ``data-s="9"``, or those between which it does and is
-gone, ``data-b="3 5 7 9"``.  A mark that grows in the first of them names its growth, ``data-g``: a
-list of its kind, its knots (a share, then numbers) and what else it needs, in pixels::
+A group has the beat from which it is visible, ``data-s="9"``, or the beats at which it appears and
+disappears in turn, ``data-b="3 5 7 9"``.  A mark that grows in the first of them names its growth,
+``data-g``: a list of its kind, its knots (a share, then numbers) and what else it needs, in
+pixels::
 
     ["trim", knots]                                 a line, the part of its length
     ["bow", knots, x, y, radius, start, sweep]      an arc, the part of its sweep
-    [… , sweep, degrees, narrow]                    the same, seen from aside: clockwise its axis
+    [… , sweep, degrees, narrow]                    of an ellipse, its axis clockwise and its ratio
     ["slide", knots]                                how far it is from its place, right and down
     ["turn", knots, x, y]                           degrees clockwise to its place, about a point
     ["scale", knots, x, y]                          its factor, about a point
-    ["swing", knots, x, y, degrees]                 the same, across an axis through it alone
+    ["swing", knots, x, y, degrees]                 its factor, across an axis through the point
     ["fade", knots]                                 its alpha
 """
 
@@ -39,11 +40,11 @@ class Inker:
     Attributes
     ----------
     classes
-        The looks that have been met.
+        The classes of the looks so far.
     inks
         Their looks, and the style that names their colours.
     growths
-        How each mark that grows comes about: see `grown`.
+        The growth of each mark that grows: see `grown`.
     """
 
     def __init__(self, form: Format, inks: Inks, faces: Faces) -> None:
@@ -58,7 +59,7 @@ class Inker:
         groups: dict[tuple[Level, str], dict[Span, None]] = {}
         for item in plan.items:
             if item.region == panel:
-                # What shows several times, as a highlighted link does, is written once.
+                # A group that is visible several times, as a highlighted link is, is written once.
                 key = item.level, "".join(map(self._mark, item.marks))
                 groups.setdefault(key, {})[item.since, item.until] = None
         beats = groupby(groups.items(), key=lambda group: when(group[1]))
@@ -67,7 +68,7 @@ class Inker:
         )
 
     def mark(self, mark: Mark) -> str:
-        """Return a mark as it stays."""
+        """Return a mark in its final state."""
         return self._elements.of(mark.shape, self.inks(mark)).replace("\n", "")
 
     def view(self, area: Rect) -> str:
@@ -88,7 +89,7 @@ class Inker:
 
 
 def when(spans: Iterable[Span]) -> str:
-    """Return the attribute of what shows in spans of beats.
+    """Return the attribute of a group that is visible in these spans of beats.
 
     Examples
     --------

@@ -1,7 +1,7 @@
 """The parts of a lesson's page: its panels, its table of results, its list of strokes, its data.
 
-In comes a lesson, out goes HTML for each place of the page and what the player needs to move it.
-The file, the live page and the notebook are made of the same parts, and played by the same script.
+A lesson becomes HTML for each place of the page, and the data with which the player moves it.  The
+file, the live page and the notebook are made of the same parts, and played by the same script.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ from vad.style import load_style
 from vad.words import Language
 from vad.written import with_unit
 
-PADDING = 0.25 * ENTRY  # behind a symbol
+PADDING = 0.25 * ENTRY  # after a symbol
 _ITALIC = ("italic", "bolditalic")
 _SCRIPTS = {-1: "sub", 0: "", 1: "sup"}
 
@@ -63,7 +63,7 @@ class Parts:
     looks
         Rules of the classes in ``panels`` and ``table``.
     faces
-        The letters of it all.
+        The letters that the page's fonts need.
     """
 
     head: str
@@ -250,7 +250,8 @@ def values_of(plan: Plan, key: float) -> float:
 def measured_cells(plan: Plan, panel: Panel, row: Row, words: Words, values: float) -> str:
     """Return what a panel measures of a row, as one cell of the table.
 
-    Where it has not the room, it leaves out units that the column has above, then it shrinks.
+    If there is no room, the cell first leaves out units that the column has above, and then it gets
+    smaller type.
     """
     cells = row.cells.get(panel.name, ())
     room = plan.page.panels[panel.name].drawing.width
@@ -299,7 +300,7 @@ def _has_given(rows: tuple[Row, ...]) -> bool:
 
 
 class Words:
-    """Writes runs, and notes down the letters that their fonts need."""
+    """Writes runs as HTML, and records the letters that their fonts need."""
 
     def __init__(self, faces: Faces) -> None:
         self._faces = faces

@@ -1,9 +1,10 @@
-// The player of a lesson. Its state is x, from 0 to the number of strokes: so many are done, and
-// what is over is the share of the next one. All that shows is paint(x), whatever was before.
+// The player of a lesson. Its state is x, from 0 to the number of strokes: the whole part of x is
+// the number of complete strokes, the rest is the share of the next one. What is visible depends
+// on x alone: paint(x).
 //
 // mount(root, data) -> {load, seek, play, stop, dispose, x}. The root has the places that
-// vad/page/document.py writes; data is that of vad/page/parts.py. After each change it hears
-// "vad:step" with x as its detail.
+// vad/page/document.py writes; data is that of vad/page/parts.py. After each change the root gets
+// an event "vad:step" with x as its detail.
 
 const smooth = (t) => t * t * (3 - 2 * t);
 const ray = (degrees) => [Math.cos(degrees * Math.PI / 180), Math.sin(degrees * Math.PI / 180)];
@@ -33,13 +34,14 @@ function trimmed(data, part) {
   return drawn;
 }
 
-// A vector right and down, a factor as long across an axis, which points so many degrees clockwise.
+// Scales a vector (right, down) by a factor across an axis, whose direction is given in degrees
+// clockwise.
 function narrowed(right, down, factor, degrees) {
   const [cos, sin] = ray(degrees), more = (factor - 1) * (down * cos - right * sin);
   return [right - more * sin, down + more * cos];
 }
 
-// Lines "Mx yldx dy…", a factor as wide across an axis through a point.
+// Scales lines "Mx yldx dy…" by a factor across an axis through a point.
 function squeezed(data, factor, x, y, degrees) {
   const place = (right, down) => narrowed(right, down, factor, degrees);
   return data.split("M").slice(1).map((piece) => {
@@ -56,7 +58,7 @@ function arc(part, x, y, radius, start, sweep, degrees = 0, narrow = 1) {
   return part > 0 ? `M${at(start)}A${radius} ${narrow * radius} ${degrees} ${flags} ${at(start + turn)}` : "";
 }
 
-// Shows a growing mark at a share; at 1 it is as it stays. See vad/page/ink.py.
+// Shows a growing mark at a share; at 1 it has its final state. See vad/page/ink.py.
 function growing(mark, [kind, knots, x, y, ...bow]) {
   const elements = mark.localName === "g" ? [...mark.children] : [mark];
   const data = elements.map((each) => each.getAttribute("d")), radii = elements.map((each) => +each.getAttribute("r"));
@@ -79,7 +81,7 @@ function growing(mark, [kind, knots, x, y, ...bow]) {
   return (share) => share < 1 ? shows[kind](between(knots, share)) : restore();
 }
 
-// The beats between which an element shows: "3 5 7 9", or "9" from which on.
+// The beats between which an element is visible: "3 5 7 9", or "9" for all from that one on.
 function spans(element) {
   const beats = (element.dataset.b ?? element.dataset.s).split(" ").map(Number), pairs = [];
   for (let i = 0; i < beats.length; i += 2) pairs.push([beats[i], beats[i + 1] ?? Infinity]);
@@ -139,7 +141,7 @@ export function mount(root, data, { address = true } = {}) {
     });
   }
 
-  // The caption of a stroke stands, and is read out, from when it is begun.
+  // The caption of a stroke is shown, and read out, from the beginning of the stroke.
   function say(stroke) {
     if (stroke === spoken) return;
     spoken = stroke;
@@ -201,7 +203,7 @@ export function mount(root, data, { address = true } = {}) {
   }
 
   function tick(time) {
-    // A page that was hidden goes on where it was.
+    // A page that was hidden goes on from where it stopped.
     let left = clamp(time - then, 0, 250) / 1000 * speed.value, at = x;
     then = time;
     while (left > 0 && (rest > 0 || at < goal)) {

@@ -1,6 +1,6 @@
 """Looks whose colours are the reader's choice: variables of CSS, with the colours of each theme.
 
-In come styles, out go looks that name variables, and the rules that give these their values.
+Looks name variables, and rules give these variables their values, from styles.
 """
 
 from __future__ import annotations
