@@ -96,7 +96,7 @@ def test_solving_loads_nothing_of_what_draws():
         "cli",
         "errors",
         "files",
-        "found",
+        "discovery",
         "kinematics",
         "mechanisms",
         "units",

@@ -139,7 +139,7 @@ if not TYPE_CHECKING:  # for a type checker, a name that is not imported above i
             value = globals()[name] = getattr(import_module(_HOMES[name]), name)
             return value
         message = f"module 'vad' has no attribute {name!r}"
-        from vad.found import names_in
+        from vad.discovery import names_in
 
         if name.startswith("_") or name in names_in():  # Python asks so for a module to be imported
             raise AttributeError(message, name=name)

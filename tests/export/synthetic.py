@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.lecture.lesson import Lesson, Step
+from vad.lecture.lesson import Lesson, LessonStep
 from vad.painting.film import EMPTY, Frame
 from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Sheet, Stroke
 from vad.style import load_style
@@ -75,7 +75,7 @@ def lesson(
     places = [(panel, i) for panel in SHEET.panels for i in range(len(panel.strokes))]
     chosen = [places[-1 - k % len(places)] for k in range(steps)]
     return Lesson(
-        SHEET, tuple(Step(*place, grow, hold) for place in chosen), 5, 7, fps, size, style
+        SHEET, tuple(LessonStep(*place, grow, hold) for place in chosen), 5, 7, fps, size, style
     )
 
 

@@ -9,7 +9,7 @@ from vad.errors import UsageError
 from vad.export import save
 from vad.export.lesson_srt import Cue, cues, srt
 from vad.export.lesson_vtt import vtt
-from vad.lecture.lesson import Lesson, Step
+from vad.lecture.lesson import Lesson, LessonStep
 
 
 def test_a_cue_lasts_from_the_first_to_the_last_frame_of_its_step() -> None:
@@ -21,7 +21,9 @@ def test_a_cue_lasts_from_the_first_to_the_last_frame_of_its_step() -> None:
 
 def test_steps_without_time_have_no_cue() -> None:
     panel = SHEET.panels[0]
-    made = Lesson(SHEET, (Step(panel, 0, 0, 0), Step(panel, 1, 2, 2)), 0, 5, 10.0, (96, 64))
+    made = Lesson(
+        SHEET, (LessonStep(panel, 0, 0, 0), LessonStep(panel, 1, 2, 2)), 0, 5, 10.0, (96, 64)
+    )
     assert cues(made) == [Cue(0.0, 0.4, "The guide.")]
 
 
@@ -44,7 +46,7 @@ def test_files(folder: Path) -> None:
 @pytest.mark.parametrize("path", ["film.srt", "film.vtt"])
 def test_a_film_too_fast_for_captions_has_no_file_of_them(folder: Path, path: str) -> None:
     panel = SHEET.panels[0]
-    made = Lesson(SHEET, (Step(panel, 0, 0, 0),), 1, 1, 1.0, (96, 64))
+    made = Lesson(SHEET, (LessonStep(panel, 0, 0, 0),), 1, 1, 1.0, (96, 64))
     with pytest.raises(UsageError, match="no caption stands as long as a frame"):
         save(made, path)
     assert not list(folder.iterdir())

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from starlette.testclient import TestClient
 
-from vad.gui.guard import Key
+from vad.gui.guard import PageKey
 from vad.gui.messages import ExportQuestion
 from vad.gui.server import application
 
@@ -18,19 +18,19 @@ HOME = f"http://127.0.0.1:{PORT}"
 
 
 @pytest.fixture
-def key() -> Key:
-    return Key(PORT)
+def key() -> PageKey:
+    return PageKey(PORT)
 
 
 @pytest.fixture
-def stranger(key: Key) -> TestClient:
+def stranger(key: PageKey) -> TestClient:
     """Return a client that has no token."""
     app = application(key, ExportQuestion("slider-crank"), Event())
     return TestClient(app, HOME, raise_server_exceptions=False)
 
 
 @pytest.fixture
-def client(key: Key, stranger: TestClient) -> TestClient:
+def client(key: PageKey, stranger: TestClient) -> TestClient:
     """Return a client that has opened the printed address."""
     stranger.cookies.set(key.cookie, key.token)
     return stranger

@@ -15,7 +15,7 @@ from starlette.testclient import TestClient
 import vad
 from tests.browser import opened, until
 from vad.files.examples import example_path
-from vad.gui.guard import Key
+from vad.gui.guard import PageKey
 from vad.gui.messages import ExportQuestion
 from vad.gui.server import application, served
 from vad.gui.window import entry
@@ -46,7 +46,7 @@ def start(path: Path) -> ExportQuestion:
 
 @pytest.fixture
 def ask(start: ExportQuestion) -> Callable[..., dict]:
-    key = Key(8765)
+    key = PageKey(8765)
     client = TestClient(application(key, start, Event()), HOME)
     client.cookies.set(key.cookie, key.token)
 

@@ -13,7 +13,7 @@ from starlette.testclient import TestClient
 import vad.gui.server
 from tests.gui.conftest import HOME, PORT
 from vad.errors import ExportError
-from vad.gui.guard import LONGEST, Key
+from vad.gui.guard import LONGEST, PageKey
 from vad.gui.messages import ExportQuestion
 from vad.gui.server import served
 
@@ -60,7 +60,7 @@ def test_its_own_page_is_answered(client: TestClient):
     assert client.post("/api/pose", json=POSE, headers=headers).status_code == 200
 
 
-def test_a_token_becomes_a_cookie_and_leaves_the_address(stranger: TestClient, key: Key):
+def test_a_token_becomes_a_cookie_and_leaves_the_address(stranger: TestClient, key: PageKey):
     assert len(key.token) >= 32
     assert key.token not in repr(key)
     answer = stranger.get(f"/?token={key.token}", follow_redirects=False)

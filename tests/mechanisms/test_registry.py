@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 import vad
+from vad.discovery import from_packages, names_in
 from vad.errors import UsageError
-from vad.found import from_packages, names_in
 from vad.mechanisms import MECHANISMS, class_named, mechanism_named, mechanism_names
 from vad.mechanisms.mechanism import LOADED
 

@@ -23,7 +23,7 @@ from vad.errors import ExportError, UsageError, shown
 from vad.export.files import new_file
 
 _ANSWERS, _TABLE, _JOURNAL = "answers.json", "answers.csv", "answers.part.jsonl"
-Note = Mapping[str, Any]
+JournalNote = Mapping[str, Any]
 _AXES = "xyz"
 
 
@@ -165,7 +165,7 @@ class Folder:
             stream.write(f"[\n{body}\n]\n".encode())
         (self.path / _JOURNAL).unlink(missing_ok=True)
 
-    def _noted(self) -> Iterator[Note]:
+    def _noted(self) -> Iterator[JournalNote]:
         """Yield the notes of earlier runs, the latest last; other lines are left out."""
         for name in (_ANSWERS, _JOURNAL):
             try:
@@ -180,7 +180,7 @@ class Folder:
                 if isinstance(note, dict) and {"number", "files", "made_from"} <= note.keys():
                     yield note
 
-    def _done(self, note: Note, new: bool) -> Done:
+    def _done(self, note: JournalNote, new: bool) -> Done:
         extra = ("number", "files", "made_from")
         answers = {name: value for name, value in note.items() if name not in extra}
         return Done(
@@ -188,11 +188,11 @@ class Folder:
         )
 
 
-def _line(note: Note) -> str:
+def _line(note: JournalNote) -> str:
     return json.dumps(note, ensure_ascii=False)
 
 
-def _table(notes: list[Note]) -> str:
+def _table(notes: list[JournalNote]) -> str:
     """Return the answers as a table with every digit, empty where a mechanism has no such thing."""
     rows = [{"number": note["number"], **cells(note)} for note in notes]
     columns = dict.fromkeys(name for row in rows for name in row)

@@ -18,10 +18,10 @@ from typing import Any
 
 from vad.batches.choices import kind_of, offered, text_beside, written_at
 from vad.batches.job import Done, Job, Recipe
+from vad.discovery import one_of_all
 from vad.errors import InputError, UsageError, VadError, one_of, shown, unknown
 from vad.export import FOLDER, FORMATS, options_of, own_options
 from vad.files.tables import Source, parsed, text_of
-from vad.found import one_of_all
 from vad.lecture.lesson import Lesson, checked
 from vad.mechanisms.link_points import link_points
 from vad.plan.format import paper_names

@@ -18,10 +18,10 @@ from click.shell_completion import CompletionItem
 
 from vad import errors, units
 from vad.cli import completion
+from vad.discovery import all_names, one_of_all
 from vad.errors import UsageError, shown
 from vad.files.examples import EXTENSION, example_names
 from vad.files.places import WORDS
-from vad.found import all_names, one_of_all
 from vad.mechanisms import Mechanism, mechanism_named
 from vad.mechanisms.mechanism import NUMBERS
 from vad.units import LENGTH_UNITS, scene_unit

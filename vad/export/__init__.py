@@ -35,9 +35,9 @@ from typing import (
     get_type_hints,
 )
 
+from vad.discovery import names_in
 from vad.errors import InputError, UsageError, shown
 from vad.export import files
-from vad.found import names_in
 from vad.lecture.lesson import Lesson, Still
 from vad.lecture.turn import Turn
 from vad.strokes.multiples import Multiples

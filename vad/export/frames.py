@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 Film = Lesson | Turn
 #: Called with how many frames are done and how many there will be.
 Progress = Callable[[int, int], None]
-Picture = NDArray[Any]
+PixelArray = NDArray[Any]
 #: So many rows without a change divide what changed into two bands.
 _GAP = 32
 _MOST = 3
@@ -68,7 +68,7 @@ def parted(frames: Iterable[Frame], size: tuple[int, int]) -> Iterator[tuple[Fra
         yield frame, boxes
 
 
-def bands(now: Picture, shown: Picture, box: Box, most: int) -> list[Box]:
+def bands(now: PixelArray, shown: PixelArray, box: Box, most: int) -> list[Box]:
     """Return the boxes of what differs within ``box``: at most ``most``, from the bottom up.
 
     A pixel is one number of ``now`` and ``shown``.  The boxes are parted where many rows in a row

@@ -32,7 +32,7 @@ def cues(lesson: Lesson) -> list[Cue]:
     return found
 
 
-def spoken(lesson: Lesson) -> list[Cue]:
+def required_cues(lesson: Lesson) -> list[Cue]:
     """Return the cues of a file of captions, which needs at least one.
 
     Raises
@@ -62,7 +62,7 @@ def clock(seconds: float, point: str) -> str:
 
 def write(lesson: Lesson, stream: BinaryIO, *, progress: Progress | None = None) -> None:
     """Write the captions of ``lesson`` to ``stream``."""
-    stream.write(srt(spoken(lesson)).encode())
+    stream.write(srt(required_cues(lesson)).encode())
     if progress is not None:
         progress(lesson.frames, lesson.frames)
 

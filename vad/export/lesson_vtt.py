@@ -6,13 +6,13 @@ from collections.abc import Iterable
 from typing import BinaryIO
 
 from vad.export.frames import Progress
-from vad.export.lesson_srt import Cue, clock, spoken
+from vad.export.lesson_srt import Cue, clock, required_cues
 from vad.lecture.lesson import Lesson
 
 
 def write(lesson: Lesson, stream: BinaryIO, *, progress: Progress | None = None) -> None:
     """Write the captions of ``lesson`` to ``stream``."""
-    stream.write(vtt(spoken(lesson)).encode())
+    stream.write(vtt(required_cues(lesson)).encode())
     if progress is not None:
         progress(lesson.frames, lesson.frames)
 

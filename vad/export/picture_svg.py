@@ -11,7 +11,7 @@ from typing import BinaryIO
 from vad.lecture.lesson import Still
 from vad.lecture.turn import Turn
 from vad.painting.posed import posed
-from vad.painting.svg_painter import SvgPainter, Text
+from vad.painting.svg_painter import SvgPainter, TextForm
 from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 
@@ -21,7 +21,7 @@ def write(
     target: BinaryIO,
     size: tuple[int, int] | None = None,
     style: str | None = None,
-    text: Text = "glyphs",
+    text: TextForm = "glyphs",
     blank: Sequence[str] | str | None = None,
 ) -> None:
     """Write the picture; ``size`` is that of the same picture in pixels.

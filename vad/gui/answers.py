@@ -25,7 +25,7 @@ from vad.kinematics.motion import Motion
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
 from vad.page.ink import Inker
-from vad.page.parts import Words, measured_cells, parts, picture, scale_bar, values_of
+from vad.page.parts import RunWriter, measured_cells, parts, picture, scale_bar, values_of
 from vad.page.themed import Inks
 from vad.painting.posed import SIZE
 from vad.painting.svg_text import Faces
@@ -71,7 +71,7 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
         HTML in its places on a page: ``panels`` with name, scale bar and drawing, ``rows`` with
         the cells of the table, and their ``looks``, less those that the page knows.  For the next
         question, ``scales`` and ``ways``; for the hand, the ``ranges`` of the driver that close and
-        the ``handle`` (see `grip`).  The ``results`` of ``vad solve --json``, and the
+        the ``handle`` (see `handle_of`).  The ``results`` of ``vad solve --json``, and the
         milliseconds that it took, ``ms``.  At a dead centre there is the position alone, and an
         ``error``.
 
@@ -100,7 +100,7 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
         board = board.resized(sheet, scales)
     shown = board.pose(sheet, scales, question.ways)
     faces = Faces()
-    inker, words = Inker(FORM, _inks(question.style), faces), Words(faces)
+    inker, words = Inker(FORM, _inks(question.style), faces), RunWriter(faces)
     drawn = [
         [
             each.name,
@@ -123,7 +123,7 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
             name: {label: round(way, 1) for label, way in ways.items()}
             for name, ways in shown.ways.items()
         },
-        **grips(motion, sheet, shown.scales),
+        **ranges_and_handle(motion, sheet, shown.scales),
         **trouble,
         "ms": round(1e3 * (time.thread_time() - begun), 2),
     }
@@ -138,8 +138,8 @@ def board_of(mechanism: Mechanism, panels: tuple[str, ...], language: str) -> Li
     vad.errors.AssemblyError
         If it closes nowhere.
     """
-    motions = list(_over(mechanism))
-    poses = [_pictured(motion) for motion in motions]
+    motions = list(_poses_over_range(mechanism))
+    poses = [_position_panel(motion) for motion in motions]
     return LiveBoard.over(_first(motions, panels, language), FORM, LINES, poses)
 
 
@@ -148,7 +148,7 @@ def _quoted(html: str) -> str:
     return html.replace('"', "'")
 
 
-def _over(mechanism: Mechanism) -> Iterable[Motion]:
+def _poses_over_range(mechanism: Mechanism) -> Iterable[Motion]:
     """Yield poses over the whole range of the driver."""
     driven, ranges = next(iter(mechanism.inputs)), reach(mechanism)
     for low, high in ranges:
@@ -160,7 +160,7 @@ def _over(mechanism: Mechanism) -> Iterable[Motion]:
             yield vad.solve(mechanism, **{driven: low + float(share) * (high - low)})
 
 
-def _pictured(motion: Motion) -> Panel:
+def _position_panel(motion: Motion) -> Panel:
     """Return the panel of the mechanism in one pose."""
     return vad.draw(motion, POSITION, "en").panel(POSITION)
 
@@ -187,11 +187,11 @@ def _first(motions: Iterable[Motion], panels: tuple[str, ...], language: str) ->
     raise wrong
 
 
-def grips(motion: Motion, sheet: Sheet, scales: Mapping[str, Scale]) -> dict[str, Any]:
+def ranges_and_handle(motion: Motion, sheet: Sheet, scales: Mapping[str, Scale]) -> dict[str, Any]:
     """Return the ranges of the driver and its handle, by which it is turned by hand."""
     found: dict[str, Any] = {"ranges": reach(motion.mechanism), "handle": None}
     if POSITION in scales:
-        found["handle"] = grip(motion, sheet, scales[POSITION], FORM)
+        found["handle"] = handle_of(motion, sheet, scales[POSITION], FORM)
     return found
 
 
@@ -252,12 +252,12 @@ def lesson(question: LessonQuestion) -> dict[str, Any]:
         "data": made.data,
         "looks": made.looks,
         "scales": listed(shown),
-        **grips(motion, sheet, shown),
+        **ranges_and_handle(motion, sheet, shown),
         "results": motion.to_dict(),
     }
 
 
-def grip(motion: Motion, sheet: Sheet, scale: Scale, form: Format) -> dict[str, Any] | None:
+def handle_of(motion: Motion, sheet: Sheet, scale: Scale, form: Format) -> dict[str, Any] | None:
     """Return the handle on the pin, strut or block that is driven; None where none is drawn.
 
     In views it is at the end of the driven angle's arc, where that is seen in true size from the

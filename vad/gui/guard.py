@@ -39,7 +39,7 @@ _POLICY = (
 
 
 @dataclass(frozen=True)
-class Key:
+class PageKey:
     """What opens the page: the token in the printed address, then a cookie with that token."""
 
     port: int
@@ -105,7 +105,7 @@ class SecurityHeaders:
 class Guard:
     """Lets requests pass that come from the page, and refuses all others."""
 
-    def __init__(self, app: ASGIApp, key: Key) -> None:
+    def __init__(self, app: ASGIApp, key: PageKey) -> None:
         self._app = app
         self._key = key
 

@@ -36,7 +36,7 @@ LARGEST, MOST_FPS = (3840, 2160), 60.0
 
 Asked = TypeVar("Asked", bound="Question")
 #: A number in the scene's unit, or a text that has a unit of its own: "6 cm".
-Value = float | str
+NumberOrText = float | str
 #: The mechanisms that may be asked for, by name.
 Kinds = Mapping[str, type[Mechanism]]
 #: The scale of each panel: x and y of its origin on the page, and its factor.
@@ -81,8 +81,8 @@ class Question:
     """
 
     mechanism: str
-    parameters: Mapping[str, Value] = field(default_factory=dict)
-    inputs: Mapping[str, Value] = field(default_factory=dict)
+    parameters: Mapping[str, NumberOrText] = field(default_factory=dict)
+    inputs: Mapping[str, NumberOrText] = field(default_factory=dict)
     assembly: Any = None
     points: Mapping[str, Any] = field(default_factory=dict)
     length_unit: str | None = None
@@ -92,7 +92,7 @@ class Question:
     kinds: Kinds = field(default_factory=lambda: MECHANISMS, repr=False)
 
     @classmethod
-    def of(cls, mechanism: Mechanism, inputs: Mapping[str, Value], **options: Any) -> Self:
+    def of(cls, mechanism: Mechanism, inputs: Mapping[str, NumberOrText], **options: Any) -> Self:
         """Return the question of a mechanism; an input that is left out has its default.
 
         One that a file describes is asked for by the name of the file, and may be asked for beside
@@ -130,7 +130,7 @@ class Question:
         driven = {name: name for name in mechanism.inputs}
         return mechanism, _numbers("input", self.inputs, driven, mechanism.length_unit)
 
-    def with_dimensions(self, parameters: Mapping[str, Value]) -> Mechanism:
+    def with_dimensions(self, parameters: Mapping[str, NumberOrText]) -> Mechanism:
         """Return the mechanism with these parameters; errors are those of `build`."""
         kind = self.kinds[one_of("mechanism", self.mechanism, self.kinds)]
         known = {each.name: each for each in dataclasses.fields(kind)}
@@ -164,7 +164,7 @@ class PoseQuestion(Question):
 
     scales: Scales = field(default_factory=dict)
     ways: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
-    stands: Mapping[str, Value] | None = None
+    stands: Mapping[str, NumberOrText] | None = None
     known: tuple[str, ...] = ()
 
     def rested(self, mechanism: Mechanism) -> Mechanism:
@@ -210,7 +210,7 @@ def read(kind: type[Asked], data: object, kinds: Kinds = MECHANISMS) -> Asked:
 
 
 def _numbers(
-    what: str, given: Mapping[str, Value], known: Mapping[str, str], unit: str
+    what: str, given: Mapping[str, NumberOrText], known: Mapping[str, str], unit: str
 ) -> dict[str, float]:
     """Return numbers in the scene's units; ``known`` says of each name what it measures."""
     found: dict[str, float] = {}
@@ -252,7 +252,7 @@ def _object(name: str, value: object) -> dict[str, Any]:
     return value
 
 
-def _values(name: str, value: object) -> dict[str, Value]:
+def _values(name: str, value: object) -> dict[str, NumberOrText]:
     """Read numbers and texts by name; None stands for the default, and what is left out does."""
     return {
         key: each if isinstance(each, str) else _number(key, each)

@@ -32,7 +32,7 @@ from starlette.types import ASGIApp
 
 from vad.errors import ExportError, VadError
 from vad.gui.answers import MEDIA, lesson, pose, saved
-from vad.gui.guard import HOSTS, Guard, Key, RefusalError, SecurityHeaders
+from vad.gui.guard import HOSTS, Guard, PageKey, RefusalError, SecurityHeaders
 from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion, Question, problem, read
 from vad.gui.window import window
 from vad.words import all_languages
@@ -60,7 +60,7 @@ def served(start: ExportQuestion, port: int = 0) -> Iterator[str]:
         If the port is not to be had.
     """
     with contextlib.closing(_listening(port)) as listener:
-        key, closing = Key(listener.getsockname()[1]), Event()
+        key, closing = PageKey(listener.getsockname()[1]), Event()
         config = uvicorn.Config(
             application(key, start, closing),
             ws="none",
@@ -98,7 +98,7 @@ def _listening(port: int) -> socket.socket:
     return listener
 
 
-def application(key: Key, start: ExportQuestion, closing: Event) -> ASGIApp:
+def application(key: PageKey, start: ExportQuestion, closing: Event) -> ASGIApp:
     """Return the server's application.
 
     Parameters
@@ -121,9 +121,9 @@ def application(key: Key, start: ExportQuestion, closing: Event) -> ASGIApp:
     def answer(kind: type[Question], work: Callable[[Any], dict[str, Any]]) -> Endpoint:
         async def asked(request: Request) -> Response:
             question = read(kind, await _json(request), start.kinds)
-            return _reply(_told(work, question))
+            return _reply(_answer_or_error(work, question))
 
-        return _explained(asked)
+        return _with_errors(asked)
 
     async def export(request: Request) -> Response:
         extension = request.path_params["extension"]
@@ -148,7 +148,7 @@ def application(key: Key, start: ExportQuestion, closing: Event) -> ASGIApp:
         Route("/", page, methods=["GET"]),
         Route("/api/pose", answer(PoseQuestion, pose), methods=["POST"]),
         Route("/api/lesson", answer(LessonQuestion, lesson), methods=["POST"]),
-        Route("/api/export/{extension}", _explained(export), methods=["POST"]),
+        Route("/api/export/{extension}", _with_errors(export), methods=["POST"]),
     ]
     middleware = [
         Middleware(SecurityHeaders),
@@ -158,7 +158,7 @@ def application(key: Key, start: ExportQuestion, closing: Event) -> ASGIApp:
     return Starlette(routes=routes, middleware=middleware)
 
 
-def _told(work: Callable[[Any], dict[str, Any]], question: Question) -> dict[str, Any]:
+def _answer_or_error(work: Callable[[Any], dict[str, Any]], question: Question) -> dict[str, Any]:
     """Return an answer, or the error if the user can do something about it."""
     try:
         return work(question)
@@ -166,7 +166,7 @@ def _told(work: Callable[[Any], dict[str, Any]], question: Question) -> dict[str
         return {"error": problem(error, question.fields)}
 
 
-def _explained(endpoint: Endpoint) -> Endpoint:
+def _with_errors(endpoint: Endpoint) -> Endpoint:
     """Answer a faulty question with its error; the page itself never asks one."""
 
     async def asked(request: Request) -> Response:

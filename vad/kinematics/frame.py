@@ -25,7 +25,7 @@ from vad.kinematics.numbers import (
     turned,
     vector,
 )
-from vad.kinematics.state import Component, Pose, Rates
+from vad.kinematics.state import MotionComponent, Pose, Rates
 
 
 class ReferenceFrame:
@@ -155,7 +155,9 @@ class ReferenceFrame:
         """Return the direction of an unknown component: across a bar, or along a slide."""
         return across(self.heading(step, pose)) if isinstance(step, Bar) else self.line(step, pose)
 
-    def components(self, step: Step, pose: Pose, rates: tuple[Rates, ...]) -> Iterator[Component]:
+    def components(
+        self, step: Step, pose: Pose, rates: tuple[Rates, ...]
+    ) -> Iterator[MotionComponent]:
         """Yield the components of the velocity (one order in ``rates``) or acceleration (two).
 
         With u the unit vector and r the length, the derivatives of r·u are
@@ -166,15 +168,15 @@ class ReferenceFrame:
             unit, size = self.heading(step, pose), self.size(step, pose)
             if len(rates) > 1:
                 omega = rates[0].turning[step.link]
-                yield Component("normal", -unit, omega * omega * size)
+                yield MotionComponent("normal", -unit, omega * omega * size)
             rate = last.turning.get(step.link)
-            yield Component("tangential", across(unit), None if rate is None else rate * size)
+            yield MotionComponent("tangential", across(unit), None if rate is None else rate * size)
             return
         line = self.line(step, pose)
         if len(rates) > 1 and isinstance(step.along, str):
             twist = 2.0 * rates[0].turning[step.along] * rates[0].sliding[step.name]
-            yield Component("coriolis", across(line), twist)
-        yield Component("sliding", line, last.sliding.get(step.name))
+            yield MotionComponent("coriolis", across(line), twist)
+        yield MotionComponent("sliding", line, last.sliding.get(step.name))
 
 
 def _found_along(linkage: Linkage) -> dict[str, complex]:

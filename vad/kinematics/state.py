@@ -15,7 +15,7 @@ ComponentName = Literal["normal", "tangential", "coriolis", "sliding"]
 GROUND = "ground"
 
 
-class Component(NamedTuple):
+class MotionComponent(NamedTuple):
     """One component of a velocity or acceleration: ``amount`` along the unit vector ``direction``.
 
     Its ``name`` is normal, tangential, coriolis or sliding.  The ``amount`` of an unknown component

@@ -14,15 +14,15 @@ from itertools import accumulate, pairwise
 from numbers import Real
 from typing import Any
 
+from vad.discovery import names_in, one_of_all
 from vad.displayed import Displayed
 from vad.errors import UsageError, one_of, shown
-from vad.found import names_in, one_of_all
 from vad.lecture.moment import Moment, done, drawing
 from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke, driver_of
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class LessonStep:
     """One stroke in time: it grows for ``grow`` frames and then rests for ``hold``.
 
     After the last stroke of a panel that stood large, this glides into its place for ``glide``, and
@@ -57,7 +57,7 @@ class Lesson(Displayed):
     """
 
     sheet: Sheet
-    steps: tuple[Step, ...]
+    steps: tuple[LessonStep, ...]
     opening: int
     closing: int
     fps: float
@@ -74,7 +74,7 @@ class Lesson(Displayed):
         """The number of strokes that are on the board before the first is drawn."""
         return next((i for i, step in enumerate(self.steps) if not step.there), len(self.steps))
 
-    def place(self, step: Step) -> int:
+    def place(self, step: LessonStep) -> int:
         """Return the number of a step in its panel, from 1; a polygon above counts, too."""
         column = self.sheet.panel(step.panel.column)
         return step.index + 1 + (0 if step.panel is column else len(column.strokes))
@@ -153,7 +153,7 @@ def animate(
     def count(seconds: float) -> int:
         return max(1, round(seconds / speed * fps))
 
-    steps: list[Step] = []
+    steps: list[LessonStep] = []
     clock = 0.0
     for panel in sheet.halves:
         longest = max(map(_length, panel.strokes), default=0.0)
@@ -171,7 +171,7 @@ def animate(
             seconds = list(accumulate(times, initial=clock))
             ends = [round(second / speed * fps) for second in seconds]
             lasts = (end - start for start, end in pairwise(ends))
-            steps.append(Step(panel, index, *lasts, there=index < begun))
+            steps.append(LessonStep(panel, index, *lasts, there=index < begun))
             clock = seconds[-1]
     return Lesson(sheet, tuple(steps), count(OPENING), count(CLOSING), fps, size, style)
 

@@ -7,8 +7,8 @@ mechanism is asked for.
 from collections.abc import Iterator, Mapping
 from importlib import import_module
 
+from vad.discovery import all_names, from_packages, names_in
 from vad.errors import InputError, unknown
-from vad.found import all_names, from_packages, names_in
 from vad.mechanisms.mechanism import LOADED, Mechanism
 
 __all__ = ["GROUP", "MECHANISMS", "Mechanism", "class_named", "mechanism_named", "mechanism_names"]

@@ -2,7 +2,7 @@
 
 from dataclasses import KW_ONLY, dataclass
 
-from vad.kinematics.space.linkages import Arc, FourAxes
+from vad.kinematics.space.linkages import DualAngle, FourAxes
 from vad.mechanisms.mechanism import MechanismInSpace, arc, length
 
 _PARALLEL = "parallel axes make a four-bar in the plane"
@@ -39,9 +39,9 @@ class SpatialFourBar(MechanismInSpace):
     def linkage(self) -> FourAxes:
         """AB + s_B + BC = AD + s_D + DC + s_C."""
         return FourAxes(
-            Arc(self.ground_twist, self.ground),
-            Arc(self.crank_twist, self.crank),
-            Arc(self.coupler_twist, self.coupler),
-            Arc(self.rocker_twist, self.rocker),
+            DualAngle(self.ground_twist, self.ground),
+            DualAngle(self.crank_twist, self.crank),
+            DualAngle(self.coupler_twist, self.coupler),
+            DualAngle(self.rocker_twist, self.rocker),
             slides=True,
         )

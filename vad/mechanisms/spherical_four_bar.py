@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from vad.kinematics.space.linkages import Arc, FourAxes
+from vad.kinematics.space.linkages import DualAngle, FourAxes
 from vad.mechanisms.mechanism import MechanismInSpace, arc
 
 _APART = "at 0° and 180° both axes are one"
@@ -31,4 +31,9 @@ class SphericalFourBar(MechanismInSpace):
 
     def linkage(self) -> FourAxes:
         """AB + BC = AD + DC, in arcs."""
-        return FourAxes(Arc(self.ground), Arc(self.crank), Arc(self.coupler), Arc(self.rocker))
+        return FourAxes(
+            DualAngle(self.ground),
+            DualAngle(self.crank),
+            DualAngle(self.coupler),
+            DualAngle(self.rocker),
+        )

@@ -12,7 +12,7 @@ from html import escape
 from itertools import islice, pairwise, repeat
 from typing import Any
 
-from vad.lecture.lesson import Lesson, Step
+from vad.lecture.lesson import Lesson, LessonStep
 from vad.lecture.moment import drawing
 from vad.page.ink import Inker, when
 from vad.page.spoken import spoken
@@ -95,7 +95,7 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
     """
     board = board or page_plan(lesson)
     style, faces = load_style(lesson.style), Faces()
-    inker, words = Inker(board.form, Inks(style), faces), Words(faces)
+    inker, words = Inker(board.form, Inks(style), faces), RunWriter(faces)
     sheet = lesson.sheet
     listed = [_listed(lesson, step, words) for step in lesson.steps]
     drawn = [panel_section(board, panel, inker, words) for panel in sheet.panels]
@@ -139,7 +139,7 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
     )
 
 
-def _listed(lesson: Lesson, step: Step, words: Words) -> tuple[str, str]:
+def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, str]:
     """Return the caption of a step as an entry of the list, and as it is read out."""
     pieces = pieces_of(step.stroke.said)
     place = f"#step={step.panel.column}:{lesson.place(step)}"
@@ -147,7 +147,7 @@ def _listed(lesson: Lesson, step: Step, words: Words) -> tuple[str, str]:
     return item, spoken(pieces, lesson.sheet.language)
 
 
-def panel_section(board: Plan, panel: Panel, inker: Inker, words: Words) -> str:
+def panel_section(board: Plan, panel: Panel, inker: Inker, words: RunWriter) -> str:
     """Return a panel: its head, its drawing, and its equations."""
     begun = when([(drawing(board.sketches[panel.name].setting.first), FOREVER)])
     wide = board.page.panels[panel.name].drawing.width * board.form.unit
@@ -160,7 +160,7 @@ def panel_section(board: Plan, panel: Panel, inker: Inker, words: Words) -> str:
     )
 
 
-def scale_bar(board: Plan, panel: Panel, words: Words) -> str:
+def scale_bar(board: Plan, panel: Panel, words: RunWriter) -> str:
     """Return the scale of a panel; nothing where it has none."""
     sketch, place = board.sketches[panel.name], board.page.panels[panel.name]
     if sketch.scale.bare:
@@ -186,7 +186,7 @@ def picture(board: Plan, panel: Panel, inker: Inker) -> str:
     )
 
 
-def _foot(board: Plan, panel: Panel, inker: Inker, words: Words) -> str:
+def _foot(board: Plan, panel: Panel, inker: Inker, words: RunWriter) -> str:
     foot = compose(panel, board.page.panels[panel.name].drawing.width)
     lines = ("".join(_piece(board, piece, inker, words) for piece in line) for line in foot.lines)
     size = number(foot.size * board.form.unit)
@@ -196,7 +196,7 @@ def _foot(board: Plan, panel: Panel, inker: Inker, words: Words) -> str:
     return said + "".join(f'<p style="--n:{size}">{line}</p>' for line in lines)
 
 
-def _piece(board: Plan, piece: Piece, inker: Inker, words: Words) -> str:
+def _piece(board: Plan, piece: Piece, inker: Inker, words: RunWriter) -> str:
     """Return a sign, or a term in its ink; a term is grey until its stroke is drawn."""
     space = f"margin-left:{number(piece.space)}em" if piece.space else ""
     colour, beats = "", ""
@@ -210,7 +210,7 @@ def _piece(board: Plan, piece: Piece, inker: Inker, words: Words) -> str:
     return f"<span{beats}{says}>{words.of(piece.runs)}</span>"
 
 
-def table(plan: Plan, key: float, inker: Inker, words: Words) -> str:
+def table(plan: Plan, key: float, inker: Inker, words: RunWriter) -> str:
     """Return the results of a sheet; ``key`` is the length of the line before a row's name."""
     sheet, say = plan.sheet, Language(plan.sheet.language).say
     values = values_of(plan, key)
@@ -247,7 +247,7 @@ def values_of(plan: Plan, key: float) -> float:
     return laid.values if isinstance(laid, Columns) else VALUES
 
 
-def measured_cells(plan: Plan, panel: Panel, row: Row, words: Words, values: float) -> str:
+def measured_cells(plan: Plan, panel: Panel, row: Row, words: RunWriter, values: float) -> str:
     """Return what a panel measures of a row, as one cell of the table.
 
     If there is no room, the cell first leaves out units that the column has above, and then it gets
@@ -282,7 +282,7 @@ def _need(cells: Sequence[Cell], readings: Sequence[Runs]) -> float:
     return wide + CLEAR * (len(cells) - 1)
 
 
-def _cell(cell: Cell, reading: Runs, words: Words) -> str:
+def _cell(cell: Cell, reading: Runs, words: RunWriter) -> str:
     symbol, value = words.of(symbols(cell.symbol)), words.of(reading, heavy=not cell.given)
     given = " given" if cell.given else ""
     return f'<span class="cell{given}"><span class="symbol">{symbol}</span>{value}</span>'
@@ -299,7 +299,7 @@ def _has_given(rows: tuple[Row, ...]) -> bool:
     return any(c.given for row in rows for cells in row.cells.values() for c in cells)
 
 
-class Words:
+class RunWriter:
     """Writes runs as HTML, and records the letters that their fonts need."""
 
     def __init__(self, faces: Faces) -> None:

@@ -27,7 +27,7 @@ from vad.style import Style, load_style
 
 Box = tuple[int, int, int, int]
 EMPTY: Box = (0, 0, 0, 0)
-Words = NDArray[np.uint32]  # one per pixel
+PixelWords = NDArray[np.uint32]  # one per pixel
 Pixels = NDArray[np.uint8]
 
 
@@ -76,7 +76,7 @@ def union(one: Box, other: Box) -> Box:
     )
 
 
-def difference(before: Words, now: Words, box: Box) -> Box:
+def difference(before: PixelWords, now: PixelWords, box: Box) -> Box:
     """Return the smallest box in which two pictures of ``box`` differ."""
     differs = before != now
     rows = np.flatnonzero(differs.any(axis=1))
@@ -143,7 +143,7 @@ class _Incremental:
         self._near = 0.0
         self._dirty: Box = EMPTY
         #: For each region the items that it began with when it last changed, and their pixels.
-        self._beneath: dict[str, tuple[list[Item], Words]] = {}
+        self._beneath: dict[str, tuple[list[Item], PixelWords]] = {}
         self.pixels = self._painter.pixels
 
     def show(self, moment: Moment) -> Box:
@@ -265,7 +265,7 @@ class _Incremental:
                 return box
             box = wider
 
-    def _cut(self, box: Box) -> Words:
+    def _cut(self, box: Box) -> PixelWords:
         return self._words[window(box)]
 
     def _box(self, mark: Mark) -> Box:

@@ -22,7 +22,7 @@ _OPERATORS = {MOVE: "m", LINE: "l", CURVE: "c"}
 _ESCAPED = str.maketrans({letter: f"\\{letter}" for letter in "()\\"} | {"\r": "\\r"})
 
 #: Left, bottom, right and top, in points.
-Area = tuple[float, float, float, float]
+PageArea = tuple[float, float, float, float]
 _EM = 1000  # units of a character's own space
 _FULL = 256  # characters of one font
 
@@ -44,7 +44,7 @@ def colour(name: str) -> str:
     return " ".join(number(int(name[i : i + 2], 16) / 255) for i in (1, 3, 5))
 
 
-def box(area: Area) -> str:
+def box(area: PageArea) -> str:
     """Return a rectangle."""
     return f"[{' '.join(map(number, area))}]"
 

@@ -14,7 +14,17 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import BinaryIO
 
-from vad.painting.pdf_file import Area, Letters, Objects, box, colour, number, path, string, take
+from vad.painting.pdf_file import (
+    Letters,
+    Objects,
+    PageArea,
+    box,
+    colour,
+    number,
+    path,
+    string,
+    take,
+)
 from vad.painting.shapes import outline
 from vad.plan.format import Format
 from vad.plan.items import Item
@@ -35,7 +45,7 @@ class PdfPainter:
         self._title, self._language = title, language
         self._letters = Letters()
         self._alphas: set[int] = set()  # in thousandths
-        self._areas: list[Area] = []
+        self._areas: list[PageArea] = []
         self._pages: list[list[str]] = []
         self._operators: list[str] = []
         self._fill: str | None = None
@@ -204,7 +214,7 @@ def marked(content: str) -> str:
 
 
 def write_structure(
-    objects: Objects, pages: Sequence[int], areas: Sequence[Area], words: Sequence[str]
+    objects: Objects, pages: Sequence[int], areas: Sequence[PageArea], words: Sequence[str]
 ) -> str:
     """Write the structure of a document and return what its catalog says of it.
 

@@ -20,7 +20,7 @@ from vad.strokes.sheet import Sheet
 from vad.style import Look
 
 #: How text is written: as the shapes of its glyphs, or as letters in an embedded font.
-Text = Literal["glyphs", "letters"]
+TextForm = Literal["glyphs", "letters"]
 #: How many times its width a corner may stick out: as in Agg and in PDF.
 _MITRE = 10
 _TEXTS: dict[str, type[DrawnText | SetText]] = {"glyphs": DrawnText, "letters": SetText}
@@ -55,7 +55,7 @@ class SvgPainter:
     def __init__(
         self,
         sheet: Sheet,
-        text: Text = "glyphs",
+        text: TextForm = "glyphs",
         description: str | None = None,
         scope: str = "",
     ) -> None:

@@ -60,7 +60,7 @@ class Figure:
 
 #: A ``hypotenuse`` is the root of the sum of the squares of its operands, the legs.  A ``leg`` is
 #: the root of the difference of the squares of its operands, the hypotenuse and the other leg.
-Operation = Literal["product", "sum", "hypotenuse", "leg"]
+CalculationKind = Literal["product", "sum", "hypotenuse", "leg"]
 
 
 @dataclass(slots=True)
@@ -72,7 +72,7 @@ class Calculation:
     """
 
     result: str
-    operation: Operation
+    operation: CalculationKind
     operands: tuple[str | float, ...]
 
 
@@ -114,7 +114,7 @@ def _leg(sides: list[Decimal]) -> Decimal:
 
 
 #: How each operation is calculated from the printed numbers.
-_OPERATIONS: dict[Operation, Callable[[list[Decimal]], Decimal]] = {
+_OPERATIONS: dict[CalculationKind, Callable[[list[Decimal]], Decimal]] = {
     "product": _product,
     "sum": _sum,
     "hypotenuse": _hypotenuse,

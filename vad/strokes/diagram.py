@@ -20,7 +20,7 @@ from vad.strokes.sheet import (
     Inset,
     Note,
     Panel,
-    Picture,
+    PictureKind,
     Stroke,
 )
 from vad.written import per_second
@@ -91,7 +91,7 @@ class Drawing:
     remark: str = ""
     unit: str = ""
     below: Drawing | None = None
-    picture: Picture | None = None
+    picture: PictureKind | None = None
     bodies: tuple[Body, ...] = ()
     coincident: tuple[Coincidence, ...] = ()
 
@@ -163,7 +163,7 @@ class Diagram:
     name: str
     title: str
     rank: float
-    picture: Picture
+    picture: PictureKind
     unit: Callable[[AnyScene], str]
     pose: Callable[[AnyScene], Drawing]
     cells: Callable[[AnyScene, str, bool], tuple[Cell, ...]] = no_cells
@@ -172,7 +172,7 @@ class Diagram:
     applies: Callable[[Motion[Any, Any, Any]], bool] = everywhere
 
     @classmethod
-    def of_order(cls, order: Order, rank: float, picture: Picture) -> Diagram:
+    def of_order(cls, order: Order, rank: float, picture: PictureKind) -> Diagram:
         """Return the diagram of positions, velocities or accelerations, which every scene has."""
         return cls(
             order.panel,

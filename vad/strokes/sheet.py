@@ -71,7 +71,7 @@ __all__ = [
     "Line",
     "Note",
     "Panel",
-    "Picture",
+    "PictureKind",
     "Plate",
     "PolarInset",
     "Ride",
@@ -112,7 +112,7 @@ TWIST = "∠"
 #: The ending of the name of a polygon that stands below another.
 BELOW = ".below"
 #: A mechanism in the plane, vectors from a pole, or a mechanism in space as it is seen.
-Picture = Literal["skeleton", "vectors", "views"]
+PictureKind = Literal["skeleton", "vectors", "views"]
 #: Why points have one place: all of them stand still, one lies under the pin of a block in every
 #: pose, or the vector between them has no length in this pose.
 Reason = Literal["fixed", "under", "zero"]
@@ -337,7 +337,7 @@ class Panel:
     inset: Inset | None = None
     zeros: tuple[Stroke, ...] = ()
     title: str = ""
-    picture: Picture = "vectors"
+    picture: PictureKind = "vectors"
     triangles: tuple[ImageTriangle, ...] = ()
     loops: tuple[int, ...] = ()
     notes: tuple[Note, ...] = ()

@@ -9,8 +9,8 @@ import importlib
 from dataclasses import dataclass
 from typing import Literal
 
+from vad.discovery import from_packages, names_in, one_of_all
 from vad.errors import InputError, shown
-from vad.found import from_packages, names_in, one_of_all
 from vad.plan.roles import ROLES, Ink
 
 #: The entry points under which other packages bring their styles.

@@ -14,8 +14,8 @@ from importlib import import_module
 from string import Formatter
 from typing import Any, Literal, NamedTuple
 
+from vad.discovery import all_names, from_packages, names_in, one_of_all
 from vad.errors import InputError
-from vad.found import all_names, from_packages, names_in, one_of_all
 
 #: Where other packages say which languages they bring.
 GROUP = "vad.languages"

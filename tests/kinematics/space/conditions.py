@@ -15,7 +15,7 @@ from mpmath import mp, mpf
 import vad
 from vad.kinematics.linkage import Scalar
 from vad.kinematics.solver import solver_of
-from vad.kinematics.space.linkages import Arc
+from vad.kinematics.space.linkages import DualAngle
 from vad.methods import closed_form, loops_in_space
 from vad.methods.loops_in_space import Arithmetic
 from vad.methods.problem import Jet, SpaceProblem
@@ -101,7 +101,7 @@ def _varied(problem: SpaceProblem) -> list[SpaceProblem]:
     found = []
     for each in fields(linkage):
         value = getattr(linkage, each.name)
-        if isinstance(value, Arc):
+        if isinstance(value, DualAngle):
             others = [
                 value._replace(**{part: mpf(x) * (1 + STEP)})
                 for part, x in value._asdict().items()

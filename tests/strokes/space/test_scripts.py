@@ -12,7 +12,7 @@ import pytest
 import vad
 from tests.strokes.named import vector
 from vad.cli.run import run
-from vad.kinematics.space.linkages import Arc, FourAxes
+from vad.kinematics.space.linkages import DualAngle, FourAxes
 from vad.mechanisms.mechanism import LOADED, MechanismInSpace, arc
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import scene_of
@@ -38,7 +38,9 @@ def wobble_plate() -> Iterator[Any]:
 
         def linkage(self) -> FourAxes:
             """AB + BC = AD + DC, in arcs."""
-            return FourAxes(Arc(90.0), Arc(self.crank), Arc(90.0), Arc(90.0))
+            return FourAxes(
+                DualAngle(90.0), DualAngle(self.crank), DualAngle(90.0), DualAngle(90.0)
+            )
 
     yield WobblePlate
     del LOADED["wobble-plate"]

@@ -45,7 +45,7 @@ from vad.export.data.records import (
     within,
     wrong,
 )
-from vad.strokes.arithmetic import Calculation, Figure, Operation
+from vad.strokes.arithmetic import Calculation, CalculationKind, Figure
 from vad.strokes.notation import Notation
 from vad.strokes.sentences import Listed, Noun, Sentence, SentencePart, Terms, Text, Unit
 from vad.strokes.sheet import (
@@ -70,7 +70,7 @@ from vad.strokes.sheet import (
     Line,
     Note,
     Panel,
-    Picture,
+    PictureKind,
     Plate,
     PolarInset,
     Reason,
@@ -122,7 +122,7 @@ FIGURE = record(
 CALCULATION = record(
     Calculation,
     result=TEXT,
-    operation=one_of(get_args(Operation)),
+    operation=one_of(get_args(CalculationKind)),
     operands=many(Form(lambda value: value, _read_operand)),
 )
 SENTENCE = record(
@@ -288,7 +288,7 @@ COINCIDENCE = record(Coincidence, letters=many(TEXT), reason=one_of(get_args(Rea
 _DRAWN: dict[str, Form | Key] = {
     "unit": UNIT,
     "title": words("title"),
-    "picture": one_of(get_args(Picture)),
+    "picture": one_of(get_args(PictureKind)),
     "strokes": many(STROKE),
     "zeros": optional(many(STROKE), ()),
     "equations": optional(many(EQUATION), ()),

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from vad.kinematics.space.solver import SpaceSolver
 
 
-class Arc(NamedTuple):
+class DualAngle(NamedTuple):
     """The angle between neighbouring axes in degrees, and their distance: a dual angle."""
 
     angle: float
@@ -30,10 +30,10 @@ class FourAxes:
     spatial one, which turns at A and both turns and slides at B, C and D.
     """
 
-    ground: Arc
-    crank: Arc
-    coupler: Arc
-    rocker: Arc
+    ground: DualAngle
+    crank: DualAngle
+    coupler: DualAngle
+    rocker: DualAngle
     slides: bool = False
 
     @property

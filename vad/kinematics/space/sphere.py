@@ -18,7 +18,7 @@ from vad.kinematics.any_solver import round_the_turn
 from vad.kinematics.closed_forms import root_of_factors
 from vad.kinematics.numbers import Number, direction, fold, select, vector
 from vad.kinematics.space.instant_axis import Turns, Z
-from vad.kinematics.space.linkages import Arc, FourAxes
+from vad.kinematics.space.linkages import DualAngle, FourAxes
 from vad.kinematics.space.numbers import (
     Dual,
     Vector3,
@@ -87,15 +87,19 @@ class Sphere:
         self.a: Vector3 = (zero, zero, 1.0 + zero)
         self.d: Vector3 = (zero, -self.sines[0], self.cosines[0])
 
-    def _sine(self, arcs: tuple[Arc, ...], signs: tuple[int, ...], share: float = 1.0) -> Number:
+    def _sine(
+        self, arcs: tuple[DualAngle, ...], signs: tuple[int, ...], share: float = 1.0
+    ) -> Number:
         """Return the sine of a sum of arcs, which is rounded once."""
         return self._part(arcs, signs, share)[1]
 
-    def _cosine(self, arcs: tuple[Arc, ...], signs: tuple[int, ...], share: float = 1.0) -> Number:
+    def _cosine(
+        self, arcs: tuple[DualAngle, ...], signs: tuple[int, ...], share: float = 1.0
+    ) -> Number:
         return self._part(arcs, signs, share)[0]
 
     def _part(
-        self, arcs: tuple[Arc, ...], signs: tuple[int, ...], share: float
+        self, arcs: tuple[DualAngle, ...], signs: tuple[int, ...], share: float
     ) -> tuple[Number, Number]:
         pairs = list(zip(signs, arcs, strict=True))
         unit = direction(fold(share * math.fsum(sign * arc.angle for sign, arc in pairs)))

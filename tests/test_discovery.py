@@ -11,8 +11,8 @@ from xml.etree import ElementTree
 
 import pytest
 
+from vad.discovery import from_packages, names_in, one_of_all
 from vad.errors import UsageError
-from vad.found import from_packages, names_in, one_of_all
 
 ROOT = Path(__file__).parents[1]
 
