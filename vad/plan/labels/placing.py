@@ -219,8 +219,14 @@ def _grid(edge: Rect, at: complex, step: float) -> list[complex]:
 
 def belongs(box: Rect, at: complex, rivals: Iterable[complex]) -> bool:
     """Tell whether a label stands clearly nearer to its dot than to any rival."""
-    own = _distance(box, at)
-    return all(_distance(box, rival) > 1.4 * own for rival in rivals)
+    near, left, right = 1.4 * _distance(box, at), box.left, box.right
+    for rival in rivals:
+        x = rival.real
+        if left - x > near or x - right > near:
+            continue  # far to one side, as most are
+        if _distance(box, rival) <= near:
+            return False
+    return True
 
 
 def _distance(box: Rect, point: complex) -> float:

@@ -336,12 +336,15 @@ def place_square(
     inner, length = obstacles.edge.inside(0.003), ((end - start) * way.conjugate()).real
     for side in sorted((1j * way, -1j * way), key=lambda side: side.imag):
         for size, ahead in product(SIZES, (1, -1)):
+            shape = 4.0 * (1.0 - size) + 0.1 * (ahead < 0)
+            if shape >= least:
+                continue  # before anything is placed
             corners = [start + by for by in _shape(way, side, size, ahead)]
             reach = _sliding(corners, way, inner)
             if reach and _covers(length, size, ahead, reach):
                 square = SetSquare(start, way, side, size, ahead, reach)
                 crowd = sum(_swept(label - start, way, side, size, length) for label in labels)
-                cost = crowd + 4.0 * (1.0 - size) + 0.1 * (ahead < 0)
+                cost = crowd + shape
                 if cost >= least:
                     continue
                 edges = [

@@ -13,6 +13,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
+import numpy as np
+
 from vad.plan.anchors import SWELLING, Anchor, Hung, Term, on_page
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.labels.choices import PLACED, LabelChoice
@@ -341,13 +343,11 @@ def _nearest(obstacles: Obstacles, at: complex, size: tuple[float, float]) -> co
     """Return the free place nearest to ``at``; the nearest of all where none is free."""
     wide, high = size
     room = obstacles.edge
-    left, bottom = room.left + wide / 2, room.bottom + high / 2
-    spots = [
-        complex(left + i * NOTE_STEP, bottom + j * NOTE_STEP)
-        for i in range(int((room.width - wide) / NOTE_STEP) + 1)
-        for j in range(int((room.height - high) / NOTE_STEP) + 1)
-    ]
-    spots.sort(key=lambda spot: abs(spot - at))
+    across = np.arange(int((room.width - wide) / NOTE_STEP) + 1) * NOTE_STEP
+    upright = np.arange(int((room.height - high) / NOTE_STEP) + 1) * NOTE_STEP
+    corner = complex(room.left + wide / 2, room.bottom + high / 2)
+    found = (corner + across[:, None] + 1j * upright).ravel()
+    spots = found[np.argsort(np.abs(found - at), kind="stable")].tolist()
     if not spots:
         return at
     for first in range(0, len(spots), _AT_ONCE):
