@@ -1,16 +1,19 @@
 """The pictures in the panels: a skeleton, vectors tip to tail, or views of a mechanism in space.
 
 Each is one picture in different poses: a still or a lesson is drawn of one, a turn and what is
-under the hand of many.
+under the hand of many.  Its marks say on what they hang (`vad.plan.anchors`); its scale is chosen
+(`vad.plan.scale`), and so is the way in which its labels find their places
+(`vad.plan.labels.choices`, `vad.plan.labels.springs`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Protocol
 
+from vad.plan.labels.choices import PLACED, LabelChoice
 from vad.plan.pictures import polygon
-from vad.plan.pictures.polygon import Polygon
 from vad.plan.pictures.skeleton import Skeleton, angle_centre
 from vad.plan.pictures.supports import add_dimension
 from vad.plan.pictures.views import Views
@@ -19,7 +22,33 @@ from vad.plan.scale import Scale, calm_scale, fill, mechanism_scale, views_scale
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Panel
 
-Picture = Skeleton | Polygon | Views
+
+class Picture(Protocol):
+    """A panel at one scale: what stands still in all poses, and what moves in any of them.
+
+    Attributes
+    ----------
+    scale
+        That of all poses.
+    radius
+        That of the dots at its lettered points.
+    """
+
+    scale: Scale
+    radius: float
+
+    @property
+    def still(self) -> Sketch:
+        """What stands still."""
+
+    def draw(self, labels: LabelChoice = PLACED) -> Sketch:
+        """Return all that a lesson shows of the one pose that it has, and leaves in a still."""
+
+    def pose(self, panel: Panel) -> Sketch:
+        """Return what moves, in one pose: a frame of a turn, without its labels."""
+
+    def under_hand(self, setting: Setting, labels: LabelChoice) -> Sketch:
+        """Return what moves, in one pose that a hand has set, with its labels."""
 
 
 def sketched(setting: Setting) -> Sketch:
