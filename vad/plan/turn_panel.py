@@ -6,13 +6,13 @@ the ways of the labels are chosen once for all poses.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from vad.lecture.cycle import Cycle
-from vad.plan.anchors import Anchor, PointName, Solved
+from vad.plan.anchors import Anchor, Solved
 from vad.plan.hodographs import Complexes, Hodographs
 from vad.plan.items import Item, Level
 from vad.plan.labels.obstacles import PIXEL, Obstacles
@@ -25,7 +25,7 @@ from vad.plan.pictures import over_turn
 from vad.plan.pictures.polygon import CORIOLIS
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.diagram import Spot
-from vad.strokes.sheet import Arrow, Block, Dot, Panel
+from vad.strokes.sheet import Arrow, Block, Dot, Panel, Stroke
 
 #: What stands in the place of a point for the name of a Coriolis vector.
 TWISTING = Spot(CORIOLIS)
@@ -39,6 +39,7 @@ class Name:
     letters: tuple[Spot, ...]
     row: int | None
     spring: Spring
+    anchor: Anchor
 
     @property
     def text(self) -> str:
@@ -85,12 +86,11 @@ class TurnPanel:
     def pose(self, panel: Panel, phase: float) -> Sketch:
         """Return one pose with its labels."""
         sketch = self.picture.pose(panel)
-        points, solved = lettered(panel), Solved(panel, self.scale)
+        solved = Solved(panel, self.scale)
         for name, placed, alpha in self.labels(panel, phase):
             runs, role = symbols(name.text), "letter" if name.row is None else "tag"
-            anchor = self._anchor(name, points, solved, phase)
-            at = solved.place(anchor)
-            text = text_beside(anchor, at, runs, placed.centre, name.size, role, name.row)
+            hung = name.anchor, solved.place(name.anchor)
+            text = text_beside(*hung, runs, placed.centre, name.size, role, name.row)
             sketch.add(None, Level.LABEL, 0, [replace(text, alpha=alpha)])
             sketch.obstacles.box(placed.box)
         return sketch
@@ -110,15 +110,12 @@ class TurnPanel:
         """Return what a label stands beside: its dot, or the middle of its vector."""
         return self._dot(name.letters, panel, phase)[0]
 
-    def _anchor(
-        self, name: Name, points: Mapping[str, list[PointName]], solved: Solved, phase: float
-    ) -> Anchor:
+    def _anchor(self, letters: tuple[Spot, ...], dot: complex, solved: Solved) -> Anchor:
         """Return on what a label hangs: of a point that is seen twice, where it names it."""
-        if TWISTING in name.letters:
-            [arrow, *_] = [s.name for s in solved.panel.strokes if s.component == "coriolis"]
-            return Anchor(((arrow, "start"), (arrow, "end")))
-        dot, _ = self._dot(name.letters, solved.panel, phase)
-        found = [Anchor((point,)) for point in points.get(name.letters[0].letter, ())]
+        if TWISTING in letters:
+            twist = next(s for s in _all(solved.panel) if s.component == "coriolis")
+            return Anchor(((twist.name, "start"), (twist.name, "end")))
+        found = [Anchor((point,)) for point in lettered(solved.panel)[letters[0].letter]]
         return min(found, key=lambda anchor: abs(solved.place(anchor) - dot))
 
     def _dot(self, letters: tuple[Spot, ...], panel: Panel, phase: float) -> tuple[complex, float]:
@@ -162,7 +159,9 @@ class TurnPanel:
             rivals = [] if TWISTING in letters else [dots[other] for other in others]
             size = ink_size(symbols(text), SMALL_SIZE if text == CORIOLIS else LETTER)
             spring = find_spring(own, size, rivals, among, placed)
-            names.append(Name(letters, row, spring))
+            first = int(np.isfinite(own).argmax())  # where it is seen
+            anchor = self._anchor(letters, complex(own[first]), Solved(poses[first], self.scale))
+            names.append(Name(letters, row, spring, anchor))
         return names
 
     def _groups(self) -> list[tuple[Spot, ...]]:
@@ -176,6 +175,11 @@ class TurnPanel:
             elif not np.ptp(way):  # the lever's point under a pin goes without saying
                 same[0].append(letter)
         return [tuple(group) for group in sorted(found, key=lambda g: g[0] in self.ways)]
+
+
+def _all(panel: Panel) -> tuple[Stroke, ...]:
+    """Return all strokes of a panel, with those that are not drawn in this pose."""
+    return (*panel.zeros, *panel.strokes)
 
 
 def _owner(letter: str, fixed: Collection[str], poses: Sequence[Panel]) -> str | None:
