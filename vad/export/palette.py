@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from vad.style import Style, load_style
 
 Bytes = NDArray[np.uint8]
-Colour = NDArray[np.float64]
+ColourArray = NDArray[np.float64]
 
 #: The shares of ink in the tints of the board (glow, blocks, set square) and in its pale lines.
 #: The antialiased edges of lines and letters need no further shares.
@@ -95,7 +95,7 @@ def fine(style: str, rows: int = 0) -> Palette:
     many of the inks of links are there; 0 stands for all.
     """
     background, inks = _colours(load_style(style), rows)
-    blended: list[Colour] = []
+    blended: list[ColourArray] = []
     for ink in sorted(inks, key=lambda ink: -math.dist(ink, background)):
         if all(_distance(ink, background, other) > _BESIDE for other in blended):
             blended.append(ink)
@@ -109,25 +109,25 @@ def fine(style: str, rows: int = 0) -> Palette:
     return Palette(_distinct([background, *inks, *blends]))
 
 
-def _colours(style: Style, rows: int) -> tuple[Colour, list[Colour]]:
+def _colours(style: Style, rows: int) -> tuple[ColourArray, list[ColourArray]]:
     """Return the background, and the inks: of text, of rules, of the frame, of the links."""
     inks = [style.text, style.hairline, style.grey, *style.inks[: rows or None]]
     return _rgb(style.background), [_rgb(ink) for ink in inks]
 
 
-def _distinct(colours: list[Colour]) -> NDArray[np.float64]:
+def _distinct(colours: list[ColourArray]) -> NDArray[np.float64]:
     """Return the different ones of ``colours`` (or of tables of colours) in their order."""
     table = np.vstack(colours).round()
     first = np.unique(table, axis=0, return_index=True)[1]
     return table[np.sort(first)]
 
 
-def _distance(point: Colour, start: Colour, end: Colour) -> float:
+def _distance(point: ColourArray, start: ColourArray, end: ColourArray) -> float:
     """Return how far ``point`` is from the segment between two colours."""
     along = end - start
     share = float((point - start) @ along) / max(float(along @ along), 1.0)
     return math.dist(point, start + min(max(share, 0.0), 1.0) * along)
 
 
-def _rgb(colour: str) -> Colour:
+def _rgb(colour: str) -> ColourArray:
     return np.array([int(colour[i : i + 2], 16) for i in (1, 3, 5)], np.float64)

@@ -55,7 +55,7 @@ def stated(equation: VectorEquation[SpaceVector]) -> Stated:
     )
 
 
-class Words(PolygonCaptions[SpaceVector]):
+class SpaceCaptions(PolygonCaptions[SpaceVector]):
     """What is said of a polygon in space; ``fixed`` are the vertices at its pole."""
 
     def __init__(self, scene: SceneInSpace, order: Order, unit: str, fixed: Sequence[str]) -> None:
@@ -133,7 +133,7 @@ def polygon(
         What stands under it.
     """
     longest = max(each.equation.longest for each in stated)
-    words = Words(scene, order, unit, fixed)
+    words = SpaceCaptions(scene, order, unit, fixed)
     resting = longest == 0.0
     at_pole = list(at_rest if resting and at_rest else fixed)
     pencil: Pencil[SpaceVector] = Pencil(words, places.__getitem__, longest, at_pole)
