@@ -6,7 +6,7 @@ import pickle
 
 import pytest
 
-from vad.errors import InputError, UsageError, VadError, one_of, shown, unknown
+from vad.errors import InputError, UsageError, VadError, one_of, quoted, unknown
 
 OPTIONS = ["--ground", "--omega", "--output", "--size", "--style"]
 
@@ -59,5 +59,5 @@ def test_a_value_that_cannot_say_what_it_is():
         def __repr__(self):
             raise RuntimeError
 
-    assert shown(Mute()) == "a Mute"
-    assert shown(10**5000) == "an int"
+    assert quoted(Mute()) == "a Mute"
+    assert quoted(10**5000) == "an int"

@@ -26,7 +26,7 @@ class VadError(Exception):
     ----------
     message
         One line that names the parameter and says what is wrong with it.  Line breaks and control
-        characters of what it quotes are taken out, and of a very long one the middle.
+        characters are removed, and the middle of a very long message.
     hint
         One line that says what would work, where that can be said.
 
@@ -81,7 +81,7 @@ def unknown(what: str, given: object, known: Iterable[str]) -> UsageError:
         hint = "did you mean " + " or ".join(f"'{names[name]}'" for name in near) + "?"
     else:
         hint = "known: " + ", ".join(names.values())
-    return UsageError(f"unknown {what} {shown(given)}", hint)
+    return UsageError(f"unknown {what} {quoted(given)}", hint)
 
 
 def one_of(what: str, given: object, known: Iterable[str]) -> str:
@@ -103,12 +103,12 @@ def one_of(what: str, given: object, known: Iterable[str]) -> str:
     return given
 
 
-def shown(value: object) -> str:
+def quoted(value: object) -> str:
     """Return a value as a message quotes it: a long one without its middle.
 
     Examples
     --------
-    >>> shown("6_"), shown(10**80), shown(10**5000)
+    >>> quoted("6_"), quoted(10**80), quoted(10**5000)
     ("'6_'", '1000000000000000000000000000000000000000…0000000000000000000', 'an int')
     """
     try:

@@ -47,17 +47,17 @@ def bundle(
     """
     assert isinstance(thing, Thing)
     page = Still(thing, len(thing.steps)) if isinstance(thing, Lesson) else thing
-    seen = cache(lambda: posed(page))
+    picture = cache(lambda: posed(page))
     forms: dict[str, Callable[[], str]] = {
         "text/plain": lambda: _words(thing),
-        "image/png": lambda: _pixels(seen()),
+        "image/png": lambda: _pixels(picture()),
     }
     if isinstance(thing, Lesson):
         forms["text/html"] = lambda: _framed(thing)
     elif isinstance(thing, Turn):
-        forms["text/html"] = lambda: _film(thing, lambda: _pixels(seen()))
+        forms["text/html"] = lambda: _film(thing, lambda: _pixels(picture()))
     else:
-        forms["image/svg+xml"] = lambda: _drawing(thing, seen())
+        forms["image/svg+xml"] = lambda: _drawing(thing, picture())
     if _shell() and not in_notebook():
         include = {"text/plain"}
     return {
@@ -91,17 +91,17 @@ def _words(thing: Thing) -> str:
     return "\n".join((title(sheets[0]), *map(describe, sheets)))
 
 
-def _pixels(seen: Posed) -> str:
+def _pixels(picture: Posed) -> str:
     target = io.BytesIO()
-    picture_png.encode(seen, target)
+    picture_png.encode(picture, target)
     return b64encode(target.getvalue()).decode()
 
 
-def _drawing(thing: Thing, seen: Posed) -> str:
+def _drawing(thing: Thing, picture: Posed) -> str:
     """Return a drawing whose text is shapes: many viewers load no fonts out of a page."""
     scope = "v" + sha256(repr(thing).encode()).hexdigest()[:12]
-    painter = SvgPainter(seen.sheet, "glyphs", seen.description, scope)
-    seen.play(painter)
+    painter = SvgPainter(picture.sheet, "glyphs", picture.description, scope)
+    picture.play(painter)
     return painter.svg
 
 

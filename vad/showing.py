@@ -16,7 +16,7 @@ from pathlib import Path
 from threading import Event
 from typing import TYPE_CHECKING, Any
 
-from vad.errors import ExportError, InputError, UsageError, shown
+from vad.errors import ExportError, InputError, UsageError, quoted
 from vad.export import FORMATS, save
 from vad.gui.messages import ExportQuestion
 from vad.kinematics.motion import Motion
@@ -55,7 +55,7 @@ def show(thing: Thing | Mechanism) -> None:
         If no browser can be started.
     """
     if not isinstance(thing, Thing | Mechanism):
-        raise UsageError(f"thing: cannot be shown, got {shown(thing)}", "draw or animate it first")
+        raise UsageError(f"thing: cannot be shown, got {quoted(thing)}", "draw or animate it first")
     if in_notebook():
         import_module("IPython.display").display(
             widget(thing) if isinstance(thing, Mechanism) else thing
@@ -107,7 +107,7 @@ def _question(thing: Mechanism | Motion, **options: Any) -> ExportQuestion:
     if isinstance(thing, Mechanism):
         return ExportQuestion.of(thing, {}, **options)
     if not isinstance(thing, Motion):
-        raise UsageError(f"mechanism: must be a mechanism or one pose, got {shown(thing)}")
+        raise UsageError(f"mechanism: must be a mechanism or one pose, got {quoted(thing)}")
     if thing.many:
         raise InputError("mechanism: a window opens with one pose, got arrays of poses")
     return ExportQuestion.of(thing.mechanism, thing.inputs, **options)

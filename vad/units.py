@@ -12,7 +12,7 @@ from decimal import Decimal
 from functools import cache
 from typing import TYPE_CHECKING
 
-from vad.errors import UsageError, shown
+from vad.errors import UsageError, quoted
 
 if TYPE_CHECKING:
     from pint import UnitRegistry
@@ -64,7 +64,7 @@ rpm = turn / minute
 rps = turn / second
 """.strip().splitlines()
 
-#: Longer texts are refused, for the time to read one grows with the square of its length.
+#: Longer texts are refused, because the time to read one grows with the square of its length.
 _LONGEST, _LONGEST_UNIT = 1000, 60
 _WRITTEN = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([^\W\d_].*?|°.*?)\s*")
 _POWER = r"(?:(?:\^|\*\*)-?[1-3]|⁻?[¹²³])?"
@@ -117,7 +117,7 @@ def read(text: str, quantity: str, length_unit: str = "mm") -> float:
     except ValueError:
         written = _WRITTEN.fullmatch(text) if len(text) <= _LONGEST else None
     if written is None:
-        raise UsageError(f"{shown(text)} is not a number", hint=_example(text, quantity))
+        raise UsageError(f"{quoted(text)} is not a number", hint=_example(text, quantity))
     number, unit = written.groups()
     factor = _factor(unit, quantity, length_unit)
     value = float(number)
@@ -154,7 +154,7 @@ def check_length_unit(name: str) -> str:
 def _factor(unit: str, quantity: str, length_unit: str, written: str | None = None) -> Decimal:
     """Return how many of the scene's unit make one ``unit``, which was given as ``written``."""
     what, examples = _WORDS[quantity]
-    name = shown(unit if written is None else written)
+    name = quoted(unit if written is None else written)
     wrong = UsageError(f"{name} is not {what}", f"try {examples}")
     if len(unit) > _LONGEST_UNIT or not _UNIT.fullmatch(unit):
         raise wrong

@@ -19,7 +19,7 @@ from typing import Any
 from vad.batches.job import Done, Job, Product
 from vad.batches.sheets import read_sheets
 from vad.batches.workers import products
-from vad.errors import ExportError, UsageError, shown
+from vad.errors import ExportError, UsageError, quoted
 from vad.export.files import new_file
 
 _ANSWERS, _TABLE, _JOURNAL = "answers.json", "answers.csv", "answers.part.jsonl"
@@ -72,13 +72,13 @@ def batch(
         If the folder cannot be written, or a worker dies.
     """
     if not isinstance(jobs, int) or isinstance(jobs, bool) or jobs < 1:
-        raise UsageError(f"jobs: must be a whole number from 1 on, got {shown(jobs)}")
+        raise UsageError(f"jobs: must be a whole number from 1 on, got {quoted(jobs)}")
     if cluster is not None and jobs != 1:
         raise UsageError("jobs: a cluster has its own workers", "leave out one of them")
     sheets = read_sheets(path)
     total = len(sheets.jobs) + len(sheets.failed)
     if only is not None and (isinstance(only, bool) or only not in range(1, total + 1)):
-        raise UsageError(f"only: there is no sheet {shown(only)}", f"from 1 to {total}")
+        raise UsageError(f"only: there is no sheet {quoted(only)}", f"from 1 to {total}")
     target = Folder(folder)
     stand = (target.standing(job) for job in sheets.jobs if job.number != only)
     done = {each.number: each for each in (*sheets.failed, *stand) if each is not None}
@@ -110,12 +110,12 @@ class Folder:
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         if not isinstance(path, str | os.PathLike):
-            raise UsageError(f"folder: must be the name of a folder, got {shown(path)}")
+            raise UsageError(f"folder: must be the name of a folder, got {quoted(path)}")
         self.path = Path(path)
         try:
             self.path.mkdir(exist_ok=True)
         except FileExistsError:
-            message = f"{shown(str(path))} is a file, not a folder"
+            message = f"{quoted(str(path))} is a file, not a folder"
             raise ExportError(message, "name another folder") from None
         except (OSError, ValueError) as error:
             raise _cannot(path, error) from None
@@ -216,7 +216,7 @@ def _digest_of(path: Path) -> str | None:
 
 def _cannot(path: str | os.PathLike[str], error: Exception) -> ExportError:
     said = (getattr(error, "strerror", None) or str(error)).lower()
-    return ExportError(f"folder {shown(os.fspath(path))} cannot be written: {said}")
+    return ExportError(f"folder {quoted(os.fspath(path))} cannot be written: {said}")
 
 
 def cells(answers: Mapping[str, Any]) -> dict[str, Any]:

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from vad.batches.job import Value
-from vad.errors import InputError, UsageError, VadError, shown, unknown
+from vad.errors import InputError, UsageError, VadError, quoted, unknown
 from vad.files.examples import example_names
 from vad.files.loading import class_of
 from vad.files.tables import read_text, text_of
@@ -39,7 +39,7 @@ _FILE = ".toml"
 
 @contextmanager
 def written_at(place: str) -> Iterator[None]:
-    """Put a place, or the name of what is wrong there, in front of every error of the block.
+    """Begin every error of the block with a place in the file, or with a name.
 
     Raises
     ------
@@ -64,8 +64,8 @@ def written_at(place: str) -> Iterator[None]:
 class Quantity:
     """What a number measures: its kind, as `vad.units` has it, and the unit of lengths.
 
-    ``usual`` is the value of which shares are taken, None where there is none; only what is
-    ``signed`` may be zero or negative.
+    ``usual`` is the value of which shares are taken, or None; only what is ``signed`` may be zero
+    or negative.
     """
 
     kind: str
@@ -86,7 +86,7 @@ class Quantity:
         elif isinstance(value, int | float) and not isinstance(value, bool):
             number = float(value) if abs(value) < LARGEST else math.inf
         else:
-            raise InputError(f"must be a number, got {shown(value)}", _FORMS)
+            raise InputError(f"must be a number, got {quoted(value)}", _FORMS)
         if not math.isfinite(number):
             raise InputError(f"must be a finite number, got {number}")
         if not self.signed and number <= 0.0:
@@ -171,7 +171,7 @@ def _between(table: Mapping[str, Any], quantity: Quantity) -> tuple[float, ...]:
 def _about(share: object, usual: float | None) -> tuple[float, float]:
     """Return the ends of what lies within a share about the usual value."""
     if not isinstance(share, int | float) or isinstance(share, bool) or not 0.0 < share < 1.0:
-        raise InputError(f"share: must be between 0 and 1, got {shown(share)}", "try 0.25")
+        raise InputError(f"share: must be between 0 and 1, got {quoted(share)}", "try 0.25")
     if not usual:
         raise InputError("share: there is no value of which to take a share", _STEP)
     low, high = sorted((usual * (1.0 - share), usual * (1.0 + share)))
@@ -253,7 +253,7 @@ def _assemblies(kind: type[Mechanism], value: object) -> tuple[Value, ...]:
         if isinstance(each, str) and "=" in each:
             place = dict(re.findall(r"(\w+)\s*=\s*(\w+)", each))
         if not isinstance(place, str | Mapping):
-            raise InputError(f"assembly: must be a word or places of points, got {shown(each)}")
+            raise InputError(f"assembly: must be a word or places of points, got {quoted(each)}")
         options: dict[str, Any] = {"assembly": place}
         kind(**options)  # raises an error if it cannot be
         found.append(place)

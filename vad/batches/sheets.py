@@ -19,7 +19,7 @@ from typing import Any
 from vad.batches.choices import kind_of, offered, text_beside, written_at
 from vad.batches.job import Done, Job, Recipe
 from vad.discovery import one_of_all
-from vad.errors import InputError, UsageError, VadError, one_of, shown, unknown
+from vad.errors import InputError, UsageError, VadError, one_of, quoted, unknown
 from vad.export import FOLDER, FORMATS, options_of, own_options
 from vad.files.tables import Source, parsed, text_of
 from vad.lecture.lesson import Lesson, checked
@@ -53,7 +53,7 @@ _HINT = "as in sheets.toml, or sheets.csv with one row a sheet"
 def whole(value: object, least: int, most: int) -> int:
     """Return a whole number between two others."""
     if not isinstance(value, int) or isinstance(value, bool) or not least <= value <= most:
-        raise InputError(f"must be a whole number from {least} to {most}, got {shown(value)}")
+        raise InputError(f"must be a whole number from {least} to {most}, got {quoted(value)}")
     return value
 
 
@@ -61,7 +61,7 @@ def names(value: object) -> tuple[str, ...]:
     """Return a list of names; one name may stand alone."""
     listed = [value] if isinstance(value, str) else value
     if not isinstance(listed, list | tuple) or not all(isinstance(each, str) for each in listed):
-        raise InputError(f"must be a list of names, got {shown(value)}", 'as in ["a", "b"]')
+        raise InputError(f"must be a list of names, got {quoted(value)}", 'as in ["a", "b"]')
     return tuple(dict.fromkeys(listed))
 
 
@@ -79,10 +79,10 @@ def _files(value: object) -> tuple[str, ...]:
         raise InputError("none given", 'as in ["problem.pdf", "key.pdf"]')
     for name in found:
         if name != Path(name).name or name.startswith(".") or not name.isprintable():
-            raise InputError(f"{shown(name)} is no name of a file", 'as in "key.pdf"')
+            raise InputError(f"{quoted(name)} is no name of a file", 'as in "key.pdf"')
         film, kind = is_film(name), Path(name).suffix.lower()
         if is_problem(name) and (film or "blank" not in options_of(Sheet, kind)):
-            raise InputError(f"{shown(name)}: only a picture can be a problem", "call it a key")
+            raise InputError(f"{quoted(name)}: only a picture can be a problem", "call it a key")
     return found
 
 
@@ -96,7 +96,7 @@ def _film(fps: Any = 30, size: Any = (1280, 720), speed: Any = 1.0) -> tuple[Any
 
 def _unit(value: object) -> str:
     if not isinstance(value, str):
-        raise InputError(f"must be the name of a unit, got {shown(value)}", 'as in "mm"')
+        raise InputError(f"must be the name of a unit, got {quoted(value)}", 'as in "mm"')
     return check_length_unit(value)
 
 
@@ -157,7 +157,7 @@ def is_film(name: str) -> bool:
     kinds = dict.fromkeys((*FORMATS[Sheet], *FORMATS[Lesson]))
     kinds.pop(FOLDER)
     if kind not in kinds:
-        raise InputError(f"{shown(name)} is no file of a sheet", f"known: {', '.join(kinds)}")
+        raise InputError(f"{quoted(name)} is no file of a sheet", f"known: {', '.join(kinds)}")
     return kind not in FORMATS[Sheet]
 
 
@@ -211,7 +211,7 @@ def read_toml(text: str, path: Path) -> list[Job]:
     with written_at(source.place("sheet", "mechanism")):
         mechanism = source.table("sheet").get("mechanism")
         if not isinstance(mechanism, str):
-            said = "is missing" if mechanism is None else f"must be a name, got {shown(mechanism)}"
+            said = "is missing" if mechanism is None else f"must be a name, got {quoted(mechanism)}"
             raise InputError(f"mechanism: {said}", 'as in mechanism = "four-bar"')
         body = text_beside(path, mechanism)
         kind = kind_of(mechanism, body)
@@ -261,7 +261,7 @@ def _keep(source: Source) -> float:
                 raise unknown("word", word, ["sine"])
             if not isinstance(value, int | float) or isinstance(value, bool) or not 0 <= value < 1:
                 wanted = "must be from 0 to below 1"
-                raise InputError(f"sine: {wanted}, got {shown(value)}", "try 0.35")
+                raise InputError(f"sine: {wanted}, got {quoted(value)}", "try 0.35")
             return float(value)
     return KEEP
 
@@ -388,10 +388,10 @@ def read_sheets(path: str | os.PathLike[str]) -> Rows:
         For a file that cannot be read, or with its line for what in it cannot be.
     """
     if not isinstance(path, str | os.PathLike):
-        raise UsageError(f"path: must be the name of a file, got {shown(path)}", _HINT)
+        raise UsageError(f"path: must be the name of a file, got {quoted(path)}", _HINT)
     file = Path(path)
     kind = file.suffix.lower()
     if kind not in (".toml", ".csv"):
-        raise UsageError(f"sheets cannot be read from {shown(str(path))}", _HINT)
+        raise UsageError(f"sheets cannot be read from {quoted(str(path))}", _HINT)
     text = text_of(file, _LONGEST)
     return read_csv(text, file) if kind == ".csv" else Rows(read_toml(text, file))

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.errors import InputError, UsageError, shown, unknown
+from vad.errors import InputError, UsageError, quoted, unknown
 from vad.kinematics.motion import Motion, MotionInSpace, solve
 from vad.kinematics.results import Point
 from vad.kinematics.solver import Solver
@@ -115,7 +115,7 @@ def _names(results: Iterable[str] | str) -> list[str]:
         raise UsageError("results: none given", _HINT)
     for name in listed:
         if not isinstance(name, str) or "." not in name:
-            raise UsageError(f"results: {shown(name)} is no result", _HINT)
+            raise UsageError(f"results: {quoted(name)} is no result", _HINT)
     return list(dict.fromkeys(listed))
 
 

@@ -15,7 +15,7 @@ from typing import Any
 
 from vad.batches.job import Job, Product
 from vad.batches.making import make
-from vad.errors import ExportError, InputError, shown
+from vad.errors import ExportError, InputError, quoted
 
 #: Seconds in which a cluster must answer.
 _PATIENCE = 10
@@ -113,7 +113,7 @@ def _client(address: str) -> Any:
         return distributed.Client(address, timeout=_PATIENCE, set_as_default=True)
     except Exception as error:  # of the many kinds that its transports have
         said = str(error).partition("\n")[0] or type(error).__name__
-        message = f"cluster: nobody answers at {shown(address)} ({said})"
+        message = f"cluster: nobody answers at {quoted(address)} ({said})"
         raise InputError(message, "as in tcp://127.0.0.1:8786, where dask scheduler runs") from None
 
 

@@ -19,7 +19,7 @@ from click.shell_completion import CompletionItem
 from vad import errors, units
 from vad.cli import completion
 from vad.discovery import all_names, one_of_all
-from vad.errors import UsageError, shown
+from vad.errors import UsageError, quoted
 from vad.files.examples import EXTENSION, example_names
 from vad.files.places import WORDS
 from vad.mechanisms import Mechanism, mechanism_named
@@ -117,7 +117,7 @@ def _point(word: str, unit: str) -> tuple[str, tuple[str, float, float]]:
     """Read ``D on rod 100``, ``D on rod 100 30`` or ``D on rod 10 cm at 30 deg``."""
     read = re.fullmatch(r"\s*(\S+)\s+on\s+(\S+)\s+(\S.*?)(?:\s+at\s+(\S.*?))?\s*", word)
     if read is None:
-        raise UsageError(f"{shown(word)} is no point of a link", hint="as in 'D on rod 100 at 30'")
+        raise UsageError(f"{quoted(word)} is no point of a link", hint="as in 'D on rod 100 at 30'")
     name, link, distance, angle = read.groups()
     if angle is None and (pair := re.fullmatch(r"(\S+)\s+([-+\N{MINUS SIGN}.\d]\S*)", distance)):
         distance, angle = pair.groups()
@@ -133,7 +133,7 @@ def places_of_points() -> Callback:
         for part in (part for word in words for part in word.split(",")):
             point, equals, place = (each.strip() for each in part.partition("="))
             if not (point and equals and place):
-                raise UsageError(f"{shown(part)} is no place of a point", hint="as in B=left")
+                raise UsageError(f"{quoted(part)} is no place of a point", hint="as in B=left")
             given[point] = place
         return given
 
@@ -171,7 +171,7 @@ def size() -> Callback:
     def size_of(word: str, _: click.Context) -> tuple[int, int]:
         numbers = re.fullmatch(r"\s*(\d{1,9})\s*[x×X*]\s*(\d{1,9})\s*", word)
         if numbers is None:
-            raise UsageError(f"{shown(word)} is not a size", hint="as in 1280x720")
+            raise UsageError(f"{quoted(word)} is not a size", hint="as in 1280x720")
         return int(numbers[1]), int(numbers[2])
 
     return _callback(size_of)

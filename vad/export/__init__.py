@@ -36,7 +36,7 @@ from typing import (
 )
 
 from vad.discovery import names_in
-from vad.errors import InputError, UsageError, shown
+from vad.errors import InputError, UsageError, quoted
 from vad.export import files
 from vad.lecture.lesson import Lesson, Still
 from vad.lecture.turn import Turn
@@ -156,11 +156,11 @@ def save(
 def _beside(path: str | os.PathLike[str], extensions: Iterable[str]) -> list[Path]:
     """Return the further files of the same name."""
     if isinstance(extensions, str) or not isinstance(extensions, Iterable):
-        raise UsageError(f"beside: must be extensions, got {shown(extensions)}", _BESIDE)
+        raise UsageError(f"beside: must be extensions, got {quoted(extensions)}", _BESIDE)
     others = []
     for each in extensions:
         if not isinstance(each, str) or not re.fullmatch(r"\.\w+", each):
-            raise UsageError(f"beside: must be extensions, got {shown(each)}", _BESIDE)
+            raise UsageError(f"beside: must be extensions, got {quoted(each)}", _BESIDE)
         folder, name = os.path.split(os.path.splitext(os.fspath(path).rstrip("/"))[0])
         others.append(Path(folder, name + each))
     return others
@@ -174,7 +174,7 @@ def _check_options(module: ModuleType, extension: str, options: Mapping[str, obj
             raise UsageError(f"{name}: {_named(extension)} has no such option")
     progress = options.get("progress")
     if progress is not None and not callable(progress):
-        raise UsageError(f"progress: must be a function, got {shown(progress)}")
+        raise UsageError(f"progress: must be a function, got {quoted(progress)}")
 
 
 def _parameters(module: str) -> tuple[str, ...]:
@@ -225,7 +225,7 @@ class OwnOption:
         if self.type is float and isinstance(value, int) and not isinstance(value, bool):
             return float(value)
         if type(value) is not self.type:
-            raise InputError(f"must be of type {self.type.__name__}, got {shown(value)}")
+            raise InputError(f"must be of type {self.type.__name__}, got {quoted(value)}")
         return value
 
 
@@ -265,7 +265,7 @@ def format_of(kind: type, path: str | os.PathLike[str]) -> str:
         raise UsageError(f"a {kind.__name__} cannot be saved", hint="draw or animate it first")
     text = os.fspath(path) if isinstance(path, str | os.PathLike) else None
     if not isinstance(text, str):
-        raise UsageError(f"path: must be the name of a file, got {shown(path)}")
+        raise UsageError(f"path: must be the name of a file, got {quoted(path)}")
     formats = FORMATS[kind]
     extension = Path(text).suffix.lower()
     named_as_folder = text.endswith(("/", os.sep)) or extension == ""
@@ -273,7 +273,7 @@ def format_of(kind: type, path: str | os.PathLike[str]) -> str:
         extension = FOLDER
     if extension in formats:
         return extension
-    raise UsageError(f"{_NAMES[kind]} cannot be saved as {shown(text)}", hint=_what_works(kind))
+    raise UsageError(f"{_NAMES[kind]} cannot be saved as {quoted(text)}", hint=_what_works(kind))
 
 
 def _what_works(kind: type) -> str:

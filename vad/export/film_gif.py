@@ -20,7 +20,7 @@ from vad.painting.film import EMPTY, Box, Frame, union
 
 Bytes = NDArray[np.uint8]
 
-#: The most pictures a second of what moves in a lesson; each of them takes about a kilobyte.
+#: The most pictures per second of a movement in a lesson; each of them takes about a kilobyte.
 MOST = 9.0
 #: Many players show a picture for a tenth of a second if its delay is below 2 hundredths.
 _SHORTEST = 2

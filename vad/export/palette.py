@@ -89,7 +89,7 @@ def coarse(style: str, rows: int = 0) -> Palette:
 
 
 def fine(style: str, rows: int = 0) -> Palette:
-    """Return as many blends of a style's inks with its background as a table holds.
+    """Return as many blends of a style's inks with its background as a table can hold.
 
     All but the crossings of two inks are within a few units of their true colour.  ``rows`` is how
     many of the inks of links are there; 0 stands for all.

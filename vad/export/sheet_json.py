@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from vad.errors import InputError, shown
+from vad.errors import InputError, quoted
 from vad.export.data.old_sheets import with_facts
 from vad.export.data.records import within
 from vad.export.data.sheet_form import SHEET
@@ -105,7 +105,7 @@ def _loaded(source: str | os.PathLike[str] | Mapping[str, Any]) -> tuple[str, An
     if isinstance(source, Mapping):
         return "sheet", source
     if not isinstance(source, str | os.PathLike) or not isinstance(os.fspath(source), str):
-        raise InputError(f"sheet: must be the name of a file, or its text, got {shown(source)}")
+        raise InputError(f"sheet: must be the name of a file, or its text, got {quoted(source)}")
     is_text = isinstance(source, str) and source.lstrip().startswith(("{", "["))
     name = "sheet" if is_text else os.fspath(source)
     try:

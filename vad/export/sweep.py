@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.errors import AssemblyError, UsageError, shown
+from vad.errors import AssemblyError, UsageError, quoted
 from vad.export import formats
 from vad.export.files import new_file
 from vad.kinematics.motion import MotionInSpace, Motions
@@ -45,7 +45,7 @@ def save_sweep(motion: Motions, path: str | Path) -> None:
     kind = Path(path).suffix.lower()
     if kind not in FORMATS:
         raise UsageError(
-            f"a sweep cannot be saved as {shown(str(path))}", hint=f"as {' or '.join(FORMATS)}"
+            f"a sweep cannot be saved as {quoted(str(path))}", hint=f"as {' or '.join(FORMATS)}"
         )
     if not np.any(motion.assembled):
         raise AssemblyError("the links close at none of these poses")

@@ -13,7 +13,7 @@ import operator
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from vad.errors import InputError, shown, unknown
+from vad.errors import InputError, quoted, unknown
 from vad.files.places import Place
 from vad.kinematics.numbers import direction, fold
 
@@ -73,10 +73,10 @@ class Expression:
         Raises
         ------
         vad.errors.InputError
-            If it is none, or names what is no dimension.
+            If it is no expression, or has a name that is no dimension.
         """
         wrong = InputError(
-            f"{shown(text)} is no number and no expression",
+            f"{quoted(text)} is no number and no expression",
             hint="write 60, '6 cm', or 'a/2' with a in [dimensions]",
         )
         if len(text) > LONGEST:
@@ -99,14 +99,14 @@ class Expression:
         Raises
         ------
         vad.errors.InputError
-            If there is none, as for a division by zero.
+            If it has no value, as after a division by zero.
         """
         try:
             value = _value(self._tree, values)
         except (ArithmeticError, ValueError):
             value = math.nan
         if not math.isfinite(value):
-            raise InputError(f"{shown(self.text)} has no value")
+            raise InputError(f"{quoted(self.text)} has no value")
         return value
 
 

@@ -10,7 +10,7 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from vad.errors import InputError, shown
+from vad.errors import InputError, quoted
 from vad.files.description import Apex, Aside, Beyond, Expression, FromPose, LinkEntry, Pair, Rule
 from vad.files.tables import Numbers
 
@@ -48,7 +48,7 @@ def link(numbers: Numbers, name: str, value: Any) -> LinkEntry:
         return reader.measured(value)
     named = f"{{ {name} = 60 }}, where crank is its name" if letters(name) else "{ AB = 60 }"
     hint = f"as in {'crank' if letters(name) else name} = {named}"
-    raise reader.error(f"must be distances of its points, got {shown(value)}", hint)
+    raise reader.error(f"must be distances of its points, got {quoted(value)}", hint)
 
 
 class _LinkReader:
@@ -65,7 +65,7 @@ class _LinkReader:
         """Return a link that takes its shape from the pose."""
         points = letters(text)
         if len(points) < 2 or len(set(points)) < len(points):
-            raise self.error(f"must name two points or more, got {shown(text)}", "as in 'CDE'")
+            raise self.error(f"must name two points or more, got {quoted(text)}", "as in 'CDE'")
         rules = {point: FromPose(point) for point in points[2:]}
         return LinkEntry(self.name, (points[0], points[1]), None, rules)
 
@@ -80,7 +80,7 @@ class _LinkReader:
                 side = self._side(number)
             elif len(points) not in (2, 3) or len(set(points)) < len(points):
                 hint = "two letters are a distance, three an angle"
-                raise self.error(f"cannot read {shown(key)}", hint)
+                raise self.error(f"cannot read {quoted(key)}", hint)
             elif len(points) == 3:
                 angles[points[0], points[1], points[2]] = number
             elif (points[1], points[0]) in pairs:
@@ -101,7 +101,7 @@ class _LinkReader:
     def _side(self, word: object) -> int:
         if word not in ("clockwise", "counter-clockwise"):
             hint = "write 'clockwise' or 'counter-clockwise'"
-            raise self.error(f"sense: cannot read {shown(word)}", hint)
+            raise self.error(f"sense: cannot read {quoted(word)}", hint)
         return -1 if word == "clockwise" else 1
 
     def _length(self, pair: Pair, value: Any, alone: bool) -> Expression:

@@ -16,7 +16,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any, ClassVar
 
-from vad.errors import InputError, VadError, shown, unknown
+from vad.errors import InputError, VadError, quoted, unknown
 from vad.files.assembling import Assembly, UnplacedError, assemble
 from vad.files.description import Description, Parameter, Values
 from vad.files.linkage import check_numbers, linkage_of, names_under
@@ -208,7 +208,7 @@ class WrittenMechanism(Mechanism, listed=False, metaclass=_WrittenType):
             return
         given = getattr(self, name)
         if not isinstance(given, Mapping):
-            raise InputError(f"{name}: must be places by point, got {shown(given)}", _AS_IN)
+            raise InputError(f"{name}: must be places by point, got {quoted(given)}", _AS_IN)
         words = self._assembly(tuple(_places(self.written, given).items())).words
         object.__setattr__(self, name, dict(words))
 
@@ -243,7 +243,7 @@ def _places(written: Written, given: Mapping[Any, Any]) -> dict[str, Place]:
             raise unknown("point with two places", point, written.choices)
         place = place_of(value)
         if place is None:
-            raise InputError(f"assembly: {point}: {shown(value)} is no place", HINT)
+            raise InputError(f"assembly: {point}: {quoted(value)} is no place", HINT)
         places[point] = place
     return places
 

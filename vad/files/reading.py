@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from vad.errors import InputError, VadError, shown, unknown
+from vad.errors import InputError, VadError, quoted, unknown
 from vad.files.description import (
     Cartesian,
     Description,
@@ -87,7 +87,7 @@ def _fixed(numbers: Numbers) -> dict[str, Cartesian | Polar]:
             raise source.error("fixed", point, f"{point}: is no place", hint)
         start = value["from"]
         if start not in fixed:
-            message = f"{point}: from {shown(start)}, which is no fixed point above it"
+            message = f"{point}: from {quoted(start)}, which is no fixed point above it"
             raise source.error("fixed", point, message)
         length = numbers.take(
             "fixed", point, f"{start}{point}", value["length"], "length",
@@ -106,7 +106,7 @@ def _fixed(numbers: Numbers) -> dict[str, Cartesian | Polar]:
 def _check_point(source: Source, table: str, point: str) -> None:
     if len(letters(point)) != 1:
         hint = "a capital letter, or a letter with a number: O2"
-        raise source.error(table, point, f"{shown(point)} is no point", hint)
+        raise source.error(table, point, f"{quoted(point)} is no point", hint)
 
 
 def _driver(
@@ -142,7 +142,7 @@ def _driver(
 def _input(source: Source, name: str, word: str, value: Any, unit: str) -> float:
     try:
         if isinstance(value, bool) or not isinstance(value, int | float | str):
-            raise InputError(f"must be a number, got {shown(value)}")
+            raise InputError(f"must be a number, got {quoted(value)}")
         number = read(value, word, unit) if isinstance(value, str) else float(value)
         if not math.isfinite(number):
             raise InputError(f"must be a finite number, got {number}")
@@ -159,7 +159,7 @@ def _assembly(source: Source) -> dict[str, Place]:
         _check_point(source, "assembly", point)
         place = place_of(value)
         if place is None:
-            raise source.error("assembly", point, f"{point}: {shown(value)} is no place", HINT)
+            raise source.error("assembly", point, f"{point}: {quoted(value)} is no place", HINT)
         places[point] = place
     return places
 
@@ -269,14 +269,14 @@ class _GuideReader:
     def check_name(self, name: object) -> None:
         """Refuse a name of a slide that is not one word."""
         if not isinstance(name, str) or not (name.isidentifier() and name.isascii()):
-            raise self.error(f"name: must be one word, got {shown(name)}", "as in name = 'ram'")
+            raise self.error(f"name: must be one word, got {quoted(name)}", "as in name = 'ram'")
 
     def under(self, name: object, line: object, others: Iterable[str]) -> str:
         """Return the name of the point of a link that lies under the block."""
         if not isinstance(line, LinkLine):
             raise self.error("under: only a link has a point under the block")
         if not isinstance(name, str) or letters(name) != (name,):
-            raise self.error(f"under: must be one point, got {shown(name)}", "as in under = 'Q'")
+            raise self.error(f"under: must be one point, got {quoted(name)}", "as in under = 'Q'")
         linked = (point for link in self.links.values() for point in link.points)
         if name in {*self.fixed, *self.guided, *linked, *others}:
             raise self.error(f"under: there is a point {name} already")
@@ -285,7 +285,7 @@ class _GuideReader:
     def line(self, value: Any) -> FrameLine | LinkLine | SliderLine:
         """Return the line of a guide."""
         if not isinstance(value, Mapping):
-            raise self.error(f"must be a line, got {shown(value)}", _HINT)
+            raise self.error(f"must be a line, got {quoted(value)}", _HINT)
         for word in value:
             if word not in _WORDS:
                 wrong = unknown("word", word, _WORDS)
@@ -308,13 +308,13 @@ class _GuideReader:
         if through in self.guided and through != self.point:
             return SliderLine(str(through), angle)
         hint = "along = 'DC' is the slot of a link that turns"
-        message = f"through: {shown(through)} is neither a fixed point nor one that slides"
+        message = f"through: {quoted(through)} is neither a fixed point nor one that slides"
         raise self.error(message, hint)
 
     def _along(self, value: object, offset: Any) -> FrameLine | LinkLine:
         pair = letters(value) if isinstance(value, str) else ()
         if len(pair) != 2 or pair[0] == pair[1]:
-            message = f"along: must be two points of a link, got {shown(value)}"
+            message = f"along: must be two points of a link, got {quoted(value)}"
             raise self.error(message, "as in { along = 'DC' }")
         aside = None if offset is None else self._number("offset", offset, "length")
         if all(point in self.fixed for point in pair):

@@ -18,7 +18,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
-from vad.errors import InputError, shown, unknown
+from vad.errors import InputError, quoted, unknown
 from vad.files.description import Cartesian, Expression, Parameter
 from vad.files.examples import EXTENSION, example_names
 from vad.mechanisms.mechanism import Mechanism
@@ -101,7 +101,7 @@ def _plain(value: object) -> object:
         return str(value)
     if hasattr(value, "tolist"):
         return value.tolist()
-    raise TypeError(f"{shown(value)} is neither a number nor text")
+    raise TypeError(f"{quoted(value)} is neither a number nor text")
 
 
 def read_file(path: str | Path) -> Source:
@@ -133,7 +133,7 @@ def text_of(path: str | Path, longest: int = LONGEST) -> str:
     except OSError as error:
         raise InputError(f"'{path}': {error.strerror or error}", _nearly(path)) from None
     except ValueError:
-        raise InputError(f"{shown(str(path))}: is no name of a file") from None
+        raise InputError(f"{quoted(str(path))}: is no name of a file") from None
     if len(data) > longest:
         raise InputError(f"{path.name}: is longer than {longest} bytes")
     return text
@@ -255,7 +255,7 @@ class Numbers:
                 raise self._error("dimensions", name, f"{name}: must be one word")
             taken = self.take("dimensions", name, name, value, "number", signed=True)
             if taken.text != name:
-                message = f"{name}: must be a number, got {shown(value)}"
+                message = f"{name}: must be a number, got {quoted(value)}"
                 hint = "write the expression where it is used"
                 raise self._error("dimensions", name, message, hint)
 
@@ -304,7 +304,7 @@ class Numbers:
     def place(self, table: str, key: str, value: Any) -> Cartesian:
         """Return a place that is written as two coordinates."""
         if not isinstance(value, list | tuple) or len(value) != 2:
-            message = f"{key}: must be two coordinates, got {shown(value)}"
+            message = f"{key}: must be two coordinates, got {quoted(value)}"
             raise self._error(table, key, message, f"write {key} = [0, 0]")
         x, y = (
             self.coordinate(table, key, axis, each) for axis, each in zip("xy", value, strict=True)
@@ -315,7 +315,7 @@ class Numbers:
         self, table: str, key: str, name: str, value: Any, quantity: str
     ) -> float | Expression:
         if isinstance(value, bool) or not isinstance(value, int | float | str):
-            raise self._error(table, key, f"{name}: must be a number, got {shown(value)}")
+            raise self._error(table, key, f"{name}: must be a number, got {quoted(value)}")
         if not isinstance(value, str):
             try:
                 return float(value)

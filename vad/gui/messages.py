@@ -23,7 +23,7 @@ from vad.errors import (
     UsageError,
     VadError,
     one_of,
-    shown,
+    quoted,
     unknown,
 )
 from vad.files.examples import EXTENSION
@@ -199,7 +199,7 @@ def read(kind: type[Asked], data: object, kinds: Kinds = MECHANISMS) -> Asked:
         For a field that is unknown, missing or of the wrong kind.
     """
     if not isinstance(data, dict):
-        raise UsageError(f"the question must be an object, got {shown(data)}")
+        raise UsageError(f"the question must be an object, got {quoted(data)}")
     known = {each.name for each in dataclasses.fields(kind)} & set(_CHECKS)
     for name in data:
         if name not in known:
@@ -226,7 +226,7 @@ def _numbers(
 
 def _text(name: str, value: object) -> str:
     if not isinstance(value, str):
-        raise UsageError(f"{name}: must be a text, got {shown(value)}")
+        raise UsageError(f"{name}: must be a text, got {quoted(value)}")
     return value
 
 
@@ -236,19 +236,19 @@ def _optional_text(name: str, value: object) -> str | None:
 
 def _texts(name: str, value: object) -> tuple[str, ...]:
     if not isinstance(value, list):
-        raise UsageError(f"{name}: must be a list, got {shown(value)}")
+        raise UsageError(f"{name}: must be a list, got {quoted(value)}")
     return tuple(_text(name, each) for each in value)
 
 
 def _number(name: str, value: object) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        raise InputError(f"{name}: must be a finite number, got {shown(value)}")
+        raise InputError(f"{name}: must be a finite number, got {quoted(value)}")
     return float(value)
 
 
 def _object(name: str, value: object) -> dict[str, Any]:
     if not isinstance(value, dict):
-        raise UsageError(f"{name}: must be an object, got {shown(value)}")
+        raise UsageError(f"{name}: must be an object, got {quoted(value)}")
     return value
 
 
@@ -265,7 +265,7 @@ def _scales(name: str, value: object) -> Scales:
     found = {}
     for panel, each in _object(name, value).items():
         if not isinstance(each, list) or len(each) != 3:
-            raise UsageError(f"{name}: must have three numbers for {shown(panel)}")
+            raise UsageError(f"{name}: must have three numbers for {quoted(panel)}")
         x, y, factor = (_number(name, number) for number in each)
         if factor <= 0.0:
             raise UsageError(f"{name}: must be positive, got {factor:g}")
@@ -282,7 +282,7 @@ def _ways(name: str, value: object) -> dict[str, dict[str, float]]:
 
 def _size(name: str, value: object) -> tuple[int, int]:
     if not isinstance(value, list) or len(value) != 2:
-        raise UsageError(f"{name}: must be a width and a height, got {shown(value)}")
+        raise UsageError(f"{name}: must be a width and a height, got {quoted(value)}")
     width, height = check_size(tuple(value))
     if width > LARGEST[0] or height > LARGEST[1]:
         most = f"{LARGEST[0]}x{LARGEST[1]}"

@@ -57,7 +57,7 @@ def served(start: ExportQuestion, port: int = 0) -> Iterator[str]:
     Raises
     ------
     vad.errors.ExportError
-        If the port is not to be had.
+        If the port is not free.
     """
     with contextlib.closing(_listening(port)) as listener:
         key, closing = PageKey(listener.getsockname()[1]), Event()

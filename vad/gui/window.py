@@ -44,14 +44,14 @@ _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")  # as i
 
 
 def window(start: ExportQuestion, nonce: str, head: str = "") -> str:
-    """Return the page of the window; its script bears the ``nonce`` without which it would not run.
+    """Return the page of the window; a browser runs its script only with this ``nonce``.
 
-    ``head`` is what else stands in its head.
+    ``head`` is further HTML for the head of the page.
 
     Raises
     ------
     vad.errors.UsageError
-        For a language, style or panel that there is not.
+        For an unknown language, style or panel.
     """
     code, say = start.language, Language(start.language)
     texts, own = say.page("WINDOW"), say.page("PLAYER")

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypedDict, Unpack, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.errors import InputError, shown, unknown
+from vad.errors import InputError, quoted, unknown
 from vad.kinematics.numbers import Number, Real, Truth, Vector
 from vad.kinematics.results import Joint, Link, Point, Slider, plain, table, units
 from vad.kinematics.solution import Solution
@@ -61,7 +61,7 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
     """
     if not hasattr(mechanism, "linkage") or isinstance(mechanism, type):
         raise InputError(
-            f"mechanism: must be a mechanism with its dimensions, got {shown(mechanism)}",
+            f"mechanism: must be a mechanism with its dimensions, got {quoted(mechanism)}",
             hint="for example vad.FourBar()",
         )
     for name in inputs:
@@ -264,7 +264,7 @@ def _one(name: str, value: Any, largest: float) -> float:
     except (ValueError, OverflowError):  # a whole number beyond every float
         number = math.inf
     if not math.isfinite(number):
-        raise InputError(f"{name}: must be a finite number, got {shown(value)}")
+        raise InputError(f"{name}: must be a finite number, got {quoted(value)}")
     if abs(number) > largest:
         raise InputError(f"{name}: must be within ±{largest:g}, got {number:g}")
     return number
@@ -287,7 +287,7 @@ def _many(name: str, value: object) -> NDArray[np.float64]:
         if isinstance(error, MemoryError):
             raise
         wanted = "must be a number or an array of numbers"
-        raise InputError(f"{name}: {wanted}, got {shown(value)}") from None
+        raise InputError(f"{name}: {wanted}, got {quoted(value)}") from None
 
 
 def _is_number(value: object) -> bool:

@@ -24,7 +24,7 @@ Array = NDArray[Any]
 Move = tuple[str, list[int], int]
 
 BLOCK = 8192  # poses
-# From so many poses on it pays to write the moves out as the text of a function.
+# From this number of poses on it pays to write the moves as the text of a function.
 LONG = 30 * BLOCK
 # Up to here an angle can be folded without the loop that a remainder needs.
 LARGEST_ANGLE = 1e15

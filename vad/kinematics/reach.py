@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 # measure is the sine at which construction lines cross, or the length by which the links miss, in
 # the solver's unit.
 _NEAR = 0.2
-_STRIDE = 5  # the search takes one point of the grid in so many
+_STRIDE = 5  # the search takes every fifth point of the grid
 _GOLDEN = 0.5 * (5**0.5 - 1.0)
 _SECTIONS = 80
 

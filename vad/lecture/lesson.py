@@ -16,7 +16,7 @@ from typing import Any
 
 from vad.discovery import names_in, one_of_all
 from vad.displayed import Displayed
-from vad.errors import UsageError, one_of, shown
+from vad.errors import UsageError, one_of, quoted
 from vad.lecture.moment import Moment, done, drawing
 from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke, driver_of
 
@@ -146,7 +146,7 @@ def animate(
         If a value is out of its range, or the style unknown.
     """
     if not isinstance(sheet, Sheet):
-        raise UsageError(f"sheet: must be what vad.draw returns, got {shown(sheet)}")
+        raise UsageError(f"sheet: must be what vad.draw returns, got {quoted(sheet)}")
     _check_loop(sheet, loop)
     fps, size, speed = checked(fps, size, speed, style)
 
@@ -181,7 +181,7 @@ def _check_loop(sheet: Sheet, loop: int) -> None:
     count = max(len(panel.loops) for panel in sheet.panels)
     if isinstance(loop, bool) or not isinstance(loop, int) or not 1 <= loop <= max(count, 1):
         hint = "this mechanism has one loop" if count < 2 else f"try 2, of its {count} loops"
-        raise UsageError(f"loop: must be between 1 and {max(count, 1)}, got {shown(loop)}", hint)
+        raise UsageError(f"loop: must be between 1 and {max(count, 1)}, got {quoted(loop)}", hint)
 
 
 def opens(sheet: Sheet, panel: Panel) -> bool:
@@ -237,7 +237,7 @@ def _number(name: str, value: object, ends: tuple[float, float], hint: str) -> f
             number = float(value)
             if ends[0] <= number <= ends[1]:
                 return number
-    got = shown(value)
+    got = quoted(value)
     raise UsageError(f"{name}: must be between {ends[0]:g} and {ends[1]:g}, got {got}", hint)
 
 
@@ -256,12 +256,12 @@ def check_size(size: tuple[int, int]) -> tuple[int, int]:
     except (TypeError, ValueError, OverflowError):
         whole = False
     if not whole:
-        message = f"size: must be a width and a height in pixels, got {shown(size)}"
+        message = f"size: must be a width and a height in pixels, got {quoted(size)}"
         raise UsageError(message, hint)
     ends = zip(SMALLEST, (width, height), LARGEST, strict=True)
     if not all(low <= side <= high for low, side, high in ends):
         smallest, largest, got = (
-            "x".join(map(shown, each)) for each in (SMALLEST, LARGEST, (width, height))
+            "x".join(map(quoted, each)) for each in (SMALLEST, LARGEST, (width, height))
         )
         raise UsageError(f"size: must be between {smallest} and {largest}, got {got}", hint)
     return width, height
@@ -353,7 +353,7 @@ def still(lesson: Lesson, step: int | str) -> Still:
         If there is no such step.
     """
     if not isinstance(lesson, Lesson):
-        raise UsageError(f"lesson: must be what vad.animate returns, got {shown(lesson)}")
+        raise UsageError(f"lesson: must be what vad.animate returns, got {quoted(lesson)}")
     panel, colon, number = step.rpartition(":") if isinstance(step, str) else ("", "", step)
     places: dict[str, list[int]] = {
         name: [i for i, each in enumerate(lesson.steps, 1) if each.panel.column == name]
@@ -363,9 +363,9 @@ def still(lesson: Lesson, step: int | str) -> Still:
     where = f"the {panel} panel" if colon else "the lesson"
     place = _place(number)
     if place is None:
-        raise UsageError(f"{shown(step)} is not a step", hint="as in 4 or velocity:4")
+        raise UsageError(f"{quoted(step)} is not a step", hint="as in 4 or velocity:4")
     if not 1 <= place <= len(steps):
-        got = shown(number).strip("'")
+        got = quoted(number).strip("'")
         raise UsageError(f"there is no step {got}: {where} has {len(steps)}, from 1 on")
     return Still(lesson, steps[place - 1])
 

@@ -11,7 +11,7 @@ from itertools import islice
 from string import ascii_uppercase
 from typing import Any, NamedTuple
 
-from vad.errors import InputError, shown, unknown
+from vad.errors import InputError, quoted, unknown
 from vad.kinematics.linkage import Bar, Linkage, Step, points_of
 
 _NAME = re.compile(r"[A-Z]\d{0,3}")
@@ -66,28 +66,30 @@ def link_points(given: Any) -> LinkPoints:
     {'D': LinkPoint(link='rod', distance=100.0, angle=0.0)}
     """
     if not isinstance(given, Mapping):
-        raise InputError(f"points: must be places by name, got {shown(given)}", _AS_IN)
+        raise InputError(f"points: must be places by name, got {quoted(given)}", _AS_IN)
     return LinkPoints(tuple((_name(name), _place(name, given[name])) for name in given))
 
 
 def _name(name: object) -> str:
     if not isinstance(name, str) or not _NAME.fullmatch(name):
         wanted = "must be a capital letter, or one with a number"
-        raise InputError(f"points: a name {wanted}, got {shown(name)}", "as in D or D2")
+        raise InputError(f"points: a name {wanted}, got {quoted(name)}", "as in D or D2")
     return name
 
 
 def _place(name: str, given: object) -> LinkPoint:
     if not isinstance(given, tuple | list) or len(given) not in (2, 3):
-        raise InputError(f"point {name}: must be a link and a distance, got {shown(given)}", _AS_IN)
+        raise InputError(
+            f"point {name}: must be a link and a distance, got {quoted(given)}", _AS_IN
+        )
     link, *numbers = given
     for what, number in zip(("distance", "angle"), numbers, strict=False):
         if isinstance(number, bool) or not isinstance(number, float | int):
-            raise InputError(f"point {name}: its {what} must be a number, got {shown(number)}")
+            raise InputError(f"point {name}: its {what} must be a number, got {quoted(number)}")
         if not abs(number) <= 1e200:
-            raise InputError(f"point {name}: its {what} must be finite, got {shown(number)}")
+            raise InputError(f"point {name}: its {what} must be finite, got {quoted(number)}")
     if not isinstance(link, str):
-        raise InputError(f"point {name}: must be on a link, got {shown(link)}", _AS_IN)
+        raise InputError(f"point {name}: must be on a link, got {quoted(link)}", _AS_IN)
     if not numbers[0]:
         raise InputError(
             f"point {name}: its distance must not be 0", "there is the first end of the link"

@@ -8,7 +8,7 @@ from dataclasses import KW_ONLY, dataclass, field, fields
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
-from vad.errors import InputError, one_of, shown
+from vad.errors import InputError, one_of, quoted
 from vad.kinematics.linkage import Linkage
 from vad.mechanisms.link_points import LinkPoints, link_points, marked
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}
-# No smaller angle between axes: its sixth power stays in the range of double precision.
+# The smallest angle that axes may have: its sixth power stays in the range of double precision.
 NEAREST = 1e-30
 # Products of four lengths between these stay in the range of double precision when scaled.
 SHORTEST, LONGEST = 1e-200, 1e200
@@ -134,9 +134,9 @@ class Mechanism:
             one_of(name, value, metadata["choices"])
         elif metadata["quantity"] == "unit":
             if not isinstance(value, str) or not (value.strip() and value.isprintable()):
-                raise InputError(f"{name}: must be the name of a unit, got {shown(value)}")
+                raise InputError(f"{name}: must be the name of a unit, got {quoted(value)}")
             if len(value) > LONGEST_UNIT:
-                raise InputError(f"{name}: must be short, got {shown(value)}")
+                raise InputError(f"{name}: must be short, got {quoted(value)}")
         elif metadata["quantity"] == "points":
             object.__setattr__(self, name, link_points(value))
         elif value is not None or not metadata["optional"]:
@@ -162,7 +162,7 @@ class Mechanism:
                 raise TypeError
             number = float(value)
         except Exception:  # a class may raise anything when it is asked for a number
-            raise InputError(f"{name}: must be one number, got {shown(value)}") from None
+            raise InputError(f"{name}: must be one number, got {quoted(value)}") from None
         if not math.isfinite(number):
             raise InputError(f"{name}: must be a finite number, got {number}")
         if not signed and number <= 0.0:

@@ -56,7 +56,7 @@ def solve(problem: Problem) -> Found:
 
 
 def _rounded(problem: Problem, scalar: Scalar, jet: Jet) -> Jet:
-    """Return the results with zero for what is nothing but the rounding of the last digits."""
+    """Return the results, with zero for values that are only rounding of the last digits."""
     lengths = [v.length for equation in problem.equations for v in equation.vectors]
     smallest = min(abs(length) for length in lengths if isinstance(length, float))
     least = problem.unit(scalar) * mpf(10) ** -DIGITS * smallest / problem.size
@@ -180,7 +180,7 @@ def solve_in_space(problem: SpaceProblem) -> Found:
 
 
 def _rounded_in_space(problem: SpaceProblem, unit: float, jet: Jet) -> Jet:
-    """Return a result with zero for what is nothing but the rounding of the last digits."""
+    """Return a result, with zero for a value that is only rounding of the last digits."""
     least, pace = unit * mpf(10) ** -DIGITS, mpf(problem.pace)
     return Jet(*(x if abs(x) > least * pace**order else mpf(0) for order, x in enumerate(jet)))
 

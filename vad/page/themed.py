@@ -73,7 +73,7 @@ def _lines(style: Style) -> tuple[object, ...]:
 
 
 def variables(style: Style, rows: int) -> str:
-    """Return the declarations of a style's colours, as far as so many rows need them."""
+    """Return the declarations of a style's colours that are needed for a number of rows."""
     colours = {ink: style.colour(ink, None) for ink in ("text", "grey", "hairline", "ground")}
     colours["tint"] = style.colour("tint", None)
     for row, ink in enumerate(style.inks[:rows]):

@@ -237,7 +237,7 @@ class _Incremental:
         return now
 
     def _lay(self, now: list[tuple[Mark, Box, bool]]) -> None:
-        """Paint what grows on the base, and whatever of the rest it touches."""
+        """Paint what grows on the base, and everything else that it touches."""
         if not self._top:
             return
         box = self._reach(now)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from vad.errors import InputError, UsageError, one_of, shown
+from vad.errors import InputError, UsageError, one_of, quoted
 from vad.kinematics.linkage import points_of
 from vad.kinematics.motion import Motion, solve
 from vad.kinematics.solver import Solver
@@ -71,7 +71,7 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     ['a,d', 'ab', '⟂ BC', '⟂ DC', 'c', 'bc', 'dc']
     """
     if not isinstance(motion, Motion):
-        raise InputError(f"motion: must be what vad.solve returns, got {shown(motion)}")
+        raise InputError(f"motion: must be what vad.solve returns, got {quoted(motion)}")
     if motion.many:
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
     diagrams = [DIAGRAMS[name] for name in chosen(panels, motion)]
@@ -118,7 +118,7 @@ def chosen(
     try:
         given = (given,) if isinstance(given, str) else tuple(given)
     except TypeError:
-        raise UsageError(f"panels: must be names of panels, got {shown(given)}") from None
+        raise UsageError(f"panels: must be names of panels, got {quoted(given)}") from None
     names = [one_of("panel", name, DIAGRAMS) for name in given]
     if not names:
         raise UsageError("panels: none given", hint="known: " + ", ".join(fitting))

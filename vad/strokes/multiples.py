@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from vad.displayed import Displayed
-from vad.errors import InputError, UsageError, shown
+from vad.errors import InputError, UsageError, quoted
 from vad.strokes.sheet import Cell, Sheet
 
 if TYPE_CHECKING:
@@ -77,13 +77,13 @@ def multiples(
 
 
 def _checked(at: Sequence[float]) -> list[float]:
-    """Return the places of the driver if there are as many as a picture can have."""
+    """Return the places of the driver, after checking that a picture has room for them."""
     try:
         places = [] if isinstance(at, str) else list(at)
     except TypeError:
         places = []
     if not FEWEST <= len(places) <= MOST:
-        got = str(len(places)) if places else shown(at)
+        got = str(len(places)) if places else quoted(at)
         raise UsageError(f"at: must be {FEWEST} to {MOST} places of the driver, got {got}")
     return places
 

@@ -99,7 +99,7 @@ class Pencil(Generic[V]):
         return not self.resting and abs(vector) > self._nothing
 
     def add(self, stroke: Stroke) -> Stroke:
-        """Append a stroke and return it.  Of a polygon at rest nothing but the pole is drawn."""
+        """Append a stroke and return it.  A polygon at rest has no stroke but the pole."""
         if self.resting:
             self.leave_out(stroke)
         else:

@@ -110,7 +110,7 @@ class Part(Generic[V]):
 
     @property
     def drawn(self) -> StrokePart:
-        """Which part of what the stroke that draws it is: ``AB.normal``."""
+        """The part that its stroke draws: ``AB.normal``."""
         return StrokePart("", self.called) if self.called else StrokePart(self.of.name, self.name)
 
     @property

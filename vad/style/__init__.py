@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from vad.discovery import from_packages, names_in, one_of_all
-from vad.errors import InputError, shown
+from vad.errors import InputError, quoted
 from vad.plan.roles import ROLES, Ink
 
 #: The entry points under which other packages bring their styles.
@@ -142,7 +142,7 @@ def load_style(name: str) -> Style:
     Raises
     ------
     vad.errors.UsageError
-        If there is none of that name.
+        If there is no style of that name.
     vad.errors.InputError
         If what another package has under that name is no style.
     """
@@ -152,5 +152,5 @@ def load_style(name: str) -> Style:
         style = from_packages(GROUP)[name]
         style = getattr(style, "STYLE", style)  # a module that is made as those of this folder
     if not isinstance(style, Style):
-        raise InputError(f"style '{name}': must be a Style, got {shown(style)}")
+        raise InputError(f"style '{name}': must be a Style, got {quoted(style)}")
     return style

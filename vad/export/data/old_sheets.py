@@ -42,7 +42,7 @@ def with_facts(sheet: Sheet) -> Sheet:
 
 
 def _with_halves(row: Row, lower: Mapping[str, str]) -> Row:
-    """Return a row whose cells are measured below where they bear the lower polygon's unit."""
+    """Return a row in which cells with the unit of the lower polygon count as measured there."""
     cells = {
         name: tuple(replace(cell, below=cell.unit == lower.get(name)) for cell in found)
         for name, found in row.cells.items()

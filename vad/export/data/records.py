@@ -119,7 +119,7 @@ def one_of(values: Collection[Any]) -> Form:
 
 
 def row(*forms: Form) -> Form:
-    """Return the form of a tuple of so many different values."""
+    """Return the form of a tuple with one form for each of its values."""
 
     def read(value: Any, place: str) -> tuple[Any, ...]:
         if not isinstance(value, list) or len(value) != len(forms):

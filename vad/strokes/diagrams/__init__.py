@@ -1,4 +1,4 @@
-"""The kinds of diagram: every module of this package declares one and is found by itself."""
+"""The kinds of diagrams: each module of this package declares one, and no table lists them."""
 
 from importlib import import_module
 from pkgutil import iter_modules
