@@ -67,6 +67,16 @@ def test_what_is_chosen_stands_while_a_dimension_changes(name, changed):
     assert feet(after) == feet(before)
 
 
+def test_what_is_chosen_stands_though_its_own_pose_was_never_asked_for():
+    sheet, changed = sheet_of("four-bar"), sheet_of("four-bar", crank=44.0)
+    seen = board_of_all("four-bar").pose(sheet, {}, {})
+    board_of.cache_clear()
+    fresh = board_of_all("four-bar").resized(changed, seen.scales)
+    pose = fresh.pose(changed, seen.scales, seen.ways)
+    assert feet(pose) == feet(seen)
+    assert arrow(pose) == arrow(seen)
+
+
 def test_a_mechanism_that_outgrows_its_panel_gets_another_scale():
     board = board_of_all("four-bar")
     scales, found = board.pose(sheet_of("four-bar"), {}, {}).scales, []

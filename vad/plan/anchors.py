@@ -48,7 +48,8 @@ class Term:
     ----------
     stroke
         Whose direction: from start to end of a vector or bar, else that of the guide, line or
-        block.  Empty for the page itself, whose direction is to the right.
+        block.  Empty for the page itself, whose direction is to the right.  A unit vector that
+        leads there is `Term(stroke)`; it is multiplied by lengths.
     page
         In page units.
     panel
@@ -226,7 +227,7 @@ class Strip:
     through, stroke
         The line: a point of it, and the stroke whose direction it has.
     low, high
-        Its ends, from there.
+        How far along the line its ends are from there, in page units.
     wide
         How wide it is, 0 for a line.
     closed

@@ -16,7 +16,18 @@ from typing import Protocol
 from vad.lecture.moment import Moment, finished
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
-from vad.plan.items import CAPTION, FOREVER, OPENING, RESULTS, TITLE, Item, Level, foot_of, head_of
+from vad.plan.items import (
+    CAPTION,
+    FOREVER,
+    OPENING,
+    RESULTS,
+    TITLE,
+    Item,
+    Level,
+    foot_of,
+    head_of,
+    in_painting_order,
+)
 from vad.plan.layout import MARGIN, OVERLAP, Page, lay_out, rooms
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Bow, Disc, Lettering, Outline, Polygon, Polyline, Wandering
@@ -169,9 +180,8 @@ def plan(
             *results(sheet, page, sketches, key, lesson),
             *(captions(sheet, page, sketches) if lesson else ()),
         ]
-    order = {name: number for number, name in enumerate(regions)}
-    items.sort(key=lambda item: (order[item.region], item.level))
-    return Plan(sheet, form, page, regions, tuple(items), sketches)
+    shown = tuple(in_painting_order(items, regions))
+    return Plan(sheet, form, page, regions, shown, sketches)
 
 
 def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[str, Foot]]:

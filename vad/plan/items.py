@@ -5,6 +5,7 @@ An item shows while ``since`` ≤ beat < ``until``, in the beats of `vad.lecture
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import IntEnum
 
@@ -81,6 +82,12 @@ def foot_of(panel: str) -> str:
 def curve_of(panel: str) -> str:
     """Return the region of what comes out over a turn, below a panel's drawing."""
     return f"{panel} curve"
+
+
+def in_painting_order(items: Iterable[Item], regions: Iterable[str]) -> list[Item]:
+    """Return items by the order of their regions, and there by their levels, lowest first."""
+    order = {name: number for number, name in enumerate(regions)}
+    return sorted(items, key=lambda item: (order[item.region], item.level))
 
 
 def together(one: Span, other: Span) -> bool:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from vad.plan.board import Plan, arrange, regions_of, rows_of
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
-from vad.plan.items import Item
+from vad.plan.items import Item, in_painting_order
 from vad.plan.labels.choices import KeptLabels, Ways
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.layout import OVERLAP, Page, rooms
@@ -112,8 +112,9 @@ class LiveBoard:
                 sketch = Polygon(setting, kept[name]).under_hand(setting, labels)
             items += sketch.items
             sketches[name], turned[name] = sketch, labels.ways
-        items.sort(key=lambda item: item.level)
-        plan = Plan(sheet, self.form, self.page, regions_of(self.page), tuple(items), sketches)
+        regions = regions_of(self.page)
+        shown = tuple(in_painting_order(items, regions))
+        plan = Plan(sheet, self.form, self.page, regions, shown, sketches)
         return LivePose(plan, kept, turned)
 
     def room(self, panel: Panel, sheet: Sheet) -> Rect:

@@ -16,7 +16,7 @@ from vad.plan.chart import Chart, Clock, dial, driver_ticks
 from vad.plan.format import Format, screen
 from vad.plan.geometry import Rect
 from vad.plan.hodographs import Hodographs
-from vad.plan.items import TITLE, Item, Level, curve_of, head_of
+from vad.plan.items import TITLE, Item, Level, curve_of, head_of, in_painting_order
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import Placed, belongs, beside, fan
 from vad.plan.labels.springs import POSES
@@ -66,7 +66,6 @@ class TurnBoard:
         layout = lay_out_turn(self.form, names)
         self.page = layout.page
         self.regions: Mapping[str, Rect] = layout.regions
-        self._order = {name: number for number, name in enumerate(self.regions)}
         self.panels: dict[str, TurnPanel] = {}
         self.clock: Clock | None = None
         rows = rows_of(sheet)
@@ -99,11 +98,7 @@ class TurnBoard:
                 items.append(self.item(panel.name, self.clock.marks(share)))
         for name, chart in self.charts.items():
             items.append(self.item(curve_of(name), [*chart.moving(share), *chart.words(share)]))
-        return self.sorted(items)
-
-    def sorted(self, items: list[Item]) -> list[Item]:
-        """Return items in painting order."""
-        return sorted(items, key=lambda item: (self._order[item.region], item.level))
+        return in_painting_order(items, self.regions)
 
     def item(self, region: str, marks: list[Mark]) -> Item:
         """Return marks that stand above all else in a region."""
@@ -166,7 +161,7 @@ class NumberedTurn(TurnBoard):
         for name, chart in self.charts.items():
             marks = [*chart.numbered([*shares, 1.0]), *chart.heading(), *chart.scale(ticks)]
             items.append(self.item(curve_of(name), marks))
-        self._shown = self.sorted(items)
+        self._shown = in_painting_order(items, self.regions)
 
     def shown(self, beat: int) -> list[Item]:
         """Return all items: nothing moves."""

@@ -58,8 +58,6 @@ class Skeleton:
         What stands still.
     size, radius
         That of all parts, and of its joints.
-    crowds
-        What stands in each of the poses.
     """
 
     def __init__(
@@ -75,7 +73,6 @@ class Skeleton:
         self.radius = machine.JOINT_REACH * self.size
         self._links = Links(self.size)
         self._before = before
-        self._feet: dict[str, complex] = {}
         self._rails = {
             stroke.name: self._rail(stroke.name)
             for stroke in poses[0].strokes
@@ -114,8 +111,13 @@ class Skeleton:
         """What labels keep clear of in each of the poses; none where all was chosen before."""
         return self._standing[1]
 
+    @property
+    def feet(self) -> dict[str, complex]:
+        """Where each fixed pivot points, by the name of its stroke."""
+        return self._standing[2]
+
     @cached_property
-    def _standing(self) -> tuple[Sketch, list[Obstacles]]:
+    def _standing(self) -> tuple[Sketch, list[Obstacles], dict[str, complex]]:
         strokes = self._poses[0].strokes
         frame = tuple(each for each in strokes if self.angle or each.kind != "angle")
         setting = replace(self._setting, panel=replace(self._poses[0], strokes=frame))
@@ -125,21 +127,22 @@ class Skeleton:
             if stroke.name in self._rails:
                 still.put(index, self._guide(still, index))
         pivots = {frame[index].name: index for index, _ in machine.fixed_points(setting.panel)}
-        chosen = self._before._feet if self._before else {}
+        feet = dict(self._before.feet) if self._before else {}
         crowds: list[Obstacles] = []
-        if not self._before or pivots.keys() - chosen.keys():
+        if pivots.keys() - feet.keys() or not self._before:
             vertices = [find_vertices(pose, self.scale) for pose in self._poses]
             moved = zip(self._poses, vertices, strict=True)
             crowds = [self._moving(pose, still, each).obstacles for pose, each in moved]
         for name in pivots:
-            at = self.scale(still.solved.point((name, "at")))
-            self._feet[name] = chosen.get(name) or supports.calm_way(at, crowds, self.size)
+            if name not in feet:
+                at = self.scale(still.solved.point((name, "at")))
+                feet[name] = supports.calm_way(at, crowds, self.size)
         for name, index in pivots.items():
-            piece = supports.pivot(name, Foot(self._feet[name], self.size))
+            piece = supports.pivot(name, Foot(feet[name], self.size))
             still.put(index, piece)
             for crowd in crowds:
                 piece.block(crowd, still.solved)
-        return still, crowds
+        return still, crowds, feet
 
     def pose(self, panel: Panel) -> Sketch:
         """Return what moves, in one pose; its obstacles hold what stands still, too."""

@@ -347,7 +347,7 @@ def _nearest(obstacles: Obstacles, at: complex, size: tuple[float, float]) -> co
     upright = np.arange(int((room.height - high) / NOTE_STEP) + 1) * NOTE_STEP
     corner = complex(room.left + wide / 2, room.bottom + high / 2)
     found = (corner + across[:, None] + 1j * upright).ravel()
-    spots = found[np.argsort(np.abs(found - at), kind="stable")].tolist()
+    spots: list[complex] = found[np.argsort(np.abs(found - at), kind="stable")].tolist()
     if not spots:
         return at
     for first in range(0, len(spots), _AT_ONCE):
