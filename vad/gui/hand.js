@@ -9,7 +9,7 @@ let view = null; // from the drawing's pixels to the window's; null if there is 
 
 // Puts the handle in its place. It is called only after an answer and when the window changes,
 // because the browser must lay out the page to tell where the drawing is.
-function hold() {
+function placeHandle() {
   if (grip) write();
   view = grip && picture()?.getScreenCTM();
   handle.hidden = !view;
@@ -84,6 +84,6 @@ handle.addEventListener("keydown", (event) => {
   turn(angle ? (to + 360) % 360 : to);
   write();
 });
-const sized = new ResizeObserver(hold);
+const sized = new ResizeObserver(placeHandle);
 for (const place of [".stage", ".board"]) sized.observe(find(place));
-addEventListener("scroll", hold, { capture: true, passive: true });
+addEventListener("scroll", placeHandle, { capture: true, passive: true });

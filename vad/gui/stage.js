@@ -10,30 +10,30 @@ function move({ panels, rows, looks, scales: fresh, ways: sides }) {
   for (const [name, scale, drawing] of panels) {
     const section = sections[names.indexOf(name)];
     if (!section) continue;
-    become(section.querySelector(".top"), 1, scale);
-    become(section, 1, drawing);
+    update(section.querySelector(".top"), 1, scale);
+    update(section, 1, drawing);
     glide(name, scales[name], fresh[name]);
   }
   if (lines.length === rows.length)
-    rows.forEach((cells, i) => cells.forEach((html, j) => become(lines[i], 1 + names.indexOf(panels[j][0]), html)));
+    rows.forEach((cells, i) => cells.forEach((html, j) => update(lines[i], 1 + names.indexOf(panels[j][0]), html)));
   [scales, ways] = [{ ...scales, ...fresh }, { ...ways, ...sides }];
 }
 
-const said = new WeakMap();
+const htmlOf = new WeakMap();
 
 // Changes a child element to what the HTML says. From pose to pose only the differences are
 // changed, because a browser lays out and paints whatever is touched. An element of a lesson
 // belongs to the player, and is replaced.
-function become(place, index, html) {
+function update(place, index, html) {
   const old = place.children[index], made = document.createElement(place.localName);
-  if (old && said.get(old) === html) return;
+  if (old && htmlOf.get(old) === html) return;
   made.innerHTML = html;
   const fresh = made.firstElementChild;
   if (!fresh) return old?.remove();
-  if (said.has(old)) match(old, fresh);
+  if (htmlOf.has(old)) match(old, fresh);
   else if (old) old.replaceWith(fresh);
   else place.append(fresh);
-  said.set(place.children[index], html);
+  htmlOf.set(place.children[index], html);
 }
 
 function match(old, fresh) {
@@ -102,7 +102,7 @@ function glide(name, old, fresh) {
   const part = (corner, i, size) => `${100 * (from[i] - factor * to[i] + (factor - 1) * corner) / size}%`;
   const transform = [`translate(${part(x, 0, width)}, ${part(y, 1, height)}) scale(${factor})`, "none"];
   // The whole drawing moves without being painted again; the handle follows at the end.
-  svg.animate({ transform }, { duration: GLIDE, easing: "ease-out" }).onfinish = hold;
+  svg.animate({ transform }, { duration: GLIDE, easing: "ease-out" }).onfinish = placeHandle;
 }
 
 function complain(error) {

@@ -143,7 +143,7 @@ async function pump() {
 }
 
 function take(kind, asked, answer) {
-  if (kind === "beside") return backdrop(answer);
+  if (kind === "beside") return showBehind(answer);
   if (answer.ranges) [ranges, grip] = [answer.ranges, answer.handle];
   if (answer.error && shown !== set.mechanism) clear();
   if (answer.panels) (kind === "pose" ? move : play)(answer);
@@ -152,22 +152,22 @@ function take(kind, asked, answer) {
     root.classList.remove("moving");
     stands = answer.error ? stands : asked.parameters;
     if (!answer.error) remember();
-    else if (answer.error.kind === "dead-centre") stay(answer.error);
+    else if (answer.error.kind === "dead-centre") showPosition(answer.error);
   }
-  if (answer.results) settle(answer.results, { ...asked.parameters, ...asked.inputs });
-  hold();
+  if (answer.results) showValues(answer.results, { ...asked.parameters, ...asked.inputs });
+  placeHandle();
 }
 
 // At a dead centre only the position is drawn. If nothing is shown yet, the lesson of a pose near
 // by is asked for first, because it has all panels.
-function stay(error) {
+function showPosition(error) {
   if (names.length) return want("pose");
   if (!error.try) return;
   aside = error.try;
   want("beside");
 }
 
-function backdrop(answer) {
+function showBehind(answer) {
   if (!answer.panels) return;
   play(answer);
   root.classList.add("bare");
@@ -175,7 +175,7 @@ function backdrop(answer) {
 }
 
 // A box in which a text with a unit was written shows its value in the unit of the box.
-function settle({ parameters, input, assembly }, asked) {
+function showValues({ parameters, input, assembly }, asked) {
   for (const [name, value] of Object.entries({ ...parameters, ...input })) {
     const { box } = fields.get(name), own = group(name);
     if (typeof own[name] !== "string" || own[name] !== asked[name]) continue;
