@@ -1,8 +1,8 @@
 """What holds for all tests.
 
-A test that is marked ``exhaustive`` looks at many mechanisms or poses alike.  Usually a fixed share
-of its cases runs, and hypothesis tries the same examples each time.  With ``--exhaustive``, as in
-``.ci/nightly``, all of its cases run, and hypothesis tries new examples.
+A test that is marked ``exhaustive`` looks at many mechanisms or poses alike.  Usually one case in
+four of it runs, or one in so many as the mark says, and hypothesis tries the same examples in each
+run.  With ``--exhaustive``, as in ``.ci/nightly``, all cases run, and the examples are new.
 """
 
 from __future__ import annotations
@@ -54,8 +54,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         test, _, case = item.nodeid.partition("[")
         first = test not in begun
         begun.add(test)
-        many = case and item.get_closest_marker("exhaustive")
-        usual = first or not many or crc32(item.nodeid.encode()) % ONE_IN == 0
+        mark = item.get_closest_marker("exhaustive") if case else None
+        one_in = 1 if mark is None else mark.args[0] if mark.args else ONE_IN
+        usual = first or crc32(item.nodeid.encode()) % one_in == 0
         (kept if usual else left).append(item)
     config.hook.pytest_deselected(items=left)
     items[:] = kept

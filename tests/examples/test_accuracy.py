@@ -19,6 +19,8 @@ from vad.files.loading import WrittenMechanism
 from vad.methods.high_precision import solve
 from vad.methods.problem import problem_of
 
+pytestmark = pytest.mark.exhaustive
+
 EPSILON = 2.0**-52
 STEP = 1e-6
 #: Slots beside their pivots, or counted backward, which that truth does not know; random chains do.

@@ -15,6 +15,8 @@ from vad.files.examples import example_names, example_path
 from vad.strokes.description import describe, title
 from vad.strokes.sheet import Sheet
 
+pytestmark = pytest.mark.exhaustive
+
 
 def without_facts(sheet: dict[str, Any]) -> dict[str, Any]:
     """Return a sheet's JSON as it was before."""

@@ -15,6 +15,8 @@ from vad.plan.format import paper_names
 from vad.plan.reach import corners
 from vad.strokes.sheet import Arrow, Sheet
 
+pytestmark = pytest.mark.exhaustive
+
 MILLIMETRE = 72 / 25.4
 #: A hundredth of a millimetre, in points.
 EXACT = 0.01 * MILLIMETRE

@@ -23,6 +23,8 @@ from vad.painting.posed import picture
 from vad.strokes.sheet import Dot, Panel, Sheet, Stroke
 from vad.words import languages
 
+pytestmark = pytest.mark.exhaustive
+
 
 @pytest.fixture
 def saved(folder: Path) -> Any:

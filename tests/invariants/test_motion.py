@@ -17,6 +17,8 @@ from tests.kinds import PLANE, SPACE
 from tests.oracle import MECHANISMS as KNOWN_TO_THE_ORACLE
 from tests.oracle import reference
 
+pytestmark = pytest.mark.exhaustive
+
 COINCIDENT = "Q"
 """The lever's point where the pin is now: a moment later another one has taken its place."""
 

@@ -28,6 +28,8 @@ from tests.kinematics.families import (
 from tests.kinematics.worst_cases import BOUNDS, EPSILON, on_array, read, solve, worst
 from tests.oracle import Key
 
+pytestmark = pytest.mark.exhaustive
+
 SAMPLES = int(os.environ.get("VAD_SAMPLES", "6"))
 WHERE = [(v, f) for v in SAMPLERS for f in FAMILIES if exists(v, f)]
 TURNED = [v for v in SAMPLERS if v not in ("double-slider", "gate-actuator")]

@@ -11,6 +11,8 @@ import vad
 from tests.kinematics.families import SAMPLERS, exists, samples
 from tests.kinematics.worst_cases import read, solve
 
+pytestmark = pytest.mark.exhaustive
+
 NAMES = list(vad.MECHANISMS)
 GOOD = np.array([20.0, 75.0, 130.0, 250.0, 340.0])
 

@@ -13,6 +13,8 @@ import pytest
 
 import vad
 
+pytestmark = pytest.mark.exhaustive
+
 HALVES = {0: 2, 60: 1, 90: 0, 120: -1, 180: -2, 240: -1, 270: 0, 300: 1}
 """Twice the cosine of every multiple of 30° where it is rational."""
 

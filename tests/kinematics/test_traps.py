@@ -12,6 +12,8 @@ import pytest
 import vad
 from tests.kinematics.test_arrays import values
 
+pytestmark = pytest.mark.exhaustive
+
 SIDES = ("open", "crossed")
 
 

@@ -16,6 +16,8 @@ from vad.kinematics.linkage import Bar, angle_of
 from vad.methods import METHODS, finite_differences, high_precision, newton, problem_of
 from vad.methods.comparison import compare, largest_error
 
+pytestmark = pytest.mark.exhaustive
+
 # Dimensions and inputs besides the defaults: rams, offsets, slanted grounds, every quadrant.
 POSES = {
     "four-bar": ({"ground_angle": 37.0}, {"angle": 200.0, "omega": -2.0, "alpha": 3.0}),

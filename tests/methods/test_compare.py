@@ -11,6 +11,8 @@ from tests.kinds import PLANE, SPACE
 from vad.cli.run import run
 from vad.methods import METHODS, METHODS_IN_SPACE
 
+pytestmark = pytest.mark.exhaustive
+
 PAPER = ("double-slider", "--length-unit", "m", "--link", "1", "--position", "0.5")
 PAPER += ("--velocity", "2 m/s", "--acceleration", "1")
 

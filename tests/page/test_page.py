@@ -26,6 +26,8 @@ from vad.strokes.sentences import pieces_of
 from vad.style import load_style, style_names
 from vad.words import languages
 
+pytestmark = pytest.mark.exhaustive
+
 LARGEST = 100_000
 EVERY = [(name, False) for name in vad.MECHANISMS] + [(name, True) for name in PARTS]
 

@@ -27,6 +27,8 @@ from vad.plan.marks import Bow, Disc, Lettering, Mark, Outline, Polygon, Polylin
 from vad.plan.roles import ROLES
 from vad.style import Look, Pen, load_style
 
+pytestmark = pytest.mark.exhaustive
+
 WIDTH, HEIGHT = 400, 300
 FORM = Format(WIDTH / HEIGHT, 1.0, HEIGHT)
 BLACK, WHITE, BLUE, RED = "#000000", "#FFFFFF", "#0072B2", "#D55E00"

@@ -25,6 +25,8 @@ from vad.strokes.description import describe
 from vad.strokes.sheet import Sheet
 from vad.style import Look, load_style
 
+pytestmark = pytest.mark.exhaustive
+
 
 def written(sheet: Sheet, **options: object) -> bytes:
     target = io.BytesIO()

@@ -15,6 +15,8 @@ from vad.painting.shapes import outline
 from vad.plan.turn_board import TurnBoard
 from vad.style import load_style
 
+pytestmark = pytest.mark.exhaustive
+
 SIZE = (640, 360)
 
 

@@ -34,6 +34,8 @@ from vad.strokes.sheet import (
 from vad.style import load_style, style_names
 from vad.words import Language, languages
 
+pytestmark = pytest.mark.exhaustive
+
 EVERY = pytest.mark.parametrize("scene", SCENES)
 IN_THE_PLANE = pytest.mark.parametrize("scene", [s for s in SCENES if SCENES[s][0] in PLANE])
 BOARDS: dict[str, Plan] = {}

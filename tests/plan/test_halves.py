@@ -17,6 +17,8 @@ from vad.plan.page.table import MOST
 from vad.strokes.sheet import Sheet
 from vad.style import load_style
 
+pytestmark = pytest.mark.exhaustive
+
 
 def sheet(name: str) -> Sheet:
     return vad.draw(vad.solve(vad.load(str(files("vad") / "examples" / f"{name}.toml"))()))

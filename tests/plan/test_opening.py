@@ -18,6 +18,8 @@ from vad.plan.items import OPENING, Item
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Lettering, Mark
 
+pytestmark = pytest.mark.exhaustive
+
 EVERY = pytest.mark.parametrize("scene", SCENES)
 SHARES = [k / 5 for k in range(6)]
 NEAR = 1e-9

@@ -21,6 +21,8 @@ from vad.plan.marks import Lettering
 from vad.strokes.sheet import Sheet
 from vad.style import load_style, style_names
 
+pytestmark = pytest.mark.exhaustive
+
 
 @pytest.mark.parametrize("degrees", range(0, 360, 45))
 def test_a_full_turn_of_a_slider_crank(degrees: int):

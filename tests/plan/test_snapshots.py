@@ -14,6 +14,8 @@ import pytest
 
 from tests.plan.snapshots import HERE, KINDS, SNAPSHOTS
 
+pytestmark = pytest.mark.exhaustive
+
 NUMBER = re.compile(r"(?<![\w.\[])[−-]?\d+(?:\.\d+)?(?![\w.])")
 MOST = 5  # differences that are shown
 

@@ -13,6 +13,8 @@ from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Lettering, Mark, Polyline
 from vad.plan.turn_board import NumberedTurn
 
+pytestmark = pytest.mark.exhaustive
+
 FRAMES = 240  # of the 8 s that a turn takes
 EVERY = 24
 MOST = 6.0 / 720.0  # on the page, from one frame to the next

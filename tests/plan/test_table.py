@@ -14,6 +14,8 @@ from vad.plan.marks import Lettering
 from vad.strokes.sheet import Sheet
 from vad.style import load_style
 
+pytestmark = pytest.mark.exhaustive
+
 SIZE = (1024, 768)
 
 

@@ -15,6 +15,8 @@ from vad.plan.marks import Disc, Lettering, Mark, Polyline
 from vad.plan.turn_board import NumberedTurn, TurnBoard
 from vad.strokes.diagram import Spot
 
+pytestmark = pytest.mark.exhaustive
+
 
 @pytest.fixture(scope="module")
 def board() -> TurnBoard:

@@ -21,6 +21,8 @@ from vad.strokes.scripts import hooke_joint
 from vad.strokes.sheet import Arc, Curve, Line, PolarInset, Sheet
 from vad.words import Language, languages
 
+pytestmark = pytest.mark.exhaustive
+
 PLAN = hooke_joint.PLAN.at
 ANGLES = [*range(0, 360, 45), 60, 130, 200, 341]
 SHAFTS = (30.0, -50.0, 0.0, 89.0, -89.0)

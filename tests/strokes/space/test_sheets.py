@@ -17,6 +17,8 @@ from tests.strokes.wording import WORDING
 from vad.strokes.sheet import Arrow, Cell, Dot, Panel, Row, Sheet, Stroke
 from vad.words import languages
 
+pytestmark = pytest.mark.exhaustive
+
 everything = pytest.mark.parametrize("mechanism", IN_SPACE.values(), ids=list(IN_SPACE))
 each_kind = pytest.mark.parametrize("kind", SPACE.values(), ids=list(SPACE))
 in_every_language = pytest.mark.parametrize("code", languages())

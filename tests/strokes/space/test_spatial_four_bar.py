@@ -22,6 +22,8 @@ from vad.strokes.scripts.spatial_four_bar import PICTORIAL
 from vad.strokes.sheet import Curve, Line, Panel, Sheet
 from vad.words import Language, languages
 
+pytestmark = pytest.mark.exhaustive
+
 ANGLES = [*range(0, 360, 30), 77, 341]
 TWIST = math.radians(60.0)
 A, D = (cmath.exp(1j * (-math.pi / 2 + side * TWIST / 2)) for side in (-1, 1))

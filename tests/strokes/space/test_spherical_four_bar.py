@@ -17,6 +17,8 @@ from vad.export.sheet_json import sheet_from_json, to_text
 from vad.plan.marks import Polyline, Scaling
 from vad.strokes.sheet import Ellipse, Fold, Line, Sheet
 
+pytestmark = pytest.mark.exhaustive
+
 ANGLES = [*range(0, 360, 30), 140]
 #: The frame's bisector points down: the direction of OA on the page.
 ALONG_A = cmath.exp(-0.75j * math.pi)
