@@ -1,7 +1,8 @@
-"""On what the marks of a picture hang: solved points, and constants along solved directions.
+"""Anchors: how the marks of a picture follow from solved points and directions.
 
-In comes what a mark states, as plain data, and one pose of its panel; out goes the mark in that
-pose.  A still, a frame of a turn and a pose under the hand differ in nothing but the pose.
+A mark states on what it hangs, as plain data: on solved points, and on constants along solved
+directions.  With one pose of its panel it becomes the mark in that pose.  A still, a frame of a
+turn and a pose set by hand differ in nothing but the pose.
 
 A vertex names points of strokes (`Anchor`): ``("AB.bar", "end")``.  What does not follow from
 points and constants alone is a shape of its own here, which says how it follows: an angle's arc
@@ -32,7 +33,8 @@ from vad.plan.roles import ROLES
 from vad.plan.scale import Scale
 from vad.strokes.sheet import Arc, Arrow, Panel, Shape
 
-#: The arc of an angle becomes smaller by this factor until it lies in its room, or is as small.
+#: The arc of an angle becomes smaller by this factor until it lies in its room, or has the least
+#: radius.
 SHRINKING, LEAST_RADIUS = 0.94, 0.02
 ANGLE_WIDTH = ROLES["angle"].width
 
@@ -87,7 +89,7 @@ RIGHT = Term("")
 
 @dataclass(frozen=True, slots=True)
 class Anchor:
-    """Where a vertex hangs: amid some points of strokes, and off them by some constants.
+    """The place of a vertex: the mean of some points of strokes, moved by some constants.
 
     Examples
     --------
@@ -180,7 +182,7 @@ class OnPage:
     shape: Outline
 
     def posed(self, solved: Solved) -> Outline:
-        """Return the shape, which stands where it stands in all poses."""
+        """Return the shape, which has the same place in all poses."""
         return self.shape
 
 
@@ -220,7 +222,7 @@ class Circle:
 
 @dataclass(frozen=True, slots=True)
 class Strip:
-    """A straight part along a line through an anchor, as far as it lies in its room.
+    """A straight part along a line through an anchor, cut at the edge of its room.
 
     Attributes
     ----------
@@ -316,16 +318,16 @@ class Beside:
     size: float
 
     def posed(self, solved: Solved) -> Lettering:
-        """Return the text in a pose, which stands about its anchor as it stood."""
+        """Return the text in a pose, at the same offset from its anchor."""
         return Lettering(self.runs, solved.place(self.anchor) + self.offset, self.size)
 
 
 def on_page(marks: Iterable[Mark]) -> list[Mark]:
-    """Return marks that say of themselves that they hang on nothing."""
+    """Return marks with their own places as what they hang on: these are the same in all poses."""
     return [replace(mark, hangs=OnPage(mark.shape)) for mark in marks]
 
 
-#: How a mark comes about that swells about its own middle.
+#: The growth of a mark that swells about its own centre.
 SWELLING = "swelling"
 
 
@@ -343,7 +345,7 @@ class Hung:
     width: float = 1.0
 
     def posed(self, solved: Solved, grows: bool = True) -> Mark | None:
-        """Return the mark in a pose; None where nothing of it shows."""
+        """Return the mark in a pose; None if nothing of it is visible."""
         shape, growth = self.shape.posed(solved), self.growth if grows else None
         if shape is None:
             return None

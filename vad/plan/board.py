@@ -49,13 +49,14 @@ from vad.plan.scale import Scale, is_tall
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Sheet
 
-#: What stays in its place meanwhile.
+#: The regions that stay in their places meanwhile.
 STAYING = (TITLE, CAPTION)
-#: A panel grows by so much at most; one that is smaller than usual further, to the usual size.
+#: The largest factor by which a panel grows.  One that is smaller than usual may grow more, to the
+#: usual size.
 LARGEST = 1.7
 USUAL = 0.87 + 0.62j
 OPENING_MARGIN = 0.02
-#: How far strokes are drawn where their reach is measured, if they are elsewhere meanwhile.
+#: The shares at which strokes that move while they grow are measured, to find how far they reach.
 SHARES = [part / 8 for part in range(9)]
 
 
@@ -147,11 +148,11 @@ def plan(
     lesson
         True where captions need room, and what is new stands out.
     lines
-        How many lines there are for a caption; as many as the longest takes if None.
+        The number of lines for a caption; None for as many as the longest caption takes.
     scales
         Of the panels that do not fill their room.
     words
-        False where all that stands about the pictures is written elsewhere: in a page of HTML.
+        False if the words around the pictures are written elsewhere: in a page of HTML.
     """
     if lines is None:
         lines = caption_lines(sheet, form.width - 2 * MARGIN) if lesson else 0
@@ -274,9 +275,9 @@ class Opening:
 
 
 def opening(items: Sequence[Item], panel: str, area: Rect) -> Opening:
-    """Return how a panel opens a lesson: as large as ``area`` holds all that it ever shows.
+    """Return how a panel opens a lesson: so large that all that it ever shows fits in ``area``.
 
-    What stays of it stands in the middle, as far as the rest lets it.
+    The part of it that stays is centred, if the rest leaves room for that.
     """
     own, room = [item for item in items if item.region == panel], area.inside(OPENING_MARGIN)
     whole, staying = reach(own), reach(item for item in own if item.until == FOREVER)

@@ -1,8 +1,8 @@
-"""The curve under a panel: what comes out, over what goes in, with a cursor.
+"""The curve under a panel: the output over the driver, with a cursor.
 
-In come a curve of a cycle and its place, out go marks; the dot's value stands above, and is always
-as wide as the widest (`FixedWidth`).  A line above the mechanism tells the times of a quick return,
-or the limits of a driver that swings (`Clock`).
+The value at the dot is written above, always with the width of the widest one (`FixedWidth`).  A
+line above the mechanism tells the times of a quick return, or the limits of a driver that swings
+(`Clock`).
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ HEIGHT = 0.042  # of the line
 
 @dataclass(frozen=True, slots=True)
 class Dial:
-    """What a chart says of one quantity: whose it is, its ink, and how its numbers are written."""
+    """One quantity of a chart: its link or slide, its colour, and the notation of its numbers."""
 
     name: str
     row: int | None
@@ -263,12 +263,12 @@ def _corners(box: Rect) -> list[complex]:
 
 
 class Clock:
-    """What is said above the mechanism: the ways of a quick return, or the ends of a swing.
+    """The line above the mechanism: the strokes of a quick return, or the ends of a swing.
 
     Attributes
     ----------
     height
-        What it takes of the panel, 0 where there is nothing to be said.
+        The height that it takes of the panel, 0 if there is no such line.
     """
 
     def __init__(self, cycle: Cycle, course: Course, sheet: Sheet, room: Rect) -> None:
@@ -293,7 +293,7 @@ class Clock:
         self._texts = _set(words, room)
 
     def marks(self, share: float | None = None) -> list[Mark]:
-        """Return the line; the way that is run through at a share of the cycle is dark."""
+        """Return the line; the stroke in which the share of the cycle lies is dark."""
         if self._back is None or share is None:
             return [Mark(text, "notes") for text in self._texts]
         returns = (share - self._back[0]) % 1.0 < self._back[1] - self._back[0]

@@ -1,7 +1,7 @@
 """The page as a whole: its shape, and what a page unit is on screen or on paper.
 
-Sizes are fractions of the page unit: the height of a page that is seen as a whole (less on a tall
-one), so that a picture of 640 pixels and one of 2560 show the same; on paper a fixed length.
+Sizes are fractions of the page unit: the height of a page on a screen (less on a tall one), so that
+pictures of 640 and of 2560 pixels look alike; on paper a fixed length.
 """
 
 from __future__ import annotations

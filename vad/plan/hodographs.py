@@ -1,6 +1,6 @@
-"""Hodographs: the closed ways on which the vertices of a panel run, with a comet's tail each.
+"""Hodographs: the closed curves on which the vertices of a panel run, each with a tail that fades.
 
-In come the tracks of a cycle and the panel's scale, out go marks, cut off at the panel's edge.
+They are drawn from the tracks of a cycle, and cut off at the edge of the panel.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _PIECES = 4  # a closed line has no chord, but its quarters have
 
 
 class Hodographs:
-    """The ways of a panel's points on the page.
+    """The paths of a panel's points on the page.
 
     Attributes
     ----------
@@ -41,9 +41,10 @@ class Hodographs:
         The points on the page, complex arrays of shape (n,) over the cycle: of all of them,
         those that stand still, too.
     drawn
-        The points whose way is drawn: it moves, is no other's, and is defined all through.
+        The points whose path is drawn: they move, have no path in common with an earlier point, and
+        exist in all poses.
     straight
-        Those among them whose way is straight.
+        Those of them whose path is straight.
     """
 
     def __init__(
@@ -72,7 +73,7 @@ class Hodographs:
                 self.straight.append(spot)
 
     def row(self, spot: Spot) -> int | None:
-        """Return the row in whose ink the way of a point is drawn."""
+        """Return the row in whose colour the path of a point is drawn."""
         return self._rows.get(spot)
 
     def at(self, spot: Spot, share: float) -> complex:
@@ -83,7 +84,7 @@ class Hodographs:
         return complex(way[first] + (place - first) * (way[first + 1] - way[first]))
 
     def still(self, spots: Sequence[Spot]) -> list[Mark]:
-        """Return the ways of some points; a straight one has a tick at either end."""
+        """Return the paths of some points; a straight one has a tick at either end."""
         marks = []
         for spot in spots:
             row, way = self._rows.get(spot), self.tracks[spot]
@@ -97,7 +98,7 @@ class Hodographs:
         return [mark for mark in marks if mark.shape.pieces]  # type: ignore[union-attr]
 
     def tails(self, spots: Sequence[Spot], share: float) -> list[Mark]:
-        """Return the last stretch of each way that is run through, fading backwards."""
+        """Return the part of each path that was passed last; it fades backwards."""
         marks = []
         for spot in spots:
             if spot in self.straight:
@@ -113,7 +114,7 @@ class Hodographs:
         return marks
 
     def stretch(self, spot: Spot, start: float, end: float) -> Complexes:
-        """Return the points of a way between two shares of the cycle."""
+        """Return the points of a path between two shares of the cycle."""
         count = len(self.tracks[spot]) - 1
         turns = np.arange(np.floor(start), np.floor(end) + 1)
         places = (turns[:, None] * count + self._kept[spot][:-1]).ravel()
@@ -122,7 +123,7 @@ class Hodographs:
         return np.concatenate([[self.at(spot, start)], middle, [self.at(spot, end)]])
 
     def _jumps(self, spot: Spot, way: Complexes) -> Truths:
-        """Tell after which points a way jumps, as one does that is laid over to the other side."""
+        """Tell after which points a path jumps, as if a plane were rotated to the other side."""
         return (np.abs(np.diff(way)) > JUMP) & (spot in self._jumping)
 
     def _straight(self, way: Complexes) -> list[tuple[complex, complex]]:

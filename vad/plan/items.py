@@ -1,6 +1,6 @@
 """What stands on a page, and when: items that come and go with the strokes.
 
-An item shows while ``since`` ≤ beat < ``until``, in the beats of `vad.lecture.moment`.
+An item is visible while ``since`` ≤ beat < ``until``, in the beats of `vad.lecture.moment`.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ FOREVER = 1_000_000
 #: The regions of a page that belong to no panel; that of a panel's drawing is the panel's name.
 OPENING, TITLE, RESULTS, CAPTION = "opening", "title", "results", "caption"
 
-#: An item shows from the first beat on, until the second.
+#: An item is visible from the first beat on, until the second.
 Span = tuple[int, int]
 ALWAYS: Span = (0, FOREVER)
 
@@ -80,7 +80,7 @@ def foot_of(panel: str) -> str:
 
 
 def curve_of(panel: str) -> str:
-    """Return the region of what comes out over a turn, below a panel's drawing."""
+    """Return the region of the output over a turn, below a panel's drawing."""
     return f"{panel} curve"
 
 

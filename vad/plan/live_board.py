@@ -1,8 +1,7 @@
-"""The board that follows the hand: what stands still is chosen once for a mechanism.
+"""The board of a mechanism that is turned by hand: what stands still is chosen once.
 
-In come a mechanism's sheets, out go items as on any board; scales and the sides of labels are
-handed from one pose to the next, so that nothing jumps.  While a dimension changes, what was chosen
-before is kept.
+Its sheets become items, as on any board.  Scales and the sides of labels are handed from one pose
+to the next, so that nothing jumps.  While a dimension changes, what was chosen before is kept.
 """
 
 from __future__ import annotations
@@ -33,7 +32,7 @@ class LivePose:
     Attributes
     ----------
     plan
-        All that shows of it.
+        All that is visible of it.
     scales, ways
         The scale of each panel, and where its labels stand: for the next pose.
     """
@@ -72,7 +71,7 @@ class LiveBoard:
         lines
             How many lines there are for a caption.
         poses
-            The panels of its mechanism over all that the driver reaches.
+            The panels of its mechanism over the whole range of the driver.
         """
         board = cls(form, arrange(sheet, form, lines)[0], {})
         pictures = {
@@ -83,7 +82,7 @@ class LiveBoard:
         return replace(board, pictures=pictures)
 
     def resized(self, sheet: Sheet, scales: Mapping[str, Scale]) -> LiveBoard:
-        """Return it for a pose with other dimensions, in which all stands where it stood."""
+        """Return it for other dimensions; everything that stands still keeps its place."""
         pictures = {
             panel.name: resized(
                 self.pictures[panel.name], self._setting(sheet, panel), scales.get(panel.name)

@@ -1,11 +1,11 @@
-"""The alphabet of a plan: shapes on the page with the role that they play, and how they come about.
+"""Marks: shapes on the page with their roles, and how they grow while a stroke is drawn.
 
 Points are complex numbers in page units, y up, with the origin at the lower left corner of the
 page.  A painter turns roles into colours and shapes into whatever its medium knows.
 
-A mark comes about by trimming, sliding, turning, scaling or fading.  Each is data: knots between
-which a painter interpolates linearly over the share of the stroke that is drawn, 0 to 1.  At share
-1 every mark is as it stays.
+A mark grows by trimming, sliding, turning, scaling or fading.  Each is data: knots between which a
+painter interpolates linearly over the share of the stroke that is drawn, 0 to 1.  At share 1 every
+mark has its final state.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from vad.plan.lettering.runs import Runs
 
 SMALLEST = 0.05  # of a dot, as it begins to swell
 
-#: A shape as it is at a share, None while nothing of it shows, and its share of alpha.
+#: A shape at a share, None while nothing of it is visible, and its share of alpha.
 Grown = tuple[Any, float]
 
 
@@ -98,7 +98,7 @@ class Disc:
 class Bow:
     """An open arc of a circle; ``start`` and ``sweep`` in degrees, counter-clockwise positive.
 
-    Seen from aside the circle is ``narrow`` times as wide across its ``axis``, a unit vector: an
+    The projection of a circle is ``narrow`` times as wide across its ``axis``, a unit vector: an
     ellipse, whose angles remain those of the circle.
     """
 
@@ -184,14 +184,15 @@ class Mark:
     row
         The row of the results whose ink it takes; None for the frame's grey.
     growth
-        How it comes about while its stroke is drawn.
+        How it grows while its stroke is drawn.
     width
         The width of its line, as a share of the role's.
     alpha
         How much of the role's alpha it has.
     hangs
-        On what the shape hangs, one of those of `vad.plan.anchors`.  None for what is no part of a
-        picture, and for what passes while a stroke is drawn: lights, and the teacher's tools.
+        The anchors of the shape, one of the classes of `vad.plan.anchors`.  None for a mark outside
+        of pictures, and for one that is visible only while a stroke is drawn: lights, and the
+        teacher's tools.
     """
 
     shape: Outline
@@ -339,8 +340,8 @@ class Turning:
 class Scaling:
     """A mark swells about ``centre``: knots are (share, factor).
 
-    Lines may swell across an ``axis`` alone, a unit vector: so a plane is seen that swings about it
-    into the paper.
+    Lines may swell across an ``axis`` alone, a unit vector: this is the projection of a plane that
+    is rotated about the axis into the paper.
     """
 
     centre: complex
@@ -362,7 +363,7 @@ class Scaling:
 
 @dataclass(frozen=True, slots=True)
 class Fading:
-    """A mark comes out of the ground: knots are (share, alpha)."""
+    """A mark appears gradually: knots are (share, alpha)."""
 
     knots: tuple[tuple[float, float], ...] = ((0.0, 0.0), (1.0, 1.0))
 
@@ -380,7 +381,7 @@ Growth = Trimming | Fading | Wandering
 
 
 def swelling(centre: complex) -> Scaling:
-    """Return how a dot comes about."""
+    """Return the growth of a dot."""
     return Scaling(centre, ((SMALLEST, SMALLEST), (1.0, 1.0)))
 
 

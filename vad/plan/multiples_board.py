@@ -1,7 +1,7 @@
 """Small multiples on a page: a column for each pose, a row for each kind of panel.
 
-In come poses and a format, out goes a board on which a row has one scale and one head.  A
-mechanism stands at the same place in each cell, so that one sees what moves; a polygon is centred.
+Each row has one scale and one head.  A mechanism has the same place in each cell, so that a reader
+sees what moves; a polygon is centred.
 """
 
 from __future__ import annotations
@@ -105,7 +105,7 @@ class MultiplesBoard:
         return next(room for half, room in rooms(column, cell) if half.name == name)
 
     def _setting(self, sheet: Sheet, name: str, number: int) -> Setting:
-        # The inset of a rule has its place in a lecture, not beside five others.
+        # The inset of a rule belongs in a lesson, not beside five others.
         panel = replace(sheet.panel(name), inset=None)
         room = self._cell(number, name)
         return Setting(sheet, panel, room, rows_of(sheet), 0, self.form.centimetre)

@@ -1,7 +1,7 @@
 """The problem sheet: a sheet on which some panels are left to be drawn, and their results measured.
 
-In comes the plan of the whole sheet, which is the key; out goes a plan of the same page without the
-answers.  What stands on both stands at the same place.
+The plan of the whole sheet is the key; it becomes a plan of the same page without the answers.
+What stands on both stands at the same place.
 """
 
 from __future__ import annotations

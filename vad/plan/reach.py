@@ -1,4 +1,4 @@
-"""How far a panel reaches: its points, and levers and yokes with the ways of their blocks.
+"""How far a panel reaches: its points, and levers and yokes with the travel of their blocks.
 
 In come the strokes of a panel, out go what carries what, and the points that must be on the page.
 """

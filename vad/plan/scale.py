@@ -1,9 +1,9 @@
 """Scales: how a panel's coordinates become places on the page, how they are chosen, and stated.
 
 A still fills its panel (`fill`).  A turn has one scale for all poses, chosen for those that are
-usual (`mechanism_scale`, `polygon_scale`, `views_scale`).  Under the hand a picture keeps its scale
-while it fits its panel, and is not lost in it (`calm_scale`).  A bar with its value states a scale;
-on paper, what a centimetre stands for does.
+usual (`mechanism_scale`, `polygon_scale`, `views_scale`).  While the driver is turned by hand, a
+picture keeps its scale as long as it fits its panel and is not too small (`calm_scale`).  A bar
+with its value states a scale; on paper, what a centimetre stands for does.
 """
 
 from __future__ import annotations
@@ -38,10 +38,11 @@ SCALE_GAP = 0.0125  # from the bar to its value
 SCALE_RISE = 0.0098  # of the bar above the baseline
 SCALE_TICK = 0.008
 _CENTIMETRES = {"mm": 0.1, "cm": 1.0, "m": 100.0}
-#: Where the largest polygon dwarfs that of three poses in four, the scale is theirs.
+#: If the largest polygon is very much larger than that of three poses in four, their polygons
+#: decide the scale.
 USUAL, DWARFED, ABOUT = 75.0, 2.2, 1.15
-SLACK = 0.020  # labels glide, and so a polygon needs less room about it than in a still
-#: In views letters stand beside what reaches farthest, seldom beyond it: so much less room is kept.
+SLACK = 0.020  # labels glide, and so a polygon needs less room around it than in a still
+#: In views letters seldom stand beyond what reaches farthest: the room for them is smaller by this.
 VIEWS_SLACK = 0.025
 #: The room that a dimension and its words take of a panel, beside a guide.
 DIMENSION = 0.050

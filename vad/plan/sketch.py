@@ -32,7 +32,7 @@ class Tag:
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """What a picture is given: a panel, the room for it, and its place in the lesson.
+    """The input of a picture: a panel, the room for it, and its place in the lesson.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class Setting:
     scale
         That of a picture beside others; None where it fills its room.
     taken
-        What stands in the same room already: the polygon above.
+        The obstacles that are in the same room already: the polygon above.
     """
 
     sheet: Sheet
@@ -106,7 +106,7 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """One stroke on the page, as it hangs on solved points in all poses.
+    """One stroke on the page, with its anchors for all poses.
 
     Attributes
     ----------
@@ -157,7 +157,8 @@ class Sketch:
     lights
         The light beneath each link or slide, for when a vector of it is drawn elsewhere.
     finished
-        True for one pose of a turn or under the hand: of all strokes that which stays, as it stays.
+        True for one pose of a turn, or one set by hand: only the final state of each stroke is
+        drawn.
     """
 
     setting: Setting

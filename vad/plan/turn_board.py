@@ -1,7 +1,7 @@
 """The board of a turn: everything is chosen once, for all of its poses.
 
-In comes a turn, out goes a board like that of a sheet, on which a beat is a frame (`TurnBoard`), or
-one that stands still, with twelve numbered positions on its hodographs and curves (`NumberedTurn`).
+`TurnBoard` is a board like that of a sheet, on which a beat is a frame.  `NumberedTurn` stands
+still, with twelve numbered positions on its hodographs and curves.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ GAPS = (0.006, 0.012, 0.020, 0.030)  # from a position to its number
 CLEAR = 0.003  # between a number and a stroke
 APART = 0.009 + 0.004j  # between numbers and letters, aside and above: "1 2" is not "12"
 DIRECTIONS, ON_ONE_SIDE = 16, 5  # tried about a position; of a straight way
-_STEP = 1e-3  # of the cycle: so far on, a way shows its direction
+_STEP = 1e-3  # of the cycle: a path has the direction to the point at this share later
 _AT_REST = 1e-5  # on the page, in that time
 
 #: A point, the number of a position and its place.
@@ -58,7 +58,7 @@ class TurnBoard:
         self.cycle = turn.cycle
         self._poses = {number / POSES: turn.at(number / POSES) for number in range(POSES)}
         poses = list(self._poses.values())
-        # Units that change from pose to pose could not be followed.
+        # Nobody could follow units that change from pose to pose.
         metres = any(pose.notation.metres for pose in poses)
         notation = Notation(poses[0].notation.point, metres)
         sheet = replace(poses[0], notation=notation)
@@ -186,7 +186,7 @@ def _number(column: Sequence[tuple[Sketch, TurnPanel]], shares: Sequence[float])
 def _add_dots(sketch: Sketch, moving: TurnPanel, shares: Sequence[float]) -> list[Numbered]:
     """Add the positions, and return the point of each, its number and its place.
 
-    A point that is seen twice is numbered in its first view.
+    A point in two views is numbered in the first one.
     """
     ways, room, obstacles = moving.hodographs, sketch.setting.room, sketch.obstacles
     spots = [

@@ -1,7 +1,6 @@
 """Panels in motion: one panel of a turn, with what stands still, and any pose of the rest.
 
-In come the panel's poses over the turn and its place, out go items; the scale, the supports and
-the ways of the labels are chosen once for all poses.
+The scale, the supports and the motions of the labels are chosen once for all poses.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ from vad.plan.sketch import Setting, Sketch
 from vad.strokes.diagram import Spot
 from vad.strokes.sheet import Arrow, Block, Dot, Panel, Stroke
 
-#: What stands in the place of a point for the name of a Coriolis vector.
+#: The name of a Coriolis vector, in the place of a point.
 TWISTING = Spot(CORIOLIS)
 FADING = 0.025  # from the edge on, a label fades; and below that length, that of a vector
 
@@ -66,7 +65,8 @@ class TurnPanel:
         self.hodographs = Hodographs(tracks, rows, scale, setting.room)
         drawn, straight = self.hodographs.drawn, self.hodographs.straight
         is_place = setting.panel.picture != "vectors"
-        #: The letters whose way is drawn: in a mechanism, that of a block is its guide.
+        #: The letters whose path is drawn.  In a mechanism the path of a block is not drawn: it is
+        #: its guide.
         self.ways = [each for each in drawn if not (is_place and each in straight)]
         self.names = self._place(poses)
 
@@ -111,7 +111,7 @@ class TurnPanel:
         return self._dot(name.letters, panel, phase)[0]
 
     def _anchor(self, letters: tuple[Spot, ...], dot: complex, solved: Solved) -> Anchor:
-        """Return on what a label hangs: of a point that is seen twice, where it names it."""
+        """Return the anchor of a label; a point in two views has it in the view that it names."""
         if TWISTING in letters:
             twist = next(s for s in _all(solved.panel) if s.component == "coriolis")
             return Anchor(((twist.name, "start"), (twist.name, "end")))
@@ -165,14 +165,14 @@ class TurnPanel:
         return names
 
     def _groups(self) -> list[tuple[Spot, ...]]:
-        """Return the letters in groups that share a dot all through, what moves least first."""
+        """Return the letters in groups that share a dot in all poses, the calmest group first."""
         tracks = self.hodographs.tracks
         found: list[list[Spot]] = []
         for letter, way in tracks.items():
             same = [group for group in found if _apart(tracks[group[0]], way) < PIXEL]
             if not same:
                 found.append([letter])
-            elif not np.ptp(way):  # the lever's point under a pin goes without saying
+            elif not np.ptp(way):  # the lever's point under a pin needs no letter
                 same[0].append(letter)
         return [tuple(group) for group in sorted(found, key=lambda g: g[0] in self.ways)]
 
@@ -183,7 +183,7 @@ def _all(panel: Panel) -> tuple[Stroke, ...]:
 
 
 def _owner(letter: str, fixed: Collection[str], poses: Sequence[Panel]) -> str | None:
-    """Return the link or slide in whose ink a point's way is drawn: what leads there at once."""
+    """Return the link or slide whose colour a point's path has: its vector ends there."""
     strokes = [stroke for pose in poses[:2] for stroke in (*pose.strokes, *pose.zeros)]
     blocks = [s for s in strokes if isinstance(s.shape, Block) and s.label == letter]
     arrows = [s for s in strokes if isinstance(s.shape, Arrow) and s.shape.head == letter]

@@ -1,8 +1,8 @@
-"""Lettering: how the labels of a picture find their places.
+"""Label placement: how the labels of a picture find their places.
 
-What is labelled is the affair of a picture.  Where its labels stand is chosen: each placed for one
-pose, clear of all that is there (`Placed`), or kept under the hand, on the side of its dot on which
-it stood (`Kept`).  Those of a whole turn are the affair of `vad.plan.labels.springs`.
+A picture decides what is labelled.  A choice decides where: `PlacedLabels` places each label for
+one pose, clear of everything.  `KeptLabels` keeps each label on the side of its dot while the
+driver is turned by hand.  For whole turns see `vad.plan.labels.springs`.
 """
 
 from __future__ import annotations
@@ -37,7 +37,8 @@ from vad.strokes.sheet import Stroke
 VALUE = 0.033
 SHARES = (0.45, 0.55, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85, 0.05, 0.95)  # of an arc, for its value
 VALUE_GAPS = (0.011, 0.016, 0.022, 0.032, 0.045)
-#: Under the hand a value may be farther off than a letter: its arc and an arrow are in its way.
+#: While the driver is turned by hand, a value may be farther off than a letter, because its arc and
+#: an arrow take the near places.
 VALUE_NEAR = (0.014, 0.020, 0.028, 0.036, 0.050, 0.070, 0.090)
 
 #: Where labels stand from what they name, in degrees, by what they say.
@@ -60,7 +61,7 @@ class LabelChoice(Protocol):
 
 
 class PlacedLabels:
-    """Labels of one pose, each in the best place that is free: the choice of a still."""
+    """Labels of one pose, each at the best free place: the choice for a still."""
 
     def vertices(
         self, sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
@@ -103,12 +104,12 @@ def _beside_arc(arc: Bow, wide: float, high: float, obstacles: Obstacles) -> Pla
 
 
 def ends_of(stroke: Stroke) -> tuple[Anchor, Anchor]:
-    """Return on what both ends of a vector hang."""
+    """Return the anchors of both ends of a vector."""
     return Anchor.of(stroke.name, "start"), Anchor.of(stroke.name, "end")
 
 
 class KeptLabels:
-    """Labels that keep their side: each stands where it stood about its dot, while it can.
+    """Labels that keep their side: each stays on the same side of its dot, while it can.
 
     ``before`` are the directions in which they stood in the pose before.
 

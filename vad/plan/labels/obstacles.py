@@ -1,6 +1,6 @@
 """What labels keep clear of: strokes with their width, boxes, and the edge of the panel.
 
-Pure geometry: in come shapes with the beats in which they show, out goes which places are free.
+Pure geometry: shapes, with the beats in which they are visible, tell which places are free.
 """
 
 from __future__ import annotations
@@ -46,13 +46,13 @@ class Obstacles:
         self.boxes.append((box, span))
 
     def block(self, box: Rect) -> None:
-        """Add a box as strokes that fill it, for what knows strokes alone."""
+        """Add a box as strokes that fill it, for code that knows strokes only."""
         across = min(box.width, box.height)
         way = complex(box.width - across, box.height - across) / 2
         self.line([box.centre - way, box.centre + way], across / 2)
 
     def during(self, span: Span) -> Obstacles:
-        """Return only what shows at some time in ``span``."""
+        """Return only the obstacles that are visible at some time in ``span``."""
         return Obstacles(
             self.edge,
             [line for line in self.lines if together(line[3], span)],
@@ -167,8 +167,8 @@ class _Strokes:
 def _meets(at: Complexes, half_x: float | Reals, half_y: float | Reals, strokes: _Strokes) -> Bools:
     """Tell which boxes (rows) meet which strokes (columns).
 
-    They do where they overlap aside, above, and across the stroke: the boxes' own axes and the
-    stroke's normal are all that could part them.
+    They meet if their projections overlap on three axes: those of the boxes, and the normal of the
+    stroke.
     """
     ways = strokes.ways
     away = at[:, None] - strokes.middles

@@ -1,7 +1,7 @@
 """Placement of labels by their ink boxes: pure geometry.
 
-In come boxes to place and what to keep clear of, out go positions that touch nothing: first
-beside the dot along the outward bisector, then every 22.5°, then farther with a leader.
+Boxes get positions at which they touch no obstacle: first beside the dot along the outward
+bisector, then in other directions, then farther off with a leader.
 """
 
 from __future__ import annotations
@@ -128,8 +128,8 @@ def _turns(count: int) -> NDArray[np.complex128]:
 def place_all(obstacles: Obstacles, wishes: Sequence[Wish]) -> Iterator[tuple[int, Placed]]:
     """Place labels, and yield each with its number.
 
-    Whichever has the fewest places near its dot comes next; one that has none comes last, lest
-    it take another's.
+    The label with the fewest places near its dot comes next.  One without any comes last, so that
+    it takes no place of another label.
     """
     near = {number: _near(obstacles, wish) for number, wish in enumerate(wishes)}
     while near:
@@ -167,7 +167,7 @@ def _near(obstacles: Obstacles, wish: Wish) -> list[Placed]:
 
 
 def _apart(spot: Placed, other: Placed) -> bool:
-    """Tell whether a label leaves another one and its leader alone."""
+    """Tell whether a label touches neither another one nor its leader."""
     off = spot.centre - other.centre
     aside = abs(off.real) - (spot.wide + other.wide) / 2 >= APART.real
     above = abs(off.imag) - (spot.high + other.high) / 2 >= APART.imag
@@ -177,7 +177,7 @@ def _apart(spot: Placed, other: Placed) -> bool:
 
 
 def _far_off(obstacles: Obstacles, wish: Wish) -> Placed:
-    """Place a label away from its dot: its leader crosses nothing, else little, and is short."""
+    """Place a label away from its dot: its leader crosses as little as possible, and is short."""
     least, best = math.inf, None
     bare: Placed | None = None
     for tight, centres in _far(obstacles.edge, wish):
@@ -200,7 +200,7 @@ def _far_off(obstacles: Obstacles, wish: Wish) -> Placed:
 
 
 def _far(edge: Rect, wish: Wish) -> Iterator[tuple[bool, list[complex]]]:
-    """Yield spots farther and farther off; then the whole panel, at last in tight fit."""
+    """Yield places farther and farther off; then the whole panel, and at last without clearance."""
     gaps = [LEADER * 1.35**growth for growth in range(5)]
     yield False, [spot for gap in gaps for spot in wish.around(gap, WAYS)]
     grid = _grid(edge, wish.at, 0.008)

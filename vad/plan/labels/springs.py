@@ -1,10 +1,10 @@
-"""Labels on springs: each keeps to its side of its dot, and glides where strokes press it.
+"""Labels of a turn: each keeps to its side of its dot, and glides away from strokes.
 
-In come the dots and strokes of evenly spaced poses, out goes where each label stands about its dot
-all through a turn.  Of all ways round that never move it faster than the eye follows, the one that
-costs least is found (dynamic programming over direction and distance, closed), and then smoothed.
-Where a stroke sweeps past so that there is no way round it, the label fades until it has passed.
-How crowded a place is in each pose is told by cells that are taken, summed up (`Crowd`).
+From the dots and strokes of evenly spaced poses follows where each label stands about its dot all
+through a turn.  A label never moves faster than the eye can follow.  Of all such closed motions,
+the one with the least cost is found by dynamic programming over direction and distance, and then
+smoothed.  If a stroke sweeps past and no motion avoids it, the label fades until the stroke has
+passed.  Sums over the cells that strokes occupy tell how crowded a place is in each pose (`Crowd`).
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _FAR = np.array([0.0, 0.1, 0.4, 1.0, 2.0, 3.5])
 _STIFF = 0.5  # … and for moving on as fast as it may.
 _APART = (0.020, 0.006)  # between labels, aside and above
 _NEARER = 1.3  # by this factor a label is nearer to its own dot than to any other
-_MET = 2.0 * PIXEL  # so near to a stroke a label shows no more
+_MET = 2.0 * PIXEL  # so near to a stroke a label is not visible any more
 _FADE = 3  # poses in which it fades
 _LAPS = 3  # the middle one is free of its beginning and of its end
 _MOVES = [(turn, step) for turn in range(-3, 4) for step in (-1, 0, 1)]
@@ -50,16 +50,16 @@ _STEP = 0.7 * CELL  # so close are points along and across a stroke
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ballast:
-    """What the labels of a panel are placed among.
+    """What is in a panel besides its labels, in all poses.
 
     Attributes
     ----------
     edge
         The panel.
     strokes
-        What they keep clear of in each pose.
+        The strokes that labels keep clear of in each pose.
     ways
-        What they would rather not cover: the hodographs.
+        The paths that labels should not cover, if possible: the hodographs.
     radius
         That of every dot.
     """
@@ -172,7 +172,7 @@ def _covered(
 
 
 def _ink(met: Bools) -> Reals:
-    """Return the ink of a label that fades out before each pose in which it is met."""
+    """Return the ink of a label that fades out before each pose in which a stroke meets it."""
     away = np.full(len(met), np.inf)
     for distance in range(_FADE + 2):
         near = np.roll(met, distance) | np.roll(met, -distance)

@@ -1,7 +1,7 @@
 """The lettered points of a panel with their labels, and labels along strokes.
 
-In come strokes and a scale, out go vertices (coincident ones share a dot and a label) and, once
-they are placed, the items of their labels.  Beside a line stands what it is: ``⟂ BC``, ``2ωv``.
+Strokes at a scale give vertices; coincident ones share a dot and a label.  Placed, these give the
+items of the labels.  A line has its name beside it: ``⟂ BC``, ``2ωv``.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from vad.strokes.sheet import Arrow, Block, Dot, Panel, Plate, Stroke
 
 LETTER = 0.040
 COINCIDENT = 0.012
-#: So many letters stand in one line, and lines so far apart.
+#: The number of letters in one line, and the distance of lines.
 IN_LINE = 4
 LEADING = 1.15 * LETTER
 SIZE = 0.033
@@ -45,7 +45,7 @@ SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82, 0.10, 0.90)
 
 @dataclass
 class Vertex:
-    """A dot with its letters, amid its ``points``: so it covers the ends of all their strokes.
+    """A dot with its letters, in the middle of its ``points``, so that it covers them all.
 
     ``points`` are places on the page, each with what it hangs on.  ``letters`` holds the number of
     the stroke that brings each, ``ways`` are the directions of the strokes that meet there.
@@ -62,7 +62,7 @@ class Vertex:
 
     @cached_property
     def anchor(self) -> Anchor:
-        """On what the dot hangs."""
+        """The anchor of the dot."""
         first, *more = self.points.values()
         return Anchor((*first.points, *(each.points[0] for each in more)), first.terms)
 
@@ -73,7 +73,7 @@ class Vertex:
 
     @property
     def label(self) -> str:
-        """The letters, as they are written at last."""
+        """The letters, as they are written when all strokes are drawn."""
         return ", ".join(self.letters)
 
     @property
@@ -83,7 +83,7 @@ class Vertex:
 
 
 def lettered(panel: Panel) -> dict[str, list[PointName]]:
-    """Return the points of a panel by their letters, also those of what is not drawn in a pose."""
+    """Return the points of a panel by letter, also those of strokes that a pose leaves out."""
     found: dict[str, list[PointName]] = {}
     for stroke in (*panel.strokes, *panel.zeros):
         for letters, point in _named(stroke):
@@ -186,7 +186,7 @@ def label_vertices(
 
 
 def wish(vertex: Vertex, all_: Sequence[Vertex], radius: float, near: Sequence[float]) -> Wish:
-    """Return what the label of a vertex asks for."""
+    """Return the place that the label of a vertex asks for."""
     size = _size(tuple(vertex.letters))
     rivals = [other.at for other in all_ if other is not vertex]
     return Wish(vertex.at, outward(vertex.ways), *size, radius, near, rivals)

@@ -1,4 +1,4 @@
-"""What changes about the panels, and at which beat: heads, equations, results, captions, lights.
+"""What changes around the panels, and at which beat: heads, equations, results, captions, lights.
 
 In come a sheet on its page and the sketches of its panels, out go items.  At the foot of a lesson's
 page stands the caption of its stroke, with the number of the stroke in its panel.
@@ -67,7 +67,7 @@ def equations(
 def readings(
     page: Page, feet: Mapping[str, Foot], sketches: Mapping[str, Sketch]
 ) -> Iterator[Item]:
-    """Yield what a ruler finds on paper, below the equations."""
+    """Yield the lengths that a ruler measures on paper, below the equations."""
     first: dict[str, int] = {name: foot.count for name, foot in feet.items()}
     for sketch in sketches.values():
         panel = sketch.setting.panel
@@ -103,7 +103,7 @@ def _marks(entries: Iterable[Entry]) -> tuple[Mark, ...]:
 def measuring(setting: Setting, row: Row, cells: Sequence[Cell]) -> tuple[str, int]:
     """Return the stroke that measures cells of a row, and the beat from which they show.
 
-    What is given shows at once; what nothing measures never does.
+    Given values are visible at once; values that nothing measures never are.
     """
     panel = setting.panel
     if all(cell.given for cell in cells):
@@ -129,7 +129,7 @@ def captions(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterat
 
 
 def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
-    """Yield the light on a link of the mechanism while a vector of it is drawn elsewhere."""
+    """Yield the lights on links of the mechanism, while their vectors are drawn in polygons."""
     for sketch in sketches.values():
         home = sketch.setting.panel.column
         for elsewhere in sketches.values():
@@ -162,7 +162,7 @@ def drawn_in(panel: Panel) -> int:
 
 
 def _count_room(most: int) -> float:
-    """Return the width that the number of any of so many strokes takes, with a gap."""
+    """Return the width of the largest number of a stroke, with a gap."""
     return max(COUNT_ROOM, width(roman(f"{most} / {most}"), COUNT) + COUNT_GAP)
 
 

@@ -1,4 +1,4 @@
-"""What stands about the panels: title, heads with their scales, equations, and what a ruler finds.
+"""The words around the panels: title, heads with scales, equations, and lengths on paper.
 
 In come a sheet and its page, out go marks; the loop equation stands at the foot of its panel.
 """
@@ -218,7 +218,7 @@ def _columns(room: float) -> int:
 
 
 def _reading(length: float, value: float, unit: str, notation: Notation) -> Runs:
-    """Return a length in centimetres, each of which stands for a value, and what that makes."""
+    """Return a length in centimetres, the value of a centimetre, and their product."""
     read = f"{length:.2f}"
     result = notation.quantity(float(read) * value, unit, given=True)
     scale = notation.number(value, unit, given=True)

@@ -1,8 +1,8 @@
 """The pictures in the panels: a skeleton, vectors tip to tail, or views of a mechanism in space.
 
-Each is one picture in different poses: a still or a lesson is drawn of one, a turn and what is
-under the hand of many.  Its marks say on what they hang (`vad.plan.anchors`); its scale is chosen
-(`vad.plan.scale`), and so is the way in which its labels find their places
+Each is one picture in different poses: a still or a lesson has one pose; a turn, or a mechanism
+that is turned by hand, has many.  Its marks state their anchors (`vad.plan.anchors`).  How its
+scale is found is chosen (`vad.plan.scale`), and so is the placement of its labels
 (`vad.plan.labels.choices`, `vad.plan.labels.springs`).
 """
 
@@ -42,7 +42,7 @@ class Picture(Protocol):
         """What stands still."""
 
     def draw(self, labels: LabelChoice = PLACED) -> Sketch:
-        """Return all that a lesson shows of the one pose that it has, and leaves in a still."""
+        """Return all that a lesson shows of its one pose; the finished part is a still."""
 
     def pose(self, panel: Panel) -> Sketch:
         """Return what moves, in one pose: a frame of a turn, without its labels."""
@@ -52,7 +52,7 @@ class Picture(Protocol):
 
 
 def sketched(setting: Setting) -> Sketch:
-    """Return all that a lesson shows of a panel, and leaves standing in a still."""
+    """Return all that a lesson shows of a panel; the finished part is a still."""
     panel, scale = setting.panel, setting.scale
     match panel.picture:
         case "skeleton":
@@ -79,7 +79,7 @@ def over_turn(setting: Setting, poses: Sequence[Panel]) -> Picture:
 
 
 def over_reach(setting: Setting, poses: Sequence[Panel]) -> Skeleton | Views:
-    """Return the picture of a mechanism for the hand, over all that its driver reaches."""
+    """Return the picture of a mechanism for turning by hand, over the range of its driver."""
     if setting.panel.picture == "views":
         return Views(setting, poses, views_scale(setting, poses))
     centres = {angle_centre(pose) for pose in poses} - {None}
@@ -87,7 +87,7 @@ def over_reach(setting: Setting, poses: Sequence[Panel]) -> Skeleton | Views:
 
 
 def resized(picture: Skeleton | Views, setting: Setting, before: Scale | None) -> Skeleton | Views:
-    """Return a mechanism with other dimensions, in which all stands where it stood.
+    """Return a mechanism with other dimensions; everything that stands still keeps its place.
 
     It keeps the scale of the pose before while it fits.
     """

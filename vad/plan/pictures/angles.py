@@ -1,6 +1,6 @@
 """Angles and given rates: the arc of an angle, and the arrows of a given ω or v.
 
-In come strokes and what stands already, out go marks; each arrow stands where it meets nothing.
+Each arrow gets a place at which it meets nothing that is drawn already.
 """
 
 from __future__ import annotations
@@ -125,7 +125,7 @@ def free_place(
 
 
 def calm_place(poses: Iterable[tuple[complex, Obstacles]]) -> SensePlace:
-    """Return where the arrow of ω meets the fewest poses, each with its pivot's place."""
+    """Return the place at which the arrow of ω meets strokes in the fewest poses."""
     places = [
         SensePlace(radius, span, float(middle))
         for (radius, span), middle in itertools.product(SENSE_SIZES[::2], range(0, 360, 30))
@@ -177,7 +177,7 @@ def add_sense(sketch: Sketch, index: int | None, angle: Stroke, place: SensePlac
 
 
 def block_sense(sketch: Sketch, angle: Stroke, place: SensePlace) -> None:
-    """Let labels keep clear of the arrow of ω itself, not of its letter alone."""
+    """Let labels keep clear of the arrow of ω, and not only of its letter."""
     centre = sketch.solved.place(Anchor.of(angle.name, "centre"))
     sketch.obstacles.line(place.line(centre), 0.004)
 

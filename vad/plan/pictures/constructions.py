@@ -1,7 +1,6 @@
 """Constructions: lines and compass arcs with their names, right angles, set square and compass.
 
-In come a panel's strokes and its scale, out go lines that live until a result is inked over them,
-and the teacher's tools, which move with the pencil.
+Lines are visible until a result is inked over them.  The teacher's tools move with the pencil.
 """
 
 from __future__ import annotations
@@ -47,13 +46,13 @@ WINDOW = 0.42
 HINGE = 0.012
 RISES = (1.0, 0.8, 0.6, 0.4)  # of the hinge, as shares of the best
 
-#: How the name of a line comes about: when the pencil has passed it.
+#: The growth of the name of a line: it appears when the pencil has passed it.
 COMING = Fading(((0.25, 0.0), (0.6, 1.0)))
 
 
 @dataclass(frozen=True, slots=True)
 class Ray:
-    """On what a construction line hangs: it runs through a point along a direction, as far as seen.
+    """The anchors of a construction line: it runs through a point along a direction.
 
     It ends past its crossing, but in its room; it may run ``aside`` of the point, in a lane.
     """
@@ -73,8 +72,8 @@ class Ray:
 class CompassArc:
     """On what a compass arc hangs: its centre and its radius, which are solved.
 
-    Of an arc with a room shows the stretch that lies in it and holds the middle of the arc, which
-    the construction is after; where that lies elsewhere, all of it.
+    With a room, only the part of the arc in the room is drawn, around the middle of the arc, which
+    the construction finds.  If the middle lies outside, the whole arc is drawn.
     """
 
     stroke: str
@@ -461,7 +460,7 @@ def add_compass(sketch: Sketch, index: int, visible: bool = True) -> None:
 
 
 def block_construction(sketch: Sketch, index: int) -> None:
-    """Add what is drawn in passing to what labels keep clear of, while it is there."""
+    """Add a construction to the obstacles of labels, for the time in which it is visible."""
     setting = sketch.setting
     span, stroke = (setting.during(index), setting.end), setting.panel.strokes[index]
     if isinstance(stroke.shape, Arc) and stroke.kind == "construction":
@@ -476,7 +475,8 @@ def block_construction(sketch: Sketch, index: int) -> None:
 def visible_part(arc: Bow, room: Rect) -> Bow:
     """Return the stretch of a compass arc that lies in the panel.
 
-    The stretch holds the middle of the arc, which the construction is after, or is all of it.
+    That part is around the middle of the arc, which the construction finds.  If the middle lies
+    outside, it is the whole arc.
     """
     steps = 48
     inside = [

@@ -1,6 +1,6 @@
 """Curves of a mechanism in space: near parts solid, far ones dashed; and bearings of its shafts.
 
-In come strokes and a scale, out go marks that grow along themselves, and obstacles.
+Strokes become marks that grow along themselves, and obstacles.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ class PlacedCurve:
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
-    """On what a stretch of a curve hangs: on the points or radii of the curve, which are solved.
+    """The anchors of a part of a curve: the points or radii of the curve, which are solved.
 
     It is drawn from ``start`` to ``end``, shares of the curve.
     """
@@ -103,7 +103,7 @@ class Stretch:
 
 @dataclass(frozen=True, slots=True)
 class Ball:
-    """On what the face of a ball hangs: a whole circle that a stroke draws round it."""
+    """The anchor of the face of a ball: the whole circle that a stroke draws round it."""
 
     stroke: str
 
@@ -131,7 +131,7 @@ def curve_of(scale: Scale, shape: Curve | Ellipse | Arrow, stroke: str = "") -> 
 
 def bow_of(scale: Scale, shape: Ellipse) -> Bow:
     """Return an ellipse in its place: as a circle that is squeezed across its long axis."""
-    # One pointer turns with the angle and one against it; along the axis they coincide.
+    # One phasor turns with the angle and one against it; along the axis they coincide.
     ahead, back = (0.5 * scale.factor * (shape.first + turn * shape.second) for turn in (-1j, 1j))
     start, sweep = shape.start, shape.sweep
     if abs(ahead) < abs(back):  # it is seen from below

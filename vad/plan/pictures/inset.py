@@ -191,7 +191,7 @@ def _rule(
 
 @dataclass(frozen=True, slots=True)
 class Speed:
-    """On what moves of the speeds over a turn hangs: the present one, laid off from their origin.
+    """The anchors of the marks that move in the speeds over a turn: those of the present speed.
 
     ``part`` is 0 for the shaft of its arrow, 1 for the head, 2 for the dot on the circle.
     """

@@ -1,6 +1,6 @@
 """The links of a mechanism: bars, levers with their slits, plates, blocks, and slots of yokes.
 
-In come strokes of a position panel, out go pieces that hang on solved points alike in all poses.
+Strokes of a position panel become pieces, with the same anchors in all poses.
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ class Links:
     def pieces(self, sketch: Sketch, order: Iterable[int]) -> Iterator[tuple[int, Piece | None]]:
         """Yield strokes in an order, each with how it hangs if it is a bar, block, plate or slot.
 
-        That is alike in all poses, but for bars on a longer one, and for levers whose block is
-        behind their pivot.
+        The anchors are the same in all poses, except those of bars on a longer bar, and of levers
+        whose block is behind their pivot.
         """
         panel, narrow, behind = sketch.setting.panel, self._narrow(sketch), self._behind(sketch)
         for index in order:

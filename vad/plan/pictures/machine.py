@@ -1,7 +1,7 @@
 """Machine parts as a draughtsman draws them: joints, pivots, blocks, guides, slots, cylinders.
 
-In come anchors and directions, out go marks that hang on them.  ``size`` is that of all parts of a
-picture: they are smaller where a link is short.
+Each part has anchors and directions.  ``size`` is a factor for all parts of a picture: they are
+smaller if a link is short.
 """
 
 from __future__ import annotations

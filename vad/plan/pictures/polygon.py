@@ -1,7 +1,7 @@
 """Vectors laid tip to tail: the picture of a velocity or acceleration panel.
 
-In come a panel's strokes and its place, out goes the sketch of any pose: a still with all that a
-lesson draws, a frame of a turn, a pose under the hand.
+A polygon gives the sketch of any pose: a still with all that a lesson draws, a frame of a turn, or
+a pose that is set by hand.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ class Polygon:
         add_lower_bar(self.still)
 
     def draw(self, labels: LabelChoice = PLACED) -> Sketch:
-        """Return what a lesson draws of one pose, but what comes and goes."""
+        """Return what a lesson draws of one pose, without what is visible only for a time."""
         setting = self._setting
         panel = setting.panel
         sketch = Sketch(setting, self.scale, setting.clear())

@@ -1,7 +1,7 @@
 """The mechanism as a skeleton of bars, joints, pivots, blocks and guides: the position picture.
 
-In come poses of a position panel and its place, out goes what stands still in all of them, and the
-sketch of any pose: a still, a frame of a turn, a pose under the hand.
+From the poses of a position panel follows what stands still in all of them, and the sketch of any
+pose: a still, a frame of a turn, or a pose that is set by hand.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ class Skeleton:
     angle
         Whether the axis of its angle stands still, too.
     before
-        A picture of the same mechanism with other dimensions: what it has chosen stands.
+        A picture of the same mechanism with other dimensions, whose choices are kept.
 
     Attributes
     ----------
@@ -80,7 +80,7 @@ class Skeleton:
         }
 
     def draw(self, labels: LabelChoice = PLACED) -> Sketch:
-        """Return all that a lesson shows of the one pose, and leaves standing in a still."""
+        """Return all that a lesson shows of the one pose; the finished part is a still."""
         setting = self._setting
         panel = setting.panel
         sketch = Sketch(setting, self.scale, Obstacles(setting.room))

@@ -1,4 +1,4 @@
-"""What holds a mechanism and stands still: axes of reference, guides of the frame, fixed pivots.
+"""The supports of a mechanism: axes of reference, guides of the frame, fixed pivots.
 
 In come poses of a mechanism, one for a still and many for a turn; where its supports stand is
 chosen once for all of them.  A dimension says how far a block travels along its guide.
@@ -121,7 +121,7 @@ def foot_of(at: complex, bars: Sequence[complex], obstacles: Obstacles, parts: f
 
 
 def calm_way(at: complex, poses: Sequence[Obstacles], parts: float) -> complex:
-    """Return where a fixed pivot meets strokes in the fewest of many poses: down, if it can."""
+    """Return the direction in which a fixed pivot meets strokes in the fewest poses, best down."""
     deep, wide = machine.PIVOT_HEIGHT * parts, 2 * machine.PIVOT_GROUND * parts
 
     def met(way: complex) -> int:

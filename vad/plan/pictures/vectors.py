@@ -1,8 +1,8 @@
-"""Vectors on the page: a shaft and a head, beside others on the same line, and what of them shows.
+"""Vectors on the page: a shaft and a head, lanes for vectors on one line, and the visible parts.
 
-In come a panel's strokes and its scale, out go vectors that know their weight, their lane and what
-labels must keep clear of.  Vectors on one line stand side by side, in lanes as on a road, so that
-no pen covers another; their vertices stay where they are.
+Each vector knows its weight, its lane and what labels must keep clear of.  Vectors on one line
+stand side by side, in lanes as on a road, so that no stroke covers another; their vertices stay
+where they are.
 """
 
 from __future__ import annotations
@@ -56,12 +56,12 @@ ALONE = Lane()
 
 @dataclass(frozen=True, slots=True)
 class Vector:
-    """On what a vector hangs: two vertices, beside whose line it may run.
+    """The anchors of a vector: two vertices.  It may run beside the line between them.
 
     Attributes
     ----------
     start, end
-        Where what is to be seen of it starts, and the vertex at which it ends.
+        The start of its visible part, and the vertex at which it ends.
     whole
         True beside its own parts or for an image vector: drawn lighter.
     lane
@@ -98,7 +98,7 @@ class Vector:
 
 @dataclass(frozen=True, slots=True)
 class Cut:
-    """On what a vector hangs that leaves its room: on two vertices, as far as it lies in there.
+    """The anchors of a vector that leaves its room, and is cut at the edge of the room.
 
     Its head shows where its end lies in the room, of whose edge it keeps clear.
     """
@@ -131,8 +131,7 @@ class PlacedVector:
     start, end
         Its vertices.
     seen
-        Where what is to be seen of it starts, and on what that hangs; None where it lies under
-        another one.
+        The start of its visible part and the anchor of that; None if another vector covers it.
     whole
         True beside its own parts or for an image vector: drawn lighter.
     row
@@ -155,7 +154,7 @@ class PlacedVector:
         return "whole" if self.whole else "vector"
 
     def marks(self, solved: Solved, grows: bool = True, room: Rect | None = None) -> list[Mark]:
-        """Return what is to be seen of it, in its room where one is given.
+        """Return its visible part, in its room if one is given.
 
         Of a vector that leaves its room the head shows if its end lies there.
         """
@@ -174,7 +173,7 @@ class PlacedVector:
         return [Mark(shaft, self.role, self.row, hangs=cut[0])]
 
     def within(self, room: Rect) -> tuple[complex, complex] | None:
-        """Return the ends of what is to be seen of it in a room; None if that is nothing."""
+        """Return the ends of its visible part in a room; None if nothing is visible."""
         return room.inside(EDGE).clipped(self.seen[0], self.end) if self.seen else None
 
     def light(self) -> Mark:
@@ -252,7 +251,7 @@ def add_vector(sketch: Sketch, index: int, placed: PlacedVector) -> None:
 def visible_start(
     panel: Panel, index: int, ends: Mapping[int, tuple[complex, complex]]
 ) -> tuple[complex, Anchor] | None:
-    """Return where a vector leaves what is drawn already: its start, or farther along it.
+    """Return where the visible part of a vector starts: at its start, or farther along it.
 
     An image vector goes on from the end of the vector that it prolongs.  None where another
     vector of its link joins the same two vertices, so that nothing of this one would show.

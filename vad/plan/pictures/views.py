@@ -1,8 +1,8 @@
-"""A mechanism in space as it is seen from some sides, side by side on one panel.
+"""A mechanism in space: projections from several sides, side by side on one panel.
 
-In come poses of a panel and its place, out goes what stands still in all of them, and the sketch of
-any pose: a still, a frame of a turn, a pose under the hand.  The views are plane drawings: what
-projects them is the affair of the mechanism.  Near parts of a curve are solid, far ones dashed.
+From the poses of a panel follows what stands still in all of them, and the sketch of any pose: a
+still, a frame of a turn, or a pose that is set by hand.  The views are plane drawings; the script
+of the mechanism projects them.  Near parts of a curve are solid, far ones dashed.
 """
 
 from __future__ import annotations
@@ -65,9 +65,10 @@ NOTE = 0.030
 NOTE_PITCH = 0.034
 NOTE_STEP = 0.006
 WIDEST = 0.17  # of a note
-#: So many pieces has the swing of a plane, each of a steady scale.
+#: The rotation of a plane into the paper has so many pieces, in each of which the scale changes
+#: evenly.
 SWINGS = 24
-_AT_ONCE = 256  # places of a note that are tried: the first is free as a rule
+_AT_ONCE = 256  # places of a note that are tried at once: usually the first is free
 
 
 class Views:
@@ -109,7 +110,7 @@ class Views:
         self._senses: dict[float, angles.SensePlace | None] = {}
 
     def draw(self, labels: LabelChoice = PLACED) -> Sketch:
-        """Return all that a lesson shows of the one pose, and leaves standing in a still."""
+        """Return all that a lesson shows of the one pose; the finished part is a still."""
         setting = self._setting
         panel = setting.panel
         sketch = Sketch(setting, self.scale, Obstacles(setting.room))
@@ -146,7 +147,7 @@ class Views:
 
     @property
     def crowd(self) -> Obstacles:
-        """What there is in any of the poses."""
+        """The obstacles of all poses together."""
         return self._standing[1]
 
     @cached_property
@@ -384,7 +385,7 @@ def folds(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
 
 
 def _swing(fold: Fold, centre: complex) -> Scaling:
-    """Return how the plane swings: seen square to the paper it swells across its axis."""
+    """Return the rotation of the plane: its projection on the paper swells across its axis."""
     shares = [number / SWINGS for number in range(SWINGS + 1)]
     knots = ((share, math.cos(math.radians(fold.turn * (1.0 - share)))) for share in shares)
     return Scaling(centre, tuple(knots), fold.axis)
