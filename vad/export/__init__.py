@@ -92,7 +92,7 @@ FORMATS: dict[type, dict[str, str]] = {
 
 
 class Options(TypedDict, total=False):
-    """What any of the formats takes besides the thing and the file: see `write` of each."""
+    """The options of all formats, for type checkers: see `write` of each."""
 
     progress: Progress | None
     subtitles: bool

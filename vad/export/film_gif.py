@@ -77,7 +77,7 @@ def _hundredths(seconds: Fraction) -> int:
 
 
 class _Film:
-    """A GIF in the making; holds the last image back until its duration is known."""
+    """A GIF that is being written; it keeps the last image until its duration is known."""
 
     def __init__(
         self, stream: BinaryIO, size: tuple[int, int], palette: Palette, shortest: int

@@ -32,12 +32,12 @@ if TYPE_CHECKING:
     from av.video.stream import VideoStream
 
 
-# Line drawings are unlike what the presets are made for.  x264's adaptive quantiser and its
-# look-ahead take bits from sharp edges: "veryfast" at the same crf halves the file, but takes 1.6
-# times as long and has four times the error.  "ultrafast" does without both; CABAC and small
-# intra blocks save a tenth of its bytes.  One quantiser for all pictures, instead of a rate that
-# is steered, takes three quarters of the time and 9/10 of the bytes, with half the greatest error.
-# Chroma samples lie amid the 2 × 2 pixels they average.
+# The presets are not made for line drawings.  x264's adaptive quantiser and its look-ahead take
+# bits from sharp edges: "veryfast" at the same crf halves the file, but takes 1.6 times as long and
+# has four times the error.  "ultrafast" does without both; CABAC and small intra blocks save a
+# tenth of its bytes.  One quantiser for all pictures, instead of a rate that is steered, takes
+# three quarters of the time and 9/10 of the bytes, with half the greatest error.  Chroma samples
+# lie amid the 2 × 2 pixels they average.
 _X264 = {
     "preset": "ultrafast",
     "qp": "13",

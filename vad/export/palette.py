@@ -48,8 +48,8 @@ class Palette:
 
     def __init__(self, colours: Sequence[Sequence[float]] | NDArray[np.float64]) -> None:
         self.colours: Bytes = np.vstack([np.zeros(3), colours]).astype(np.uint8)
-        # From 0xBBGGRR to an index, 0 where a colour has not been met: only what is used of
-        # these 16 MB is ever given memory by the system.
+        # From 0xBBGGRR to an index, 0 where a colour has not been met: only what is used of these
+        # 16 MB is ever given memory by the system.
         self._known: Bytes = np.zeros(1 << 24, np.uint8)
 
     def indices(self, pixels: Bytes) -> Bytes:

@@ -1,6 +1,6 @@
 """Which of two places each dyad takes: words such as "upper" become signs.
 
-The signs are found once, with the numbers of the file.  They are kept whatever values the
+The signs are found once, with the numbers of the file.  They are kept for all values that the
 parameters take later, so that no value makes a dyad jump to its other place.
 """
 

@@ -328,7 +328,7 @@ def saved(question: ExportQuestion, extension: str, closing: Event) -> tuple[byt
     sheet = vad.draw(vad.solve(mechanism, **inputs), panels, question.language)
     name = f"{mechanism.name}.{extension}"
 
-    def heed(_done: int, _total: int) -> None:
+    def stop_if_closing(_done: int, _total: int) -> None:
         if closing.is_set():
             raise ExportError("the server is ending")
 
@@ -340,5 +340,5 @@ def saved(question: ExportQuestion, extension: str, closing: Event) -> tuple[byt
             vad.save(sheet, path, style=question.style, size=question.size)
         else:
             film = vad.animate(sheet, question.fps, question.size, question.speed, question.style)
-            vad.save(film, path, progress=heed)
+            vad.save(film, path, progress=stop_if_closing)
         return path.read_bytes(), name

@@ -108,7 +108,7 @@ def application(key: PageKey, start: ExportQuestion, closing: Event) -> ASGIApp:
     start
         What is set when the page opens.
     closing
-        Set when the server is to end; a film in the making ends with it.
+        Set when the server is to end; a film that is being made ends, too.
     """
     filming = CapacityLimiter(1)
 

@@ -1,9 +1,10 @@
 """What all loops have in common: the gap between their chains, and the crossing of their rates.
 
 Some loops have links of equal length.  In some of their poses a link copies the crank or the
-ground: in a parallelogram the coupler stays parallel to the ground and the rocker to the crank.
-In a kite, and where the rod of a slider-crank is as long as its crank, C can stand still at A.
-What stands still has no rates at all, so these poses are written without any sum that rounds.
+ground: in a parallelogram the coupler stays parallel to the ground and the rocker to the crank.  In
+a kite, and where the rod of a slider-crank is as long as its crank, C can stand still at A.  A
+point that stands still has rates of exactly zero, so these poses are written without sums that
+round.
 """
 
 from __future__ import annotations
@@ -223,7 +224,7 @@ class EqualLinks:
     slide
         The slide that stands still, if one is unknown.
     applies
-        Tells from the unit vector of the pin whether they do so in a pose.
+        The function that tells from the unit vector of the pin whether they are copies in a pose.
     """
 
     def __init__(

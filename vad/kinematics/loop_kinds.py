@@ -157,7 +157,7 @@ class StrutLoop(TwoAnglesLoop):
             self._see_from(self.step)
 
     def own_axes(self, grounded: bool) -> tuple[complex, complex]:
-        """Put the x axis along the ground, whatever moves."""
+        """Put the x axis along the ground."""
         return self.along_ground()
 
     def limits(self) -> list[float]:

@@ -34,7 +34,7 @@ class Painter(Protocol):
 
 
 class Looks:
-    """The looks of a style, each worked out once."""
+    """The looks of a style, each made once."""
 
     def __init__(self, style: Style) -> None:
         self._style = style

@@ -91,7 +91,7 @@ def path(vertices: Points, codes: Codes) -> Iterator[str]:
 
 
 class Objects:
-    """The objects of a file in the making, on a stream that need not be sought."""
+    """The objects of a file that is being written, on a stream that need not be seekable."""
 
     def __init__(self, target: BinaryIO) -> None:
         self._target = target
@@ -110,7 +110,7 @@ class Objects:
         return self._write(content.encode("latin-1"), number)
 
     def stream(self, content: str, head: str = "") -> int:
-        """Write a compressed stream, with what its dictionary says besides, as a new object."""
+        """Write a compressed stream as a new object; ``head`` is what else its dictionary has."""
         data = zlib.compress(content.encode(), 9)
         head = f"<< {head} /Filter /FlateDecode /Length {len(data)} >>"
         return self._write(b"%b\nstream\n%b\nendstream" % (head.encode(), data))

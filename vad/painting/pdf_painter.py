@@ -221,7 +221,7 @@ def write_structure(
     Parameters
     ----------
     objects
-        The file in the making.
+        The file that is being written.
     pages, areas, words
         The number of each page's object, its rectangle in points, and what it shows.
     """

@@ -1,8 +1,8 @@
 """The board: everything that a sheet can show on a page, placed once; nothing moves later.
 
-In come a sheet and a format, out goes a `Plan`: frozen items in page units, with roles instead of
-colours.  A still, a step and a film are one plan at different beats.  In a lesson the mechanism
-stands large while it is drawn, then glides into its panel (`Opening`).
+A sheet and a format give a `Plan`: frozen items in page units, with roles instead of colours.  A
+still, a step and a film are one plan at different beats.  In a lesson the mechanism stands large
+while it is drawn, then glides into its panel (`Opening`).
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ SHARES = [part / 8 for part in range(9)]
 
 
 class Board(Protocol):
-    """What a painter plays: a page and the items that show at a beat."""
+    """What a painter plays: a page and the items that are visible at a beat."""
 
     @property
     def form(self) -> Format:

@@ -1,6 +1,6 @@
 """Layout of the page: where title, panels, equations, results and captions go.
 
-In come the page's format and the counts that need room, out go rectangles and baselines.  On the
+The format of the page, and the counts of what needs room, give rectangles and baselines.  On the
 page of a turn each panel has its picture and its own curve; two polygons may share a column.
 """
 

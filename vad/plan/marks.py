@@ -1,7 +1,7 @@
 """Marks: shapes on the page with their roles, and how they grow while a stroke is drawn.
 
 Points are complex numbers in page units, y up, with the origin at the lower left corner of the
-page.  A painter turns roles into colours and shapes into whatever its medium knows.
+page.  A painter turns roles into colours, and shapes into those of its medium.
 
 A mark grows by trimming, sliding, turning, scaling or fading.  Each is data: knots between which a
 painter interpolates linearly over the share of the stroke that is drawn, 0 to 1.  At share 1 every

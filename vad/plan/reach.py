@@ -1,6 +1,6 @@
 """How far a panel reaches: its points, and levers and yokes with the travel of their blocks.
 
-In come the strokes of a panel, out go what carries what, and the points that must be on the page.
+The strokes of a panel tell which body carries which block, and which points must be on the page.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def carries_block(panel: Panel, stroke: Stroke) -> bool:
 
 
 def block_on(panel: Panel, bar: Stroke) -> Stroke | None:
-    """Return the block that slides on a bar, which ends there, if its way is known."""
+    """Return the block that slides on a bar, if it is drawn and its travel is known."""
     stroke = block_along(panel, bar)
     known = stroke and isinstance(stroke.shape, Block) and any(stroke.shape.travel)
     return stroke if known else None
@@ -56,7 +56,7 @@ def ends_of_travel(block: Shape) -> tuple[complex, complex]:
 def reached(panel: Panel) -> list[complex]:
     """Return the points that levers, slots and yokes reach over all poses, in the panel's unit.
 
-    A yoke's shaft is as long as its way, and runs on ahead of it.
+    The shaft of a yoke is as long as the yoke's travel, and lies ahead of it.
     """
     points: list[complex] = []
     for stroke in panel.strokes:

@@ -213,7 +213,7 @@ def mechanism_scale(setting: Setting, poses: Sequence[Panel]) -> Scale:
 def polygon_scale(
     polygons: Sequence[Sequence[complex]], room: Rect, centimetre: float | None
 ) -> Scale:
-    """Return the scale at which polygons fill a room, but for those that dwarf the rest.
+    """Return the scale at which polygons fill a room; a few very large ones may leave it.
 
     ``polygons`` are the corners of each of them.
     """

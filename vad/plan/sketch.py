@@ -1,4 +1,4 @@
-"""A panel in the making: its scale, its items and labels so far, and what they keep clear of.
+"""A panel while it is laid out: its scale, its items and labels so far, and its obstacles.
 
 Every drawing function of this folder adds to a `Sketch`; nothing moves later.
 """
@@ -113,8 +113,8 @@ class Piece:
     parts
         Its marks.
     blocks
-        What labels keep clear of: lines through anchors with their half widths, and dots, which
-        are lines of one anchor.
+        The obstacles of labels: lines through anchors with their half widths, and dots, which are
+        lines with one anchor.
     light
         The light beneath it while a vector of its link is drawn elsewhere.
     slot
@@ -153,7 +153,7 @@ class Sketch:
     obstacles
         All strokes, at their finished length, and the boxes of the labels.
     items, tags
-        What stands there, and the labels among it.
+        The items so far, and the labels among them.
     lights
         The light beneath each link or slide, for when a vector of it is drawn elsewhere.
     finished

@@ -1,6 +1,6 @@
 """The sheet in words, for readers who cannot see it.
 
-In comes a sheet, out goes plain text for PNG metadata and for ``<title>`` and ``<desc>`` of SVG.
+It is plain text for the metadata of PNG, and for ``<title>`` and ``<desc>`` of SVG.
 """
 
 from __future__ import annotations

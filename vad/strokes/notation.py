@@ -1,6 +1,6 @@
 """How the numbers of one sheet are written, wherever they stand on it.
 
-In come values in the units of the data, out go strings for captions, table, title and scale bars.
+Values in the units of the data become strings for captions, table, title and scale bars.
 """
 
 from __future__ import annotations

@@ -177,7 +177,7 @@ class KeptLabels:
 def _kept(obstacles: Obstacles, wanted: Wish) -> Placed:
     """Return a free place: on the side on which it stood, else the nearest to that side.
 
-    Where none is free, it is on that side all the same.
+    If no place is free, it is still on that side.
     """
     size, side = (wanted.wide, wanted.high), wanted.ahead()
     for spot in side:

@@ -152,7 +152,7 @@ class Obstacles:
 
 @dataclass(frozen=True, slots=True)
 class _Strokes:
-    """Straight strokes as arrays: their middles, the ways from there to an end, half widths."""
+    """Straight strokes as arrays: middles, vectors from there to an end, half widths."""
 
     middles: Complexes
     ways: Complexes

@@ -1,7 +1,7 @@
 """The outlines of letters in STIX, measured by their ink.
 
-In come runs, out go `Typeset` lines in units of the type size.  This is the one place of the plan
-that asks matplotlib: for the glyphs of its fonts.
+Runs become `Typeset` lines in units of the type size.  This is the only place of the plan that uses
+matplotlib: it has the glyphs of the fonts.
 """
 
 from __future__ import annotations

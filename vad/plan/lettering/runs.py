@@ -1,7 +1,7 @@
 """Lines of text as runs of one face each: what is italic, what stands high or low.
 
-In come the pieces of a sentence or plain strings (``b′ₙ``, ``338.2°``), out go `Run` tuples.  The
-letters of symbols are italic; words, digits, units and primes are upright.
+The pieces of a sentence, or plain strings (``b′ₙ``, ``338.2°``), become `Run` tuples.  The letters
+of symbols are italic; words, digits, units and primes are upright.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _GREEK = re.compile(r"[α-ωΑ-Ω]")
 class Run:
     """A stretch of one face; ``script`` is −1 for a subscript, +1 for a superscript.
 
-    What is not ``shown`` takes up its room all the same.
+    A run that is not ``shown`` still takes up its room.
     """
 
     text: str
@@ -51,7 +51,7 @@ Runs = tuple[Run, ...]
 
 @lru_cache(maxsize=1024)
 def roman(text: str) -> Runs:
-    """Return ``text`` upright, but for Greek letters."""
+    """Return ``text`` upright, with Greek letters in italics."""
     return _joined(_tokens(text, lambda _: False))
 
 
@@ -95,7 +95,7 @@ def _joined(runs: list[Run]) -> Runs:
 
 
 def _run(token: str, italic: Callable[[str], bool], before: Run | None) -> Run:
-    """Return a token as it is set behind the run ``before`` it."""
+    """Return a token as it is set after the run ``before`` it."""
     if token in DOTS and before:
         return Run(token, "roman", before.script)
     if token[0] == "_" and len(token) == 2:
@@ -129,7 +129,7 @@ def _symbols(text: str) -> Runs:
 
 
 def plain(runs: Runs) -> str:
-    """Return what runs spell, as it was before it was set: b′cₙ, mm/s².
+    """Return the text of runs, as it was before it was set: b′cₙ, mm/s².
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Sentences in lines: in come the pieces of one and the room for it, out go lines of runs."""
+"""Sentences in lines: the pieces of a sentence become lines of runs that fit its room."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _Stretch = tuple[int, int]
 
 
 def tied(pieces: Pieces) -> Pieces:
-    """Return a sentence with no-break spaces where it must not part.
+    """Return a sentence with no-break spaces where no line may break.
 
     Examples
     --------
@@ -57,7 +57,7 @@ def wrap(pieces: Pieces, size: float, room: float) -> list[Runs]:
 
 
 def _lines(pieces: Pieces, breaks: str, size: float, room: float) -> list[Runs]:
-    """Return a sentence in as few lines as it takes when it parts only at ``breaks``."""
+    """Return a sentence in as few lines as possible, with line breaks only at ``breaks``."""
     parts = _parts(text_of(pieces), breaks)
     widths = [width(said(_cut(pieces, part)), size) for part in parts]
     space = 0.25 * size

@@ -1,7 +1,7 @@
 """What changes around the panels, and at which beat: heads, equations, results, captions, lights.
 
-In come a sheet on its page and the sketches of its panels, out go items.  At the foot of a lesson's
-page stands the caption of its stroke, with the number of the stroke in its panel.
+A sheet on its page, and the sketches of its panels, give the items.  At the foot of a lesson's page
+stands the caption of its stroke, with the number of the stroke in its panel.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The words around the panels: title, heads with scales, equations, and lengths on paper.
 
-In come a sheet and its page, out go marks; the loop equation stands at the foot of its panel.
+They are made from a sheet and its page; the loop equation stands at the foot of its panel.
 """
 
 from __future__ import annotations

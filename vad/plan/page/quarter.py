@@ -1,6 +1,6 @@
 """The results in one quarter of a page: one row per link or slide, which is the legend too.
 
-In come the sheet's rows, out go the entries of the table, in columns whose heads have the units.
+The rows of a sheet become entries in columns, whose heads have the units.
 """
 
 from __future__ import annotations
@@ -154,7 +154,7 @@ class Quarter:
         return fit.rights[0] - self._widest(name) * fit.type
 
     def _fitted(self, most: float) -> _Fit:
-        """Return columns that never touch, whatever the numbers, and are no wider than it takes.
+        """Return columns that never touch, for all numbers, and that are no wider than needed.
 
         Where they need room, first the columns draw together, then the key is cut short, then
         all type shrinks alike; where that is not enough, the words of the names go.
@@ -334,7 +334,7 @@ class Entries:
         return roman(row.title + " ") + symbols(row.letters) + behind
 
     def legend(self, end: complex) -> list[Mark]:
-        """Return what grey means, once for all that is given; it ends at ``end``."""
+        """Return the legend that says what grey means: a given value; it ends at ``end``."""
         cells = (cell for row in self.sheet.rows for each in row.cells.values() for cell in each)
         if not any(cell.given for cell in cells):
             return []

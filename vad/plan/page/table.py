@@ -1,7 +1,7 @@
-"""The results laid out as a page has room for them: beneath the panels, or in a place of their own.
+"""The table of results, where a page has room for it: beneath the panels, or in a place of its own.
 
-In come the sheet's rows, out go the marks of the table's frame and of each of its cells.  Beneath
-panels side by side, what a panel measures stands under it, or many rows stand in two halves.
+The rows of a sheet give the marks of the table's frame and of its cells.  If panels are side by
+side, the values of a panel stand beneath it, or many rows stand in two halves.
 """
 
 from __future__ import annotations
@@ -92,11 +92,11 @@ class Columns:
 
     @property
     def values(self) -> float:
-        """How far behind the margin the cells of the first panel begin."""
+        """The distance from the margin to the cells of the first panel."""
         return min(left for left, _ in self._places.values()) - self._page.left
 
     def frame(self) -> list[Mark]:
-        """Return rules, keys and names, and what grey means."""
+        """Return rules, keys and names, and the legend of grey."""
         y, page = self._page.hairline, self._page
         marks = [
             line([complex(left, y), complex(right, y)], "hairline") for left, right in self._spans
@@ -148,7 +148,7 @@ class Columns:
         return found
 
     def _symbol(self, panel: str) -> float:
-        """Return how far behind the symbols of a column its equals signs stand."""
+        """Return the distance from the symbols of a column to its equals signs."""
         firsts = [row.cells[panel][0] for row in self._entries.sheet.rows if row.cells.get(panel)]
         widest = max((width(symbols(cell.symbol), SIZE) for cell in firsts), default=0.0)
         return EQUALS if widest <= EQUALS else widest + SIGN_GAP
@@ -229,7 +229,7 @@ class Halves:
         ]
 
     def frame(self) -> list[Mark]:
-        """Return names, keys, heads and rules; and what grey means, where there is room."""
+        """Return names, keys, heads and rules, and the legend of grey if there is room."""
         marks = [mark for half in self._halves for mark in half.frame()]
         last = self._halves[-1]
         legend = self._entries.legend(complex(self._area.right, last.head))

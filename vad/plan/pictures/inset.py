@@ -1,7 +1,7 @@
 """The inset of a polygon: the Coriolis rule, v turned 90° with ω, or the speeds over a turn.
 
-In come the inset and the strokes already placed, out go its marks in the emptiest corner of the
-panel.  There the speeds over a turn stand still, and only their ray moves.
+Its marks stand in the emptiest corner of the panel, beside the strokes that are placed already.
+There the speeds over a turn stand still, and only their ray moves.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ class InsetPlace:
 
 
 def draw_inset(inset: Drawn, setting: Setting, size: float, room: float) -> Inset:
-    """Return the inset, not yet in its place.
+    """Return the inset about the origin, without a place in the panel.
 
     ``size`` is 1, or less where space is short; its caption breaks where it is wider than ``room``.
     """

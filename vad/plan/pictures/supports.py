@@ -1,7 +1,7 @@
 """The supports of a mechanism: axes of reference, guides of the frame, fixed pivots.
 
-In come poses of a mechanism, one for a still and many for a turn; where its supports stand is
-chosen once for all of them.  A dimension says how far a block travels along its guide.
+There is one pose for a still, and many for a turn; the places of the supports are chosen once for
+all poses.  A dimension says how far a block travels along its guide.
 """
 
 from __future__ import annotations
