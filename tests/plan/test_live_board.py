@@ -11,6 +11,7 @@ import vad
 from vad.gui.answers import board_of
 from vad.plan.live_board import LiveBoard, LivePose
 from vad.plan.marks import Bow, Outline, Polygon, Polyline
+from vad.plan.pictures.skeleton import Skeleton
 from vad.plan.reach import corners
 from vad.strokes.sheet import Sheet
 
@@ -67,6 +68,14 @@ def test_what_is_chosen_stands_while_a_dimension_changes(name, changed):
     assert feet(after) == feet(before)
 
 
+def test_the_arrow_of_views_stands_while_a_dimension_changes():
+    board = board_of_all("spherical-four-bar")
+    before = board.pose(sheet_of("spherical-four-bar"), {}, {})
+    other = sheet_of("spherical-four-bar", ground=92.7)
+    after = board.resized(other, before.scales).pose(other, before.scales, before.ways)
+    assert arrow(after) == arrow(before)
+
+
 def test_what_is_chosen_stands_though_its_own_pose_was_never_asked_for():
     sheet, changed = sheet_of("four-bar"), sheet_of("four-bar", crank=44.0)
     seen = board_of_all("four-bar").pose(sheet, {}, {})
@@ -75,6 +84,20 @@ def test_what_is_chosen_stands_though_its_own_pose_was_never_asked_for():
     pose = fresh.pose(changed, seen.scales, seen.ways)
     assert feet(pose) == feet(seen)
     assert arrow(pose) == arrow(seen)
+
+
+def test_feet_and_rails_of_before_stand_whatever_is_in_their_way():
+    board, changed = board_of_all("slider-crank"), sheet_of("slider-crank", crank=45.0)
+    before = board.pictures["position"]
+    assert isinstance(before, Skeleton)
+    before.feet["A.fixed"] = 1 + 0j  # where nobody would choose it
+    long = max(abs(end - start) for start, end, _ in before.travels)
+    after = board.resized(changed, {}).pictures["position"]
+    assert isinstance(after, Skeleton)
+    assert after.feet["A.fixed"] == 1 + 0j
+    short = max(abs(end - start) for start, end, _ in after.travels)
+    assert short * before.scale.factor >= 0.999 * long * after.scale.factor
+    board_of.cache_clear()
 
 
 def test_a_mechanism_that_outgrows_its_panel_gets_another_scale():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,12 +13,17 @@ from tests.kinds import PLANE
 from tests.plan.overlaps import planned
 from vad.painting.agg_painter import AggPainter
 from vad.painting.painter import Looks
+from vad.plan.anchors import Anchor, Solved, Strip
 from vad.plan.board import Plan
+from vad.plan.geometry import Rect
 from vad.plan.items import Item
+from vad.plan.labels.obstacles import Obstacles
 from vad.plan.marks import Disc, Mark, Polygon, Polyline
 from vad.plan.pictures import machine
+from vad.plan.pictures.supports import calm_way
 from vad.plan.roles import DOT_RIM
-from vad.strokes.sheet import Arrow, Block
+from vad.plan.scale import Scale
+from vad.strokes.sheet import Arrow, Block, Guide, Panel, Stroke, StrokePart
 from vad.style import load_style, style_names
 
 TURN = tuple(range(0, 360, 45))
@@ -280,3 +286,24 @@ def test_the_guides_own_point_is_on_the_guide():
     [at] = [m.shape.centre for m in marks if isinstance(m.shape, Disc)]
     assert at.imag == pytest.approx(rail[0].imag)
     assert min(z.real for z in rail) < at.real < point(board, "C").real
+
+
+def test_a_pivot_points_where_it_meets_the_fewest_poses():
+    room, at = Rect(0.0, 0.0, 1.0, 1.0), 0.5 + 0.5j
+    below, left = Obstacles(room), Obstacles(room)
+    below.line([at - 0.05j, at - 0.3j], 0.005)
+    left.line([at - 0.05, at - 0.3], 0.005)
+    assert calm_way(at, [], 1.0) == -1j
+    assert calm_way(at, [below, left, below], 1.0) == 1 + 0j
+    assert calm_way(at, [below], 1.0) == -1 + 0j
+
+
+def test_a_slot_ends_at_the_edge_of_its_room():
+    stroke = Stroke("guide", "", Guide(2.0 + 2.0j, 1 + 0j), "", part=StrokePart.named("CB.slot"))
+    solved = Solved(Panel("position", "mm", (stroke,)), Scale(0j, 0.1))
+    room = Rect(0.1, 0.1, 0.5, 0.5)
+    slot = Strip(Anchor.of("CB.slot", "through"), "CB.slot", -0.3, 0.2, 0.05, room, 0.0)
+    assert slot.ends(solved) == pytest.approx((0.1 + 0.2j, 0.4 + 0.2j))
+    assert replace(slot, low=-0.05, high=0.9).ends(solved) == pytest.approx(
+        (0.15 + 0.2j, 0.5 + 0.2j)
+    )

@@ -7,6 +7,7 @@ import pytest
 
 import vad
 from vad.cli.run import run
+from vad.plan.anchors import Beside
 from vad.plan.format import paper, screen
 from vad.plan.hodographs import TOLERANCE, thinned
 from vad.plan.items import Item
@@ -213,3 +214,15 @@ def test_a_turn_is_drawn_on_the_command_line(tmp_path, capsys):
         name, *more = wrong.split()
         assert run([*words, f"{tmp_path}/{name}", *more]) == 2
         assert said in capsys.readouterr().err
+
+
+def test_a_letter_hangs_on_the_point_beside_it_in_each_view():
+    board = TurnBoard(vad.turn(vad.RSSR(), fps=10))
+    for frame in (0, 25, 50):
+        for panel in board.turn.pose(frame).halves:
+            sketch = board.panels[panel.name].pose(panel, frame / board.turn.frames)
+            letters = [m for i in sketch.items for m in i.marks if m.role == "letter"]
+            assert letters
+            for mark in letters:
+                assert isinstance(mark.hangs, Beside)
+                assert abs(mark.hangs.offset) < 0.12
