@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from vad.export.frames import bands, parted
+from vad.export.frames import bands, with_boxes
 from vad.painting.film import EMPTY, Frame
 
 SIZE = (60, 200)
@@ -23,7 +23,7 @@ def frames() -> Iterator[Frame]:
 
 
 def test_a_mark_and_a_word_are_two_boxes():
-    boxes = [boxes for _, boxes in parted(frames(), SIZE)]
+    boxes = [boxes for _, boxes in with_boxes(frames(), SIZE)]
     assert boxes == [[(0, 0, 60, 200)], [(30, 180, 50, 190), (5, 10, 9, 20)], []]
 
 

@@ -39,7 +39,7 @@ def make(job: Job) -> Product:
     try:
         motion = picked(job)
         options = dict(job.recipe.options)
-        sheet = vad.draw(motion, **_some(options, "panels", "language"))
+        sheet = vad.draw(motion, **_only(options, "panels", "language"))
         sheet = replace(sheet, title=f"{sheet.title} · {job.label}")
         answers = motion.to_dict()
         with TemporaryDirectory() as folder:
@@ -61,23 +61,23 @@ def _save(
     """Save a file with those of the options that its format has."""
     kind = path.suffix.lower()
     if is_film(name):
-        lesson = vad.animate(sheet, **_some(options, "fps", "size", "speed", "style"))
+        lesson = vad.animate(sheet, **_only(options, "fps", "size", "speed", "style"))
         own = own_options([FORMATS[Lesson][kind]])
         encoding: dict[str, Any] = (
             {"threads": _THREADS} if "threads" in options_of(Lesson, kind) else {}
         )
-        vad.save(lesson, path, **_some(options, *own), **encoding)
+        vad.save(lesson, path, **_only(options, *own), **encoding)
         return
     names = {*options_of(Sheet, kind)}
     if "paper" in names:
         names.discard("size")  # a page in true scale has the size of its paper
-    look = _some(options, *names)
+    look = _only(options, *names)
     if is_problem(name):
         look["blank"] = blank
     vad.save(sheet, path, **look)
 
 
-def _some(options: Mapping[str, Any], *names: str) -> dict[str, Any]:
+def _only(options: Mapping[str, Any], *names: str) -> dict[str, Any]:
     return {name: options[name] for name in names if name in options}
 
 

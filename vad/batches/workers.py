@@ -57,7 +57,7 @@ def products(jobs: Sequence[Job], workers: int, cluster: str | None) -> Iterator
                 others = max(1, sum(client.nthreads().values()))
                 yield from _shared(jobs, client.get_executor(), others, helping=False)
     except Exception as error:
-        if not _is_death(error):
+        if not _is_dead_worker(error):
             raise
         hint = "start it again: what is done stays"
         raise ExportError("a worker died, perhaps for want of memory", hint) from error
@@ -75,7 +75,7 @@ def _shared(
     while True:
         here = list(islice(left, 1)) if helping else []
         more = islice(left, _AHEAD * others - len(away))
-        away |= {pool.submit(_elsewhere, job) for job in more}
+        away |= {pool.submit(_in_worker, job) for job in more}
         if not (here or away):
             return
         yield from map(make, here)
@@ -83,7 +83,7 @@ def _shared(
         yield from (each.result() for each in done)
 
 
-def _elsewhere(job: Job) -> Product:
+def _in_worker(job: Job) -> Product:
     """Make a sheet in a worker; Ctrl+C reaches it, too, but the main process deals with that."""
     try:
         return make(job)
@@ -117,5 +117,5 @@ def _client(address: str) -> Any:
         raise InputError(message, "as in tcp://127.0.0.1:8786, where dask scheduler runs") from None
 
 
-def _is_death(error: Exception) -> bool:
+def _is_dead_worker(error: Exception) -> bool:
     return isinstance(error, BrokenExecutor) or type(error).__name__ == "KilledWorker"

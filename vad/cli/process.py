@@ -80,10 +80,10 @@ def quieten() -> None:
     logging.getLogger().addHandler(logging.NullHandler())
     if not sys.warnoptions:
         warnings.simplefilter("ignore")
-    sys.unraisablehook = _complain
+    sys.unraisablehook = _report_uncaught
 
 
-def _complain(lost: sys.UnraisableHookArgs) -> None:
+def _report_uncaught(lost: sys.UnraisableHookArgs) -> None:
     """Report an exception that nobody can catch; signals are left to `check_interrupt`."""
     if not isinstance(lost.exc_value, Interrupted):
         sys.__unraisablehook__(lost)

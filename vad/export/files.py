@@ -64,7 +64,7 @@ def new_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
         part.unlink(missing_ok=True)
 
     with _explained(path), _cleared_up(clear):
-        _sweep(final.parent)
+        _remove_leftovers(final.parent)
         with open(part, "x+b") as stream:
             yield stream
             stream.flush()
@@ -103,7 +103,7 @@ def new_folder(path: str | os.PathLike[str], replaceable: Callable[[Path], bool]
 
     with _explained(path), _cleared_up(clear):
         _check_folder(path, final, replaceable)
-        _sweep(final.parent)
+        _remove_leftovers(final.parent)
         part.mkdir()
         yield part
         _check_folder(path, final, replaceable)
@@ -124,7 +124,7 @@ def _cleared_up(clear: Callable[[], None]) -> Iterator[None]:
         clear()
 
 
-def _sweep(folder: Path) -> None:
+def _remove_leftovers(folder: Path) -> None:
     """Remove unfinished files from ``folder`` that a killed process has left behind.
 
     A process that still writes has touched its file within the last hour.

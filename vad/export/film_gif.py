@@ -13,7 +13,7 @@ from typing import BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.export.frames import Film, Progress, bands, painted, parted, rate
+from vad.export.frames import Film, Progress, bands, painted, rate, with_boxes
 from vad.export.palette import Palette, coarse
 from vad.lecture.turn import Turn
 from vad.painting.film import EMPTY, Box, Frame, union
@@ -64,7 +64,7 @@ def encode(
     """
     film = _Film(stream, size, palette, shortest)
     done = 0
-    for frame, boxes in parted(frames, size):
+    for frame, boxes in with_boxes(frames, size):
         for box in boxes:
             film.change(frame, box)
         start, done = done, done + frame.repeats

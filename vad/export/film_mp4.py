@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.errors import ExportError, UsageError
-from vad.export.frames import Film, Progress, painted, parted, rate
+from vad.export.frames import Film, Progress, painted, rate, with_boxes
 from vad.export.lesson_srt import Cue, cues
 from vad.lecture.lesson import Lesson
 from vad.lecture.turn import Turn
@@ -264,7 +264,7 @@ def converted(
     frames: Iterable[Frame], size: tuple[int, int]
 ) -> Iterator[tuple[list[Samples], int]]:
     """Yield the samples that change with each frame, and for how many pictures they stand."""
-    for frame, boxes in parted(frames, size):
+    for frame, boxes in with_boxes(frames, size):
         yield [convert(frame.pixels, box) for box in boxes], frame.repeats
 
 

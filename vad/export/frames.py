@@ -57,7 +57,7 @@ def rate(fps: float) -> Fraction:
     return Fraction(fps).limit_denominator(1001)
 
 
-def parted(frames: Iterable[Frame], size: tuple[int, int]) -> Iterator[tuple[Frame, list[Box]]]:
+def with_boxes(frames: Iterable[Frame], size: tuple[int, int]) -> Iterator[tuple[Frame, list[Box]]]:
     """Yield each frame of ``size`` (width, height) with the boxes of what changed in it."""
     shown = np.zeros(size[::-1], np.uint32)  # RGBA, one number a pixel
     for frame in frames:
@@ -71,7 +71,7 @@ def parted(frames: Iterable[Frame], size: tuple[int, int]) -> Iterator[tuple[Fra
 def bands(now: PixelArray, shown: PixelArray, box: Box, most: int) -> list[Box]:
     """Return the boxes of what differs within ``box``: at most ``most``, from the bottom up.
 
-    A pixel is one number of ``now`` and ``shown``.  The boxes are parted where many rows in a row
+    A pixel is one number of ``now`` and ``shown``.  The boxes are divided where many rows in a row
     are the same; there is none if all are.
     """
     left, top, right, bottom = box

@@ -94,9 +94,9 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
         sheet = vad.draw(motion, POSITION, question.language)
         trouble = {"error": problem(error, question.fields)}
     scales = {name: scale_of(values) for name, values in question.scales.items()}
-    rested = question.rested(mechanism)
-    board = board_of(rested, panels, question.language)
-    if rested != mechanism:
+    last = question.of_last_lesson(mechanism)
+    board = board_of(last, panels, question.language)
+    if last != mechanism:
         board = board.resized(sheet, scales)
     shown = board.pose(sheet, scales, question.ways)
     faces = Faces()

@@ -167,7 +167,7 @@ class PoseQuestion(Question):
     stands: Mapping[str, NumberOrText] | None = None
     known: tuple[str, ...] = ()
 
-    def rested(self, mechanism: Mechanism) -> Mechanism:
+    def of_last_lesson(self, mechanism: Mechanism) -> Mechanism:
         """Return the mechanism of the last lesson, or the ``mechanism`` that is asked for."""
         if self.stands is None or self.stands == self.parameters:
             return mechanism

@@ -27,11 +27,11 @@ from vad.kinematics.numbers import (
     not_below,
     over,
     select,
-    settled,
     sqrt,
     times,
     turned,
     vector,
+    zero_below,
 )
 
 # A sine or cosine is written as a distance from the nearest of these values.
@@ -218,7 +218,7 @@ class AngleAndLength:
             below, above = self.r - height, self.r + height
             if self._noise:
                 least = self._noise * (self.r + abs(height))
-                below, above = settled(below, least), settled(above, least)
+                below, above = zero_below(below, least), zero_below(above, least)
             return below, above, height
         centre, short = nearest(u.imag, u.real)
         sunk = self.crank.t * short

@@ -185,7 +185,7 @@ def over(a: Number, length: Number) -> Number:
     return vector(a.real / length, a.imag / length)
 
 
-def settled(value: Number, least: Number) -> Number:
+def zero_below(value: Number, least: Number) -> Number:
     """Return a value, or zero if its size is less than ``least``."""
     return select(abs(value) < least, 0.0, value)
 

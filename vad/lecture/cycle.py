@@ -120,7 +120,7 @@ def course(motion: Motion) -> Course:
     def distance(ends: tuple[float, float]) -> float:
         return min(max(ends[0] - x, x - ends[1]) for x in around)
 
-    low, high = min(_parted(motion.mechanism, ranges), key=distance)
+    low, high = min(_cut_at_change_points(motion.mechanism, ranges), key=distance)
     middle, half = (low + high) / 2, (0.5 - KEPT) * (high - low)
     here = min(around, key=lambda x: abs(x - middle))
     start = math.acos(min(max((here - middle) / half, -1.0), 1.0))
@@ -130,7 +130,7 @@ def course(motion: Motion) -> Course:
     return Course(names, given, (middle, half, -start if rate > 0 else start, speed))
 
 
-def _parted(
+def _cut_at_change_points(
     mechanism: Mechanism, ranges: Sequence[tuple[float, float]]
 ) -> list[tuple[float, float]]:
     """Return the ranges, cut at change points: a swing keeps away from these as from its ends."""
@@ -220,7 +220,7 @@ def cycle_of(
     driver = scene.driver.name
     place = _curve(scene, POSITION.panel, driver)
     assert place is not None
-    back = _return(np.broadcast_to(rate, shares.shape)) if course.swing is None else None
+    back = _quick_return(np.broadcast_to(rate, shares.shape)) if course.swing is None else None
     return Cycle(shares, driver, output, place, curves, tracks, back)
 
 
@@ -265,7 +265,7 @@ def _unwrapped(degrees: Reals) -> Reals:
     return unwrapped
 
 
-def _return(rate: Reals) -> tuple[float, float] | None:
+def _quick_return(rate: Reals) -> tuple[float, float] | None:
     """Return the shares at which the shorter stroke of a motion to and fro begins and ends."""
     count = len(rate) - 1
     forward = rate[:-1] > 0.0

@@ -305,7 +305,7 @@ def drawn_so_far(sheet: Sheet, strokes: Mapping[str, tuple[Stroke, ...]]) -> She
     ``strokes`` holds the strokes that are drawn, by the name of their panel.  Panels without any
     are left out, and so are values that have not been measured yet.
     """
-    panels = tuple(filter(None, (_part(panel, strokes) for panel in sheet.panels)))
+    panels = tuple(filter(None, (_panel_so_far(panel, strokes) for panel in sheet.panels)))
     known = {
         (half.name, key)
         for panel in panels
@@ -330,11 +330,11 @@ def drawn_so_far(sheet: Sheet, strokes: Mapping[str, tuple[Stroke, ...]]) -> She
     return replace(sheet, panels=panels, rows=tuple(rows), driver=driver)
 
 
-def _part(panel: Panel | None, strokes: Mapping[str, tuple[Stroke, ...]]) -> Panel | None:
+def _panel_so_far(panel: Panel | None, strokes: Mapping[str, tuple[Stroke, ...]]) -> Panel | None:
     """Return a panel as far as it is drawn, or None if nothing of it is."""
     if panel is None or not strokes.get(panel.name):
         return None
-    return replace(panel, strokes=strokes[panel.name], below=_part(panel.below, strokes))
+    return replace(panel, strokes=strokes[panel.name], below=_panel_so_far(panel.below, strokes))
 
 
 def still(lesson: Lesson, step: int | str) -> Still:

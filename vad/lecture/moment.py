@@ -70,11 +70,11 @@ def moments(lesson: Lesson, most: float = math.inf) -> Iterator[tuple[Moment, in
     near = 1.0 if any(step.glide for step in lesson.steps) else 0.0
     yield Moment(done(lesson.begun), near=near), lesson.opening
     for number, step in enumerate(lesson.steps):
-        for share, repeats in _passage(step.grow, pace):
+        for share, repeats in _shares_of_movement(step.grow, pace):
             yield Moment(drawing(number), smooth(share), near), repeats
         if step.hold:
             yield Moment(done(number + 1), near=near), step.hold
-        for share, repeats in _passage(step.glide, pace):
+        for share, repeats in _shares_of_movement(step.glide, pace):
             near = 1.0 - smooth(share)
             yield Moment(done(number + 1), near=near), repeats
         near = 0.0 if step.glide else near
@@ -83,7 +83,7 @@ def moments(lesson: Lesson, most: float = math.inf) -> Iterator[tuple[Moment, in
     yield Moment(finished(len(lesson.steps))), lesson.closing
 
 
-def _passage(frames: int, pace: float) -> Iterator[tuple[float, int]]:
+def _shares_of_movement(frames: int, pace: float) -> Iterator[tuple[float, int]]:
     """Yield each share of a movement, and how many of its frames show it: ``pace`` or more."""
     states = min(frames, max(1, int(frames / pace + 1e-9)))
     for number in range(states):

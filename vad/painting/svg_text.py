@@ -125,7 +125,7 @@ class SetText:
         name = self._classes.name(
             self._setting,
             f"font-size:{number(text.size * grid.unit)}px",
-            *(_says(line[0]) if whole else ()),
+            *(_differences(line[0]) if whole else ()),
             filled(look),
             drawn(look.pen, grid.unit, look.alpha),
             f"{halo};paint-order:stroke" if outlined else "",
@@ -148,7 +148,7 @@ class SetText:
         spans: list[str] = []
         level = grid.at(text.at + text.size * line[0][0].at)[1]
         for stretch in line:
-            says = _says(stretch)
+            says = _differences(stretch)
             x, y = grid.at(text.at + text.size * stretch[0].at)
             name = f' class="{self._classes.name(*says)}"' if any(says) else ""
             # The first one stands where its line does.
@@ -176,7 +176,7 @@ class SetText:
         return use + element.replace("<text", f'<text id="{home}"', 1)
 
 
-def _says(stretch: Stretch) -> tuple[str, str]:
+def _differences(stretch: Stretch) -> tuple[str, str]:
     """Return how a stretch differs from its line."""
     small = f"font-size:{number(stretch[0].size)}em" if stretch[0].size != 1.0 else ""
     return FACES[stretch[0].face], small

@@ -141,7 +141,7 @@ class Captions(PolygonCaptions[StepVector]):
         scene = self._scene
         if part.name != "coriolis":
             given = scene.figure(length_of(slide.name), abs(part.vector), self.unit)
-            line, way = scene.line(slide), self._way(part.vector)
+            line, way = scene.line(slide), self._direction(part.vector)
             return self.quantity(
                 f"sliding {self.panel}", label=label, value=given, line=line, way=way
             )
@@ -208,14 +208,14 @@ class Captions(PolygonCaptions[StepVector]):
                 slide=scene.members.slider(step),
                 head=self._sliding_point(step),
                 line=scene.line(step),
-                way=self._way(part.vector),
+                way=self._direction(part.vector),
                 symbol=self.measures(part),
                 rate=Figure(scene.speed(step.name, self.order), self.unit),
                 value=self.size(part),
             )
         tail, head = scene.members.ends(step)
         return self.quantity(
-            f"measured omega{self._seen(step)}" if self.order == 1 else "measured alpha",
+            f"measured omega{self._kind_of_motion(step)}" if self.order == 1 else "measured alpha",
             product("rate", "value", "size"),
             label=label,
             omega=scene.members.symbol("ω", step.link),
@@ -227,7 +227,7 @@ class Captions(PolygonCaptions[StepVector]):
             size=scene.length(step, self.unit, power=-1),
             rate=scene.spin(step.link, self.order),
             sense=self.sense(scene.rate(step.link, self.order)),
-            way=self._way(part.vector),
+            way=self._direction(part.vector),
         )
 
     def whole(self, label: str, size: float, vector: StepVector) -> Sentence:
@@ -283,7 +283,7 @@ class Captions(PolygonCaptions[StepVector]):
         phrase = f"{self.panel} of" + ("" if fixed else " relative")
         return self.say(phrase, head=bar.head, tail=bar.tail)
 
-    def _seen(self, bar: Bar) -> str:
+    def _kind_of_motion(self, bar: Bar) -> str:
         """Return the ending of the phrase: for a strut, an absolute or a relative motion."""
         if self._scene.members.is_strut(bar):
             return " strut"
@@ -299,7 +299,7 @@ class Captions(PolygonCaptions[StepVector]):
             return f"along velocity {inside}" if self.order == 1 else "along acceleration"
         return "along velocity" if self._scene.members.is_guide(slide) else "along velocity slot"
 
-    def _way(self, vector: complex) -> Sentence:
+    def _direction(self, vector: complex) -> Sentence:
         if abs(vector.real) >= abs(vector.imag):
             return self.say("right" if vector.real > 0 else "left")
         return self.say("up" if vector.imag > 0 else "down")

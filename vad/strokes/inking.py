@@ -82,14 +82,14 @@ class PositionPencil:
             letters,
             arrow,
             phrase,
-            self._said_of(bar),
+            self._parts_about(bar),
             link=bar.link,
             component="link",
             image=image,
             reveals=reveals,
         )
 
-    def _said_of(self, bar: Bar) -> Mapping[str, SentencePart]:
+    def _parts_about(self, bar: Bar) -> Mapping[str, SentencePart]:
         """Return the parts that a phrase about a bar needs."""
         scene, (tail, head) = self.scene, self.scene.members.ends(bar)
         driven = angle_of(bar.link) == scene.driver
@@ -158,7 +158,7 @@ class PositionPencil:
         if symbol == "s":
             phrase += " from"
         self.join(slide.name, letter)
-        self._ride(slide)
+        self._record_ride(slide)
         self.draw(
             slide.ends,
             "block",
@@ -172,7 +172,7 @@ class PositionPencil:
             reveals=() if driven else (slide.name,),
         )
 
-    def _ride(self, slide: Slide) -> None:
+    def _record_ride(self, slide: Slide) -> None:
         """Record on which body a block slides, and along which stroke."""
         on, block = (slide.along if isinstance(slide.along, str) else None), f"{slide.ends}.block"
         if self.scene.members.is_guide(slide):
