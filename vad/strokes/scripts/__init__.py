@@ -1,1 +1,1 @@
-"""What is drawn of mechanisms in space: one script for each, named by its mechanism."""
+"""The drawings of mechanisms in space: one script for each, which its mechanism names."""

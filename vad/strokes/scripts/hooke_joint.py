@@ -1,4 +1,4 @@
-"""Hooke's joint: above as seen along shaft 2, below the plane of the shafts.
+"""Hooke's joint: above the view along shaft 2, below the plane of the shafts.
 
 P and Q, the pins of the yokes, are on a sphere of radius 1 about O.  Its polygons are those of the
 spherical four-bar whose axes are the shafts and the arms of the cross.
@@ -31,7 +31,7 @@ ROWS = {"12": "driving", "24": "cross", "14": "driven", "23": "cross", "43": "cr
 
 
 class Script(BodyScript):
-    """What is drawn of Hooke's joint."""
+    """The drawings of Hooke's joint."""
 
     topic, sphere, twice, centre = "hooke", True, False, PLAN.at
     rows, numbers = {"driving": "2", "cross": "3", "driven": "4"}, {"driving": 2, "driven": 4}

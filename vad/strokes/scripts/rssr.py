@@ -1,4 +1,4 @@
-"""The ball-jointed four-bar: seen along both axes, and with BC and the path of C in true length.
+"""The ball-jointed four-bar: views along both axes, and one with BC and C's path in true length.
 
 The two views along the axes stand one above the other, for both have the common normal across the
 page.  The third view, in which its polygons are drawn, stands to the right.
@@ -27,7 +27,8 @@ from vad.words import Language
 
 #: The view along A's axis, from its end.
 TOP = View((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
-#: How much longer BC may be in the third view than the other two high; what is free between views.
+#: The largest length of BC in the third view, as a share of the height of the other two; the gap
+#: between views.
 TALLEST, GAP = 0.6, 0.14
 #: Half of a compass arc in degrees; radii of the angles' arcs, of crank and rocker.
 COMPASS, ANGLE, SMALL = 9.0, 0.45, 0.25
@@ -51,7 +52,7 @@ class Layout(NamedTuple):
 
 
 class Script(BarScript):
-    """What is drawn of the ball-jointed four-bar."""
+    """The drawings of the ball-jointed four-bar."""
 
     topic, tilt = "balls", cmath.exp(1j * math.radians(115.0))
 

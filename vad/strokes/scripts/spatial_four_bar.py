@@ -23,9 +23,9 @@ from vad.strokes.space.view import View
 from vad.strokes.vector_equations import NOTHING
 from vad.words import Language
 
-#: From where it is seen: degrees about a, and above the plane square to it.
+#: The direction of the view: degrees about a, and above the plane perpendicular to a.
 PICTORIAL = View.from_above(azimuth=-62.0, elevation=38.0)
-#: So many poses tell what a mechanism reaches.
+#: The number of poses from which the reach of a mechanism is found.
 POSES = 48
 #: Lengths as shares of the mechanism's reach: axes beyond their points, shafts beyond sleeves.
 AXIS, SHAFT, BEARING = 0.13, 0.06, 0.10
@@ -37,7 +37,7 @@ SLIDES["D"] = "D", "rocker D", "rocker"
 
 
 class Script(SlidingScript):
-    """What is drawn of the spatial four-bar."""
+    """The drawings of the spatial four-bar."""
 
     topic = "spatial"
     rows, numbers = {"crank": "A", "axis": "I", "rocker": "D"}, {"crank": 2, "rocker": 4}
@@ -55,7 +55,7 @@ class Script(SlidingScript):
 
     @cached_property
     def ends(self) -> dict[str, Any]:
-        """Where points are seen, and how axes run: a … i in the view, "true A" in the star."""
+        """The projections of points and of axes: a … i in the view, "true A" in the star."""
         axis = self.bodies.axis
         axes = {"A": Z, "B": axis.b, "C": axis.c, "D": axis.d, "I": axis.i}
         at = {spot.letter: place for spot, place in self.places().items()}
@@ -134,7 +134,7 @@ class Script(SlidingScript):
 
 @lru_cache(maxsize=32)
 def _reach(mechanism: Any) -> tuple[complex, complex]:
-    """Return the corners of what the mechanism reaches in a turn, as it is seen."""
+    """Return the corners of the projection of all that the mechanism reaches in a turn."""
     many: Any = solve(mechanism, angle=np.linspace(0.0, 360.0, POSES, endpoint=False))
     if not many.assembled.any():  # it swings between two of these angles
         swings = [np.linspace(*ends, POSES) for ends in closing_range(mechanism)]

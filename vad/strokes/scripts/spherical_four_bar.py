@@ -1,4 +1,4 @@
-"""The spherical four-bar: the sphere seen square to the plane of its frame, and two roses.
+"""The spherical four-bar: the sphere, projected on the plane of its frame, and two roses.
 
 The sphere has the radius 1; its outline is the great circle of the frame, on which A, D and I lie.
 """
@@ -21,7 +21,7 @@ ROWS = {"12": "crank", "24": "B", "14": "rocker", "23": "B", "43": "C"}
 
 
 class Script(BodyScript):
-    """What is drawn of the spherical four-bar."""
+    """The drawings of the spherical four-bar."""
 
     topic, numbered, sphere = "spherical", False, True
     rows = {"crank": "A", "B": "B", "C": "C", "rocker": "D"}

@@ -1,8 +1,8 @@
-"""The polygon ab + bc = dc of three bars in space, in a view that sees BC and C's path true.
+"""The polygon ab + bc = dc of three bars in space, where BC and C's path have their true length.
 
-BC keeps its length, so that c lies in a plane square to BC, which this view sees as a line: the
-polygon is there that of the four-bar in the plane, letter by letter.  What a vector has off the
-paper is told where it counts.
+BC keeps its length, so c lies in a plane perpendicular to BC.  The projection of this plane is a
+line: so the polygon is like that of the four-bar in the plane, letter by letter.  A caption states
+the component of a vector perpendicular to the paper where it matters.
 """
 
 from __future__ import annotations
@@ -81,18 +81,18 @@ class BarScript(Script):
         return {image_letter(x, number): self.true.way(self.place(x, order)) for x in "ABCD"}
 
     def turning(self, link: str, order: Order) -> Any:
-        """Return how a link turns; of the coupler the size of it, without its idle spin."""
+        """Return ω or α of a link; for the coupler its magnitude, without the idle spin."""
         value = getattr(self.motion.link(link), order.rate)
         return _size(value) if link == "coupler" else value
 
     def length(self, name: str) -> Figure:
-        """Return the length of a bar: as given where it is short, as somebody writes it."""
+        """Return the length of a bar; one with few digits counts as given."""
         value = self.sizes[name]
         given = abs(value - float(f"{value:.6g}")) <= 1e-12 * abs(value)
         return Figure(value, self.scene.unit, given)
 
     def cells(self, order: Order, key: str) -> tuple[Cell, ...]:
-        """Return what a row measures: how its bar turns, and the speed of C or of C against B."""
+        """Return the cells of a row: ω or α of its bar, and the rate of C, or of C relative to B."""
         if key == "coupler" and order is POSITION:
             return ()
         turning = self.cell(order, key, self.turning(key, order))
@@ -133,14 +133,14 @@ class BarScript(Script):
         return polygon(self.scene, order, sums, places, [a, d], pole, unit, remark=remark)
 
     def _line(self, link: str) -> tuple[complex, str | Text, str | None]:
-        """Return the direction of a construction line, its label, and what it is square to."""
+        """Return a construction line: its direction, label, and the bar perpendicular to it."""
         if link == "coupler":
             return 1j * self.tilt, "⟂ BC", "BC"
         path = self.scene.say(f"{self.topic} path")
         return self.true.way(self.path), self.scene.write("parallel", line=path), None
 
     def _normal(self, link: str) -> complex:
-        """Return a normal component as this view sees it."""
+        """Return the projection of a normal component."""
         tail, head = (self.at[letter] for letter in BARS[link])
         bar = difference(head, tail)
         if link != "coupler":
@@ -156,7 +156,7 @@ class BarScript(Script):
         return math.sqrt(dot(relative, relative))
 
     def _off(self, order: Order) -> float:
-        """Return by how much b and c stand at different heights over the paper."""
+        """Return the difference of the heights of b and c above the paper."""
         return float(abs(dot(self._relative(order), self.true.toward)))
 
     # --- what is said of it -------------------------------------------------------------------
@@ -196,7 +196,7 @@ class BarScript(Script):
     def _turned(
         self, link: str, order: Order, phrase: str, seen: complex, power: int = 1
     ) -> partial[Any]:
-        """Say what a rate to a power times the length of a bar is, and what is seen of it."""
+        """Say what a power of a rate times the length of a bar is, and its projection."""
         ends, unit = BARS[link], self.unit(ACCELERATION if power == 2 else order)
         size, rate = self.length(link), abs(float(self.turning(link, order)))
         return partial(
@@ -228,7 +228,7 @@ class BarScript(Script):
         )
 
     def _found(self, link: str, order: Order, length: float) -> partial[Any]:
-        """Measure a vector, from which follows how its body turns."""
+        """Measure a vector, and say which rate of its body follows from it."""
         unit, turning = self.unit(order), self.turning(link, order)
         rate, size = abs(float(turning)), replace(self.length(link), scale=unit, power=-1)
         parts: dict[str, Any] = {"symbol": self._symbol(link, order), "unit": Unit(unit)}

@@ -1,8 +1,9 @@
-"""How four bodies turn about four axes, and where the vertices of their polygons are.
+"""The rotations of four bodies about four axes, and the vertices of their polygons.
 
-The pole is body 1, the frame; the vector from i to j is how j turns against i.  Triangle 1 2 4 lies
-in the plane of the frame, which is seen square; triangle 2 3 4 lies in that of the coupler, which
-is laid over about 2 4.  Where the bodies slide, too, dual numbers tell sliding from turning.
+The pole is body 1, the frame; the vector from i to j is the rotation of j relative to i.  Triangle
+1 2 4 lies in the plane of the frame, which is parallel to the paper.  Triangle 2 3 4 lies in that
+of the coupler, which is rotated into the paper about 2 4.  If the bodies also slide, the real parts
+of dual numbers are rotations, and the dual parts are translations.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from vad.written import PRIME
 
 
 class Bodies:
-    """How the bodies of a motion turn, of one pose or of many as arrays.
+    """The rotations of the bodies of a motion, in one pose or in many as arrays.
 
     Parameters
     ----------
@@ -41,7 +42,7 @@ class Bodies:
     axis
         The instant axis I with the other axes, as they are without sliding.
     seen
-        How a vector is seen square to the plane of the frame.
+        The projection of a vector on the plane of the frame.
     """
 
     def __init__(self, script: Script, view: View) -> None:
@@ -55,7 +56,7 @@ class Bodies:
         self._of_a: dict[Order, tuple[Any, Any]] = {}
 
     def laid(self, vector: Vector3, side: Any) -> Any:
-        """Return a vector of the coupler's plane, laid over about OI to a side of it, ±1."""
+        """Return a vector of the coupler's plane, rotated into the paper about OI to a side, ±1."""
         along, across = dot(vector, self.axis.i), side * dot(vector, self.axis.j)
         return along * self.seen(self.axis.i) + across * self.seen(self.axis.m)
 
@@ -76,7 +77,7 @@ class Bodies:
         return self._turns[order]
 
     def relative(self, order: Order) -> tuple[Any, Any]:
-        """Return how 4 turns against 2: along I, and across it in the plane of the frame."""
+        """Return the rotation of 4 relative to 2: along I, and across it in the frame's plane."""
         return self.axis.relative(*self.turns(order))
 
     def in_coupler(self) -> Any:
@@ -84,10 +85,10 @@ class Bodies:
         return self.axis.in_coupler(self.turns(ACCELERATION)[1])
 
     def side(self, order: Order) -> Any:
-        """Return to which side the coupler's plane is laid over.
+        """Return the side to which the plane of the coupler is rotated.
 
-        That of velocities goes away from the pole, that of accelerations so that both normal
-        components at 4ₙ go on from each other; where a triangle is flat it is +1.
+        For velocities it is away from the pole.  For accelerations it is the side on which one
+        normal component at 4ₙ continues the other.  If a triangle is flat, the side is +1.
         """
         crank, turns = self.turns(order)
         if order is VELOCITY:
@@ -129,7 +130,7 @@ class Bodies:
 
     @property
     def height(self) -> Any:
-        """AH, the lever of I: with it A turns against the crank."""
+        """AH, the distance of I from A, for the motion of A relative to the crank."""
         if not self.motion.many:
             return self.screw.height
         way = self.seen(self.axis.i)
@@ -157,5 +158,5 @@ class Bodies:
 
     @property
     def ground(self) -> float:
-        """AD, the lever of d."""
+        """AD, the distance of d from A."""
         return float(self.motion.mechanism.parameters()["ground"])

@@ -1,9 +1,10 @@
 """The polygon of four bodies that turn about four axes: two triangles, hinged at the instant axis.
 
-The pole is body 1, the frame; the vector from i to j is how j turns against i.  Triangle 1 2 4 lies
-in the plane of the frame, which is seen square; triangle 2 3 4 lies in that of the coupler, which
-is laid over about 2 4.  Where the bodies slide, too, the dual part of the first equation is a
-second polygon under it: A as a point of the rocker, with the same construction lines.
+The pole is body 1, the frame; the vector from i to j is the rotation of j relative to i.  Triangle
+1 2 4 lies in the plane of the frame, which is parallel to the paper.  Triangle 2 3 4 lies in that
+of the coupler, which is rotated into the paper about 2 4.  If the bodies also slide, the dual part
+of the first equation is a second polygon under it: A as a point of the rocker, with the same
+construction lines.
 """
 
 from __future__ import annotations
@@ -28,9 +29,9 @@ from vad.strokes.space.view import View
 from vad.strokes.vector_equations import Part, VectorEquation
 from vad.written import PRIME, subscript
 
-#: What ω₄₂ changes by as it turns with OI.
+#: The rate at which ω₄₂ changes because it turns with OI.
 TURNED = "ω" + subscript(42) + "τ̇"
-#: How 4 turns against 2, along I, by the number of the order.
+#: The rotation of 4 relative to 2 along I, by the number of the order.
 RELATIVE = ("", "ω" + subscript(42), "α" + subscript(42) + "ₜ")
 #: The axes along which the vectors of a polygon of bodies lie.
 AXES = {"12": "OA", "24": "OI", "14": "OD", "23": "OB", "43": "OC"}
@@ -38,22 +39,22 @@ AXES = {"12": "OA", "24": "OI", "14": "OD", "23": "OB", "43": "OC"}
 
 @dataclass(frozen=True)
 class Names:
-    """What the vectors of a polygon of bodies are called, drawn along and written under.
+    """The names of the vectors of a polygon of bodies, their axes, and their rows.
 
     Attributes
     ----------
     rows, axes
-        By the bodies, "24": the row whose ink a vector takes, and the axis along which it lies.
+        By the bodies, "24": the row whose colour a vector has, and the axis along which it lies.
     measured
         The vectors that stand in the table, by the order of the polygon; all of them if empty.
     topic
-        What the phrases of its lines begin with.
+        The first word of the keys of the phrases of its lines.
     lines
-        What the construction lines through 4 are called, if not by the bodies: then the strokes of
-        vectors are called by the bodies alone, ``24`` in place of ``24.relative``, and nothing is
-        said of what is zero.
+        The names of the construction lines through 4, if these are not named by the bodies.  Then
+        the strokes of vectors are named by the bodies alone, ``24`` instead of ``24.relative``, and
+        no caption says what is zero.
     sines
-        The arcs AI and DI, of which the ratio ω₄/ω₂ is said to be that of their sines.
+        The arcs AI and DI, if a caption says that the ratio ω₄/ω₂ is that of their sines.
     """
 
     rows: Mapping[str, str]
@@ -76,12 +77,12 @@ class BodyPolygon:
     order
         That of ω or of α.
     names
-        What its vectors are called.
+        The names of its vectors.
     """
 
     def __init__(self, script: Script, bodies: Bodies, order: Order, names: Names) -> None:
         self.bodies, self.order, self.names = bodies, order, names
-        #: Whether vectors are called by their ends alone, and lines by names of their own.
+        #: Whether vectors are named by their ends alone, and lines have names of their own.
         self.named = bool(names.lines)
         self.scene, self.panel, self.unit = script.scene, order.panel, order.unit
         self.crank, self.turns = bodies.turns(order)
@@ -92,7 +93,8 @@ class BodyPolygon:
     def drawing(self, twice: bool, centre: complex, remark: str = "") -> Drawing:
         """Draw both triangles, or the first alone if accelerations are not asked for ``twice``.
 
-        The plane of the coupler is laid over in the view of the frame's plane, about ``centre``.
+        The plane of the coupler is rotated into the paper in the view of the frame's plane, about
+        ``centre``.
         """
         both = self.order is VELOCITY or twice
         frame = self.frame(whole=not both)
@@ -113,7 +115,7 @@ class BodyPolygon:
     def frame(self, whole: bool = False) -> Stated:
         """Return ω₂ + ω₄₂ = ω₄, or α₂ + ω₄₂τ̇ + α₄₂ₜ = α₄, in the plane of the frame.
 
-        The ``whole`` of α₄₂ is inked where nothing else is drawn of it.
+        With ``whole`` the sum α₄₂ is inked, because nothing else of it is drawn.
         """
         bodies, axis, at_d = self.bodies, self.bodies.axis, self.turns.at_d
         along, across = bodies.relative(self.order)
@@ -165,7 +167,7 @@ class BodyPolygon:
         return Stated(equation, left, [parts[-1].drawn.name])
 
     def _fold(self, centre: complex) -> Stroke:
-        """Return how the plane of the coupler is laid over, in the view of the frame's plane."""
+        """Return the stroke that rotates the coupler's plane into the paper."""
         bodies, axis = self.bodies, self.bodies.axis
         side = bodies.side(self.order)
         arms = tuple(centre + bodies.laid(arm, side) for arm in (axis.b, axis.c))
@@ -201,7 +203,7 @@ class BodyPolygon:
     def _part(
         self, of: SpaceVector, name: Component, way: complex, value: float, **more: Any
     ) -> Part[SpaceVector]:
-        """Return a part that is known beforehand."""
+        """Return a component that is known before the lines cross."""
         if self.named and name != "normal":
             more["called"] = of.name
         more.setdefault("symbol", self._symbol("12"))
@@ -217,7 +219,7 @@ class BodyPolygon:
         value: float,
         symbol: str = "",
     ) -> Part[SpaceVector]:
-        """Return a part that the crossing finds."""
+        """Return a component that the crossing finds."""
         label = self.scene.write("parallel", line=self.names.axes[ends])
         called = ends if self.named else ""
         symbol = symbol or self._symbol(ends)
@@ -234,7 +236,7 @@ class BodyPolygon:
         return partial(self.scene.say, phrase, **parts)
 
     def _line(self, ends: str, panel: str = "") -> Callable[..., Sentence]:
-        """Return why the next vertex lies on the line along an axis."""
+        """Return the caption that says why the next vertex lies on the line along an axis."""
         axis = {"23": self.bodies.axis.b, "43": self.bodies.axis.c}.get(ends)
         arc = {"arc": Figure(abs(self.bodies.arc(axis)), "°")} if axis else {}
         phrase = f"{self.names.topic} line {ends}{panel}"
@@ -268,7 +270,7 @@ class BodyScript(Script):
     twice
         Whether accelerations have a triangle in the plane of the coupler, too.
     centre
-        Where O is in the view in which that plane is laid over.
+        The place of O in the view in which that plane is rotated into the paper.
     """
 
     twice: ClassVar[bool] = True

@@ -1,8 +1,9 @@
 """Polygons of mechanisms in space: vector equations that a script states, played as in the plane.
 
-Three unknown lengths lie along known directions, x u + y v + z w = E.  Seen along one of them that
-is two lines that cross; where there are two triangles on a hinge, the second equation is folded
-about it into the paper.  A vector brings its sentences along, so that one set of words serves all.
+Three unknown lengths lie along known directions, x u + y v + z w = E.  In the projection along one
+of them, two lines cross.  If there are two triangles with a common side, the plane of the second
+one is rotated about it into the paper.  A vector has its own sentences, so that one class of
+captions serves all mechanisms.
 """
 
 from __future__ import annotations
@@ -25,15 +26,16 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class SpaceVector(Vector):
-    """A vector with what is said of it.
+    """A vector with its captions.
 
     Attributes
     ----------
     says
-        Sentences but for the letters that the drawing gives them: by the name of a known part, and
-        "line", "result" and "whole".
+        Functions that make its sentences from the letters of the drawing: by the name of a known
+        component, and "line", "result" and "whole".
     zero
-        The symbol of what is zero where the crossing finds no length; empty where nothing is said.
+        The symbol of the quantity that is zero if the crossing finds no length; empty if no caption
+        says so.
     """
 
     says: Mapping[str, Callable[..., Sentence]] = field(default_factory=dict)
@@ -56,14 +58,14 @@ def stated(equation: VectorEquation[SpaceVector]) -> Stated:
 
 
 class SpaceCaptions(PolygonCaptions[SpaceVector]):
-    """What is said of a polygon in space; ``fixed`` are the vertices at its pole."""
+    """The captions of a polygon in space; ``fixed`` are the vertices at its pole."""
 
     def __init__(self, scene: SceneInSpace, order: Order, unit: str, fixed: Sequence[str]) -> None:
         super().__init__(scene, order.number, unit)
         self.fixed = fixed
 
     def known(self, label: str, part: Part[SpaceVector]) -> Sentence:
-        """Work out a component that is known before the crossing."""
+        """Calculate a component that is known before the lines cross."""
         return part.of.says[part.name](label=label)
 
     def line(self, part: Part[SpaceVector], point: str, meeting: str) -> Sentence:
@@ -72,11 +74,11 @@ class SpaceCaptions(PolygonCaptions[SpaceVector]):
         return part.of.says["line"](point=place, meeting=meeting)
 
     def measures(self, part: Part[SpaceVector]) -> str:
-        """Return the symbol of what is zero where a part vanishes."""
+        """Return the symbol of the quantity that is zero if a component is."""
         return part.of.zero
 
     def is_zero(self, part: Part[SpaceVector]) -> bool:
-        """Tell whether that is said."""
+        """Tell whether a caption says that it is zero."""
         return bool(part.of.zero)
 
     def measured(self, label: str, part: Part[SpaceVector]) -> Sentence:
@@ -84,7 +86,7 @@ class SpaceCaptions(PolygonCaptions[SpaceVector]):
         return part.of.says["result"](label=label)
 
     def whole(self, label: str, size: float, vector: SpaceVector) -> Sentence:
-        """Measure a whole vector beside its parts."""
+        """State the length of a whole vector, whose components are drawn already."""
         value, unit = Figure(size, self.unit), Unit(self.unit)
         return vector.says["whole"](label=label, value=value, unit=unit)
 
@@ -122,15 +124,15 @@ def polygon(
     fixed
         The vertices at the pole.
     pole
-        What is said of it.
+        The caption of the pole.
     unit
         The unit of the polygon.
     at_rest
         The vertices at the pole where nothing moves, if they are others.
     fold
-        The stroke that lays the plane of a folded equation over.
+        The stroke that rotates the plane of the second equation into the paper.
     remark
-        What stands under it.
+        The text under the polygon.
     """
     longest = max(each.equation.longest for each in stated)
     words = SpaceCaptions(scene, order, unit, fixed)

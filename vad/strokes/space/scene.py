@@ -1,7 +1,7 @@
-"""One pose of a mechanism in space as the board sees it, and the pen with which a script draws it.
+"""One pose of a mechanism in space, and the pens with which a script draws it.
 
-A mechanism in space names the module that draws it.  Its class `Script` says what stands in the
-table, and draws the views and the polygons.
+A mechanism in space names the module that draws it.  Its class `Script` has the rows of the table,
+and draws the views and the polygons.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class SceneInSpace(CaptionedMotion):
 
     @cached_property
     def script(self) -> Script:
-        """What draws its mechanism.
+        """The script that draws its mechanism.
 
         Raises
         ------
@@ -81,7 +81,7 @@ class SceneInSpace(CaptionedMotion):
 
     @property
     def output(self) -> str:
-        """The row of what the mechanism is there for: the last one."""
+        """The row of the output of the mechanism: the last one."""
         return [*self.script.rows][-1]
 
     def drawing(self, order: Order) -> Drawing:
@@ -130,21 +130,20 @@ KINDS: tuple[Kind, ...] = (
 
 
 class Script(ABC):
-    """What is drawn of a mechanism in space; a subclass for each, in a module of its own.
+    """The drawings of a mechanism in space; each has a subclass in a module of its own.
 
     Attributes
     ----------
     topic
-        What the phrases of its mechanism begin with.
+        The first word of the keys of its phrases.
     rows
-        The letters of every row of the results, by its key; the last is what the mechanism is there
-        for.
+        The letters of every row of the results, by its key; the last row is the output.
     titles
-        What rows are called, where they are not called by their keys.
+        The titles of rows whose title is not their key.
     numbers
-        The numbers of the bodies whose turning a row shows: 2, or 32 for 3 against 2.
+        The numbers of the bodies whose rotation a row shows: 2, or 32 for 3 relative to 2.
     numbered
-        Whether its angles bear these numbers, too.
+        Whether the symbols of its angles have these numbers, too.
     sphere
         Whether it lies on a sphere of radius 1: then its views have no unit.
     sizes
@@ -180,7 +179,7 @@ class Script(ABC):
         return order.unit if order.number else "" if self.sphere else self.scene.unit
 
     def cells(self, order: Order, key: str) -> tuple[Cell, ...]:
-        """Return what a row measures: how its link or joint turns."""
+        """Return the cells of a row: the angle or the rate of its link or joint."""
         joints = self.motion.solver.joints
         part: Any = self.motion.joint(key) if key in joints else self.motion.link(key)
         return (self.cell(order, key, getattr(part, order.rate)),)
@@ -219,7 +218,7 @@ class Script(ABC):
         }
 
     def begin(self) -> None:
-        """Take a clean board for the views."""
+        """Begin the views without any stroke."""
         self.strokes: list[Stroke] = []
         self.zeros: list[Stroke] = []
 
@@ -238,7 +237,7 @@ class Script(ABC):
         calculations: tuple[Calculation, ...] = (),
         **parts: Any,
     ) -> None:
-        """Draw a stroke, a ``body`` as thick as links are; of ``parts`` a phrase takes its own."""
+        """Draw a stroke, a ``body`` as thick as a link; the phrase takes the ``parts`` it needs."""
         key, given = f"{self.topic} {phrase}", {"unit": Unit(self.scene.unit), **parts}
         told = {part: value for part, value in given.items() if part in gaps(key)}
         said = self.scene.say(key, *calculations, **told)
@@ -250,9 +249,9 @@ class Script(ABC):
 
     @property
     def pens(self) -> tuple[Callable[..., None], ...]:
-        """What draws each kind of stroke of `KINDS`, with the arguments of `draw` from its name on.
+        """The functions that draw each of `KINDS`, with the arguments of `draw` from its name on.
 
-        A pen for bodies is last: it draws a result as thick as links are.
+        A pen for bodies is last: it draws a result as thick as a link.
         """
         plain = (partial(self.draw, kind) for kind in KINDS)
         return *plain, partial(self.draw, "result", body=True)
@@ -286,11 +285,11 @@ class Script(ABC):
         self.draw("angle", arc, Arc(at, inner, 0.0, angle.value), between, link, label, **parts)
 
     def note(self, at: complex, phrase: str, **parts: Any) -> Note:
-        """Return what stands beside a view."""
+        """Return a note beside a view."""
         return Note(at, self.scene.write(f"{self.topic} {phrase}", **parts))
 
     def leave_out(self) -> None:
-        """Keep the last stroke among those that are not drawn in this pose."""
+        """Record the last stroke as one that is not drawn in this pose."""
         self.zeros.append(replace(self.strokes.pop(), said="", reveals=()))
 
     def finished(
@@ -298,7 +297,7 @@ class Script(ABC):
     ) -> Drawing:
         """Return all strokes with the equation below them and the notes beside the views.
 
-        Its terms are named by their strokes; letters alone are a vector that is not drawn.
+        Its terms are the names of strokes; letters alone stand for a vector that is not drawn.
         """
         strokes, zeros = tuple(self.strokes), tuple(self.zeros)
         equation = Equation(*(tuple(self._terms(side)) for side in (left, right)))

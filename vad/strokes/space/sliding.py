@@ -1,4 +1,4 @@
-"""Four bodies that turn and slide: a polygon of ω or α, and below it that of A on the rocker.
+"""Four bodies that turn and slide: a polygon of ω or α, and below it the motion of A on the rocker.
 
 Both have the same construction lines, ∥ OI and ∥ OD: the lower one is the dual part of the same
 equation, and shows how A moves as a point of the rocker, relative to the crank and about D.
@@ -29,7 +29,7 @@ ALONG_D = ("s_D", "ṡ_D", "s\N{COMBINING DIAERESIS}_D")
 
 
 class SlidingScript(BodyScript):
-    """What is drawn of a mechanism of four bodies that slide, too."""
+    """The drawings of a mechanism of four bodies that also slide."""
 
     def polygon(self, order: Order) -> Drawing:
         """Return the polygon of ω or α, and below it that of A."""
@@ -45,7 +45,7 @@ class SlidingScript(BodyScript):
         return replace(drawing, below=_motion_of_a(self, bodies, order))
 
     def cells(self, order: Order, key: str) -> tuple[Cell, ...]:
-        """Return what a row measures: of the axis I how 4 moves against 2."""
+        """Return the cells of a row; that of the axis I has the motion of 4 relative to 2."""
         n, unit, bodies = order.number, order.unit_of(self.scene.unit), self.bodies
         if key == "axis" and order is POSITION:
             return Cell("τ", bodies.screw.tau, order.unit), Cell("AH", bodies.height, unit)
@@ -67,7 +67,7 @@ class SlidingScript(BodyScript):
 
 
 def _motion_of_a(script: Script, bodies: Bodies, order: Order) -> Drawing:
-    """Return the polygon of A as a point of the rocker: about I and along it, about D and along."""
+    """Return the polygon of A as a point of the rocker: its motion about and along I, and D."""
     say, write, unit, panel = (
         script.scene.say,
         script.scene.write,
@@ -190,7 +190,7 @@ def _motion_of_a(script: Script, bodies: Bodies, order: Order) -> Drawing:
 
 
 def _about_i(script: Script, bodies: Bodies, order: Order) -> Callable[..., Sentence]:
-    """Say how A turns about I, as a point of the rocker that is seen from the crank."""
+    """Say how A turns about I, as a point of the rocker, relative to the crank."""
     omega, sliding = (part(bodies.pace.omega) for part in (real, dual))
     tau, rising = (part(bodies.pace.tau) for part in (real, dual))
     unit = order.unit_of(script.scene.unit)

@@ -24,20 +24,20 @@ POINTS = 72
 def speeds(
     script: Script, driven: str, alike: Sequence[float], ratios: tuple[float, float], stroke: str
 ) -> PolarInset:
-    """Return ω of a driven link about a circle of the driver's.
+    """Return the curve of ω of a driven link, around a circle for that of the driver.
 
     Parameters
     ----------
     script
-        What draws the pose.
+        The script that draws the pose.
     driven
         The driven link.
     alike
-        The driver's angles in radians at which both turn alike.
+        The driver's angles in radians at which both have the same speed.
     ratios
         The least and the largest ratio of both.
     stroke
-        The stroke from which on it is shown.
+        The stroke with which it appears.
     """
     name, write = script.scene.driver.name, script.scene.write
     driver = script.motion.link(name)

@@ -1,7 +1,7 @@
-"""A view of a mechanism in space: points, directions, circles and arcs as they are seen.
+"""A projection of a mechanism in space: of points, directions, circles and arcs.
 
-In come vectors x, y, z, of one pose or of many as arrays; out go complex numbers, x to the right
-and y up on the page, and shapes of strokes.
+Vectors x, y, z, of one pose or of many as arrays, become complex numbers, x to the right and y up
+on the page, and shapes of strokes.
 """
 
 from __future__ import annotations
@@ -15,24 +15,25 @@ from vad.kinematics.space.numbers import Vector3, cross, difference, dot, over, 
 from vad.strokes.sheet import Curve, Ellipse
 
 ORIGIN: Vector3 = (0.0, 0.0, 0.0)
-#: As good as in the paper; so short is no stretch behind it, in degrees.
+#: A direction with a smaller component lies in the paper; a shorter arc behind the paper is none,
+#: in degrees.
 LEVEL, SHORT = 1e-9, 1e-6
 
 
 @dataclass(frozen=True)
 class View:
-    """A projection along lines that are square to the page.
+    """A parallel projection along lines perpendicular to the page.
 
     Attributes
     ----------
     right, up
-        The unit vectors that are seen to the right and up, before the picture is turned.
+        The unit vectors that point to the right and up, before the picture is turned.
     at
-        Where the origin of space is seen.
+        The projection of the origin of space.
     turn
-        By what the picture is turned, and enlarged, on the page.
+        The factor that turns and enlarges the picture on the page.
     toward
-        The unit vector out of the page, towards who looks at it.
+        The unit vector out of the page, towards the viewer.
     """
 
     right: Vector3
@@ -46,7 +47,7 @@ class View:
 
     @classmethod
     def of_frame(cls, bisector: float) -> View:
-        """Return the view square to the plane of two fixed axes, from the end of the normal AD.
+        """Return the view on the plane of two fixed axes, from the end of the normal AD.
 
         The axis of A is turned from the right by -90° and by the ``bisector``, half of the arc AD.
         """
@@ -61,11 +62,11 @@ class View:
         return cls((-east.imag, east.real, 0.0), up)
 
     def way(self, vector: Vector3) -> Any:
-        """Return how a vector is seen, wherever it begins."""
+        """Return the projection of a vector."""
         return self.turn * (dot(vector, self.right) + 1j * dot(vector, self.up))
 
     def point(self, place: Vector3) -> Any:
-        """Return where a point is seen."""
+        """Return the projection of a point."""
         return self.at + self.way(place)
 
     def circle(
@@ -102,7 +103,7 @@ class View:
         return self.circle(ORIGIN, start, over(across, sine), 0.0, whole)
 
     def edge(self, axis: Vector3, degrees: float) -> Curve:
-        """Return the circle on the unit sphere so far about an axis in the paper: it is on edge."""
+        """Return a circle about an axis in the paper, at an angle: its projection is a line."""
         turn, seen = cmath.rect(1.0, math.radians(degrees)), complex(self.way(axis))
         return Curve((seen * turn, seen * turn.conjugate()))
 
@@ -114,7 +115,7 @@ class View:
 
 
 def circle(centre: complex, radius: float, start: float = 0.0, sweep: float = 360.0) -> Ellipse:
-    """Return a circle that is seen along its axis, or an arc of it from ``start`` on."""
+    """Return a circle parallel to the paper, or an arc of it from ``start`` on."""
     return Ellipse(centre, complex(radius), 1j * radius, start, sweep)
 
 
