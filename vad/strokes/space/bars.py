@@ -92,7 +92,7 @@ class BarScript(Script):
         return Figure(value, self.scene.unit, given)
 
     def cells(self, order: Order, key: str) -> tuple[Cell, ...]:
-        """Return the cells of a row: ω or α of its bar, and the rate of C, or of C relative to B."""
+        """Return the cells of a row: ω or α of its bar, and the rate of C, or of C against B."""
         if key == "coupler" and order is POSITION:
             return ()
         turning = self.cell(order, key, self.turning(key, order))
