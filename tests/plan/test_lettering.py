@@ -16,7 +16,7 @@ from vad.plan.marks import Lettering
 from vad.plan.page.changing import caption_marks
 from vad.strokes.arithmetic import Figure
 from vad.strokes.sentences import Sentence, Unit, Voice
-from vad.words import Piece, languages, text_of
+from vad.words import TextPiece, languages, text_of
 from vad.written import THIN_SPACE
 
 
@@ -95,7 +95,7 @@ def test_missing_letters_do_not_stop_the_painter():
 
 def test_lines_break_between_words_within_their_room():
     text = "Through the pole, parallel to the guide: the slider can move no other way"
-    lines = wrap((Piece(text),), 28.0, 500.0)
+    lines = wrap((TextPiece(text),), 28.0, 500.0)
     assert len(lines) == 2
     assert all(width(line, 28.0) <= 500.0 for line in lines)
     assert "".join(r.text for r in lines[0]) + " " + "".join(r.text for r in lines[1]) == text
@@ -104,14 +104,14 @@ def test_lines_break_between_words_within_their_room():
 def test_a_number_stays_with_its_unit():
     text = "ab = 0.3333 ft/s, so ω₃ = 1.2×10⁻⁷ rad/s, at 5 mm"
     for room in range(60, 700, 7):
-        lines = ["".join(r.text for r in line) for line in wrap((Piece(text),), 28.0, room)]
+        lines = ["".join(r.text for r in line) for line in wrap((TextPiece(text),), 28.0, room)]
         assert not any(line.startswith(("ft", "rad", "mm")) for line in lines)
 
 
 def test_lines_are_as_few_as_fit():
     text = "sb = 0.3281 ft/s, so ω = sb/DB = 0.3281/3.8 = 0.08633 rad/s, clockwise: B from D."
     for room in range(560, 1000, 10):
-        lines = wrap((Piece(text),), 28.0, room)
+        lines = wrap((TextPiece(text),), 28.0, room)
         assert len(lines) <= 2
         assert all(width(line, 28.0) <= room + 1.0 for line in lines)
 
@@ -119,14 +119,14 @@ def test_lines_are_as_few_as_fit():
 def test_lines_break_at_a_colon_or_comma_and_never_in_an_equation():
     text = "ce = 153.3 mm/s, so ω = ce/CE = 153.3/300 = 0.5109 rad/s, clockwise: E moves down."
     for room in range(700, 900, 10):
-        lines = ["".join(r.text for r in line) for line in wrap((Piece(text),), 28.0, room)]
+        lines = ["".join(r.text for r in line) for line in wrap((TextPiece(text),), 28.0, room)]
         assert len(lines) == 2
         assert lines[0][-1] in ",:"
 
 
 def test_an_equation_longer_than_a_line_breaks_before_a_sign():
     text = "ω = ce/CE = 153.3/300 = 0.5109 rad/s"
-    lines = ["".join(r.text for r in line) for line in wrap((Piece(text),), 28.0, 300.0)]
+    lines = ["".join(r.text for r in line) for line in wrap((TextPiece(text),), 28.0, 300.0)]
     assert len(lines) == 2
     assert lines[1][0] == "="
 

@@ -8,13 +8,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from vad.plan.lettering.runs import Run, roman, said
-from vad.words import Language, Piece
+from vad.words import Language, TextPiece
 
 #: What stands at the end of a word, without a space before it.
 _MARKS = ",.;:"
 
 
-def spoken(pieces: tuple[Piece, ...], code: str) -> str:
+def spoken(pieces: tuple[TextPiece, ...], code: str) -> str:
     """Return what pieces say in words of the language ``code``.
 
     Examples
@@ -32,7 +32,7 @@ def spoken(pieces: tuple[Piece, ...], code: str) -> str:
     return text.strip()
 
 
-def _read(piece: Piece, signs: Mapping[str, str]) -> Iterator[str]:
+def _read(piece: TextPiece, signs: Mapping[str, str]) -> Iterator[str]:
     """Yield the words for a piece, by what it is."""
     if piece.kind == "unit":
         length, per_second, power = piece.text.partition("/s")
@@ -50,7 +50,7 @@ def _read(piece: Piece, signs: Mapping[str, str]) -> Iterator[str]:
             yield "".join(letters)
 
 
-def _is_spelt(run: Run, piece: Piece) -> bool:
+def _is_spelt(run: Run, piece: TextPiece) -> bool:
     """Tell whether letters are read one by one: those of symbols are, and Greek ones."""
     return piece.kind == "symbol" or run.face == "italic"
 

@@ -15,7 +15,7 @@ from vad.plan.lettering.glyphs import CLOSE, CURVE, LINE, MOVE, Codes, Letter, P
 from vad.plan.lettering.runs import Runs
 from vad.plan.marks import Bow, Disc, Lettering, Outline, Polygon, Polyline
 
-Stretch = tuple[Letter, ...]
+LetterStretch = tuple[Letter, ...]
 
 
 def outline(shape: Outline) -> tuple[Points, Codes]:
@@ -51,7 +51,7 @@ def _codes(codes: list[int]) -> Codes:
 
 
 @lru_cache(maxsize=1024)
-def stretches(runs: Runs) -> tuple[Stretch, ...]:
+def stretches(runs: Runs) -> tuple[LetterStretch, ...]:
     """Return the letters of a line, broken wherever the face, the size or the way changes."""
     letters = typeset(runs).letters
     breaks = [number for number, pair in enumerate(pairwise(letters), 1) if not _follows(*pair)]

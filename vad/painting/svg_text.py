@@ -16,7 +16,7 @@ from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from html import escape
 
-from vad.painting.shapes import Stretch, stretches
+from vad.painting.shapes import LetterStretch, stretches
 from vad.painting.svg_elements import Classes, Grid, drawn, filled, named, number
 from vad.plan.lettering.glyphs import CLOSE, LINE, MOVE, QUADRATIC, Letter, font_file, typeset
 from vad.plan.lettering.runs import Face, plain
@@ -143,7 +143,7 @@ class SetText:
         """Return the rules that bring the fonts."""
         return self._faces.rules()
 
-    def _spans(self, line: Sequence[Stretch], text: Lettering, grid: Grid) -> str:
+    def _spans(self, line: Sequence[LetterStretch], text: Lettering, grid: Grid) -> str:
         """Return the stretches of a line, each where the board has it."""
         spans: list[str] = []
         level = grid.at(text.at + text.size * line[0][0].at)[1]
@@ -157,7 +157,7 @@ class SetText:
             level = y
         return "".join(spans)
 
-    def _words(self, stretch: Stretch) -> str:
+    def _words(self, stretch: LetterStretch) -> str:
         words = "".join(letter.text for letter in stretch)
         self._faces.add(stretch[0].face, words)
         return escape(words)
@@ -176,7 +176,7 @@ class SetText:
         return use + element.replace("<text", f'<text id="{home}"', 1)
 
 
-def _differences(stretch: Stretch) -> tuple[str, str]:
+def _differences(stretch: LetterStretch) -> tuple[str, str]:
     """Return how a stretch differs from its line."""
     small = f"font-size:{number(stretch[0].size)}em" if stretch[0].size != 1.0 else ""
     return FACES[stretch[0].face], small

@@ -18,7 +18,7 @@ from typing import Any, TypeAlias
 from vad.errors import InputError
 from vad.strokes.arithmetic import Calculation, Figure
 from vad.strokes.notation import Notation
-from vad.words import Gap, Language, Piece, gaps, text_of
+from vad.words import Gap, Language, TextPiece, gaps, text_of
 from vad.written import MINUS, squared
 
 
@@ -75,9 +75,9 @@ class Voice:
     language: str = "en"
     notation: Notation = field(default_factory=Notation)
 
-    def pieces(self, part: SentencePart) -> tuple[Piece, ...]:
+    def pieces(self, part: SentencePart) -> tuple[TextPiece, ...]:
         """Return what a part says, as pieces."""
-        found: list[Piece] = []
+        found: list[TextPiece] = []
         _add(found, part, self, Language(self.language))
         return tuple(found)
 
@@ -114,10 +114,10 @@ class Sentence:
     parts: Mapping[str, SentencePart] = field(default_factory=dict)
     calculations: tuple[Calculation, ...] = ()
     voice: Voice = field(default_factory=Voice, compare=False, repr=False)
-    _set: tuple[Piece, ...] = field(default=(), init=False, compare=False, repr=False)
+    _set: tuple[TextPiece, ...] = field(default=(), init=False, compare=False, repr=False)
 
     @property
-    def pieces(self) -> tuple[Piece, ...]:
+    def pieces(self) -> tuple[TextPiece, ...]:
         """What it says in its voice, as pieces; they are made once."""
         if not self._set:
             self._set = self.voice.pieces(self)
@@ -156,7 +156,7 @@ class Text(str):
 
     __slots__ = ("pieces", "said")
     said: SentencePart
-    pieces: tuple[Piece, ...]
+    pieces: tuple[TextPiece, ...]
 
     @classmethod
     def of(cls, said: SentencePart, voice: Voice) -> Text:
@@ -165,7 +165,7 @@ class Text(str):
         return cls.kept(text_of(pieces), said, pieces)
 
     @classmethod
-    def kept(cls, text: str, said: SentencePart, pieces: tuple[Piece, ...] = ()) -> Text:
+    def kept(cls, text: str, said: SentencePart, pieces: tuple[TextPiece, ...] = ()) -> Text:
         """Return a text whose pieces are known."""
         made = cls(text)
         made.said, made.pieces = said, pieces
@@ -187,24 +187,24 @@ def named(name: str, code: str) -> Text:
     return Text.of(Noun(name, generic=""), Voice(code))
 
 
-def pieces_of(said: str | Sentence) -> tuple[Piece, ...]:
+def pieces_of(said: str | Sentence) -> tuple[TextPiece, ...]:
     """Return the pieces of a caption, label or note; a plain string is one piece."""
     if isinstance(said, Text | Sentence):
         return said.pieces
-    return (Piece(said),)
+    return (TextPiece(said),)
 
 
 def _add(
-    found: list[Piece], part: SentencePart, voice: Voice, language: Language, article: str = ""
+    found: list[TextPiece], part: SentencePart, voice: Voice, language: Language, article: str = ""
 ) -> None:
     """Append what a part says to the pieces ``found`` so far."""
     if isinstance(part, str):
-        found.append(Piece(part, "symbol"))
+        found.append(TextPiece(part, "symbol"))
     elif isinstance(part, Figure):
         text = voice.notation.number(part.value, part.scale or part.unit, part.given)
-        found.append(Piece(squared(text) if part.power == 2 else text, "figure"))
+        found.append(TextPiece(squared(text) if part.power == 2 else text, "figure"))
     elif isinstance(part, Unit):
-        found.append(Piece(voice.notation.unit(part.name), "unit"))
+        found.append(TextPiece(voice.notation.unit(part.name), "unit"))
     elif isinstance(part, Sentence):
         speaker = language.speaker(part.phrase)
         for each in speaker.template(part.phrase):
@@ -216,20 +216,20 @@ def _add(
                 where = f"language '{speaker.code}': phrase '{part.phrase}'"
                 raise InputError(f"{where}: there is no {{{each.name}}}")
     elif isinstance(part, Noun):
-        found.append(Piece(language.noun(part.name, article, part.generic)))
+        found.append(TextPiece(language.noun(part.name, article, part.generic)))
         if part.of:
-            found.append(Piece(" "))
+            found.append(TextPiece(" "))
             _add(found, part.of, voice, language)
     elif isinstance(part, Terms):
         for number, addend in enumerate(part.addends):
             size = replace(addend, value=abs(addend.value)) if number else addend
             if number:
-                found.append(Piece(f" {MINUS} " if addend.value < 0.0 else " + "))
+                found.append(TextPiece(f" {MINUS} " if addend.value < 0.0 else " + "))
             _add(found, size, voice, language)
     else:
         for number, item in enumerate(part.items):
             if number:
-                found.append(Piece(part.between))
+                found.append(TextPiece(part.between))
             _add(found, item, voice, language)
 
 

@@ -25,7 +25,7 @@ ENGLISH = "en"
 PieceKind = Literal["words", "symbol", "figure", "unit"]
 
 
-class Piece(NamedTuple):
+class TextPiece(NamedTuple):
     """A piece of a text: words, a symbol such as ω₃ or b′, a number or a unit."""
 
     text: str
@@ -40,7 +40,7 @@ class Gap(NamedTuple):
 
 
 #: What a phrase consists of, in the order in which it is said.
-Template = tuple[Piece | Gap, ...]
+Template = tuple[TextPiece | Gap, ...]
 
 
 def languages() -> tuple[str, ...]:
@@ -62,14 +62,14 @@ def template(phrase: str) -> Template:
     >>> [each[0] for each in template("2·*v* = {rate} {rad/s}")]
     ['2·', 'v', ' = ', 'rate', ' ', 'rad/s']
     """
-    found: list[Piece | Gap] = []
+    found: list[TextPiece | Gap] = []
     for fixed, name, article, _ in Formatter().parse(phrase):
         kinds: tuple[PieceKind, PieceKind] = ("words", "symbol")
         for number, text in enumerate(fixed.split("*")):
             if text:
-                found.append(Piece(text, kinds[number % 2]))
+                found.append(TextPiece(text, kinds[number % 2]))
         if name is not None:
-            found.append(Piece(name, "unit") if "/" in name else Gap(name, article or ""))
+            found.append(TextPiece(name, "unit") if "/" in name else Gap(name, article or ""))
     return tuple(found)
 
 
@@ -86,7 +86,7 @@ def gaps(phrase: str) -> frozenset[str]:
     return frozenset(each.name for each in found if isinstance(each, Gap))
 
 
-def text_of(pieces: Iterable[Piece]) -> str:
+def text_of(pieces: Iterable[TextPiece]) -> str:
     """Return the text of pieces."""
     return "".join([piece[0] for piece in pieces])
 
@@ -127,9 +127,9 @@ class Language:
         found = self.template(phrase)
         return "".join([texts[each.name] if isinstance(each, Gap) else each[0] for each in found])
 
-    def pieces(self, phrase: str) -> tuple[Piece, ...]:
+    def pieces(self, phrase: str) -> tuple[TextPiece, ...]:
         """Return a phrase without gaps."""
-        return tuple(each for each in self.template(phrase) if isinstance(each, Piece))
+        return tuple(each for each in self.template(phrase) if isinstance(each, TextPiece))
 
     def template(self, phrase: str) -> Template:
         """Return a phrase, in English if this language does not have it."""

@@ -15,7 +15,7 @@ from typing import Literal
 from unicodedata import normalize
 
 from vad.strokes.sentences import Text
-from vad.words import Piece
+from vad.words import TextPiece
 
 Face = Literal["roman", "italic", "bold", "bolditalic"]
 
@@ -56,12 +56,13 @@ def roman(text: str) -> Runs:
 
 
 @lru_cache(maxsize=2048)
-def said(pieces: tuple[Piece, ...]) -> Runs:
+def said(pieces: tuple[TextPiece, ...]) -> Runs:
     """Return the pieces of a sentence: the letters of symbols are italic.
 
     Examples
     --------
-    >>> said((Piece("Through "), Piece("b", "symbol"), Piece(": 3 "), Piece("mm", "unit")))
+    >>> words = TextPiece("Through "), TextPiece(": 3 ")
+    >>> said((words[0], TextPiece("b", "symbol"), words[1], TextPiece("mm", "unit")))
     (Run(text='Through ', ...), Run(text='b', face='italic', ...), Run(text=': 3 mm', ...))
     """
     runs: list[Run] = []

@@ -6,7 +6,7 @@ import re
 
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, said
-from vad.words import Piece, text_of
+from vad.words import TextPiece, text_of
 
 # A number keeps its unit, and a sign what follows it.
 _WORD = r"(?<![=×+⟂∥])(?:(?<![0-9⁰¹²³⁴⁵⁶⁷⁸⁹]) | (?!(?:mm|cm|km|m|in|ft|yd|rad)\b))"
@@ -14,7 +14,7 @@ _WORD = r"(?<![=×+⟂∥])(?:(?<![0-9⁰¹²³⁴⁵⁶⁷⁸⁹]) | (?!(?:mm|c
 _BREAKS = (r"(?<=[:;]) ", r"(?<=[,:;]) ", rf"{_WORD}(?![=×+])", _WORD)
 _TIE = "\N{NO-BREAK SPACE}"
 
-Pieces = tuple[Piece, ...]
+Pieces = tuple[TextPiece, ...]
 #: Where a stretch of a sentence begins and ends.
 _Stretch = tuple[int, int]
 
@@ -24,7 +24,7 @@ def tied(pieces: Pieces) -> Pieces:
 
     Examples
     --------
-    >>> text_of(tied((Piece("60 mm, ⟂ AB"),))).replace(_TIE, "~")
+    >>> text_of(tied((TextPiece("60 mm, ⟂ AB"),))).replace(_TIE, "~")
     '60~mm, ⟂~AB'
     """
     text = text_of(pieces)
