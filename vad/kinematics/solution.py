@@ -55,6 +55,8 @@ class Solution(Generic[Truth]):
         self._evaluation = Evaluation(solver, values)
         # For each order that was asked for: all inputs and numbers up to this order.
         self._known: list[tuple[Any, ...]] = []
+        # The results of one pose that were asked for: a sheet reads each of them twice or more.
+        self._found: dict[Result, Number] = {}
 
     @property
     def inputs(self) -> Mapping[str, Number]:
@@ -148,7 +150,12 @@ class Solution(Generic[Truth]):
         vad.errors.AssemblyError, vad.errors.DeadCentreError, vad.errors.InputError
             For one pose that does not close, or has no such result, or one too large.
         """
-        return self._read_many(result) if self.many else self._read_one(result)
+        if self.many:
+            return self._read_many(result)
+        found = self._found.get(result)
+        if found is None:
+            found = self._found[result] = self._read_one(result)
+        return found.copy() if isinstance(found, np.ndarray) else found
 
     def _read_one(self, result: Result) -> Number:
         reader = self.solver.reader(result)

@@ -31,6 +31,10 @@ class Obstacles:
     lines: list[tuple[complex, complex, float, Span]] = field(default_factory=list)
     boxes: list[tuple[Rect, Span]] = field(default_factory=list)
     _kept: _Strokes | None = field(default=None, init=False, repr=False, compare=False)
+    # Of each line its middle, the way from there to its end, that in x and in y, its half width.
+    _halved: list[tuple[float, float, complex, float, float, float]] = field(
+        default_factory=list, init=False, repr=False, compare=False
+    )
 
     def line(self, points: Sequence[complex], half_width: float, span: Span = ALWAYS) -> None:
         """Add a polyline."""
@@ -114,14 +118,17 @@ class Obstacles:
                 and y + above > box.bottom
             ):
                 return False
-        for start, end, half, _ in reversed(self.lines):  # dots come last, and are nearest
-            way, away = (end - start) / 2, centre - (start + end) / 2
-            long, wider = abs(way.real), half_x + half
-            if abs(away.real) > wider + long:
+        kept = self._halved
+        for start, end, half, _ in self.lines[len(kept) :]:
+            middle, way = (start + end) / 2, (end - start) / 2
+            kept.append((middle.real, middle.imag, way, abs(way.real), abs(way.imag), half))
+        for middle_x, middle_y, way, long, tall, half in reversed(kept):  # dots come last
+            wider, aside = half_x + half, x - middle_x
+            if abs(aside) > wider + long:
                 continue
-            tall, higher = abs(way.imag), half_y + half
-            across = abs(away.real * way.imag - away.imag * way.real)
-            if abs(away.imag) <= higher + tall and across <= wider * tall + higher * long:
+            higher, above = half_y + half, y - middle_y
+            across = abs(aside * way.imag - above * way.real)
+            if abs(above) <= higher + tall and across <= wider * tall + higher * long:
                 return False
         return True
 
