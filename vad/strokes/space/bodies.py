@@ -128,7 +128,7 @@ class Bodies:
         """ω₄₂ and how fast I moves, in one pose."""
         return self.solver.axis_velocity(self.motion.pose, self.motion.velocity)
 
-    @property
+    @cached_property
     def height(self) -> Any:
         """AH, the distance of I from A, for the motion of A relative to the crank."""
         if not self.motion.many:
@@ -156,7 +156,7 @@ class Bodies:
         places = {"a": 0j, "d": 0j, "y": np.imag(end * np.conj(i)) * 1j * i, "z": z}
         return {**{letter + prime: at for letter, at in places.items()}, f"a{prime}₄": end}
 
-    @property
+    @cached_property
     def ground(self) -> float:
         """AD, the distance of d from A."""
         return float(self.motion.mechanism.parameters()["ground"])
