@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from vad.strokes.draw import AnyScene
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)  # there are three, each equal to itself alone
 class Order:
     """The order of a derivative: position, velocity or acceleration.
 

@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields, replace
 from functools import cache
 from math import copysign
-from operator import is_not
+from operator import attrgetter, is_not
 from types import NoneType
 from typing import Any
 
@@ -138,14 +138,13 @@ def _tuple(value: tuple[Any, ...]) -> tuple[Any, ...]:
 
 def _record(cls: Any) -> Callable[[Any], Any]:
     """Return the function that makes a dataclass canonical; it copies only what changes."""
-    every = [field.name for field in fields(cls)]
-    names = [field.name for field in fields(cls) if field.type not in _WORDS]
+    every = attrgetter(*[field.name for field in fields(cls)], "__class__")
+    numbers = attrgetter(*[f.name for f in fields(cls) if f.type not in _WORDS], "__class__")
 
     def record(value: Any) -> Any:
-        for name in names:
-            held = getattr(value, name)
+        for held in numbers(value)[:-1]:
             if held is not None and _canonical_form(held.__class__)(held) is not held:
-                return cls(*[canonical(getattr(value, name)) for name in every])
+                return cls(*map(canonical, every(value)[:-1]))
         return value
 
     return record
