@@ -11,7 +11,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from decimal import Context, Decimal
-from functools import reduce
+from functools import cache, reduce
 from typing import TYPE_CHECKING, Literal
 
 from vad.strokes.notation import Notation, key
@@ -190,8 +190,6 @@ class _Typed:
         self.factor = self.number
         if self.figure.power != 1:
             self.factor = _EXACT.power(self.number, self.figure.power)
-        exponent = int(self.number.as_tuple().exponent)
-        self._last = Decimal((0, (1,), exponent))  # one unit of the last place
 
     @property
     def count(self) -> int:
@@ -207,7 +205,14 @@ class _Typed:
 
     def agrees(self, calculated: Decimal) -> bool:
         """Tell whether a calculation gives what is printed, and that clearly: no tie."""
-        return 2 * abs(_EXACT.subtract(calculated, self.number)) < self._last
+        last = _unit_of_place(int(self.number.as_tuple().exponent))
+        return 2 * abs(_EXACT.subtract(calculated, self.number)) < last
+
+
+@cache
+def _unit_of_place(exponent: int) -> Decimal:
+    """Return one unit of a decimal place, a power of ten."""
+    return Decimal((0, (1,), exponent))
 
 
 def _to_refine(result: _Typed, factors: list[_Typed]) -> _Typed | None:
