@@ -15,10 +15,10 @@ import numpy as np
 from vad.kinematics.space.numbers import added, over, scaled
 from vad.strokes.diagram import POSITION, VELOCITY, Drawing, Order, Spot
 from vad.strokes.sentences import Sentence, Text
-from vad.strokes.sheet import Arc, Arrow, Bearing, Cell, Curve, Dot, Ellipse, Line, Term
+from vad.strokes.sheet import Arc, Arrow, Cell, Curve, Dot, Ellipse, Line, Term
 from vad.strokes.space.body_polygons import RELATIVE, TURNED, BodyScript, Names
 from vad.strokes.space.speeds import speeds
-from vad.strokes.space.view import View
+from vad.strokes.space.view import View, through
 from vad.written import PRIME
 
 FRONT = View((0.0, -1.0, 0.0), (1.0, 0.0, 0.0))
@@ -88,19 +88,17 @@ class Script(BodyScript):
         ellipse = replace(circle, first=complex(math.cos(tilt)))
         ways = {"2": ("driving", -1j), "4": ("driven", away)}
         for shaft, (link, way) in ways.items():
-            line = Curve((o + END * way, o + BACK * way))
-            known(f"{shaft}.shaft", line, f"shaft {shaft}", link, shaft, body=True)
-            fixed(f"{shaft}.bearing", Bearing(o + BEARING * way, way), "bearing", shaft=shaft)
+            ends, phrase = (o + END * way, o + BACK * way), f"shaft {shaft}"
+            self.shaft(shaft, ends, o + BEARING * way, way, link, phrase, shaft, shaft=shaft)
         axes = AXIS * 1j, o - AXIS * 1j, o - 0.35 * away, o + AXIS * away
         guide("shafts.axes", Curve(axes, breaks=(2,)), "axes")
         arc, label = Arc(o, SHAFTS, 90.0, math.degrees(tilt)), self.degrees(shafts)
         angle("shafts.angle", arc, "angle", label=label, angle=shafts)
         fixed("O.fixed", Dot(0j), "O")
-        guide("plane.axis", Curve((-AXIS + 0j, AXIS + 0j)), "plane")
+        guide("plane.axis", through(0j, AXIS + 0j), "plane")
         known("P.circle", circle, "circle", "driving")
         known("OP.arm", Arrow(-p, p, "", "P"), "OP", "cross", body=True, angle=self.driven)
-        arc, label = Arc(0j, DRIVING, 0.0, self.driven.value), self.degrees(self.driven)
-        angle("P.angle", arc, "theta 2", "driving", label)
+        self.arc("P.angle", "theta 2", 0j, DRIVING, self.driven, "driving")
         construction("Q.ellipse", ellipse, "ellipse", "driven", angle=shafts)
         construction("OQ.line", Line(0j, q / abs(q), q, "OP"), "OQ", "cross")
         crossing("Q.found", Dot(q), "Q", "driven", "Q")
@@ -108,7 +106,7 @@ class Script(BodyScript):
         turned = Curve((q, 1j * cmath.exp(1j * math.radians(theta.value))))
         construction("Q.turned", turned, "turned", "driven")
         found = {"reveals": ("driven",), "theta": "θ₄", "value": theta, "ratio": self._ratio()}
-        angle("Q.angle", Arc(0j, DRIVEN, 90.0, theta.value), "theta 4", "driven", "θ₄", **found)
+        self.arc("Q.angle", "theta 4", 0j, DRIVEN, theta, "driven", "θ₄", 90.0, **found)
         down = Curve((p, low["P"], q, low["Q"]), breaks=(2,))
         construction("PQ.projectors", down, "projectors")
         at_p, at_q = (self.angle(_swing(self.motion.joint(letter).angle)) for letter in "PQ")
@@ -132,7 +130,7 @@ class Script(BodyScript):
         construction("T.projector", Curve((t, low["T"])), "T below")
         crossing("T.plan", Dot(low["T"]), "T plan")  # beside Q there is no room for its letter
         way = AXIS * (low["T"] - o) / abs(low["T"] - o)
-        construction("OT.line", Curve((o - way, o + way)), "OT", "cross")
+        construction("OT.line", through(o, way), "OT", "cross")
         left = Term(self.scene.write("hooke tangent", theta="θ₄"), "driven", "Q.angle")
         right = Term(Text.of(self._ratio(), self.scene.voice), "driving", "P.angle")
         notes = self.note(AXIS + 1.2j, "along"), self.note(o + AXIS - 1j, "plan")

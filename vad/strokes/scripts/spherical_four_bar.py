@@ -8,7 +8,7 @@ from typing import Any
 
 from vad.kinematics.numbers import fold
 from vad.strokes.diagram import Drawing, Spot
-from vad.strokes.sheet import Bearing, Curve, Dot
+from vad.strokes.sheet import Curve, Dot
 from vad.strokes.space.body_polygons import BodyScript, Names
 from vad.strokes.space.view import ORIGIN, View, circle
 
@@ -48,9 +48,8 @@ class Script(BodyScript):
         guide("axes", Curve((0j, at["A"], 0j, at["D"]), breaks=(2,)), "axes")
         fixed("O.fixed", Dot(0j), "O", label="O")
         for x, link in (("A", "crank"), ("D", "rocker")):
-            shaft = Curve((at[x], END * at[x]))
-            known(f"{x}.shaft", shaft, "shaft", link, body=True, letter=x)
-            fixed(f"{x}.bearing", Bearing(BEARING * at[x], at[x]), "bearing", letter=x)
+            ends = at[x], END * at[x]
+            self.shaft(x, ends, BEARING * at[x], at[x], link, letter=x)
             fixed(f"{x}.fixed", Dot(at[x]), "fixed", label=x, letter=x)
         fixed("AD.arc", view.arc(a, d), "ground", size=given("ground"))
         known("B.circle", view.edge(a, sizes["crank"]), "circle", "crank")

@@ -27,6 +27,7 @@ from vad.strokes.sentences import CaptionedMotion, Text, Unit
 from vad.strokes.sheet import (
     Arc,
     Arrow,
+    Bearing,
     Cell,
     Component,
     Curve,
@@ -282,11 +283,46 @@ class Script(ABC):
         self.draw("guide", reference, Curve((at, at + length)), zero)
         shape = Arrow(at, end, "", "")
         self.draw(kinds[1], arm, shape, true, link, body=True, reveals=reveals, **parts)
-        self.draw("angle", arc, Arc(at, inner, 0.0, angle.value), between, link, label, **parts)
+        self.arc(arc, between, at, inner, link=link, label=label, **parts)
 
-    def note(self, at: complex, phrase: str, **parts: Any) -> Note:
-        """Return a note beside a view."""
-        return Note(at, self.scene.write(f"{self.topic} {phrase}", **parts))
+    def arc(
+        self,
+        name: str,
+        phrase: str,
+        at: complex,
+        radius: float,
+        angle: Figure,
+        link: str,
+        label: str = "",
+        start: float = 0.0,
+        **parts: Any,
+    ) -> None:
+        """Draw the arc of an angle about a point, with its value or a symbol beside it."""
+        shape, label = Arc(at, radius, start, angle.value), label or self.degrees(angle)
+        self.draw("angle", name, shape, phrase, link, label, angle=angle, **parts)
+
+    def shaft(
+        self,
+        name: str,
+        ends: tuple[complex, ...],
+        bearing: complex,
+        way: complex,
+        link: str,
+        phrase: str = "shaft",
+        label: str = "",
+        **parts: Any,
+    ) -> None:
+        """Draw a shaft between two ends, and its bearing at a place and in a direction."""
+        self.draw("known", f"{name}.shaft", Curve(ends), phrase, link, label, body=True, **parts)
+        self.draw("fixed", f"{name}.bearing", Bearing(bearing, way), "bearing", **parts)
+
+    def note(self, at: complex, phrase: str, share: float = 1.0, **parts: Any) -> Note:
+        """Return a note beside a view, which says the scale of one that is drawn smaller."""
+        key, scene = f"{self.topic} {phrase}", self.scene
+        if share == 1.0:
+            return Note(at, scene.write(key, **parts))
+        scale = f"{1.0 / share:.6g}"
+        return Note(at, scene.write("at scale", what=scene.say(key, **parts), share=scale))
 
     def leave_out(self) -> None:
         """Record the last stroke as one that is not drawn in this pose."""

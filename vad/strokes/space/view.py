@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from vad.kinematics.space.numbers import Vector3, cross, difference, dot, over, scaled
-from vad.strokes.sheet import Curve, Ellipse
+from vad.strokes.sheet import Arc, Curve, Ellipse
 
 ORIGIN: Vector3 = (0.0, 0.0, 0.0)
 #: A direction with a smaller component lies in the paper; a shorter arc behind the paper is none,
@@ -117,6 +117,17 @@ class View:
 def circle(centre: complex, radius: float, start: float = 0.0, sweep: float = 360.0) -> Ellipse:
     """Return a circle parallel to the paper, or an arc of it from ``start`` on."""
     return Ellipse(centre, complex(radius), 1j * radius, start, sweep)
+
+
+def compass(centre: complex, at: complex, half: float) -> Arc:
+    """Return the arc of a compass that finds a point, by ``half`` degrees to each side."""
+    way = at - centre
+    return Arc(centre, abs(way), math.degrees(cmath.phase(way)) - half, 2 * half, at)
+
+
+def through(at: complex, half: complex) -> Curve:
+    """Return a line through a point, as long as the vector ``half`` to each side."""
+    return Curve((at - half, at + half))
 
 
 def round_share(most: float) -> float:
