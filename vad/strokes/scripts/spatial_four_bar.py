@@ -8,20 +8,15 @@ from collections.abc import Mapping
 from functools import cached_property, lru_cache
 from typing import Any
 
-import numpy as np
-
-from vad.kinematics.motion import solve
-from vad.kinematics.reach import closing_range
 from vad.kinematics.space.instant_axis import Z
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing, Spot
-from vad.strokes.sheet import Arrow, Bearing, Block, Curve, Dot
+from vad.strokes.sheet import Arrow, Block, Curve, Dot
 from vad.strokes.space.body_polygons import Names
-from vad.strokes.space.scene import SceneInSpace
+from vad.strokes.space.layout import Corners, corners, over_a_turn
 from vad.strokes.space.sliding import SlidingScript
 from vad.strokes.space.view import View
 from vad.strokes.vector_equations import NOTHING
-from vad.words import Language
 
 #: The direction of the view: degrees about a, and above the plane perpendicular to a.
 PICTORIAL = View.from_above(azimuth=-62.0, elevation=38.0)
@@ -83,9 +78,9 @@ class Script(SlidingScript):
         guide("d.axis", axis("D", "d"), "d")
         sizes = {"size": length("ground"), "twist": given("ground_twist")}
         guide("AD.ground", Curve((at["A"], at["D"])), "AD", **sizes)
-        known("A.shaft", axis("A", "a", -BEARING - SHAFT, 0.0), "shaft", "crank", body=True)
-        bearing = Bearing(at["A"] - BEARING * reach * at["a"], _way(at["a"]))
-        fixed("A.bearing", bearing, "bearing")
+        bearing = at["A"] - BEARING * reach * at["a"]
+        ends = axis("A", "a", -BEARING - SHAFT, 0.0).points
+        self.shaft("A", ends, bearing, _way(at["a"]), "crank")
         fixed("A.fixed", Dot(at["A"]), "A", label="A")
         fixed("D.sleeve", Block(at["D"], _way(at["d"])), "D sleeve")
         fixed("D.fixed", Dot(at["D"]), "D", label="D")
@@ -133,17 +128,11 @@ class Script(SlidingScript):
 
 
 @lru_cache(maxsize=32)
-def _reach(mechanism: Any) -> tuple[complex, complex]:
+def _reach(mechanism: Any) -> Corners:
     """Return the corners of the projection of all that the mechanism reaches in a turn."""
-    many: Any = solve(mechanism, angle=np.linspace(0.0, 360.0, POSES, endpoint=False))
-    if not many.assembled.any():  # it swings between two of these angles
-        swings = [np.linspace(*ends, POSES) for ends in closing_range(mechanism)]
-        many = solve(mechanism, angle=np.concatenate(swings))
-    at = Script(SceneInSpace(many, Language("en"))).ends
+    turning: Any = over_a_turn(mechanism, POSES)
     names = "A", "B", "C", "D", "coupler B", "rocker C", "rocker D"
-    spots = np.array([np.broadcast_to(at[name], many.shape) for name in names])
-    seen = spots[:, np.isfinite(spots).all(axis=0)]  # no dead centre, where nothing is known
-    return complex(seen.real.min(), seen.imag.min()), complex(seen.real.max(), seen.imag.max())
+    return corners(turning.ends[name] for name in names)
 
 
 def _way(vector: complex) -> complex:
