@@ -15,7 +15,7 @@ from vad.strokes.sheet import Arrow, Block, Curve, Dot
 from vad.strokes.space.body_polygons import Names
 from vad.strokes.space.layout import Corners, corners, over_a_turn
 from vad.strokes.space.sliding import SlidingScript
-from vad.strokes.space.view import View
+from vad.strokes.space.view import View, through
 from vad.strokes.vector_equations import NOTHING
 
 #: The direction of the view: degrees about a, and above the plane perpendicular to a.
@@ -71,15 +71,15 @@ class Script(SlidingScript):
         star = complex(low.real + RAY * reach, top)
         rose = complex(high.real - RAY * reach, top - ROSE * reach)
 
-        def axis(point: str, way: str, *ends: float) -> Curve:
-            return Curve(tuple(at[point] + end * reach * at[way] for end in ends or (-AXIS, AXIS)))
+        def axis(point: str, way: str) -> Curve:
+            return through(at[point], AXIS * reach * at[way])
 
         guide("a.axis", axis("A", "a"), "a")
         guide("d.axis", axis("D", "d"), "d")
         sizes = {"size": length("ground"), "twist": given("ground_twist")}
         guide("AD.ground", Curve((at["A"], at["D"])), "AD", **sizes)
         bearing = at["A"] - BEARING * reach * at["a"]
-        ends = axis("A", "a", -BEARING - SHAFT, 0.0).points
+        ends = at["A"] - (BEARING + SHAFT) * reach * at["a"], at["A"]
         self.shaft("A", ends, bearing, _way(at["a"]), "crank")
         fixed("A.fixed", Dot(at["A"]), "A", label="A")
         fixed("D.sleeve", Block(at["D"], _way(at["d"])), "D sleeve")
@@ -119,12 +119,10 @@ class Script(SlidingScript):
         construction("I.axis", axis("H", "i"), "screw", "axis", "I")
         height = Figure(float(self.bodies.height), unit)
         crossing("H.found", Dot(at["H"]), "H", label="H", reveals=("axis",), height=height)
-        notes = (
-            self.note(star + (NOTE - 0.8j * RAY) * reach, "star"),
-            self.note(rose - NOTE * reach, "rose"),
-        )
+        of_star = self.note(star + (NOTE - 0.8j * RAY) * reach, "star")
+        of_rose = self.note(rose - NOTE * reach, "rose")
         right = "AD", "D.slide", "DC.rocker", "C.slide"
-        return self.finished(("AB.crank", "B.slide", "BC.coupler"), right, *notes)
+        return self.finished(("AB.crank", "B.slide", "BC.coupler"), right, of_star, of_rose)
 
 
 @lru_cache(maxsize=32)

@@ -304,7 +304,7 @@ class Script(ABC):
     def shaft(
         self,
         name: str,
-        ends: tuple[complex, ...],
+        ends: tuple[complex, complex],
         bearing: complex,
         way: complex,
         link: str,
