@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import os
 import re
 import subprocess
-import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 
+from tests.packages import call_beside, install
 from vad.discovery import from_packages, names_in, one_of_all
 from vad.errors import UsageError
-
-ROOT = Path(__file__).parents[1]
 
 BLUEPRINT = """
 from dataclasses import replace
@@ -69,30 +66,13 @@ paper = far_away.nothing
 @pytest.fixture
 def installed(tmp_path: Path) -> Path:
     """Return a folder in which a package is installed as an installer leaves it."""
-    package, metadata = tmp_path / "far_away", tmp_path / "far_away-1.0.dist-info"
-    package.mkdir()
-    (package / "__init__.py").write_text("")
-    (package / "blueprint.py").write_text(BLUEPRINT)
-    (package / "swing.py").write_text(SWING)
-    (package / "spanish.py").write_text(SPANISH)
-    metadata.mkdir()
-    (metadata / "METADATA").write_text("Metadata-Version: 2.1\nName: far-away\nVersion: 1.0\n")
-    (metadata / "entry_points.txt").write_text(ENTRY_POINTS)
-    return tmp_path
+    modules = {"blueprint": BLUEPRINT, "swing": SWING, "spanish": SPANISH}
+    return install(tmp_path, "far_away", modules, ENTRY_POINTS)
 
 
 def call(installed: Path, *words: str) -> subprocess.CompletedProcess[str]:
     """Call the command line where the package is installed."""
-    path = os.pathsep.join([str(ROOT), str(installed)])
-    return subprocess.run(
-        [sys.executable, "-m", "vad", *words],
-        capture_output=True,
-        text=True,
-        cwd=installed,
-        env={**os.environ, "PYTHONPATH": path},
-        timeout=120,
-        check=False,
-    )
+    return call_beside(installed, "-m", "vad", *words)
 
 
 @pytest.mark.parametrize("name", ["blueprint", "module"])
@@ -180,12 +160,6 @@ def test_the_window_offers_what_other_packages_bring(installed):
         "from vad.gui.messages import ExportQuestion;"
         "print(window(ExportQuestion.of(vad.SliderCrank(), {}, language='es'), ''))"
     )
-    path = os.pathsep.join([str(ROOT), str(installed)])
-    done = subprocess.run(
-        [sys.executable, "-c", code],
-        capture_output=True,
-        text=True,
-        env={**os.environ, "PYTHONPATH": path},
-        check=True,
-    )
+    done = call_beside(installed, "-c", code)
+    assert (done.returncode, done.stderr) == (0, "")
     assert '<option value="es">ES</option>' in done.stdout

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 import json
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 import vad
+from tests.packages import ROOT, call_beside, install
 from vad.discovery import from_packages, names_in
 from vad.errors import UsageError
 from vad.mechanisms import MECHANISMS, class_named, mechanism_named, mechanism_names
 from vad.mechanisms.mechanism import LOADED
 
-ROOT = Path(__file__).parents[2]
 WHEEL = """
 import math
 from dataclasses import dataclass
@@ -59,28 +56,7 @@ lost = far_away.nothing
 @pytest.fixture
 def installed(tmp_path: Path) -> Path:
     """Return a folder in which a package is installed as an installer leaves it."""
-    package, metadata = tmp_path / "far_away", tmp_path / "far_away-1.0.dist-info"
-    package.mkdir()
-    (package / "__init__.py").write_text("")
-    (package / "wheel.py").write_text(WHEEL)
-    metadata.mkdir()
-    (metadata / "METADATA").write_text("Metadata-Version: 2.1\nName: far-away\nVersion: 1.0\n")
-    (metadata / "entry_points.txt").write_text(ENTRY_POINTS)
-    return tmp_path
-
-
-def call(installed: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    """Call Python where the package is installed."""
-    path = os.pathsep.join([str(ROOT), str(installed)])
-    return subprocess.run(
-        [sys.executable, *words],
-        capture_output=True,
-        text=True,
-        cwd=installed,
-        env={**os.environ, "PYTHONPATH": path},
-        timeout=120,
-        check=False,
-    )
+    return install(tmp_path, "far_away", {"wheel": WHEEL}, ENTRY_POINTS)
 
 
 def test_every_file_declares_the_mechanism_of_its_name():
@@ -107,7 +83,7 @@ def test_solving_one_mechanism_imports_no_other_and_nothing_of_space():
         "vad.solve(vad.FourBar()).to_dict()\n"
         "print(*(name for name in sys.modules if name.startswith('vad.')))"
     )
-    loaded = set(call(ROOT, "-c", code).stdout.split())
+    loaded = set(call_beside(ROOT, "-c", code).stdout.split())
     assert "vad.mechanisms.four_bar" in loaded
     assert "vad.mechanisms.slider_crank" not in loaded
     assert not [name for name in loaded if name.startswith("vad.kinematics.space")]
@@ -142,38 +118,40 @@ def test_an_unknown_name(name):
 
 
 def test_a_mechanism_of_another_package_is_solved_and_drawn(installed):
-    done = call(installed, "-m", "vad", "solve", "geneva-wheel", "--ground", "12 cm", "--json")
+    done = call_beside(
+        installed, "-m", "vad", "solve", "geneva-wheel", "--ground", "12 cm", "--json"
+    )
     assert (done.returncode, done.stderr) == (0, "")
     found = json.loads(done.stdout)
     assert (found["mechanism"], found["parameters"]) == ("geneva-wheel", {"ground": 120.0})
     # At 30° the pin is at 84.85 · (cos 30°, sin 30°), seen from the wheel's pivot at (120, 0).
     assert found["links"]["wheel"]["angle"] == pytest.approx(137.6317, abs=1e-3)
-    done = call(installed, "-m", "vad", "draw", "geneva-wheel", "-o", "wheel.json")
+    done = call_beside(installed, "-m", "vad", "draw", "geneva-wheel", "-o", "wheel.json")
     assert (done.returncode, done.stderr) == (0, "")
     assert json.loads((installed / "wheel.json").read_text())["mechanism"] == "geneva-wheel"
 
 
 def test_sheets_are_made_of_a_mechanism_of_another_package(installed):
     (installed / "sheets.csv").write_text("mechanism,angle\ngeneva-wheel,20\n")
-    done = call(installed, "-m", "vad", "batch", "sheets.csv", "-o", "out")
+    done = call_beside(installed, "-m", "vad", "batch", "sheets.csv", "-o", "out")
     assert done.returncode == 0, done.stderr
     assert list((installed / "out").rglob("*.pdf"))
 
 
 def test_mechanisms_of_other_packages_are_listed_and_the_nearest_is_offered(installed):
-    done = call(installed, "-m", "vad", "list")
+    done = call_beside(installed, "-m", "vad", "list")
     assert (done.returncode, done.stderr) == (0, "")
     assert "geneva-wheel         Crank AB turns the wheel" in done.stdout
     problem = "'lost' of the package 'far-away': ModuleNotFoundError: No module named"
     assert problem in " ".join(done.stdout.split())
     listed = {
         entry["name"]: entry
-        for entry in json.loads(call(installed, "-m", "vad", "list", "--json").stdout)
+        for entry in json.loads(call_beside(installed, "-m", "vad", "list", "--json").stdout)
     }
     assert listed["geneva-wheel"]["parameters"] == {"ground": 100.0}
     assert problem in listed["lost"]["problem"]
     assert set(MECHANISMS) < set(listed)
-    done = call(installed, "-m", "vad", "solve", "geneva-weel")
+    done = call_beside(installed, "-m", "vad", "solve", "geneva-weel")
     assert done.returncode == 2
     assert "did you mean 'geneva-wheel'?" in done.stderr
 
@@ -186,6 +164,6 @@ def test_mechanisms_of_other_packages_are_listed_and_the_nearest_is_offered(inst
     ],
 )
 def test_a_package_that_does_not_keep_its_word_is_named(installed, name, message):
-    done = call(installed, "-m", "vad", "solve", name)
+    done = call_beside(installed, "-m", "vad", "solve", name)
     assert done.returncode == 1
     assert done.stderr.startswith(f"error: {message}")

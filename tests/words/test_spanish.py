@@ -12,8 +12,7 @@ from pathlib import Path
 import pytest
 
 import vad
-
-ROOT = Path(__file__).parents[2]
+from tests.packages import ROOT, install
 
 SPANISH = '''
 """Lo que dice el profesor."""
@@ -76,13 +75,7 @@ def captions(request: pytest.FixtureRequest, tmp_path: Path) -> list[str]:
         shutil.copytree(Path(vad.__file__).parent, package)
         (package / "words" / "es.py").write_text(SPANISH, "utf-8")
         return tried(tmp_path, [tmp_path])
-    package, metadata = tmp_path / "vad_spanish", tmp_path / "vad_spanish-1.0.dist-info"
-    package.mkdir()
-    metadata.mkdir()
-    (package / "__init__.py").write_text("")
-    (package / "es.py").write_text(SPANISH, "utf-8")
-    (metadata / "METADATA").write_text("Metadata-Version: 2.1\nName: vad-spanish\nVersion: 1.0\n")
-    (metadata / "entry_points.txt").write_text("[vad.languages]\nes = vad_spanish.es\n")
+    install(tmp_path, "vad_spanish", {"es": SPANISH}, "[vad.languages]\nes = vad_spanish.es\n")
     return tried(tmp_path, [ROOT, tmp_path])
 
 
