@@ -7,6 +7,8 @@ import pytest
 import vad
 from tests.files.verified import BY_NAME, written
 from vad.errors import InputError, UsageError
+from vad.files.examination import examine
+from vad.files.examples import example_path
 
 LESSON = """\
 title = "Lesson"
@@ -218,3 +220,74 @@ def test_a_stephenson_chain_of_the_second_kind_is_no_dyads_wherever_it_is_driven
             driver={"crank": {"angle": 60, "omega": 10}},
         )
     assert caught.value.hint == "no other driver makes it dyads"
+
+
+def example_with(name: str, *changes: tuple[str, str]) -> InputError:
+    """Return the error of an example of the program with something else in it."""
+    text = example_path(name).read_text("utf-8")
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new, 1)
+    with pytest.raises(InputError) as caught:
+        examine(written(text))
+    return caught.value
+
+
+def test_a_pivot_within_the_circle_of_the_crank():
+    """The lever's tip can be at its other place, which is told though the block stands at one."""
+    error = example_with("shaper", ("D = [0, -300]", "D = [0, 99.9]"))
+    assert "line 25: with these lengths E cannot be reached" in str(error)
+    assert error.hint == "with C at its other place it would close: C = 'right' under [assembly]"
+
+
+def test_a_driver_that_drives_nothing():
+    text = "[fixed]\nA = [0, 0]\n[links]\ncrank = { AB = 40 }\n[driver]\ncrank = "
+    with pytest.raises(InputError) as caught:
+        written(text + "{ angle = 60, omega = 10 }\n")
+    assert str(caught.value) == "lesson.toml, line 6: crank: drives nothing else"
+    assert "coupler = { BC = 120 }" in str(caught.value.hint)
+
+
+def test_two_links_that_are_one():
+    """The count of freedoms is 1, but it is the pivot D that is free."""
+    error = example_with("roberts", ('DC = "side"', 'BP = "side"'))
+    assert "line 15: rocker: has B and P in common with coupler, so both are one" in str(error)
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new", "message"),
+    [
+        ("whitworth-ram", "A = { along", "O2 = { along", "line 12: arm: hangs on points that"),
+        (
+            "four-bar",
+            "[driver]",
+            "prop = { AX = 80 }\nstay = { DX = 60 }\n\n[driver]",
+            "prop: hangs",
+        ),
+    ],
+)
+def test_a_link_that_the_driver_does_not_move(name, old, new, message):
+    assert message in str(example_with(name, (old, new)))
+
+
+@pytest.mark.parametrize("word", ["{}", "[]", "[[]]", "{ x = 1 }", "true", "1979-05-27"])
+@pytest.mark.parametrize(
+    ("name", "old", "new"),
+    [
+        ("v-engine", 'B = { through = "O"', "B = { through = ?"),
+        ("shaper", "D = [0, -300]", "D = { from = ?, length = 300, angle = -90 }"),
+        ("shaper", 'along = "DC"', "along = ?"),
+        ("shaper", 'along = "DC"', 'along = "DC", under = ?'),
+        ("shaper", 'name = "ram"', "name = ?"),
+        ("shaper", "BAF = 90", "BAF = 90, sense = ?"),
+        ("shaper", 'E = "right"', "E = ?"),
+        ("shaper", "angle = 120", "angle = ?"),
+        ("shaper", "DC = 620", "DC = ?"),
+        ("shaper", "{ DC = 620 }", "?"),
+        ("shaper", 'title  = "Shaper with its feed"', "title = ?"),
+        ("roberts", "side = 120", "side = ?"),
+    ],
+)
+def test_a_value_of_another_kind_is_refused_with_its_line(name, old, new, word):
+    error = example_with(name, (old, new.replace("?", word)))
+    assert str(error).startswith("lesson.toml, line ")

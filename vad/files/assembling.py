@@ -173,9 +173,10 @@ class _Assembling:
                 except OpenLoopError:
                     continue
                 here, there = (self._places(number, each, self.value) for each in (sides, flipped))
-                words = words_for(there[dyad.point], here[dyad.point])
-                said = f": {dyad.point} = '{words[0]}' under [assembly]" if words else ""
-                return f"with {dyad.point} at its other place it would close{said}"
+                point = dyad.points[0]  # that in which its chains meet may be known already
+                words = words_for(there[point], here[point])
+                said = f": {point} = '{words[0]}' under [assembly]" if words else ""
+                return f"with {point} at its other place it would close{said}"
         return None
 
 

@@ -86,7 +86,7 @@ def _fixed(numbers: Numbers) -> dict[str, Cartesian | Polar]:
             hint = f"write {point} = [0, 0] or {{ from = 'A', length = 100, angle = 0 }}"
             raise source.error("fixed", point, f"{point}: is no place", hint)
         start = value["from"]
-        if start not in fixed:
+        if not isinstance(start, str) or start not in fixed:
             message = f"{point}: from {quoted(start)}, which is no fixed point above it"
             raise source.error("fixed", point, message)
         length = numbers.take(
@@ -97,7 +97,7 @@ def _fixed(numbers: Numbers) -> dict[str, Cartesian | Polar]:
             "fixed", point, f"{point}_angle", value["angle"], "angle",
             signed=True, help=f"direction of {start}{point}",
         )  # fmt: skip
-        fixed[point] = Polar(str(start), length, angle)
+        fixed[point] = Polar(start, length, angle)
     if not fixed:
         raise source.error("fixed", "", "there is no fixed point", "as in [fixed] A = [0, 0]")
     return fixed
@@ -303,10 +303,11 @@ class _GuideReader:
         through = value["through"]
         if isinstance(through, list | tuple):
             return FrameLine(self.numbers.place("guides", self.point, through), angle)
-        if through in self.fixed:
-            return FrameLine(str(through), angle)
-        if through in self.guided and through != self.point:
-            return SliderLine(str(through), angle)
+        if isinstance(through, str):
+            if through in self.fixed:
+                return FrameLine(through, angle)
+            if through in self.guided and through != self.point:
+                return SliderLine(through, angle)
         hint = "along = 'DC' is the slot of a link that turns"
         message = f"through: {quoted(through)} is neither a fixed point nor one that slides"
         raise self.error(message, hint)

@@ -62,6 +62,7 @@ def check_mobility(source: Source, description: Description) -> Mobility:
     _check_guided(source, description)
     found = mobility(description)
     if found.freedoms == 1:
+        _check_doubled(source, description)
         return found
     key, hint = "", None
     if found.freedoms > 1:
@@ -75,12 +76,27 @@ def check_mobility(source: Source, description: Description) -> Mobility:
                 break
     else:
         hint = "a link that only repeats a parallelogram can be left out"
-        for one, other in combinations(description.links.values(), 2):
-            both = [point for point in one.points if point in other.points]
-            if len(both) > 1:
-                key = other.name
-                hint = f"{one.name} and {other.name} both have {' and '.join(both)}: one link"
+        for one, other, both in _doubled(description):
+            key, hint = other, f"{one} and {other} both have {' and '.join(both)}: one link"
     raise source.error("links", key, f"Grübler: {found}, not 1", hint)
+
+
+def _doubled(description: Description) -> Iterator[tuple[str, str, list[str]]]:
+    """Yield two links that have two points or more in common, and these points."""
+    for one, other in combinations(description.links.values(), 2):
+        both = [point for point in one.points if point in other.points]
+        if len(both) > 1:
+            yield one.name, other.name, both
+
+
+def _check_doubled(source: Source, description: Description) -> None:
+    """Refuse two links that cannot move against each other, though the count comes out right.
+
+    Then another part of the mechanism has the freedom that these two have lost.
+    """
+    for one, other, both in _doubled(description):
+        message = f"{other}: has {' and '.join(both)} in common with {one}, so both are one link"
+        raise source.error("links", other, message, f"join {other} to another link")
 
 
 def _check_connected(source: Source, description: Description) -> None:
@@ -250,10 +266,11 @@ def check_dyads(source: Source, description: Description) -> list[Dyad]:
     Raises
     ------
     vad.errors.InputError
-        With its line; the hint names the drivers with which it is made of dyads.
+        With its line: for one that is not made of dyads, where the hint names the drivers with
+        which it is; and for one that the driver does not move.
     """
     try:
-        return dyads(description)
+        found = dyads(description)
     except UndividedError as error:
         others = [name for name in _other_drivers(description) if _divides(description, name)]
         names = " or ".join(f"the {name}" for name in others)
@@ -261,6 +278,34 @@ def check_dyads(source: Source, description: Description) -> list[Dyad]:
             f"driven at {names} it is dyads alone" if others else "no other driver makes it dyads"
         )
         raise source.error("links", error.missing[0], str(error), hint) from None
+    _check_driven(source, description, found)
+    return found
+
+
+def _check_driven(source: Source, description: Description, found: list[Dyad]) -> None:
+    """Refuse a driver that moves nothing, and a dyad that it does not move."""
+    driver = description.driver.name
+    if not found:
+        hint = "add the links that it moves, as in coupler = { BC = 120 }"
+        raise source.error("driver", driver, f"{driver}: drives nothing else", hint)
+    moving = {driver} | {g.point for g in description.guides.values() if g.slide == driver}
+    link = description.links.get(driver)
+    if link and not link.cylinder:
+        moving.update(point for point in link.points if point not in description.fixed)
+    for dyad in found:
+        names = [each.name for each in dyad.links] + [each.slide for each in dyad.guides]
+        hung_on = {*names, *(point for each in dyad.links for point in each.points)}
+        for guide in dyad.guides:
+            hung_on.add(guide.point)
+            if not isinstance(guide.line, FrameLine):
+                carrier = guide.line
+                hung_on.add(carrier.link if isinstance(carrier, LinkLine) else carrier.through)
+        if moving.isdisjoint(hung_on):
+            table, key = ("links", names[0]) if dyad.links else ("guides", dyad.point)
+            hint = f"one of its points must be on the {driver}, or on what the {driver} moves"
+            raise source.error(table, key, f"{names[0]}: hangs on points that stand still", hint)
+        moving.update(names)
+        moving.update(point for point in dyad.points if point not in description.fixed)
 
 
 def _other_drivers(description: Description) -> Iterator[str]:
