@@ -192,7 +192,7 @@ def test_an_operation_is_the_same_on_floats_and_on_blocks(operation: str) -> Non
     if operation in ("minimum", "maximum"):  # of NaN neither is asked, but what is above it
         asked = ~np.isnan(y if operation == "maximum" else x + y)
         x, y = x[asked], y[asked]
-    text, on_floats, on_blocks, kind = OPERATIONS[operation]
+    text, on_floats, on_blocks, kind, _ = OPERATIONS[operation]
     out = np.empty(x.size, kind)
     with np.errstate(all="ignore"):
         on_blocks(x, y, out=out)
@@ -203,6 +203,56 @@ def test_an_operation_is_the_same_on_floats_and_on_blocks(operation: str) -> Non
     )
     for a, b, found in zip(x.tolist(), y.tolist(), out.tolist(), strict=True):
         assert bits(written(a, b)) == bits(on_floats(a, b)) == bits(found)
+
+
+@st.composite
+def programs(draw: Any) -> Program:
+    """Draw a program in which any operation may follow any other one."""
+    tape = Tape()
+    inputs = [tape.input("x"), tape.input("y")]
+    known: list[Any] = [*inputs, 0.0, -0.0, 1.0, 400.0]
+
+    def note(operation: str, *operands: Any) -> None:
+        if not all(isinstance(operand, float) for operand in operands):
+            known.append(tape.note(operation, *operands))
+
+    for operation in draw(st.lists(st.sampled_from([*ONE, *TWO, "select"]), min_size=3)):
+        a, b, c, d = (draw(st.sampled_from(known)) for _ in range(4))
+        if operation == "select":
+            note("select", tape.note("less", inputs[0], a + b), c, d)
+        else:
+            note(operation, *((a,) if operation in ONE else (a, b)))
+    return Program(inputs, known)
+
+
+ONE = ["fold", "negative", "absolute", "copy"]
+TWO = ["add", "subtract", "multiply", "minimum", "maximum", "copysign", "arctan2"]
+
+
+@given(program=programs(), x=st.floats(-1e4, 1e4), y=st.sampled_from([0.0, -0.0, 180.0, 2.5]))
+def test_blocks_play_any_program_as_one_pose_does(program: Program, x: float, y: float) -> None:
+    found = np.empty((len(program.outputs), 3))
+    Blocks(program).play([np.array([x, -x, y]), y], list(found))
+    for number, place in enumerate((x, -x, y)):
+        assert list(map(bits, found[:, number])) == list(map(bits, program.one(place, y)))
+
+
+def test_constants_that_are_equal_are_told_apart() -> None:
+    tape = Tape()
+    x = tape.input("x")
+    outputs = [tape.note("copysign", 2.0, 0.0 * x), tape.note("copysign", 2.0, -0.0 * x)]
+    outputs += [tape.note("add", x, -0.0), tape.note("add", x, 0.0), tape.note("copy", x)]
+    program = Program([x], outputs)
+    found = np.empty((5, 2))
+    Blocks(program).play([np.array([-0.0, 1.0])], list(found))
+    wanted = [-2.0, 2.0, -0.0, 0.0, -0.0]
+    assert list(map(repr, found[:, 0].tolist())) == list(map(repr, wanted))
+    assert list(map(repr, program.one(-0.0))) == list(map(repr, wanted))
+
+
+def test_no_zero_of_an_array_is_negative() -> None:
+    motion = vad.solve(vad.FourBar(100, 40, 120, 80, ground_angle=-180), angle=[-360.0])
+    assert math.copysign(1.0, motion.point("B").acceleration.imag[0]) == 1.0
 
 
 @pytest.mark.parametrize("size", [1, 1000, 8192, 8193, 300_000])

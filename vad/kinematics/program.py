@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.kinematics.recording import OPERATIONS, Operand, Recorded, function_of
+from vad.kinematics.recording import OPERATIONS, Operand, Recorded, function_of, key_of
 
 Array = NDArray[Any]
 # An operation, the places of its operands, and the place of its result.
@@ -125,13 +125,13 @@ class Blocks:
     def __init__(self, program: Program) -> None:
         inputs, outputs, steps = program.inputs, program.outputs, program.steps
         operands = [x for step in steps for x in step.operands] + list(outputs)
-        constants = list(dict.fromkeys(x for x in operands if not isinstance(x, Recorded)))
+        constants = list({key_of(x): x for x in operands if not isinstance(x, Recorded)}.values())
         self._constants = [np.array(x) for x in constants]
         self._kinds: list[type] = []
         self._free: dict[type, list[int]] = defaultdict(list)
-        standing = [_key(x) for x in (*inputs, *constants, *outputs)]
+        standing = [key_of(x) for x in (*inputs, *constants, *outputs)]
         self._first_row = len(standing)
-        self._place: dict[Any, int] = {}
+        self._place: dict[str, int] = {}
         for place, key in enumerate(standing):
             self._place.setdefault(key, place)
         self._moves = self._arranged(steps)
@@ -171,14 +171,13 @@ class Blocks:
 
     def _arranged(self, steps: list[Recorded]) -> list[Move]:
         """Return every step as a move, and give each number its place."""
-        last = {_key(x): step for step in steps for x in step.operands}
+        last = {key_of(x): step for step in steps for x in step.operands}
         moves: list[Move] = []
         for step in steps:
-            places = [self._place[_key(x)] for x in step.operands]
+            places = [self._place[key_of(x)] for x in step.operands]
             pairs = zip(step.operands, places, strict=True)
-            done = {place for x, place in pairs if last[_key(x)] is step}
-            # A select copies its usual value first: only that one may share the row of its result.
-            early = done & {places[-1]} if step.operation == "select" else done
+            done = {place for x, place in pairs if last[key_of(x)] is step}
+            early = done - {places[number] for number in OPERATIONS[step.operation].kept}
             self._leave(early)
             if step.name not in self._place:
                 self._place[step.name] = self._row(OPERATIONS[step.operation].kind)
@@ -196,10 +195,6 @@ class Blocks:
             self._free[kind].append(self._first_row + len(self._kinds))
             self._kinds.append(kind)
         return self._free[kind].pop()
-
-
-def _key(number: Operand) -> Any:
-    return number.name if isinstance(number, Recorded) else number
 
 
 class Compiled:

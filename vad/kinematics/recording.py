@@ -19,13 +19,15 @@ import numpy as np
 class Operation(NamedTuple):
     """One operation: its text in Python, and its functions for floats and for blocks of poses.
 
-    A function for blocks writes to the array ``out``.  ``kind`` is the type of the result.
+    A function for blocks writes to the array ``out``, which may be the array of an operand, unless
+    this is one of the operands that are ``kept``.  ``kind`` is the type of the result.
     """
 
     text: str
     on_floats: Callable[..., Any]
     on_blocks: Callable[..., Any]
     kind: type = float
+    kept: tuple[int, ...] = ()
 
 
 def _select(condition: Any, rare: Any, usual: Any, out: Any) -> None:
@@ -63,7 +65,7 @@ def _either(condition: bool, rare: float, usual: float) -> float:
 
 
 OPERATIONS = {
-    "fold": Operation("remainder({}, 360.0)", lambda x: math.remainder(x, 360.0), _fold),
+    "fold": Operation("remainder({}, 360.0)", lambda x: math.remainder(x, 360.0), _fold, kept=(0,)),
     "add": Operation("{} + {}", operator.add, np.add),
     "subtract": Operation("{} - {}", operator.sub, np.subtract),
     "multiply": Operation("{} * {}", operator.mul, np.multiply),
@@ -91,7 +93,7 @@ OPERATIONS = {
     "equal": Operation("{} == {}", operator.eq, np.equal, bool),
     "both": Operation("{} & {}", operator.and_, np.logical_and, bool),
     "either": Operation("{} | {}", operator.or_, np.logical_or, bool),
-    "select": Operation("{1} if {0} else {2}", _either, _select),
+    "select": Operation("{1} if {0} else {2}", _either, _select, kept=(0, 1)),
 }
 
 
@@ -113,7 +115,7 @@ class Tape:
     """The record of a solver, with each operation once."""
 
     def __init__(self) -> None:
-        self._numbers: dict[tuple[str | float, ...], Recorded] = {}
+        self._numbers: dict[tuple[str, ...], Recorded] = {}
 
     def input(self, name: str) -> Recorded:
         """Return an input with a name: a recorded number that no operation makes."""
@@ -123,7 +125,7 @@ class Tape:
         """Record an operation and return its result; of floats alone it is a float."""
         if not any(isinstance(operand, Recorded) for operand in operands):
             return OPERATIONS[operation].on_floats(*operands)
-        key = (operation, *(x.name if isinstance(x, Recorded) else x for x in operands))
+        key = (operation, *map(key_of, operands))
         if key not in self._numbers:
             name = f"t{len(self._numbers)}"
             self._numbers[key] = Recorded(self, name, operation, operands)
@@ -269,6 +271,14 @@ class RecordedVector:
         return RecordedVector(self.real * length, self.imag * length)
 
     __rmul__ = __mul__
+
+
+def key_of(operand: Operand) -> str:
+    """Return the name of a recorded number, or the text of a constant.
+
+    0.0, -0.0 and False are equal, and so are 1.0 and True; as texts they are not.
+    """
+    return operand.name if isinstance(operand, Recorded) else repr(operand)
 
 
 def _is_negative(value: Operand) -> bool:
