@@ -34,6 +34,9 @@ Reader = tuple[int, Callable[..., tuple[float, ...]]]
 # To record a program takes about as long as to solve so many poses without one.
 OFTEN = 50
 
+# A loop that does not close misses by this at least, even if its gap is rounded to nothing.
+_LEAST_MISS = 1e-300
+
 # How many derivatives a quantity needs.
 _ORDERS = {
     "angle": 0,
@@ -148,6 +151,13 @@ class AnySolver(ABC):
     def searched(self) -> list[int]:
         """The numbers of the loops whose limits have no closed form."""
 
+    @abstractmethod
+    def searched_misses(self, pose: Pose, value: Number) -> list[Number]:
+        """Return by how much each of these loops fails to close for a place of the driver.
+
+        That of a loop which closes is negative: by so much it could be longer or shorter.
+        """
+
     @cached_property
     def recorded(self) -> RecordedSolver:
         """The solver as programs."""
@@ -169,10 +179,22 @@ class AnySolver(ABC):
 
     def sines(self, places: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return for many places of the driver the sines of every loop, as rows."""
-        program = self.recorded.sines
-        found = np.empty((len(program.outputs), places.size))
-        program.play([places], list(found))
-        return found
+        return _rows(self.recorded.sines, places)
+
+    def misses(self, places: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return for many places by how much each searched loop fails to close, as rows.
+
+        It is positive where the loop does not close, and nowhere else; it is NaN where a loop on
+        which it depends does not close.
+        """
+        found, sines = _rows(self.recorded.misses, places), self.sines(places)[self.searched]
+        return np.where(np.isnan(sines), np.maximum(found, _LEAST_MISS), np.minimum(found, 0.0))
+
+
+def _rows(program: Program, places: NDArray[np.float64]) -> NDArray[np.float64]:
+    found = np.empty((len(program.outputs), places.size))
+    program.play([places], list(found))
+    return found
 
 
 class Evaluation:
@@ -276,6 +298,12 @@ class RecordedSolver:
     def sines(self) -> Program:
         """The program from the driver's place to the sine of each loop."""
         return Program(self._inputs[:1], self._evaluation.pose.sine)
+
+    @cached_property
+    def misses(self) -> Program:
+        """The program from the driver's place to what the searched loops miss by."""
+        misses = self._solver.searched_misses(self._evaluation.pose, self._inputs[0])
+        return Program(self._inputs[:1], misses)
 
     def _known(self, order: int) -> tuple[Recorded, ...]:
         """Return the inputs and all numbers of an order and of the orders below it."""

@@ -10,6 +10,7 @@ At the end are the limits between which a loop closes, as far as its driver alon
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
@@ -172,10 +173,11 @@ class TwoAngles:
         return first, second, select((r == 0.0) & (root == 0.0), 0.0, sine)
 
     @staticmethod
-    def miss(triangle: Triangle) -> float:
-        """Return by how much the gap of a single pose is too long or too short."""
-        length = math.sqrt(triangle.square)
-        return max(length - (triangle.r + triangle.q), abs(triangle.r - triangle.q) - length)
+    def miss(triangle: Triangle) -> Number:
+        """Return by how much the gap is too long or too short; it is negative if it is neither."""
+        length = sqrt(triangle.square)
+        short = abs(triangle.r - triangle.q) - length
+        return not_below(short, length - (triangle.r + triangle.q))
 
 
 class AngleAndLength:
@@ -207,9 +209,9 @@ class AngleAndLength:
         r = nonzero(self.r)  # a bar may have length zero in a unit that suits the others
         return vector(root / r, height / r), root - dot(g, gap), -root / r
 
-    def miss(self, gap: Number, g: Number, u: Number) -> float:
-        """Return by how much the line of a single pose is out of reach."""
-        return float(abs(self._rise(gap, g, u)[2]) - self.r)
+    def miss(self, gap: Number, g: Number, u: Number) -> Number:
+        """Return by how much the line is out of reach; it is negative where it is not."""
+        return abs(self._rise(gap, g, u)[2]) - self.r
 
     def _rise(self, gap: Number, g: Number, u: Number) -> tuple[Number, Number, Number]:
         """Return r - h, r + h and h, the component of the bar across the line."""
@@ -350,6 +352,24 @@ def push_limits(height: float, slope: float, r: float) -> list[float]:
     The slide is ``height`` above that guide, plus ``slope`` times its position.
     """
     return [(r - height) / slope, (-r - height) / slope] if slope else []
+
+
+def distance_limits(gap: complex, way: complex, distances: Iterable[float]) -> list[float]:
+    """Return the positions s of a driven slide at which gap + s·way has one of some lengths.
+
+    Examples
+    --------
+    >>> distance_limits(3 + 4j, 1 + 0j, [5.0])
+    [-6.0, 0.0]
+    """
+    along, height = dot(gap, way), cross(gap, way)
+    found: list[float] = []
+    for distance in distances:
+        square = (distance - height) * (distance + height)
+        if square >= 0.0:
+            half = math.sqrt(square)
+            found += [-along - half, -along + half]
+    return found
 
 
 def _both_ways(half_sine: Fraction, half_cosine: Fraction) -> list[float]:

@@ -15,7 +15,16 @@ from dataclasses import replace
 from vad.errors import InputError
 from vad.kinematics.closed_forms import GroundedCrank, crossing
 from vad.kinematics.frame import ReferenceFrame
-from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, angle_of, scalar_of
+from vad.kinematics.linkage import (
+    Bar,
+    Loop,
+    Scalar,
+    Slide,
+    Step,
+    angle_of,
+    length_of,
+    scalar_of,
+)
 from vad.kinematics.numbers import Number, nonzero, select, select_vector, times, turned
 from vad.kinematics.state import GROUND, Pose, Rates
 
@@ -118,8 +127,11 @@ class LoopSolver:
         """Find the two unknowns of the position and write them into ``pose``."""
         raise TypeError(f"{type(self).__name__} has no closed form")
 
-    def miss(self, pose: Pose) -> float:
-        """Return by how much the chains of one pose miss each other, in the solver's unit."""
+    def miss(self, pose: Pose) -> Number:
+        """Return by how much the chains miss each other, in the solver's unit.
+
+        Where they meet it is negative: by so much they could be longer or shorter.
+        """
         raise TypeError(f"{type(self).__name__} always closes")
 
     def place(self, pose: Pose) -> None:
@@ -140,6 +152,15 @@ class LoopSolver:
         They are angles in degrees in the frame, or lengths in the solver's unit.
         """
         return []
+
+    def pushed(self) -> tuple[int, Slide] | None:
+        """Return the driven slide on a line of the frame, if nothing else moves in the gap."""
+        if len(self.known) != 1:
+            return None
+        way, step = self.known[0]
+        if not isinstance(step, Slide) or isinstance(step.along, str):
+            return None
+        return (way, step) if length_of(step.name) == self.frame.linkage.driver else None
 
     def why_dead(self) -> str:
         """Say why the loop has no rates at a dead centre."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import cast
 
 from vad.errors import InputError
 from vad.kinematics.closed_forms import (
@@ -12,6 +11,7 @@ from vad.kinematics.closed_forms import (
     Triangle,
     TwoAngles,
     crossing,
+    distance_limits,
     guide_limits,
     offset_slot,
     push_limits,
@@ -26,10 +26,12 @@ from vad.kinematics.numbers import (
     Number,
     across,
     cross,
+    dot,
     fold,
     nonzero,
     over,
     select,
+    sqrt,
     times,
     turned,
     vector,
@@ -84,10 +86,15 @@ class TwoAnglesLoop(LoopSolver):
         return self.along_ground() if grounded else super().own_axes(grounded)
 
     def limits(self) -> list[float]:
-        """Return the crank angles at which both bars are in line."""
+        """Return the crank angles or slide positions at which both bars are in line."""
+        pushed, sizes = self.pushed(), (self.frame.size(self.step), self.frame.size(self.other))
+        if pushed:
+            way, slide = pushed
+            lengths = abs(sizes[0] - sizes[1]), sizes[0] + sizes[1]
+            return distance_limits(self.offset, way * self.frame.line(slide, None), lengths)
         if self.crank is None or self.crank.c == 0.0:
             return []
-        return triangle_limits(self.crank, self.frame.size(self.step), self.frame.size(self.other))
+        return triangle_limits(self.crank, *sizes)
 
     def _see_from(self, longest: Bar) -> None:
         """Choose the bar from which `cross` sees the loop: the longest link."""
@@ -112,7 +119,7 @@ class TwoAnglesLoop(LoopSolver):
         self.lay(pose, self.other, second)
         pose.sine.append(sine)
 
-    def miss(self, pose: Pose) -> float:
+    def miss(self, pose: Pose) -> Number:
         """Return by how much the gap is too long or too short for both bars."""
         return self._closure.miss(self.triangle(pose))
 
@@ -301,14 +308,13 @@ class AngleAndLengthLoop(LoopSolver):
             height = -self.way * self.offset.imag
             angles = guide_limits(height, -self.way * self.crank.t, size)
             return [angle - self.crank.lead for angle in angles]
+        pushed = self.pushed()
+        if not pushed or self._moving:
+            return []
+        way, slide = pushed
         line = self._guide(None)
         height = cross(line, -self.way * self.offset)
-        if len(self.known) != 1 or self._moving:
-            return []
-        ((way, pushed),) = self.known
-        if length_of(getattr(pushed, "name", "")) != frame.linkage.driver:
-            return []
-        slope = cross(line, -self.way * way * frame.line(cast(Slide, pushed), None))
+        slope = cross(line, -self.way * way * frame.line(slide, None))
         return push_limits(height, slope, size)
 
     def close(self, pose: Pose) -> None:
@@ -321,7 +327,7 @@ class AngleAndLengthLoop(LoopSolver):
         pose.length[self.other.name] = length + self._advance
         pose.sine.append(sine)
 
-    def miss(self, pose: Pose) -> float:
+    def miss(self, pose: Pose) -> Number:
         """Return by how much the guide is out of the bar's reach."""
         return self._closure.miss(*self._approach(pose))
 
@@ -373,9 +379,10 @@ class SlotLoop(LoopSolver):
         self.lay(pose, self.step, unit)
         pose.length[self.other.name] = along - self._ahead
 
-    def miss(self, pose: Pose) -> float:
+    def miss(self, pose: Pose) -> Number:
         """Return by how much the slot passes its pin."""
-        return abs(self._aside) - abs(self.gap(pose))
+        gap = self.gap(pose)
+        return abs(self._aside) - sqrt(dot(gap, gap))
 
     def why_dead(self) -> str:
         """Say that the pin stands on the pivot."""

@@ -1,17 +1,17 @@
 """Where a mechanism closes: the range of its driver, the travel of its slides, its change points.
 
 Where the driver alone moves a loop, its limits have closed forms.  The limits of other loops are
-searched for: on a grid, and between the points of the grid where the links come nearest to a
-limit, so that no range is too narrow to be found.
+searched for on a grid between the limits that are known, one loop after another, and between the
+points of the grid wherever the chains come nearest to a limit.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import lru_cache
-from itertools import combinations
+from itertools import combinations, compress, pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -19,7 +19,6 @@ from numpy.typing import NDArray
 
 from vad.errors import InputError
 from vad.kinematics.any_solver import AnySolver
-from vad.kinematics.closed_forms import OpenLoopError
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Slide
 from vad.kinematics.loop_kinds import ParallelLoop
@@ -29,21 +28,23 @@ from vad.kinematics.solver import Solver, solver_of
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
 
+Array = NDArray[np.float64]
 
-# Two points of the grid can hide a limit between them only if they are nearer to it than this.  The
-# measure is the sine at which construction lines cross, or the length by which the links miss, in
-# the solver's unit.
-_NEAR = 0.2
-_STRIDE = 5  # the search takes every fifth point of the grid
-_GOLDEN = 0.5 * (5**0.5 - 1.0)
-_SECTIONS = 80
+# The points of the grid between two limits that are known.
+_POINTS = 1441
+# What is found on the grid is narrowed down: its neighbourhood is cut into so many parts, and the
+# best of them again, until what is left is below the last bit of a double.
+_PARTS = np.linspace(0.0, 1.0, 9)
+_SECTIONS = 18
 
 
-def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float, float]]:
+def closing_range(mechanism: Mechanism) -> list[tuple[float, float]]:
     """Return the intervals of the driver's angle (degrees) or position that close.
 
     A full turn is ``[(0.0, 360.0)]``, an interval through 0° is written with a negative start,
-    and an empty list means that the links close nowhere.
+    and an empty list means that the links close nowhere.  Limits of the driver itself have closed
+    forms.  Between two of them a search finds every gap and every piece that is wider than a
+    thousandth, and narrower ones where the links come nearest to a limit but once around them.
 
     Examples
     --------
@@ -53,33 +54,46 @@ def closing_range(mechanism: Mechanism, samples: int = 3601) -> list[tuple[float
     >>> [(round(a, 2), round(b, 2)) for a, b in closing_range(FourBar(crank=130))]
     [(13.33, 120.25), (239.75, 346.67)]
     """
-    return list(_ranges(mechanism, samples))
+    return list(_ranges(mechanism))
 
 
 @lru_cache(maxsize=64)
-def _ranges(mechanism: Mechanism, samples: int) -> tuple[tuple[float, float], ...]:
+def _ranges(mechanism: Mechanism) -> tuple[tuple[float, float], ...]:
     solver = solver_of(mechanism)
-    turns = solver.driver.kind == "angle"
-    limit = 360.0 if turns else _farthest(solver.plane.frame)
-    grid = np.linspace(0.0 if turns else -limit, limit, samples)
-    edges = solver.limits()
-    between = 0.5 * (edges[1:] + edges[:-1])
-    grid = np.unique(np.concatenate([grid, edges, between]))
-    grid = np.union1d(grid, _hidden(solver, grid[::_STRIDE]))
-    closes = solver.closes(grid)
-    if closes.all():
-        return ((float(grid[0]), float(grid[-1])),)
-    ends = [
-        _edge(solver, float(grid[i]), float(grid[i + 1]), edges, 1e-15 * limit)
-        for i in np.flatnonzero(closes[1:] != closes[:-1])
-    ]
-    if closes[0]:
-        ends = [float(grid[0]), *ends]
-    if closes[-1]:
-        ends = [*ends, float(grid[-1])]
-    if turns and closes[0]:  # the last interval runs on through 0°
-        ends = [ends[-2] - 360.0, *ends[1:-2]]
-    return tuple(zip(ends[::2], ends[1::2], strict=True))
+    marks = _first_marks(solver)
+    for loop in range(len(solver.searched)):
+        marks = np.union1d(marks, _limits(solver, loop, marks))
+    # Between two marks nothing changes.  A mark itself may close where its neighbourhood does not.
+    between = solver.closes(0.5 * (marks[1:] + marks[:-1]))
+    pieces = list(compress(pairwise(marks.tolist()), between))
+    pieces += [(mark, mark) for mark in marks[solver.closes(marks)].tolist()]
+    joined: list[tuple[float, float]] = []
+    for low, high in sorted(pieces):
+        if joined and low <= joined[-1][1]:
+            joined[-1] = joined[-1][0], max(high, joined[-1][1])
+        else:
+            joined.append((low, high))
+    if solver.driver.kind == "angle" and len(joined) > 1 and joined[0][0] == 0.0:
+        (_, first), *others, (last, _) = joined  # the last interval runs on through 0°
+        joined = [(last - 360.0, first), *others]
+    return tuple(joined)
+
+
+def _first_marks(solver: AnySolver) -> Array:
+    """Return the limits in closed form, and the ends between which others are searched for.
+
+    These are the ends of a turn, or the outermost limits of the driven slide: all limits in closed
+    form of a slide bound it on both sides.  Without such limits, a driven slide is followed as far
+    as the lengths and the directions of the guides let expect a limit.
+    """
+    limits = solver.limits()
+    if solver.driver.kind == "angle":
+        return np.union1d(limits, [0.0, 360.0])
+    if limits.size:
+        return limits
+    frame = solver.plane.frame
+    size = sum(_sizes(frame))
+    return np.array([-size / _steepness(frame), -size, size, size / _steepness(frame)])
 
 
 @lru_cache(maxsize=64)
@@ -106,11 +120,6 @@ def travels(mechanism: Mechanism, samples: int = 721) -> Mapping[str, tuple[floa
     return found
 
 
-def _farthest(frame: ReferenceFrame) -> float:
-    """Return a length that the position of a driven slide never exceeds."""
-    return sum(_sizes(frame)) / _steepness(frame)
-
-
 def _sizes(frame: ReferenceFrame) -> list[float]:
     """Return the lengths of all bars, and the distances of fixed points and lines."""
     lengths = [step.length for step in frame.steps if isinstance(step, Bar)]
@@ -129,78 +138,84 @@ def _steepness(frame: ReferenceFrame) -> float:
     return min((sine for sine in sines if sine), default=1.0)
 
 
-def _hidden(solver: AnySolver, grid: NDArray[np.float64]) -> list[float]:
-    """Return places beyond a limit that the grid does not show: both neighbours are on one side.
+def _grid(low: float, high: float) -> Array:
+    """Return places between two limits, close together near both of them.
 
-    They are searched for around each place that is nearer to a limit than its neighbours are.
+    Near a limit what a loop moves goes as the square root of the distance from it.  On this grid
+    it moves by nearly equal steps.
     """
-    loops = solver.searched
-    if not loops:
-        return []
-    closes = solver.closes(grid)
-    crossing = np.abs(solver.sines(grid)[loops]).min(axis=0)
-    near = [
-        s if c else _nearness(solver, x, loops)[1]
-        for x, s, c in zip(grid, crossing, closes, strict=True)
-    ]
-    found = []
-    for i in range(1, len(grid) - 1):
-        alike = closes[i - 1] == closes[i] == closes[i + 1]
-        if alike and near[i - 1] > near[i] <= near[i + 1] and near[i] < _NEAR:
-            found += _beyond(solver, grid[i - 1], grid[i + 1], bool(closes[i]), loops)
+    share = np.sin(np.linspace(0.0, 0.5 * math.pi, _POINTS)) ** 2
+    return low + (high - low) * share
+
+
+def _limits(solver: AnySolver, loop: int, marks: Array) -> list[float]:
+    """Return the limits of a searched loop between the marks, which are those of others.
+
+    No piece that closes, and no gap, is left out that is wider than a step of the grid, and none in
+    which the chains come nearest to a limit but once within two steps of the grid.
+    """
+
+    def misses(places: Array) -> Array:
+        return solver.misses(places)[loop]
+
+    found: list[float] = []
+    for low, high in pairwise(marks):
+        grid = _grid(low, high)
+        grid = np.union1d(grid, _beyond(misses, grid))
+        miss = misses(grid)
+        closes, opens = miss <= 0.0, miss > 0.0  # neither where an earlier loop does not close
+        (ends,) = np.nonzero(closes[:-1] & opens[1:])
+        (starts,) = np.nonzero(opens[:-1] & closes[1:])
+        inside = np.concatenate([grid[ends], grid[starts + 1]])
+        outside = np.concatenate([grid[ends + 1], grid[starts]])
+        found += _edges(misses, inside, outside).tolist()
     return found
 
 
-def _nearness(solver: AnySolver, value: float, loops: list[int]) -> tuple[bool, float]:
-    """Tell whether a place closes, and how near it is to where it just does."""
-    try:
-        pose = solver.positions(float(value))
-    except OpenLoopError as gap:
-        return False, gap.miss
-    return True, min(abs(pose.sine[k]) for k in loops)
+Measure = Callable[[Array], Array]
 
 
-def _beyond(
-    solver: AnySolver, low: float, high: float, closed: bool, loops: list[int]
-) -> list[float]:
-    """Return a place that closes though both ends do not, or the reverse, if there is one."""
-    places = approach(solver, low, high, loops)
-    return next(([place] for place, closes, _ in places if closes != closed), [])
+def _beyond(misses: Measure, grid: Array) -> Array:
+    """Return places beyond a limit that the grid does not show: all around is on one side of it.
 
-
-def approach(
-    solver: AnySolver, low: float, high: float, loops: list[int]
-) -> Iterator[tuple[float, bool, float]]:
-    """Yield places nearer and nearer to where some loops come nearest to a limit.
-
-    They are found by golden section; with each comes whether it closes, and how near it is.
+    They are searched for around each point that is nearer to a limit than its neighbours are.
     """
-    for _ in range(_SECTIONS):
-        step = _GOLDEN * (high - low)
-        inner, near = (high - step, low + step), []
-        for place in inner:
-            closes, distance = _nearness(solver, place, loops)
-            yield place, closes, distance
-            near.append(distance)
-        low, high = (low, inner[1]) if near[0] < near[1] else (inner[0], high)
+    miss = misses(grid)
+    around = np.pad(miss, 1, mode="edge")
+    distance = np.abs(around)
+    nearest = (distance[:-2] >= distance[1:-1]) & (distance[1:-1] <= distance[2:])
+    closes = miss <= 0.0
+    alike = ((around[:-2] <= 0.0) == closes) & (closes == (around[2:] <= 0.0))
+    (at,) = np.nonzero(nearest & alike)
+    low, high = grid[np.maximum(at - 1, 0)], grid[np.minimum(at + 1, len(grid) - 1)]
+    found = [np.empty(0)]
+    for places in approach(lambda x: np.abs(misses(x)), low, high):
+        beyond = misses(places.ravel()).reshape(places.shape)
+        changed = np.where(closes[at][:, None], beyond > 0.0, beyond <= 0.0)
+        found.append(places[changed])
+    return np.concatenate(found)
 
 
-def _edge(
-    solver: AnySolver, inside: float, outside: float, edges: NDArray[np.float64], tolerance: float
-) -> float:
-    """Return the limit between two places of which exactly one closes."""
-    for end in (inside, outside):
-        if end in edges:
-            return end
-    if not solver.closes(np.array([inside]))[0]:
-        inside, outside = outside, inside
-    middle = 0.5 * (inside + outside)
-    while abs(outside - inside) > tolerance and middle not in (inside, outside):
-        if solver.closes(np.array([middle]))[0]:
-            inside = middle
-        else:
-            outside = middle
-        middle = 0.5 * (inside + outside)
+def approach(measure: Measure, low: Array, high: Array) -> Iterator[Array]:
+    """Yield places in some intervals, as rows, nearer and nearer to where a measure is least."""
+    for _ in range(_SECTIONS if low.size else 0):
+        places = low[:, None] + (high - low)[:, None] * _PARTS
+        yield places
+        sizes = measure(places.ravel()).reshape(places.shape)
+        best = np.where(np.isnan(sizes), math.inf, sizes).argmin(axis=1)
+        rows = np.arange(len(best))
+        low = places[rows, np.maximum(best - 1, 0)]
+        high = places[rows, np.minimum(best + 1, len(_PARTS) - 1)]
+
+
+def _edges(misses: Measure, inside: Array, outside: Array) -> Array:
+    """Return the limits between places that close and others that do not."""
+    for _ in range(_SECTIONS if inside.size else 0):
+        places = inside[:, None] + (outside - inside)[:, None] * _PARTS
+        opens = (misses(places.ravel()) > 0.0).reshape(places.shape)
+        opens[:, 0], opens[:, -1] = False, True
+        first, rows = opens.argmax(axis=1), np.arange(len(inside))
+        inside, outside = places[rows, first - 1], places[rows, first]
     return inside
 
 
@@ -279,19 +294,25 @@ def _flat_places(solver: Solver, number: int, low: float, high: float) -> Iterat
     grid = grid[(grid >= low) & (grid <= high)]
     if turns and high - low == 360.0:  # the first place follows the last one
         grid = np.concatenate([grid, grid[1:2] + 360.0])
-    sines = np.abs(solver.sines(grid)[number])
-    for i in range(1, len(grid) - 1):
-        if not sines[i - 1] > sines[i] <= sines[i + 1]:
-            continue
-        place, sine = grid[i], sines[i]
-        for other, closes, near in approach(solver, grid[i - 1], grid[i + 1], [number]):
-            if closes and near < sine:
-                place, sine = other, near
-        if sine < _FLAT:
-            marks = np.append(exact, 0.0)  # symmetry puts change points at zero, too
-            same = marks[np.abs(marks - place) < _SAME * (high - low)]
-            place = same[0] if same.size else place
-            yield float(positive(place - 360.0 * (place >= 360.0)) if turns else place)
+
+    def measure(places: Array) -> Array:
+        return np.abs(solver.sines(places)[number])
+
+    sines = measure(grid)
+    (at,) = np.nonzero((sines[:-2] > sines[1:-1]) & (sines[1:-1] <= sines[2:]))
+    best, least = grid[at + 1], sines[at + 1]
+    for places in approach(measure, grid[at], grid[at + 2]):
+        sizes = measure(places.ravel()).reshape(places.shape)
+        nearest = np.where(np.isnan(sizes), math.inf, sizes).argmin(axis=1)
+        rows = np.arange(len(at))
+        better = sizes[rows, nearest] < least
+        best = np.where(better, places[rows, nearest], best)
+        least = np.where(better, sizes[rows, nearest], least)
+    for place in best[least < _FLAT].tolist():
+        marks = np.append(exact, 0.0)  # symmetry puts change points at zero, too
+        same = marks[np.abs(marks - place) < _SAME * (high - low)]
+        found = float(same[0]) if same.size else place
+        yield float(positive(found - 360.0 * (found >= 360.0)) if turns else found)
 
 
 def _can_be_parallel(solver: Solver, number: int) -> bool:

@@ -109,8 +109,12 @@ class Solver(AnySolver):
         return [
             number
             for number, loop in enumerate(self.loops)
-            if loop.two_ways and not loop.crank and not loop.limits()
+            if loop.two_ways and not (loop.crank or loop.loop.parallel or loop.limits())
         ]
+
+    def searched_misses(self, pose: Pose, value: Number) -> list[Number]:
+        """Return by how much the chains of each of these loops miss each other."""
+        return [self.loops[number].miss(pose) for number in self.searched]
 
     def limits(self) -> NDArray[np.float64]:
         """Return all limits in closed form, of an angle within [0, 360], sorted."""

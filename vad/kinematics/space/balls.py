@@ -12,7 +12,16 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from vad.kinematics.closed_forms import TwoAngles
-from vad.kinematics.numbers import Number, direction, fold, nonzero, select, sqrt, vector
+from vad.kinematics.numbers import (
+    Number,
+    direction,
+    fold,
+    nonzero,
+    not_below,
+    select,
+    sqrt,
+    vector,
+)
 from vad.kinematics.space.instant_axis import Z
 from vad.kinematics.space.linkages import BallJointed
 from vad.kinematics.space.numbers import (
@@ -74,16 +83,15 @@ class BallClosure:
         coupler = difference(rocker_arm, b)
         return BallPose(arm, rocker_arm, coupler, rocker, -1.0 * sine * (reach / sizes.coupler))
 
-    def miss(self, angle: float) -> float:
-        """Return by how much one pose fails to close."""
+    def miss(self, angle: Number) -> Number:
+        """Return by how much a pose fails to close; it is negative where the balls meet."""
         sizes, u = self.sizes, direction(angle)
         b = difference((sizes.crank * u.real, sizes.crank * u.imag, 0.0), self.centre)
         height = abs(self._height(b))
-        if height > sizes.coupler:
-            return height - sizes.coupler
-        reach = sqrt((sizes.coupler - height) * (sizes.coupler + height))
+        reach = sqrt(not_below(0.0, (sizes.coupler - height) * (sizes.coupler + height)))
         gap = -vector(b[0], dot(b, self.y))
-        return self._triangle.miss(self._triangle.over_gap(gap, reach, sizes.rocker))
+        triangle = self._triangle.over_gap(gap, reach, sizes.rocker)
+        return select(height > sizes.coupler, height - sizes.coupler, self._triangle.miss(triangle))
 
     def _height(self, b: Vector3) -> Number:
         """Return how high B is over the plane of C's circle."""
@@ -142,8 +150,8 @@ class BallSolver(SpaceSolver):
         """The one loop: its limits are roots of a quartic."""
         return [0]
 
-    def miss(self, angle: float) -> float:
-        """Return by how much one pose fails to close."""
+    def miss(self, angle: Number) -> Number:
+        """Return by how much a pose fails to close."""
         return self.closure.miss(angle)
 
     def miss_in_words(self, miss: float, length_unit: str) -> str:

@@ -64,6 +64,10 @@ class SpaceSolver(AnySolver):
         """The numbers of the loops whose limits have no closed form: none."""
         return []
 
+    def searched_misses(self, pose: Pose, value: Number) -> list[Number]:
+        """Return by how much its loop fails to close, if its limits are searched for."""
+        return [self.miss(fold(value)) for _ in self.searched]
+
     def limits(self) -> NDArray[np.float64]:
         """Return all limits in closed form: none."""
         return np.array([])
@@ -88,8 +92,8 @@ class SpaceSolver(AnySolver):
         """Return the position for a folded angle of the driver."""
 
     @abstractmethod
-    def miss(self, angle: float) -> float:
-        """Return by how much one pose fails to close."""
+    def miss(self, angle: Number) -> Number:
+        """Return by how much a pose fails to close."""
 
     @property
     @abstractmethod
