@@ -6,6 +6,7 @@ hand.
 
 from __future__ import annotations
 
+import sys
 import tempfile
 import webbrowser
 from collections.abc import Sequence
@@ -19,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 from vad.errors import ExportError, InputError, UsageError, quoted
 from vad.export import FORMATS, save
 from vad.gui.messages import ExportQuestion
+from vad.gui.visit import NO_BROWSER, visited
 from vad.kinematics.motion import Motion
 from vad.mechanisms import Mechanism
 from vad.notebook import Thing, in_notebook
@@ -31,7 +33,6 @@ if TYPE_CHECKING:
 
 #: The forms in which a browser shows a file, the best first.
 _SHOWN = (".html", ".mp4", ".svg")
-_NO_BROWSER = "no browser can be started"
 
 
 def show(thing: Thing | Mechanism) -> None:
@@ -67,7 +68,7 @@ def show(thing: Thing | Mechanism) -> None:
         path = Path(tempfile.mkdtemp(prefix="vad-"), "shown" + extension)
         save(thing, path)
         if not webbrowser.open(path.as_uri()):
-            raise ExportError(_NO_BROWSER, hint=f"open this file in one: {path}")
+            raise ExportError(NO_BROWSER, hint=f"open this file in one: {path}")
 
 
 def widget(
@@ -117,8 +118,14 @@ def _serve(start: ExportQuestion) -> None:
     """Serve the window until an interrupt."""
     from vad.gui.server import served
 
-    with served(start) as address:
-        if not webbrowser.open(address):
-            raise ExportError(_NO_BROWSER, hint=f"as from a shell: vad gui {start.mechanism}")
-        with suppress(KeyboardInterrupt):
-            Event().wait()
+    none = Event()
+
+    def missed(reason: str) -> None:
+        if reason == NO_BROWSER:
+            none.set()
+        else:
+            print(f"{reason}; open this address in one: {key.address}", file=sys.stderr)
+
+    with served(start) as key, visited(key, missed), suppress(KeyboardInterrupt):
+        none.wait()
+        raise ExportError(NO_BROWSER, hint=f"as from a shell: vad gui {start.mechanism}")

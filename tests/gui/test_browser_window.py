@@ -5,8 +5,12 @@ from __future__ import annotations
 import math
 import re
 import time
+import webbrowser
 from collections.abc import Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from urllib.parse import urlsplit
+from urllib.request import url2pathname
 
 import av
 import pytest
@@ -16,6 +20,7 @@ from tests.browser import opened, until, violations
 from vad.gui.answers import pose
 from vad.gui.messages import ExportQuestion, PoseQuestion
 from vad.gui.server import served
+from vad.gui.visit import visited
 from vad.mechanisms import MECHANISMS
 from vad.words import languages
 
@@ -27,8 +32,8 @@ START = ExportQuestion("slider-crank", size=(320, 240), fps=2)
 
 @pytest.fixture(scope="module")
 def address() -> Iterator[str]:
-    with served(START) as found:
-        yield found
+    with served(START) as key:
+        yield key.address
 
 
 @pytest.fixture(scope="module")
@@ -442,9 +447,31 @@ def test_a_narrow_window_has_all_of_it(window: Page, address: str, width):
     window.set_viewport_size({"width": 1280, "height": 800})
 
 
+def test_the_browser_is_led_in_by_a_file(browser: Browser, monkeypatch):
+    led: list[str] = []
+    monkeypatch.setattr(webbrowser, "open", lambda address: not led.append(address))
+    with served(START) as key, visited(key, pytest.fail):
+        home = key.address.partition("?")[0]
+        with opened(browser, server=home) as page:
+            until(page, lambda: led)
+            page.goto(led[0], wait_until="commit")
+            until(page, lambda: page.url.startswith(home))
+            still(page)
+            assert "ticket" not in page.url
+            page.reload()
+            still(page)
+            other = page.context.new_page()
+            other.goto(home)
+            still(other)
+            assert not Path(url2pathname(urlsplit(led[0]).path)).exists()
+            (cookie,) = page.context.cookies()
+            assert (cookie["httpOnly"], cookie["sameSite"]) == (True, "Strict")
+
+
 def test_a_server_that_stops_and_starts(browser: Browser):
     gone = "Failed to load resource: net::ERR_CONNECTION_REFUSED"
-    with served(START) as address:
+    with served(START) as key:
+        address = key.address
         home = address.partition("?")[0]
         context = opened(browser, server=home, expected=gone)
         page = context.__enter__()
@@ -456,7 +483,7 @@ def test_a_server_that_stops_and_starts(browser: Browser):
     still(page)
     assert cookies
     with served(START, port) as again:
-        page.context.new_page().goto(again)  # a new token, in another tab
+        page.context.new_page().goto(again.address)  # a new token, in another tab
         page.get_by_role("button", name="Try again").click()
         until(page, lambda: "61" in cell(page, 0, 0))
         context.__exit__(None, None, None)

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import signal
 import subprocess
 import sys
+import time
 import urllib.error
 import urllib.request
 from pathlib import Path
+
+import pytest
 
 from tests.test_imports import command, loaded
 from vad.cli.run import run
@@ -17,14 +21,18 @@ from vad.cli.run import run
 ROOT = Path(__file__).parents[2]
 
 
-def test_it_prints_its_address_and_ends_with_an_interrupt():
-    process = subprocess.Popen(
-        [sys.executable, "-m", "vad", "gui", "four-bar", "--crank=35", "--no-browser"],
+def started(*words: str, **environment: str) -> subprocess.Popen[str]:
+    return subprocess.Popen(
+        [sys.executable, "-m", "vad", "gui", *words],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
-        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        env={**os.environ, "PYTHONPATH": str(ROOT), **environment},
     )
+
+
+def test_it_prints_its_address_and_ends_with_an_interrupt():
+    process = started("four-bar", "--crank=35", "--no-browser")
     line = process.stdout.readline()
     assert re.fullmatch(r"http://127\.0\.0\.1:\d+/\?token=[\w-]{32,}\n", line)
     try:
@@ -35,6 +43,53 @@ def test_it_prints_its_address_and_ends_with_an_interrupt():
     process.send_signal(signal.SIGINT)
     assert process.communicate(timeout=20) == ("", "")
     assert process.returncode == 0
+
+
+@pytest.mark.skipif(os.name == "nt", reason="there, others cannot read a command line")
+def test_the_command_line_of_the_browser_shows_no_key(tmp_path):
+    log = tmp_path / "log.json"
+    browser = f"{sys.executable} -m tests.gui.visitor {log} %s"
+    process = started("four-bar", "--crank=35", BROWSER=browser, TMPDIR=str(tmp_path))
+    token = re.search(r"token=(\S+)", process.stdout.readline())[1]
+    end = time.monotonic() + 20
+    while not log.exists() and time.monotonic() < end:
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    assert process.communicate(timeout=20) == ("", "")
+    seen = json.loads(log.read_text())
+    ticket = re.search('ticket=([^"]+)', seen["leads"])[1]
+    for secret in (token, ticket):
+        assert secret not in " ".join(seen["words"])
+    assert token not in seen["leads"]
+    assert seen["modes"] == [0o600, 0o700]
+    assert '"crank": 35.0' in seen["page"]
+    assert not seen["left"]
+    assert [each.name for each in tmp_path.iterdir()] == [log.name]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_browser_in_the_foreground_holds_no_signal_back(number):
+    process = started(BROWSER="sh -c 'sleep 8' %s")
+    assert process.stdout.readline()
+    time.sleep(0.5)
+    begun = time.monotonic()
+    process.send_signal(number)
+    process.wait(timeout=20)
+    assert time.monotonic() - begun < 6
+    assert process.returncode == (0 if number == signal.SIGINT else 128 + number)
+    process.stdout.close()
+    process.stderr.close()
+
+
+def test_without_a_browser_it_says_what_to_open():
+    process = started(BROWSER="false %s", PATH="/nowhere", DISPLAY="", WAYLAND_DISPLAY="")
+    address = process.stdout.readline().strip()
+    assert process.stderr.readline().strip() == (
+        f"hint: no browser can be started; open this address in one: {address}"
+    )
+    process.send_signal(signal.SIGINT)
+    assert process.communicate(timeout=20) == ("", "")
 
 
 def test_other_commands_load_no_server(tmp_path):

@@ -116,8 +116,8 @@ def test_all_words_for_the_places_of_a_point_are_such():
 
 
 def test_the_window_of_a_file(browser, start: ExportQuestion):
-    with served(start) as address, opened(browser, server=address.partition("?")[0]) as page:
-        page.goto(address)
+    with served(start) as key, opened(browser, server=key.address.partition("?")[0]) as page:
+        page.goto(key.address)
         place = page.locator("#places input[value=upper]").nth(1)
         until(page, lambda: "P" in page.locator(".panel svg").first.text_content())
         assert page.locator("header h1").inner_text() == "Watt six-bar, first kind"

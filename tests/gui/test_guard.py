@@ -22,8 +22,8 @@ START = ExportQuestion("slider-crank")
 
 
 def test_it_listens_on_this_machine_alone():
-    with served(START) as address:
-        port = int(re.search(r":(\d+)/", address)[1])
+    with served(START) as key:
+        port = key.port
         socket.create_connection(("127.0.0.1", port)).close()
         with pytest.raises(OSError, match="refused"):
             socket.create_connection(("127.0.0.2", port))  # an address of this machine, too
@@ -72,7 +72,45 @@ def test_a_token_becomes_a_cookie_and_leaves_the_address(stranger: TestClient, k
     assert stranger.get("/").status_code == 200
 
 
-@pytest.mark.parametrize("path", ["/", "/?token=", "/?token=x", "/?token=é"])
+def test_a_ticket_is_good_once(stranger: TestClient, key: PageKey):
+    used = []
+    key.ticket.on_use = lambda: used.append(1)
+    # A file leads the browser here, which is another site to it.
+    cross = {"sec-fetch-site": "cross-site", "sec-fetch-mode": "navigate"}
+    assert stranger.post(f"/?ticket={key.ticket.text}").status_code == 403
+    assert stranger.get(f"/?ticket={key.token}", headers=cross).status_code == 403
+    assert not used
+    answer = stranger.get(f"/?ticket={key.ticket.text}", headers=cross)
+    assert answer.status_code == 200
+    assert 'content="0; url=/"' in answer.text
+    assert {"httponly", "samesite=strict"} <= set(
+        answer.headers["set-cookie"].lower().replace(" ", "").split(";")
+    )
+    assert stranger.get("/").status_code == 200
+    assert used == [1]
+    stranger.cookies.clear()
+    assert stranger.get(f"/?ticket={key.ticket.text}").status_code == 403
+    assert used == [1]
+    assert key.ticket.text not in repr(key)
+
+
+def test_the_printed_address_opens_as_many_tabs_as_its_owner_likes(
+    stranger: TestClient, key: PageKey
+):
+    for _ in range(3):
+        stranger.cookies.clear()
+        assert stranger.get(f"/?token={key.token}").status_code == 200
+
+
+def test_a_port_may_be_forwarded(client: TestClient):
+    # As by ssh -L 9000:127.0.0.1:8765; there, page and questions have the same host.
+    home = "http://127.0.0.1:9000"
+    asked = {"host": "127.0.0.1:9000", "origin": home, "sec-fetch-site": "same-origin"}
+    assert client.post("/api/pose", json=POSE, headers=asked).status_code == 200
+    assert client.post("/api/pose", json=POSE, headers={"origin": home}).status_code == 403
+
+
+@pytest.mark.parametrize("path", ["/", "/?token=", "/?token=x", "/?token=é", "/?ticket=é"])
 def test_nobody_else_is_let_in(stranger: TestClient, path):
     assert stranger.get(path).status_code == 403
     stranger.cookies.set(f"vad-{PORT}", "x")

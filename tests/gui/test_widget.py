@@ -6,14 +6,15 @@ import json
 import webbrowser
 from base64 import b64encode
 from collections.abc import Iterator
+from threading import Event
 from types import SimpleNamespace
-from urllib.request import HTTPCookieProcessor, build_opener
 from xml.etree import ElementTree
 
 import pytest
 
 import vad
 from tests.browser import opened, until
+from tests.gui.visitor import visit
 from tests.test_notebook import shell
 from vad import showing
 from vad.errors import ExportError, InputError, UsageError
@@ -136,13 +137,16 @@ def test_show_of_a_mechanism_in_a_notebook_displays_the_window(monkeypatch):
 
 def test_show_of_a_mechanism_elsewhere_serves_it_until_an_interrupt(monkeypatch):
     found: list[str] = []
+    come = Event()
 
     class Interrupted:
         def wait(self) -> None:
+            assert come.wait(20)
             raise KeyboardInterrupt
 
     def browse(address: str) -> bool:
-        found.append(build_opener(HTTPCookieProcessor()).open(address).read().decode())
+        found.append(visit(address))
+        come.set()
         return True
 
     monkeypatch.setattr(showing, "Event", Interrupted)

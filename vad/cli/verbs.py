@@ -9,9 +9,8 @@ from __future__ import annotations
 
 import math
 import sys
-import webbrowser
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -328,13 +327,17 @@ def gui(
     """Serve the page until the process is asked to stop; its address is the only line printed."""
     from vad.gui.messages import ExportQuestion
     from vad.gui.server import served
+    from vad.gui.visit import visited
 
     start = ExportQuestion.of(mechanism, inputs, **options)
-    with signals_held_back(), served(start, port) as address:
-        click.echo(address)
-        if not no_browser:
-            webbrowser.open(address)
-        wait_for_signal()
+    with signals_held_back(), served(start, port) as key:
+        click.echo(key.address)
+
+        def missed(reason: str) -> None:
+            say(f"hint: {reason}; open this address in one: {key.address}")
+
+        with nullcontext() if no_browser else visited(key, missed):
+            wait_for_signal()
 
 
 def _pop(options: dict[str, Any], *names: str) -> dict[str, Any]:

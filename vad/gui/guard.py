@@ -11,12 +11,14 @@ import hmac
 import secrets
 import sys
 import traceback
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from http.cookies import CookieError, SimpleCookie
+from threading import Event
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.requests import Request
-from starlette.responses import JSONResponse, RedirectResponse, Response
+from starlette.responses import HTMLResponse, JSONResponse, RedirectResponse, Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 #: The names by which the server may be called.  A request under any other name is refused: somebody
@@ -25,6 +27,9 @@ HOSTS = ("127.0.0.1", "localhost")
 #: The longest question, in bytes.
 LONGEST = 16 * 1024
 _FOREIGN = ("cross-site", "same-site")
+#: What answers a ticket: a page that goes on to the window.  A redirection would not do, because a
+#: browser withholds a strict cookie where the redirection follows a file or another site.
+_ON = '<!DOCTYPE html><meta http-equiv="refresh" content="0; url=/"><title>vad</title>'
 _HEADERS = {
     "x-content-type-options": "nosniff",
     "referrer-policy": "no-referrer",
@@ -38,12 +43,53 @@ _POLICY = (
 )
 
 
+def _secret() -> str:
+    return secrets.token_urlsafe(24)
+
+
+def _same(secret: str, other: str | None) -> bool:
+    """Tell whether texts are the same, in a time that does not depend on where they differ."""
+    return other is not None and hmac.compare_digest(other.encode(), secret.encode())
+
+
+class Ticket:
+    """What opens the page once.
+
+    Attributes
+    ----------
+    text
+        The ticket.
+    used
+        Set when it has been used.
+    on_use
+        Called when it is used.
+    """
+
+    def __init__(self) -> None:
+        self.text = _secret()
+        self.used = Event()
+        self.on_use: Callable[[], object] = lambda: None
+
+    def take(self, other: str | None) -> bool:
+        """Tell whether this is the ticket, used for the first time."""
+        if self.used.is_set() or not _same(self.text, other):
+            return False
+        self.used.set()
+        self.on_use()
+        return True
+
+
 @dataclass(frozen=True)
 class PageKey:
-    """What opens the page: the token in the printed address, then a cookie with that token."""
+    """What opens the page: a token in the printed address, or a ticket; then the token as a cookie.
+
+    The token opens it as often as its owner likes.  The ticket is for the browser that the program
+    starts itself.
+    """
 
     port: int
-    token: str = field(default_factory=lambda: secrets.token_urlsafe(24), repr=False)
+    token: str = field(default_factory=_secret, repr=False)
+    ticket: Ticket = field(default_factory=Ticket, repr=False, compare=False)
 
     @property
     def cookie(self) -> str:
@@ -55,9 +101,14 @@ class PageKey:
         """What is printed."""
         return f"http://127.0.0.1:{self.port}/?token={self.token}"
 
+    @property
+    def address_with_ticket(self) -> str:
+        """Where the browser is led that the program starts."""
+        return f"http://127.0.0.1:{self.port}/?ticket={self.ticket.text}"
+
     def fits(self, other: str | None) -> bool:
-        """Tell whether a token is this one, in a time that does not depend on where they differ."""
-        return other is not None and hmac.compare_digest(other.encode(), self.token.encode())
+        """Tell whether a token is this one."""
+        return _same(self.token, other)
 
 
 class RefusalError(Exception):
@@ -118,27 +169,32 @@ class Guard:
             await self._app(scope, _limited(receive), send)
 
     def _welcome(self, request: Request) -> Response | None:
-        """Return a redirection for a request with the token, None for one with the cookie.
+        """Return what leads a request with token or ticket on, None for one with the cookie.
 
         Any other request is refused.
         """
-        _check_origin(request.headers, f"127.0.0.1:{self._key.port}", f"localhost:{self._key.port}")
-        if request.method == "GET" and self._key.fits(request.query_params.get("token")):
-            way_in = RedirectResponse("/", 303)
-            way_in.set_cookie(
-                self._key.cookie, self._key.token, path="/", httponly=True, samesite="strict"
-            )
-            return way_in
+        asks = request.query_params if request.method == "GET" else {}
+        if self._key.ticket.take(asks.get("ticket")):  # from a file, and so from another site
+            return self._with_cookie(HTMLResponse(_ON))
+        _check_origin(request.headers)
+        if self._key.fits(asks.get("token")):
+            return self._with_cookie(RedirectResponse("/", 303))
         if not self._key.fits(_cookie(request.headers, self._key.cookie)):
             raise RefusalError(403, "open the address that vad gui has printed")
         if request.method == "POST":
             _check_body(request.headers)
         return None
 
+    def _with_cookie(self, answer: Response) -> Response:
+        name, token = self._key.cookie, self._key.token
+        answer.set_cookie(name, token, path="/", httponly=True, samesite="strict")
+        return answer
 
-def _check_origin(headers: Headers, *own: str) -> None:
+
+def _check_origin(headers: Headers) -> None:
+    """Refuse what another page asks; one of the `HOSTS` is asked, on a port forwarded or not."""
     origin = headers.get("origin")
-    if origin is not None and origin not in [f"http://{host}" for host in own]:
+    if origin is not None and origin != f"http://{headers.get('host')}":
         raise RefusalError(403, "another site asks")
     if headers.get("sec-fetch-site") in _FOREIGN:
         raise RefusalError(403, "another site asks")

@@ -44,8 +44,8 @@ Endpoint = Callable[[Request], Awaitable[Response]]
 
 
 @contextlib.contextmanager
-def served(start: ExportQuestion, port: int = 0) -> Iterator[str]:
-    """Serve the page while the block runs, and yield its address once it answers.
+def served(start: ExportQuestion, port: int = 0) -> Iterator[PageKey]:
+    """Serve the page while the block runs, and yield what opens it once it answers.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def served(start: ExportQuestion, port: int = 0) -> Iterator[str]:
         try:
             while not server.started and thread.is_alive():
                 time.sleep(0.01)
-            yield key.address
+            yield key
         finally:
             closing.set()
             server.should_exit = True
