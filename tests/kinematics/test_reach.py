@@ -11,6 +11,7 @@ import pytest
 import vad
 from tests.kinematics.chains import KINDS, STARTS, Chain
 from tests.kinematics.families import Draw
+from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of
 from vad.kinematics.reach import closing_range
 from vad.kinematics.solver import Solver, solver_of
 
@@ -107,7 +108,8 @@ def test_no_gap_between_balls_is_too_narrow_to_be_found(short: float) -> None:
         """Return how far B is from the circle: the axes cross at right angles, 30 apart."""
         angle = np.radians(degrees)
         x, along, across = 20 * np.cos(angle) - 30, 20 * np.sin(angle) + 85, 40.0
-        return np.hypot(along, np.hypot(x, across) - 60)
+        found: np.ndarray[Any, Any] = np.hypot(along, np.hypot(x, across) - 60)
+        return found
 
     low, high = 0.0, 360.0
     for _ in range(9):
@@ -119,3 +121,41 @@ def test_no_gap_between_balls_is_too_narrow_to_be_found(short: float) -> None:
     gap = (start - end) % 360.0
     assert 0.0 < gap < 100 * np.sqrt(short)
     assert end % 360.0 < best < end % 360.0 + gap
+
+
+# --- guides that never cross ------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("other", [0.0, 360.0, 180.0, -360.0, -180.0, 1e-31])
+def test_a_double_slider_with_both_guides_on_one_line_is_refused(other: float) -> None:
+    with pytest.raises(vad.InputError, match=r"^guide_b: must differ from guide_a, got .* line$"):
+        vad.DoubleSlider(1000, 0, other)
+
+
+@pytest.mark.parametrize("other", [1e-29, 1e-9, -180.00000000000003, 359.99999999999994])
+def test_a_double_slider_with_nearly_parallel_guides_closes_in_its_range(other: float) -> None:
+    slider = vad.DoubleSlider(1000, 0, other)
+    ((low, high),) = closing_range(slider)
+    assert low == -high
+    assert high > 5e13
+    assert vad.solve(slider, position=[0.999 * high, 1.001 * high]).assembled.tolist() == [
+        True,
+        False,
+    ]
+
+
+@pytest.mark.parametrize("line", [{"y": 28}, {"y": 0}, {"through": "A", "angle": 180}])
+def test_a_driven_slide_along_the_other_guide_of_its_rod_is_refused(line: dict[str, Any]) -> None:
+    with pytest.raises(vad.InputError, match="slides along without a limit"):
+        vad.mechanism(
+            fixed={"A": [0, 0]},
+            links={"rod": {"BE": 100}},
+            guides={"B": {"y": 0}, "E": line},
+            driver={"slider_b": {"position": 60, "velocity": 5}},
+        )
+
+
+def test_two_unknown_slides_on_parallel_lines_are_refused() -> None:
+    loop = Loop((Slide("AB", "a", 30.0), Bar("BC", "bar", 5)), (Slide("DC", "c", 210.0, 3 + 4j),))
+    with pytest.raises(vad.InputError, match="the lines of a and c are parallel and never cross"):
+        Linkage(angle_of("bar"), (loop,), fixed={"D": 3 + 4j})

@@ -15,10 +15,15 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache, lru_cache
+from itertools import combinations
 from typing import NamedTuple, TypeGuard
 
 from vad.errors import InputError
+from vad.kinematics.numbers import difference, fold
 
+# Lines at a smaller angle than this (in degrees) count as parallel: where they cross is so far away
+# that squares of the distance leave the range of double precision.
+_LEAST_ANGLE = 1e-30
 # The name of a point: a letter, or a letter and a number.
 _POINT = r"[^\W\d_]\d*"
 
@@ -332,6 +337,7 @@ def _check(linkage: Linkage) -> None:
                 _check_slide(where, way, step, loop)
             elif _is_strut(step, linkage) and start == other_start:
                 raise InputError(f"{where}: {step.link} must lead between two fixed points")
+        _check_guides(where, loop, unknowns, linkage.driver)
     _check_lengths(linkage)
 
 
@@ -391,6 +397,37 @@ def _check_slide(where: str, way: int, slide: Slide, loop: Loop) -> None:
             f"{where}: {slide.name} slides against the bar of {slide.along} that carries it",
             hint=f"turn {slide.ends} round",
         )
+
+
+def _check_guides(where: str, loop: Loop, unknowns: tuple[Scalar, ...], driver: Scalar) -> None:
+    """Check that guides cross where both slides are unknown, or one of them is all that moves."""
+    slides = (step for _, step in loop.steps() if isinstance(step, Slide))
+    guides = [slide for slide in slides if isinstance(slide.along, float)]
+    moving = {scalar_of(step) for _, step in loop.steps()}
+    for one, other in combinations(guides, 2):
+        if not parallel(float(one.along), float(other.along)):
+            continue
+        both = {length_of(one.name), length_of(other.name)}
+        lines = f"the lines of {one.name} and {other.name} are parallel"
+        if both == set(unknowns):
+            raise InputError(f"{where}: {lines} and never cross")
+        if driver in both and moving == {driver, *unknowns}:
+            raise InputError(
+                f"{where}: {lines}, so that all between them slides along without a limit",
+                hint="give the lines different directions",
+            )
+
+
+def parallel(one: float, other: float) -> bool:
+    """Tell whether two directions in degrees are parallel.
+
+    Examples
+    --------
+    >>> parallel(-360.0, 180.0), parallel(0.0, 1e-20)
+    (True, False)
+    """
+    size = abs(difference(fold(one), fold(other)))
+    return bool(min(size, 180.0 - size) < _LEAST_ANGLE)
 
 
 def _check_lengths(linkage: Linkage) -> None:

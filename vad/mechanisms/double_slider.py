@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass
 
-from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, length_of
+from vad.errors import InputError
+from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, length_of, parallel
 from vad.mechanisms.mechanism import Mechanism, angle, length
 
 
@@ -26,6 +27,11 @@ class DoubleSlider(Mechanism):
 
     def linkage(self) -> Linkage:
         """OA + AB = OB."""
+        if parallel(self.guide_a, self.guide_b):
+            raise InputError(
+                f"guide_b: must differ from guide_a, got {self.guide_b:g}, which is the same line",
+                hint=f"try {self.guide_b + 90.0:g}",
+            )
         loop = Loop(
             first=(Slide("OA", "slider_a", self.guide_a), Bar("AB", "link", self.link)),
             second=(Slide("OB", "slider_b", self.guide_b),),
