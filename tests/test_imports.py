@@ -97,6 +97,7 @@ def test_solving_loads_nothing_of_what_draws():
         "errors",
         "files",
         "discovery",
+        "gate",
         "kinematics",
         "mechanisms",
         "units",

@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vad.errors import UsageError
-from vad.units import check_length_unit, read, scene_unit
+from vad.errors import InputError, UsageError
+from vad.units import check_length_unit, number_of, read, scene_unit
 
 QUANTITIES = ("length", "angle", "omega", "alpha", "position", "velocity", "acceleration")
 
@@ -106,6 +106,22 @@ def test_a_wrong_unit_is_named(text, quantity):
         read(text, quantity)
     assert str(caught.value).startswith(f"'{unit}' is not a unit of ")
     assert caught.value.hint.startswith("try ")
+
+
+@pytest.mark.parametrize("unit", ["nan", "inf", "NaN", "infinity", "e", "pi", "mm nan", "nan/s"])
+@pytest.mark.parametrize("quantity", QUANTITIES)
+def test_a_word_that_is_a_number_to_others_is_no_unit(unit, quantity):
+    """The library of units reads some words as numbers, and fails at them in its own way."""
+    with pytest.raises(UsageError, match=f"^'{unit}' is not a unit of "):
+        read(f"60 {unit}", quantity)
+    with pytest.raises(UsageError, match="is not a unit of length"):
+        check_length_unit(unit)
+
+
+@pytest.mark.parametrize("value", ["nan", "1e400 cm", math.inf, 10**400, True, None, [60.0], 1j])
+def test_a_quantity_is_a_finite_number(value):
+    with pytest.raises(InputError, match=r"^crank: must be (a|one) (finite )?number, got "):
+        number_of("crank", value, "length")
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ from decimal import Decimal
 from functools import cache
 from typing import TYPE_CHECKING
 
+from vad import gate
 from vad.errors import UsageError, quoted
 
 if TYPE_CHECKING:
@@ -126,6 +127,38 @@ def read(text: str, quantity: str, length_unit: str = "mm") -> float:
     return float(Decimal(number) * factor)
 
 
+def number_of(name: str, value: object, quantity: str, length_unit: str = "mm") -> float:
+    """Return a number, or a text with a unit, as a finite float in the scene's unit.
+
+    Parameters
+    ----------
+    name
+        How errors call it; they begin with it unless it is empty.
+    value
+        A number or a text: anything, for it comes from outside.
+    quantity, length_unit
+        As for `scene_unit`.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        For a text that says no number of this quantity.
+    vad.errors.InputError
+        For anything else that is no finite number.
+
+    Examples
+    --------
+    >>> number_of("crank", "6 cm", "length"), number_of("crank", 60, "length")
+    (60.0, 60.0)
+    """
+    if isinstance(value, str):
+        try:
+            value = read(value, quantity, length_unit)
+        except UsageError as error:
+            raise UsageError(f"{name}: {error}" if name else str(error), error.hint) from None
+    return gate.number(name, value)
+
+
 def _example(text: str, quantity: str) -> str:
     """Return what to write in place of ``text``."""
     if re.search(r"\d,\d", text):
@@ -158,8 +191,6 @@ def _factor(unit: str, quantity: str, length_unit: str, written: str | None = No
     wrong = UsageError(f"{name} is not {what}", f"try {examples}")
     if len(unit) > _LONGEST_UNIT or not _UNIT.fullmatch(unit):
         raise wrong
-    from pint.errors import PintError
-
     registry = _registry()
     targets = [scene_unit(quantity, length_unit)]
     if quantity == "number":
@@ -168,7 +199,7 @@ def _factor(unit: str, quantity: str, length_unit: str, written: str | None = No
         try:
             one = registry.Quantity(Decimal(1), registry.parse_units(unit))
             return Decimal(one.to(target).magnitude)
-        except PintError:
+        except Exception:  # an unknown unit, or a word that pint reads as a number: nan, inf
             continue
     raise wrong
 

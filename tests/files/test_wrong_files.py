@@ -78,7 +78,7 @@ def test_the_lesson_itself_is_right():
         (ROCKER, "length_unit = { DC = 80 }", 8, "length_unit: is a word of the", "_1"),
         (ROCKER, "lambda = { DC = 80 }", 8, "lambda: is a word of the program's own", "lambda_1"),
         (TITLE, '"x"\n[dimensions]\ncrank = 3', 8, "two numbers of this name", None),
-        (ROCKER, '"a b" = { DC = 80 }', 5, "a b: must be one word", "feed_rod"),
+        (ROCKER, '"a b" = { DC = 80 }', 8, "a b: must be one word", "feed_rod"),
         # links
         (CRANK, "{ ab = 40 }", 6, "crank: cannot read 'ab'", "two letters are a distance"),
         (CRANK, "{ BAD = 40 }", 6, "crank: needs a distance", "{ AB = 60 }"),

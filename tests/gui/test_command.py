@@ -102,6 +102,28 @@ def test_other_commands_load_no_server(tmp_path):
         assert not loaded(command(*words)) & {"starlette", "uvicorn", "anyio"}
 
 
+@pytest.mark.parametrize(
+    ("words", "code", "said"),
+    [
+        (["--angle", "nan"], 1, "angle: must be a finite number, got nan"),
+        (["--angle", "60 nan"], 2, "--angle: 'nan' is not a unit of angle"),
+        (["--omega", "1e61"], 1, "omega: must be within ±1e+60"),
+        (["--crank", "inf"], 1, "crank: must be a finite number"),
+        (["--crank", "60 nan"], 2, "--crank: 'nan' is not a unit of length"),
+        (["--length-unit", "nan"], 2, "--length-unit: 'nan' is not a unit of length"),
+        (["--size", "1x1"], 2, "size: must be between 320x240 and"),
+        (["--point", "D٣ on rod 3"], 1, "points: a name must be a capital letter"),
+    ],
+)
+def test_what_the_page_could_not_begin_with_is_refused(capsys, monkeypatch, words, code, said):
+    def never(*_: object) -> None:
+        raise AssertionError("a page is served")
+
+    monkeypatch.setattr("vad.gui.server.served", never)
+    assert run(["gui", "slider-crank", "--no-browser", *words]) == code
+    assert capsys.readouterr().err.startswith(f"error: {said}")
+
+
 def test_a_wrong_port_is_said(capsys):
     assert run(["gui", "--port", "70000", "--no-browser"]) == 1
     assert capsys.readouterr().err.startswith("error: --port: 70000 cannot be had")

@@ -22,7 +22,7 @@ from vad.cli.options import NamedOption, path, places, several, size
 from vad.cli.process import check_interrupt, say, signals_held_back, wait_for_signal
 from vad.errors import AssemblyError, UsageError, VadError
 from vad.export import FOLDER, FORMATS, format_of, formats, own_options
-from vad.lecture.lesson import Lesson, Still
+from vad.lecture.lesson import Lesson, Still, check_size
 from vad.lecture.turn import Turn
 from vad.mechanisms import Mechanism
 from vad.plan.format import paper_names
@@ -328,7 +328,12 @@ def gui(
     from vad.gui.messages import ExportQuestion
     from vad.gui.server import served
     from vad.gui.visit import visited
+    from vad.strokes.draw import chosen
 
+    # What the page could not begin with is refused here.
+    chosen(options.get("panels"), vad.solve(mechanism, **inputs))
+    if "size" in options:
+        check_size(options["size"])
     start = ExportQuestion.of(mechanism, inputs, **options)
     with signals_held_back(), served(start, port) as key:
         click.echo(key.address)

@@ -13,6 +13,7 @@ import operator
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from vad import gate
 from vad.errors import InputError, quoted, unknown
 from vad.files.places import Place
 from vad.kinematics.numbers import direction, fold
@@ -99,7 +100,7 @@ class Expression:
         Raises
         ------
         vad.errors.InputError
-            If it has no value, as after a division by zero.
+            If it has no value, as after a division by zero, or one beyond every length.
         """
         try:
             value = _value(self._tree, values)
@@ -107,6 +108,9 @@ class Expression:
             value = math.nan
         if not math.isfinite(value):
             raise InputError(f"{quoted(self.text)} has no value")
+        wrong = gate.wrong_dimension(value, signed=True)
+        if wrong:
+            raise InputError(f"{quoted(self.text)} {wrong}")
         return value
 
 

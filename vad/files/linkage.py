@@ -11,6 +11,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 
+from vad import gate
 from vad.errors import InputError
 from vad.files.description import (
     Apex,
@@ -163,9 +164,7 @@ class _Linking:
     def _bar(self, link: LinkEntry, tail: str, head: str) -> Bar:
         """Return the vector from one point of a link to another."""
         vector = self.shapes[link.name][head] - self.shapes[link.name][tail]
-        if vector == 0:
-            raise InputError(f"{link.name}: {tail} and {head} are at the same place")
-        size = abs(vector)
+        size = _apart(vector, link.name, tail, head)
         return Bar(tail + head, link.name, size, turn=vector / size)
 
     def _slide(self, guide: GuideEntry, tail: str | None = None) -> Slide:
@@ -176,8 +175,7 @@ class _Linking:
         assert isinstance(line, FrameLine)
         if isinstance(line.way, str):
             along = self.fixed[line.way] - self.fixed[str(line.through)]
-            if along == 0:
-                raise InputError(f"{point}: {line.through} and {line.way} are at the same place")
+            _apart(along, point, str(line.through), line.way)
             angle = math.degrees(math.atan2(along.imag, along.real))
         else:
             angle = fold(line.way(values))
@@ -200,10 +198,7 @@ class _Linking:
         assert isinstance(line, LinkLine)
         at = self.shapes[line.link]
         zero, along = at[line.pair[0]], at[line.pair[1]] - at[line.pair[0]]
-        if along == 0:
-            tail, head = line.pair
-            raise InputError(f"{line.link}: {tail} and {head} are at the same place")
-        turn = along / abs(along)
+        turn = along / _apart(along, line.link, *line.pair)
         start = held or line.pair[0]
         offset = (zero - at[start]) * turn.conjugate()
         if line.offset:
@@ -279,6 +274,14 @@ class _Linking:
                 if point not in reached:
                     reached.add(point)
                     yield self._bar(link, starts[0], point)
+
+
+def _apart(vector: complex, name: str, tail: str, head: str) -> float:
+    """Return the distance of two points; refuse points that are nearer than any two may be."""
+    size = abs(vector)
+    if size < gate.SHORTEST:
+        raise InputError(f"{name}: {tail} and {head} are at the same place")
+    return size
 
 
 def _without_beginning(first: Steps, second: Steps) -> tuple[Steps, Steps]:
@@ -358,9 +361,7 @@ def places_on(link: LinkEntry, description: Description, values: Values) -> dict
     if link.length is None:
         pose = posed_points(description, values)
         axis = pose[head] - pose[tail]
-        if axis == 0:
-            raise InputError(f"{link.name}: {tail} and {head} are at the same place")
-        along = axis / abs(axis)
+        along = axis / _apart(axis, link.name, tail, head)
         return {p: (pose[p] - pose[tail]) * along.conjugate() for p in link.points} | {
             head: complex(abs(axis))
         }
@@ -373,7 +374,9 @@ def places_on(link: LinkEntry, description: Description, values: Values) -> dict
             turn = direction(fold(rule.sense * rule.angle(values)))
             places[point] = (
                 places[rule.start]
-                + _positive(link, rule.length, values) * (line / abs(line)) * turn
+                + _positive(link, rule.length, values)
+                * (line / _apart(line, link.name, rule.start, rule.other))
+                * turn
             )
         elif isinstance(rule, Apex):
             places[point] = _apex(link, point, rule, places, values)
@@ -383,8 +386,9 @@ def places_on(link: LinkEntry, description: Description, values: Values) -> dict
 def _positive(link: LinkEntry, length: Expression, values: Values) -> float:
     """Return a length; an expression that is not positive is refused."""
     value = length(values)
-    if value <= 0.0:
-        raise InputError(f"{link.name}: {length.text} must be positive, got {value:g}")
+    wrong = gate.wrong_dimension(value, signed=False)
+    if wrong:
+        raise InputError(f"{link.name}: {length.text} {wrong}")
     return value
 
 
@@ -395,7 +399,7 @@ def _apex(
     base = places[rule.second] - places[rule.first]
     a, b, c = (
         *(_positive(link, each, values) for each in (rule.from_first, rule.from_second)),
-        abs(base),
+        _apart(base, link.name, rule.first, rule.second),
     )
     factors = (a + b + c), (a + b - c), (c + a - b), (c - a + b)
     if min(factors) < 0.0:

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import copyreg
 import keyword
+import os
 import re
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, make_dataclass
 from functools import lru_cache
-from pathlib import Path
 from typing import Any, ClassVar
 
 from vad.errors import InputError, VadError, quoted, unknown
@@ -25,13 +25,14 @@ from vad.files.reading import describe
 from vad.files.structure import Dyad, Mobility, check_dyads, check_mobility
 from vad.files.tables import Source, read_file, sorted_out
 from vad.kinematics.linkage import Linkage
+from vad.kinematics.motion import solve
 from vad.kinematics.solver import solver_of
 from vad.mechanisms.mechanism import Mechanism, unit
 
 FileTable = Mapping[str, Any]
 
 
-def load(path: str | Path) -> type[WrittenMechanism]:
+def load(path: str | os.PathLike[str]) -> type[WrittenMechanism]:
     """Return the mechanism that a file describes: a class like `vad.FourBar`.
 
     Parameters
@@ -269,10 +270,10 @@ def _unpacked(text: str) -> type[WrittenMechanism]:
     check_numbers(source, description, written.values)
     assembly = written.checked_assembly()
     kind = _made(written, assembly)
-    try:
-        kind()
-    except VadError as error:
-        raise source.error("", "", str(error), error.hint) from None
+    with source.at("", ""):
+        usual = kind()
+    with source.at("driver", description.driver.name):
+        solve(usual, **kind.inputs)  # checks them
     return kind
 
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-import math
+from contextlib import suppress
+
+from vad import gate
+from vad.errors import InputError
 
 #: The direction in which the place of each word lies.
 WORDS = {"upper": 1j, "lower": -1j, "left": -1.0 + 0j, "right": 1.0 + 0j}
@@ -27,9 +30,8 @@ def place_of(value: object) -> Place | None:
     if isinstance(value, str):
         return value if value in (*WORDS, PARALLEL) else None
     if isinstance(value, list | tuple) and len(value) == 2:
-        x, y = value
-        if all(isinstance(each, int | float) and math.isfinite(each) for each in (x, y)):
-            return complex(x, y)
+        with suppress(InputError):
+            return complex(*(gate.dimension("", each, signed=True) for each in value))
     return None
 
 

@@ -7,7 +7,6 @@ refused in `structure`.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -26,8 +25,8 @@ from vad.files.description import (
 )
 from vad.files.links import letters, link
 from vad.files.places import HINT, Place, place_of
-from vad.files.tables import Numbers, Source
-from vad.units import check_length_unit, read
+from vad.files.tables import Numbers, Source, is_zero
+from vad.units import check_length_unit, number_of
 
 #: The inputs of a driver that turns, and of one that slides: its place, and two rates.
 INPUTS = {
@@ -132,24 +131,12 @@ def _driver(
         if word not in known:
             wrong = unknown(f"input of {name}", word, known)
             raise source.error("driver", name, str(wrong), wrong.hint)
-        inputs[word] = _input(source, name, word, number, unit)
+        with source.at("driver", name):
+            inputs[word] = number_of(word, number, word, unit)
     for word in known[:2]:
         if word not in inputs:
             raise source.error("driver", name, f"{name}: has no {word}", example)
     return DriverEntry(kind, name, {word: inputs.get(word, 0.0) for word in known})
-
-
-def _input(source: Source, name: str, word: str, value: Any, unit: str) -> float:
-    try:
-        if isinstance(value, bool) or not isinstance(value, int | float | str):
-            raise InputError(f"must be a number, got {quoted(value)}")
-        number = read(value, word, unit) if isinstance(value, str) else float(value)
-        if not math.isfinite(number):
-            raise InputError(f"must be a finite number, got {number}")
-    except (VadError, OverflowError) as error:
-        hint = getattr(error, "hint", None)
-        raise source.error("driver", name, f"{word}: {error}", hint) from None
-    return number
 
 
 def _assembly(source: Source) -> dict[str, Place]:
@@ -333,12 +320,12 @@ class _GuideReader:
 
     def _coordinate(self, axis: str, value: Any) -> Expression:
         help = f"{axis} of the line on which {self.point} slides"
-        if not isinstance(value, bool) and isinstance(value, int | float) and value == 0:
+        if is_zero(value):
             return _ZERO
         return self._take(f"{self.point}{axis}", value, "length", help)
 
     def _number(self, word: str, value: Any, quantity: str) -> Expression:
-        if word == "offset" and value == 0:
+        if word == "offset" and is_zero(value):
             return _ZERO
         help = f"{word} of the line on which {self.point} slides"
         return self._take(f"{self.point}_{word}", value, quantity, help)

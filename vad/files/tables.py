@@ -9,34 +9,45 @@ from __future__ import annotations
 import json
 import keyword
 import math
+import os
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from datetime import date, time
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
-from vad.errors import InputError, quoted, unknown
+from vad import gate
+from vad.errors import InputError, VadError, quoted, unknown
 from vad.files.description import Cartesian, Expression, Parameter
 from vad.files.examples import EXTENSION, example_names
 from vad.mechanisms.mechanism import Mechanism
-from vad.units import read
+from vad.units import number_of
 
 #: What may stand in a file: single words, and tables.
 WORDS = ("title", "unit", "about", "source")
 TABLES = ("dimensions", "fixed", "links", "guides", "driver", "assembly", "pose")
 #: A mechanism fits on a page; a longer file is probably the wrong one.
 LONGEST = 100_000
+#: The most digits of a number: Python may read no more, and no double is as large.
+LONGEST_NUMBER = 600
 
-_HEADER = re.compile(r"\s*\[\s*([\w-]+)\s*\]")
-_KEY = re.compile(r"""\s*(["']?)([\w-]+)\1\s*=""")
+_PART = r"""(?:[\w-]+|"(?:[^"\\]|\\.)*"|'[^']*')"""
+_PATH = rf"({_PART}(?:[ \t]*\.[ \t]*{_PART})*)"
+_HEADER = re.compile(rf"[ \t]*\[\[?[ \t]*{_PATH}[ \t]*\]")
+_KEY = re.compile(rf"[ \t]*{_PATH}[ \t]*=")
+#: A number of more digits than that.
+_DIGITS = re.compile(rf"\d(?:_?\d){{{LONGEST_NUMBER}}}")
+#: A whole number with so many bits is larger than every double.
+_BITS = 1025
 #: A quantity with its unit, or a word, without the quotes that it needs.
 _BARE = re.compile(r"=\s*([-+]?[\d.]+ *(?:[^\W\d_]|°)[^\s,}]*|[A-Za-z][\w/*]*)\s*(?:[,}#]|$)")
 #: A name of several words, which would need quotes.
 _WORDS_AS_KEY = re.compile(r"\s*([A-Za-z]\w*(?:[ \t]+\w+)+)\s*=")
-_PLACE = re.compile(r"(.*) \(at line (\d+), column \d+\)", re.DOTALL)
+_PLACE = re.compile(r"(.*) \(at (?:line (\d+), column \d+|end of document)\)", re.DOTALL)
 _QUOTED = re.compile(r"""(["']).*?\1""")
 
 
@@ -64,13 +75,22 @@ class Source:
 
     def place(self, table: str, key: str) -> str:
         """Return where something stands: "press.toml, line 12"."""
-        line = self.lines.get((table, key)) or self.lines.get((table, ""))
+        places = (table, key), (table, ""), ("", table)
+        line = next((self.lines[each] for each in places if each in self.lines), None)
         return f"{self.name}, line {line}" if line else self.name or table
 
     def error(self, table: str, key: str, message: str, hint: str | None = None) -> InputError:
         """Return the error about what stands under ``key``, with its place."""
         place = self.place(table, key)
         return InputError(f"{place}: {message}" if place else message, hint)
+
+    @contextmanager
+    def at(self, table: str, key: str) -> Iterator[None]:
+        """Begin every error of the block with the place of what stands under ``key``."""
+        try:
+            yield
+        except VadError as error:
+            raise self.error(table, key, str(error), error.hint) from None
 
     def packed(self) -> str:
         """Return all that it holds as one text, from which `unpacked` makes it again.
@@ -82,9 +102,9 @@ class Source:
         """
         lines = [[*place, line] for place, line in self.lines.items()]
         try:
-            return json.dumps([self.name, self.tables, lines], default=_plain)
-        except (TypeError, ValueError, RecursionError) as error:
-            raise InputError(f"tables: {error}", "numbers, text, and tables of them") from None
+            return json.dumps([self.name, _plain(self.tables), lines])
+        except RecursionError:
+            raise InputError("tables: are nested too deep") from None
 
     @classmethod
     def unpacked(cls, text: str) -> Source:
@@ -93,18 +113,33 @@ class Source:
         return cls(name, tables, {(table, key): line for table, key, line in lines})
 
 
-def _plain(value: object) -> object:
-    """Return numpy's numbers, complex ones and dates as a file holds them."""
+def _plain(value: Any) -> Any:
+    """Return a value with numpy's numbers, complex ones and dates as a file holds them."""
+    if value is None or isinstance(value, str | bool | float):
+        return value
+    if isinstance(value, int):
+        return value if value.bit_length() < _BITS else math.inf * (1 if value > 0 else -1)
     if isinstance(value, complex):
         return [value.real, value.imag]
     if isinstance(value, date | time):
         return str(value)
-    if hasattr(value, "tolist"):
-        return value.tolist()
-    raise TypeError(f"{quoted(value)} is neither a number nor text")
+    try:
+        if isinstance(value, Mapping):
+            value = dict(value)
+        elif not isinstance(value, list | tuple):
+            value = value.tolist() if hasattr(value, "tolist") else float(value)
+    except Exception:  # a class may raise anything when it is asked what it is
+        wanted = "numbers, text, and tables of them"
+        raise InputError(f"tables: {quoted(value)} is neither a number nor text", wanted) from None
+    if isinstance(value, dict):
+        for key in value:
+            if not isinstance(key, str):
+                raise InputError(f"tables: a name must be text, got {quoted(key)}")
+        return {key: _plain(each) for key, each in value.items()}
+    return [_plain(each) for each in value] if isinstance(value, list | tuple) else _plain(value)
 
 
-def read_file(path: str | Path) -> Source:
+def read_file(path: str | os.PathLike[str]) -> Source:
     """Return the tables of a file.
 
     Raises
@@ -115,7 +150,7 @@ def read_file(path: str | Path) -> Source:
     return read_text(text_of(path), Path(path).name)
 
 
-def text_of(path: str | Path, longest: int = LONGEST) -> str:
+def text_of(path: object, longest: int = LONGEST) -> str:
     """Return the text of a file of at most so many bytes.
 
     Raises
@@ -123,28 +158,29 @@ def text_of(path: str | Path, longest: int = LONGEST) -> str:
     vad.errors.InputError
         For one that cannot be read, or is no text.
     """
-    path = Path(path)
+    place = gate.path("path", path)
+    name = os.path.basename(place)
     try:
-        with path.open("rb") as file:
+        with open(place, "rb") as file:
             data = file.read(longest + 1)
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise InputError(f"{path.name}: is no text in UTF-8") from None
+        raise InputError(f"{name}: is no text in UTF-8") from None
     except OSError as error:
-        raise InputError(f"'{path}': {error.strerror or error}", _nearly(path)) from None
+        raise InputError(f"{quoted(place)}: {error.strerror or error}", _nearly(place)) from None
     except ValueError:
-        raise InputError(f"{quoted(str(path))}: is no name of a file") from None
+        raise InputError(f"{quoted(place)}: is no name of a file") from None
     if len(data) > longest:
-        raise InputError(f"{path.name}: is longer than {longest} bytes")
+        raise InputError(f"{name}: is longer than {longest} bytes")
     return text
 
 
-def _nearly(path: Path) -> str | None:
+def _nearly(path: str) -> str | None:
     """Return the hint for a file that does not exist: a file or an example of a similar name."""
-    longer = Path(f"{path}{EXTENSION}")
-    if longer.is_file():
-        return f"{longer.name} is a file"
-    near = get_close_matches(path.stem, example_names(), n=1, cutoff=0.7)
+    if os.path.isfile(path + EXTENSION):
+        return f"{os.path.basename(path)}{EXTENSION} is a file"
+    stem = Path(path).stem
+    near = get_close_matches(stem, example_names(), n=1, cutoff=0.7) if len(stem) < 100 else []
     return f"vad example {near[0]} > {near[0]}{EXTENSION}" if near else None
 
 
@@ -161,23 +197,28 @@ def parsed(text: str, name: str) -> Source:
     vad.errors.InputError
         If it is no TOML.
     """
-    lines = _lines(text)
+    for number, line in enumerate(text.split("\n"), start=1):
+        if _DIGITS.search(line):
+            message = f"has a number of more than {LONGEST_NUMBER} digits"
+            raise InputError(f"{name}, line {number}: {message}", "write it as 1e10")
     try:
         tables = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        message = str(error) if isinstance(error, tomllib.TOMLDecodeError) else "is nested too deep"
-        place = _PLACE.fullmatch(message)
-        if place is None:
-            raise InputError(f"{name}: {message[:1].lower()}{message[1:]}") from None
-        said = place[1][:1].lower() + place[1][1:]
-        line = text.split("\n")[int(place[2]) - 1]
+    except RecursionError:
+        raise InputError(f"{name}: is nested too deep") from None
+    except tomllib.TOMLDecodeError as error:
+        lines = text.split("\n")
+        place = _PLACE.fullmatch(str(error))
+        said = place[1] if place else str(error)
+        number = int(place[2]) if place and place[2] else len(lines)
+        line = lines[number - 1]
         bare = _BARE.search(_QUOTED.sub("", line))
         hint = f'text stands in quotes: "{bare[1]}"' if bare else None
         words = _WORDS_AS_KEY.match(line)
         if words:
             hint = f"a name is one word, as in {'_'.join(words[1].split())}"
-        raise InputError(f"{name}, line {place[2]}: {said}", hint) from None
-    return Source(name, {"": tables}, lines)
+        message = f"{name}, line {number}: {said[:1].lower()}{said[1:]}"
+        raise InputError(message, hint) from None
+    return Source(name, {"": tables}, _lines(text))
 
 
 def sorted_out(source: Source) -> Source:
@@ -198,9 +239,8 @@ def sorted_out(source: Source) -> Source:
                 raise source.error(table, inside, str(wrong), wrong.hint)
             tables[key] = value
         elif key in WORDS:
-            if not isinstance(value, str) or not value.isprintable():
-                raise source.error("", key, f"{key}: must be a line of text")
-            words[key] = value
+            with source.at("", key):
+                words[key] = gate.line(key, value)
         elif key in TABLES:
             raise source.error("", key, f"{key}: must be a table", f"write [{key}]")
         else:
@@ -210,16 +250,34 @@ def sorted_out(source: Source) -> Source:
 
 
 def _lines(text: str) -> dict[tuple[str, str], int]:
-    """Return the line of each key; one pass is enough, because the format is flat."""
+    """Return the line of each table and of each key in it, as TOML counts lines."""
     lines: dict[tuple[str, str], int] = {}
-    table = ""
-    for number, line in enumerate(text.splitlines(), start=1):
+    table: list[str] = []
+    for number, line in enumerate(text.split("\n"), start=1):
         if header := _HEADER.match(line):
-            table = header[1]
-            lines.setdefault((table, ""), number)
+            table = path = _parts(header[1])
+            lines.setdefault((path[0], ""), number)
         elif key := _KEY.match(line):
-            lines.setdefault((table, key[2]), number)
+            path = [*table, *_parts(key[1])]
+        else:
+            continue
+        lines.setdefault((path[0], path[1]) if len(path) > 1 else ("", path[0]), number)
     return lines
+
+
+def _parts(path: str) -> list[str]:
+    """Return the parts of a key with full stops: ``links.crank``."""
+    if '"' not in path and "'" not in path:
+        return [part.strip() for part in path.split(".")]
+    parts: list[str] = []
+    try:
+        inner: Any = tomllib.loads(f"{path} = 0")
+    except tomllib.TOMLDecodeError:  # the line is within a text of several lines
+        return [path]
+    while isinstance(inner, dict):  # as deep as there are parts
+        ((part, inner),) = inner.items()
+        parts.append(part)
+    return parts
 
 
 #: Names that no parameter can have: those of inputs, and of what every mechanism has.
@@ -228,6 +286,11 @@ RESERVED = {
     *Mechanism.__annotations__,
     *dir(Mechanism),
 }
+
+
+def is_zero(value: object) -> bool:
+    """Tell whether a value is a literal 0, which is no parameter."""
+    return isinstance(value, int | float) and not isinstance(value, bool) and value == 0
 
 
 class Numbers:
@@ -280,11 +343,9 @@ class Numbers:
         number = self._literal(table, key, name, value, quantity)
         if isinstance(number, Expression):
             return number
-        if not math.isfinite(number):
-            raise self._error(table, key, f"{name}: must be a finite number, got {number}")
-        if not signed and number <= 0.0:
-            hint = f"try {-number:g}" if number else None
-            raise self._error(table, key, f"{name}: must be positive, got {number:g}", hint)
+        with self.source.at(table, key):
+            number = gate.dimension(name, number, signed=signed)
+            gate.check_folded(name)
         if name in RESERVED or keyword.iskeyword(name):
             message = f"{name}: is a word of the program's own"
             raise self._error(table, key, message, f"call it {name}_1")
@@ -295,7 +356,7 @@ class Numbers:
 
     def coordinate(self, table: str, key: str, axis: str, value: Any) -> Expression:
         """Return a coordinate of a point; one that is written as 0 is no parameter."""
-        if not isinstance(value, bool) and isinstance(value, int | float) and value == 0:
+        if is_zero(value):
             return Expression.of("0", [])
         return self.take(
             table, key, f"{key}{axis}", value, "length", signed=True, help=f"{axis} of {key}"
@@ -314,20 +375,16 @@ class Numbers:
     def _literal(
         self, table: str, key: str, name: str, value: Any, quantity: str
     ) -> float | Expression:
-        if isinstance(value, bool) or not isinstance(value, int | float | str):
-            raise self._error(table, key, f"{name}: must be a number, got {quoted(value)}")
         if not isinstance(value, str):
-            try:
-                return float(value)
-            except OverflowError:
-                return math.inf
+            with self.source.at(table, key):
+                return gate.real(name, value)
         dimensions = [each for each in self.found if self.found[each].quantity == "number"]
         try:
             return Expression.of(value, dimensions)
         except InputError as wrong:
             unknown = wrong
         try:
-            return read(value, quantity, self.unit)
+            return number_of("", value, quantity, self.unit)
         except InputError as wrong:
             # What begins with a digit is a quantity with its unit, anything else an expression.
             best = wrong if value.strip()[:1].isdigit() else unknown

@@ -18,14 +18,15 @@ from functools import cache, lru_cache
 from itertools import combinations
 from typing import NamedTuple, TypeGuard
 
-from vad.errors import InputError
+from vad import gate
+from vad.errors import InputError, quoted
 from vad.kinematics.numbers import difference, fold
 
 # Lines at a smaller angle than this (in degrees) count as parallel: where they cross is so far away
 # that squares of the distance leave the range of double precision.
 _LEAST_ANGLE = 1e-30
 # The name of a point: a letter, or a letter and a number.
-_POINT = r"[^\W\d_]\d*"
+_POINT = r"[^\W\d_][0-9]*"
 
 
 class _Run:
@@ -91,6 +92,9 @@ class Bar(_Run):
     def __post_init__(self) -> None:
         points_of(self.ends)
         object.__setattr__(self, "length", _number(f"length of {self.ends}", self.length))
+        if isinstance(self.length, float) and self.length:
+            _check_length(f"length of {self.ends}", abs(self.length))
+        _check_place(f"offset of {self.ends}", self.offset)
         object.__setattr__(self, "turn", _unit(f"turn of {self.ends}", self.turn))
         if self.offset and not isinstance(self.length, str):
             raise InputError(
@@ -143,6 +147,7 @@ class Slide(_Run):
         points_of(self.ends)
         object.__setattr__(self, "along", _number(f"direction of {self.ends}", self.along))
         object.__setattr__(self, "turn", _unit(f"turn of {self.ends}", self.turn))
+        _check_place(f"origin of {self.ends}", self.origin)
 
     def __neg__(self) -> Slide:
         return replace(self, reverse=not self.reverse)
@@ -173,14 +178,30 @@ def _number(what: str, value: float | str) -> float | str:
     if isinstance(value, str):
         return value
     if isinstance(value, bool) or not isinstance(value, float | int) or not math.isfinite(value):
-        raise InputError(f"{what}: must be a finite number or a name, got {value!r}")
+        raise InputError(f"{what}: must be a finite number or a name, got {quoted(value)}")
     return float(value)
+
+
+def _check_length(what: str, length: float) -> None:
+    """Refuse a length whose products would leave the range of double precision."""
+    wrong = gate.wrong_dimension(length, signed=False)
+    if wrong:
+        raise InputError(f"{what}: {wrong}")
+
+
+def _check_place(what: str, place: complex) -> None:
+    """Refuse a place that is not finite, or farther away than any length."""
+    if not isinstance(place, complex | float | int) or not cmath.isfinite(place):
+        raise InputError(f"{what}: must be at a finite place, got {quoted(place)}")
+    farthest = max(abs(place.real), abs(place.imag))
+    if farthest > gate.LONGEST:
+        raise InputError(f"{what}: must be within ±{gate.LONGEST:g}, got {farthest:g}")
 
 
 def _unit(what: str, value: complex) -> complex:
     """Return a unit vector as a complex number."""
     if not isinstance(value, complex | float | int) or not abs(abs(value) - 1.0) < 1e-9:
-        raise InputError(f"{what}: must be a unit vector, got {value!r}")
+        raise InputError(f"{what}: must be a unit vector, got {quoted(value)}")
     return complex(value)
 
 
@@ -344,8 +365,11 @@ def _check(linkage: Linkage) -> None:
 def _check_fixed(linkage: Linkage) -> None:
     """Check that every fixed point has one finite place."""
     for name, place in {linkage.pivot: linkage.place, **linkage.fixed}.items():
-        if not cmath.isfinite(place):
-            raise InputError(f"fixed point {name}: must be at a finite place, got {place}")
+        _check_place(f"fixed point {name}", place)
+    if linkage.ground:
+        letter, length, angle = linkage.ground
+        _check_length(f"distance of {letter} from {linkage.pivot}", length)
+        gate.number(f"direction of {letter} from {linkage.pivot}", angle)
     names = [linkage.pivot, *linkage.fixed, *(linkage.ground or ())[:1]]
     for name in names:
         if names.count(name) > 1:

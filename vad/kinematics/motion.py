@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypedDict, Unpack, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from vad import gate
 from vad.errors import InputError, quoted, unknown
 from vad.kinematics.numbers import Number, Real, Truth, Vector
 from vad.kinematics.results import Joint, Link, Point, Slider, plain, table, units
@@ -59,7 +60,7 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
     >>> round(motion.slide("slider").velocity, 6)
     -490.028085
     """
-    if not hasattr(mechanism, "linkage") or isinstance(mechanism, type):
+    if not callable(getattr(type(mechanism), "marked", None)):  # every mechanism has this method
         raise InputError(
             f"mechanism: must be a mechanism with its dimensions, got {quoted(mechanism)}",
             hint="for example vad.FourBar()",
@@ -69,8 +70,7 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
             raise unknown("input", name, mechanism.inputs)
     solver = solver_of(mechanism)
     turns = solver.driver.kind == "angle"
-    # Beyond this, squares of rates times lengths would leave the range of double precision.
-    largest = 1e60 * (1.0 if turns else solver.scale)
+    largest = gate.FASTEST * (1.0 if turns else solver.scale)
     # An input that is left out has the mechanism's own default, which is never refused.
     given = dict(mechanism.inputs) | {
         name: checked(name, value, math.inf if name == "angle" else largest)
@@ -258,13 +258,8 @@ def checked(name: str, value: object, largest: float) -> Number:
     return array
 
 
-def _one(name: str, value: Any, largest: float) -> float:
-    try:
-        number = float(value)
-    except (ValueError, OverflowError):  # a whole number beyond every float
-        number = math.inf
-    if not math.isfinite(number):
-        raise InputError(f"{name}: must be a finite number, got {quoted(value)}")
+def _one(name: str, value: object, largest: float) -> float:
+    number = gate.number(name, value)
     if abs(number) > largest:
         raise InputError(f"{name}: must be within ±{largest:g}, got {number:g}")
     return number

@@ -11,10 +11,11 @@ from itertools import islice
 from string import ascii_uppercase
 from typing import Any, NamedTuple
 
+from vad import gate
 from vad.errors import InputError, quoted, unknown
 from vad.kinematics.linkage import Bar, Linkage, Step, points_of
 
-_NAME = re.compile(r"[A-Z]\d{0,3}")
+_NAME = re.compile(r"[A-Z][0-9]{0,3}")
 _AS_IN = 'as in points={"D": ("rod", 100, 0)}: a link, a distance from its first end, an angle'
 
 
@@ -82,19 +83,18 @@ def _place(name: str, given: object) -> LinkPoint:
         raise InputError(
             f"point {name}: must be a link and a distance, got {quoted(given)}", _AS_IN
         )
-    link, *numbers = given
-    for what, number in zip(("distance", "angle"), numbers, strict=False):
-        if isinstance(number, bool) or not isinstance(number, float | int):
-            raise InputError(f"point {name}: its {what} must be a number, got {quoted(number)}")
-        if not abs(number) <= 1e200:
-            raise InputError(f"point {name}: its {what} must be finite, got {quoted(number)}")
+    link, *given_numbers = given
+    numbers = [
+        gate.dimension(f"point {name}: its {what}", number, signed=True)
+        for what, number in zip(("distance", "angle"), given_numbers, strict=False)
+    ]
     if not isinstance(link, str):
         raise InputError(f"point {name}: must be on a link, got {quoted(link)}", _AS_IN)
     if not numbers[0]:
         raise InputError(
             f"point {name}: its distance must not be 0", "there is the first end of the link"
         )
-    return LinkPoint(link, *map(float, numbers))
+    return LinkPoint(link, *numbers)
 
 
 def marked(

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import KW_ONLY, dataclass, field, fields
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
+from vad import gate
 from vad.errors import InputError, one_of, quoted
 from vad.kinematics.linkage import Linkage
 from vad.mechanisms.link_points import LinkPoints, link_points, marked
@@ -19,8 +19,6 @@ if TYPE_CHECKING:
 CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}
 # The smallest angle that axes may have: its sixth power stays in the range of double precision.
 NEAREST = 1e-30
-# Products of four lengths between these stay in the range of double precision when scaled.
-SHORTEST, LONGEST = 1e-200, 1e200
 #: The most characters of a unit, which stands behind every number.
 LONGEST_UNIT = 60
 
@@ -133,14 +131,13 @@ class Mechanism:
         if metadata["quantity"] == "choice":
             one_of(name, value, metadata["choices"])
         elif metadata["quantity"] == "unit":
-            if not isinstance(value, str) or not (value.strip() and value.isprintable()):
+            if not isinstance(value, str) or not value.strip():
                 raise InputError(f"{name}: must be the name of a unit, got {quoted(value)}")
-            if len(value) > LONGEST_UNIT:
-                raise InputError(f"{name}: must be short, got {quoted(value)}")
+            gate.line(name, value, LONGEST_UNIT)
         elif metadata["quantity"] == "points":
             object.__setattr__(self, name, link_points(value))
         elif value is not None or not metadata["optional"]:
-            number = self._number(name, value, metadata["signed"])
+            number = gate.dimension(name, value, signed=metadata["signed"])
             if "between" in metadata:
                 _check_arc(name, number, *metadata["between"])
             object.__setattr__(self, name, number)
@@ -154,24 +151,6 @@ class Mechanism:
         for scalar in sorted(scalars):
             what, names = listed[scalar.kind]
             one_of(what, scalar.name, names)
-
-    @staticmethod
-    def _number(name: str, value: Any, signed: bool) -> float:
-        try:
-            if isinstance(value, str | bytes | bool):
-                raise TypeError
-            number = float(value)
-        except Exception:  # a class may raise anything when it is asked for a number
-            raise InputError(f"{name}: must be one number, got {quoted(value)}") from None
-        if not math.isfinite(number):
-            raise InputError(f"{name}: must be a finite number, got {number}")
-        if not signed and number <= 0.0:
-            hint = f"try {-number:g}" if number else None
-            raise InputError(f"{name}: must be positive, got {number:g}", hint=hint)
-        if abs(number) > LONGEST or (not signed and number < SHORTEST):
-            wanted = f"must be between {SHORTEST:g} and {LONGEST:g}"
-            raise InputError(f"{name}: {wanted}, got {number:g}")
-        return number
 
     def linkage(self) -> Linkage | SpaceLinkage:
         """Return the loops of this mechanism."""

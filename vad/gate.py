@@ -1,0 +1,264 @@
+"""The gate: each kind of value from outside is checked by one function, with its limits here.
+
+Files, the command line, the window, JSON and calls from Python pass through it.  A value may be of
+any type; what is refused is an `InputError` that begins with the name of the value.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import unicodedata
+from collections.abc import Iterable
+from itertools import islice
+from typing import Any
+
+from vad.errors import InputError, UsageError, quoted
+
+#: The ends of what a length may be: scaled products of four of them stay in the range of doubles.
+SHORTEST, LONGEST = 1e-200, 1e200
+#: The largest rate of a driver: squares of rates times lengths stay in the range of doubles.
+FASTEST = 1e60
+#: The most things in a list of names: more than there are names of anything.
+MOST_NAMES = 1000
+#: The most characters of a line of text: a title, the name of a unit.
+LONGEST_LINE = 1000
+
+# Python and numpy make numbers of these, but nobody means a number by them.
+_NO_NUMBERS = (bool, str, bytes, bytearray, memoryview)
+
+
+def number(name: str, value: object) -> float:
+    """Return a value as a finite float.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If it is no real number, several of them, or not finite.
+
+    Examples
+    --------
+    >>> number("crank", 60)
+    60.0
+    >>> number("crank", float("nan"))
+    Traceback (most recent call last):
+    vad.errors.InputError: crank: must be a finite number, got nan
+    """
+    found = real(name, value)
+    if not math.isfinite(found):
+        raise InputError(f"{_start(name)}must be a finite number, got {quoted(value)}")
+    return found
+
+
+def real(name: str, value: Any) -> float:
+    """Return a value as a float, which may be NaN or infinite.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If it is no real number, or several of them.
+
+    Examples
+    --------
+    >>> real("crank", 10**400), real("crank", float("nan"))
+    (inf, nan)
+    """
+    if type(value) is float:
+        return value  # the usual case
+    try:
+        if isinstance(value, _NO_NUMBERS):
+            raise TypeError
+        kind = getattr(value, "dtype", None)  # numpy's: spans of time, truth values, arrays …
+        if kind is not None and (kind.kind not in "iuf" or value.shape != ()):
+            raise TypeError
+        return float(value)
+    except OverflowError:  # a whole number or a fraction beyond every float
+        return math.inf
+    except ValueError:  # what signals that it is no number
+        return math.nan
+    except Exception:  # a class may raise anything when it is asked for a number
+        several = isinstance(value, list | tuple) or hasattr(type(value), "shape")
+        wanted = "one number" if several else "a number"
+        raise InputError(f"{_start(name)}must be {wanted}, got {quoted(value)}") from None
+
+
+def dimension(name: str, value: object, *, signed: bool) -> float:
+    """Return a length or an angle as a float; it is positive unless ``signed``.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If it is no finite number, or beyond `SHORTEST` and `LONGEST`.
+
+    Examples
+    --------
+    >>> dimension("crank", -4, signed=False)
+    Traceback (most recent call last):
+    vad.errors.InputError: crank: must be positive, got -4
+    """
+    found = number(name, value)
+    wrong = wrong_dimension(found, signed=signed)
+    if wrong:
+        hint = None if wrong_dimension(-found, signed=signed) else f"try {-found:g}"
+        raise InputError(f"{_start(name)}{wrong}", hint)
+    return found
+
+
+def wrong_dimension(number: float, *, signed: bool) -> str | None:
+    """Return what is wrong with a finite number as a dimension, or None.
+
+    Examples
+    --------
+    >>> wrong_dimension(1e201, signed=True)
+    'must be between 1e-200 and 1e+200, got 1e+201'
+    """
+    if not signed and number <= 0.0:
+        return f"must be positive, got {number:g}"
+    if abs(number) > LONGEST or (not signed and number < SHORTEST):
+        return f"must be between {SHORTEST:g} and {LONGEST:g}, got {number:g}"
+    return None
+
+
+def whole(name: str, value: object, least: int, most: int, hint: str | None = None) -> int:
+    """Return a whole number between two others.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If it is none, or beyond them.
+
+    Examples
+    --------
+    >>> whole("jobs", 0, 1, 64)
+    Traceback (most recent call last):
+    vad.errors.UsageError: jobs: must be a whole number from 1 to 64, got 0
+    """
+    found = index(value)
+    if found is None or not least <= found <= most:
+        wanted = f"must be a whole number from {least} to {most}"
+        raise UsageError(f"{_start(name)}{wanted}, got {quoted(value)}", hint)
+    return found
+
+
+def index(value: Any) -> int | None:
+    """Return a whole number of Python or numpy as an int; None for anything else.
+
+    Examples
+    --------
+    >>> index(3), index(3.0), index(True)
+    (3, None, None)
+    """
+    try:
+        kind = getattr(value, "dtype", None)
+        if isinstance(value, bool) or (kind is not None and kind.kind not in "iu"):
+            return None
+        return int(value.__index__())
+    except Exception:  # it is no whole number, or its class is faulty
+        return None
+
+
+def line(name: str, value: object, longest: int = LONGEST_LINE) -> str:
+    r"""Return a line of text.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If it is no text, too long, or has a character that is not printed, which is named.
+
+    Examples
+    --------
+    >>> line("title", "cam and\tlever")
+    Traceback (most recent call last):
+    vad.errors.InputError: title: must be a line of text, without U+0009
+    """
+    if not isinstance(value, str):
+        raise InputError(f"{_start(name)}must be a line of text, got {quoted(value)}")
+    if len(value) > longest:
+        raise InputError(f"{_start(name)}must be short, got {quoted(value)}")
+    for sign in value:
+        if not sign.isprintable():
+            raise InputError(f"{_start(name)}must be a line of text, without {_called(sign)}")
+    return value
+
+
+def check_folded(name: str) -> None:
+    r"""Refuse a name that Python's parser would read as another one.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If a letter of it is a form of other letters, as in the ligature of f and i.
+
+    Examples
+    --------
+    >>> check_folded("\N{MICRO SIGN}")
+    Traceback (most recent call last):
+    vad.errors.InputError: µ: has U+00B5 MICRO SIGN, as no name may have
+    """
+    plain = unicodedata.normalize("NFKC", name)
+    if plain == name:
+        return
+    folded = (each for each in name if unicodedata.normalize("NFKC", each) != each)
+    odd = next(folded, None) or next(each for each in name if unicodedata.combining(each))
+    codes = " ".join(f"U+{ord(each):04X}" for each in plain)
+    raise InputError(f"{name}: has {_called(odd)}, as no name may have", f"write {plain} ({codes})")
+
+
+def _called(sign: str) -> str:
+    """Return the number and the name of a character."""
+    return f"U+{ord(sign):04X} {unicodedata.name(sign, '')}".strip()
+
+
+def several(name: str, value: object, wanted: str, hint: str | None = None) -> list[Any]:
+    """Return the things in a list, a tuple or anything else that yields a few of them.
+
+    A text counts as one thing.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If it yields nothing, or too much; ``wanted`` says in the message what it should be.
+
+    Examples
+    --------
+    >>> several("panels", "velocity", "names of panels"), several("panels", (), "names of panels")
+    (['velocity'], [])
+    """
+    if isinstance(value, str):
+        return [value]
+    try:
+        if not isinstance(value, Iterable) or isinstance(value, bytes | bytearray | memoryview):
+            raise TypeError
+        found = list(islice(value, MOST_NAMES + 1))
+    except Exception:  # a class may raise anything when it is asked for what is in it
+        found = [None] * (MOST_NAMES + 1)
+    if len(found) > MOST_NAMES:
+        raise UsageError(f"{_start(name)}must be {wanted}, got {quoted(value)}", hint)
+    return found
+
+
+def path(name: str, value: object, wanted: str = "file", hint: str | None = None) -> str:
+    """Return the name of a file or folder as a text.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If it is none.
+
+    Examples
+    --------
+    >>> from pathlib import PurePosixPath
+    >>> path("path", PurePosixPath("a/b.svg"))
+    'a/b.svg'
+    """
+    try:
+        found = os.fspath(value) if isinstance(value, str | os.PathLike) else None
+    except Exception:  # a class may raise anything when it is asked for a path
+        found = None
+    if not isinstance(found, str):
+        raise UsageError(f"{_start(name)}must be the name of a {wanted}, got {quoted(value)}", hint)
+    return found
+
+
+def _start(name: str) -> str:
+    return f"{name}: " if name else ""
