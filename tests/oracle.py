@@ -20,10 +20,12 @@ from functools import cached_property
 from types import SimpleNamespace
 from typing import Any
 
-from mpmath import mp, mpc, mpf
+from mpmath import mp, mpf
+
+from tests.precise import arg, expj, fold, pi_like, sqrt
 
 DIGITS = 100
-STEP = mpf(10) ** -45
+STEP = 1e-45
 """Relative step of the one-sided differences for the condition numbers (they need few digits)."""
 
 Key = tuple[str, str, str]
@@ -37,13 +39,13 @@ class UnassemblableError(Exception):
 # --- power series in time ---------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, repr=False)  # mpmath asks for its text in every product
 class Series:
     """c0 + c1·t + c2·t², real or complex, cut off there."""
 
-    c0: Any
-    c1: Any = 0
-    c2: Any = 0
+    __slots__ = ("c0", "c1", "c2")  # millions of them are made
+
+    def __init__(self, c0: Any, c1: Any = 0, c2: Any = 0) -> None:
+        self.c0, self.c1, self.c2 = c0, c1, c2
 
     def __add__(self, other: Any) -> Series:
         other = series(other)
@@ -52,6 +54,9 @@ class Series:
     def __mul__(self, other: Any) -> Series:
         if not isinstance(other, Series):
             return Series(self.c0 * other, self.c1 * other, self.c2 * other)
+        if other is self:
+            double = 2 * self.c0
+            return Series(self.c0 * self.c0, double * self.c1, double * self.c2 + self.c1 * self.c1)
         return Series(
             self.c0 * other.c0,
             self.c0 * other.c1 + self.c1 * other.c0,
@@ -87,36 +92,37 @@ def series(value: Any) -> Series:
 
 def turning(angle: Any, omega: Any, alpha: Any) -> Series:
     """Return exp(i·θ(t)) for θ = angle + omega·t + alpha·t²/2."""
-    start = mp.expj(angle)
-    first = mpc(0, omega)
-    return Series(start, start * first, start * (first * first + mpc(0, alpha)) / 2)
+    start = expj(angle)
+    first = 1j * omega
+    return Series(start, start * first, start * (first * first + 1j * alpha) / 2)
 
 
 def turning_rates(vector: Series) -> tuple[Any, Any]:
     """Return ω and α of a turning vector: the imaginary part of its logarithmic derivative."""
     first = vector.c1 / vector.c0
     second = (2 * vector.c2 - first * vector.c1) / vector.c0
-    return mp.im(first), mp.im(second)
+    return first.imag, second.imag
 
 
 def real(vector: Any) -> Series:
-    return series(vector).each(mp.re)
+    return series(vector).each(lambda z: z.real)
 
 
 def imag(vector: Any) -> Series:
-    return series(vector).each(mp.im)
+    return series(vector).each(lambda z: z.imag)
 
 
 def dot(a: Any, b: Any) -> Series:
-    return real(series(a).each(mp.conj) * b)
+    return real(a) * real(b) + imag(a) * imag(b)
 
 
 def cross(a: Any, b: Any) -> Series:
-    return imag(series(a).each(mp.conj) * b)
+    return real(a) * imag(b) - imag(a) * real(b)
 
 
 def square(vector: Any) -> Series:
-    return dot(vector, vector)
+    x, y = real(vector), imag(vector)
+    return x * x + y * y
 
 
 # --- mechanisms -------------------------------------------------------------------------------
@@ -148,8 +154,8 @@ class Mechanism:
 
 def root(radicand: Any) -> Any:
     if radicand < 0:
-        raise UnassemblableError(mp.nstr(radicand, 5))
-    return mp.sqrt(radicand)
+        raise UnassemblableError(f"{float(radicand):.5g}")
+    return sqrt(radicand)
 
 
 def two_circles(centre_a: Any, radius_a: Any, centre_b: Any, radius_b: Any, side: int) -> Any:
@@ -157,11 +163,11 @@ def two_circles(centre_a: Any, radius_a: Any, centre_b: Any, radius_b: Any, side
     gap = centre_b - centre_a
     along = (abs(gap) ** 2 + radius_a**2 - radius_b**2) / (2 * abs(gap))
     across = side * root(radius_a**2 - along**2)
-    return centre_a + mpc(along, across) * gap / abs(gap)
+    return centre_a + (along + 1j * across) * gap / abs(gap)
 
 
 def four_bar(p: SimpleNamespace, crank: Any, unknowns: list[Any]) -> Pose:
-    a, b, d = mpc(0), p.crank * crank, p.ground * mp.expj(p.ground_angle)
+    a, b, d = 0j, p.crank * crank, p.ground * expj(p.ground_angle)
     c = unknowns[0] + 1j * unknowns[1]
     return Pose(
         equations=[square(c - b) - p.coupler**2, square(c - d) - p.rocker**2],
@@ -173,7 +179,7 @@ def four_bar(p: SimpleNamespace, crank: Any, unknowns: list[Any]) -> Pose:
 
 
 def four_bar_start(p: SimpleNamespace, crank: Any, side: int) -> list[Any]:
-    c = two_circles(p.crank * crank, p.coupler, p.ground * mp.expj(p.ground_angle), p.rocker, side)
+    c = two_circles(p.crank * crank, p.coupler, p.ground * expj(p.ground_angle), p.rocker, side)
     return [c.real, c.imag]
 
 
@@ -182,7 +188,7 @@ def slider_crank(p: SimpleNamespace, crank: Any, unknowns: list[Any]) -> Pose:
     return Pose(
         equations=[square(c - b) - p.rod**2],
         links={"crank": b, "rod": c - b},
-        points={"A": mpc(0), "B": b, "C": c},
+        points={"A": 0j, "B": b, "C": c},
         slides={"slider": unknowns[0]},
         sides=[real(c - b)],
     )
@@ -201,15 +207,15 @@ def slotted(arm: str, sign: int) -> tuple[Callable[..., Pose], Callable[..., lis
     """Return pose and start of a crank pin in the slot of a lever, with a ram if it has a rod."""
 
     def tip(p: SimpleNamespace, direction: Any) -> Any:
-        return p.ground * mp.expj(p.ground_angle) + sign * getattr(p, arm) * direction
+        return p.ground * expj(p.ground_angle) + sign * getattr(p, arm) * direction
 
     def ram_height(p: SimpleNamespace) -> Any:
         if p.ram_height is None:
-            return p.ground * mp.sin(p.ground_angle)
+            return p.ground * expj(p.ground_angle).imag
         return p.ram_height
 
     def pose(p: SimpleNamespace, crank: Any, unknowns: list[Any]) -> Pose:
-        b, d = p.crank * crank, p.ground * mp.expj(p.ground_angle)
+        b, d = p.crank * crank, p.ground * expj(p.ground_angle)
         direction, distance = unknowns[0] + 1j * unknowns[1], unknowns[2]
         c = tip(p, direction)
         q = (
@@ -222,7 +228,7 @@ def slotted(arm: str, sign: int) -> tuple[Callable[..., Pose], Callable[..., lis
                 square(direction) - 1,
             ],
             links={"crank": b, "lever": direction},
-            points={"A": mpc(0), "B": b, "C": c, "D": d, "Q": q},
+            points={"A": 0j, "B": b, "C": c, "D": d, "Q": q},
             slides={"block": distance},
             turning={"block": "lever"},
         )
@@ -234,7 +240,7 @@ def slotted(arm: str, sign: int) -> tuple[Callable[..., Pose], Callable[..., lis
         return found
 
     def start(p: SimpleNamespace, crank: Any, side: int) -> list[Any]:
-        offset = p.crank * crank - p.ground * mp.expj(p.ground_angle)
+        offset = p.crank * crank - p.ground * expj(p.ground_angle)
         direction = offset / abs(offset)
         found = [direction.real, direction.imag, abs(offset)]
         if p.rod is not None:
@@ -245,12 +251,12 @@ def slotted(arm: str, sign: int) -> tuple[Callable[..., Pose], Callable[..., lis
 
 
 def elliptical_trammel(p: SimpleNamespace, link: Any, unknowns: list[Any]) -> Pose:
-    a, b = series(unknowns[0]) + mpc(0), 1j * unknowns[1]
+    a, b = series(unknowns[0]) + 0j, 1j * unknowns[1]
     gap = b - a - p.link * link
     return Pose(
         equations=[real(gap), imag(gap)],
         links={"link": b - a},
-        points={"O": mpc(0), "A": a, "B": b, "P": a + p.tracer * link},
+        points={"O": 0j, "A": a, "B": b, "P": a + p.tracer * link},
         slides={"slider_a": unknowns[0], "slider_b": unknowns[1]},
     )
 
@@ -265,7 +271,7 @@ def scotch_yoke(p: SimpleNamespace, crank: Any, unknowns: list[Any]) -> Pose:
     return Pose(
         equations=[real(gap), imag(gap)],
         links={"crank": b},
-        points={"A": mpc(0), "B": b, "C": series(unknowns[0]) + mpc(0)},
+        points={"A": 0j, "B": b, "C": series(unknowns[0]) + 0j},
         slides={"yoke": unknowns[0], "block": unknowns[1]},
     )
 
@@ -275,28 +281,28 @@ def scotch_yoke_start(p: SimpleNamespace, crank: Any, side: int) -> list[Any]:
 
 
 def double_slider(p: SimpleNamespace, slide: Any, unknowns: list[Any]) -> Pose:
-    guide_b = mp.expj(p.guide_b)
-    a, b = slide * mp.expj(p.guide_a), unknowns[0] * guide_b
+    guide_b = expj(p.guide_b)
+    a, b = slide * expj(p.guide_a), unknowns[0] * guide_b
     return Pose(
         equations=[square(b - a) - p.link**2],
         links={"link": b - a},
-        points={"O": mpc(0), "A": a, "B": b},
+        points={"O": 0j, "A": a, "B": b},
         slides={"slider_a": slide, "slider_b": unknowns[0]},
         sides=[dot(guide_b, b - a)],
     )
 
 
 def double_slider_start(p: SimpleNamespace, slide: Any, side: int) -> list[Any]:
-    a = slide * mp.expj(p.guide_a - p.guide_b)
+    a = slide * expj(p.guide_a - p.guide_b)
     return [a.real + side * root(p.link**2 - a.imag**2)]
 
 
 def gate_actuator(p: SimpleNamespace, slide: Any, unknowns: list[Any]) -> Pose:
-    d, b = p.ground * mp.expj(p.ground_angle), unknowns[0] + 1j * unknowns[1]
+    d, b = p.ground * expj(p.ground_angle), unknowns[0] + 1j * unknowns[1]
     return Pose(
         equations=[square(b) - p.arm**2, square(b - d) - slide * slide],
         links={"arm": b, "actuator": b - d},
-        points={"A": mpc(0), "B": b, "D": d},
+        points={"A": 0j, "B": b, "D": d},
         slides={"actuator": slide},
         turning={"actuator": "actuator"},
         sides=[cross(-d, b - d)],
@@ -304,7 +310,7 @@ def gate_actuator(p: SimpleNamespace, slide: Any, unknowns: list[Any]) -> Pose:
 
 
 def gate_actuator_start(p: SimpleNamespace, slide: Any, side: int) -> list[Any]:
-    b = two_circles(p.ground * mp.expj(p.ground_angle), slide, mpc(0), p.arm, side)
+    b = two_circles(p.ground * expj(p.ground_angle), slide, 0j, p.arm, side)
     return [b.real, b.imag]
 
 
@@ -387,21 +393,21 @@ class Problem:
 
     def position(self, unknowns: list[Any]) -> list[Any]:
         """Return the root next to a near start, to all digits."""
+        points = self.pose(self.drive.c0, unknowns).points.values()
+        noise = max(abs(series(point).c0) for point in points) * 10.0 ** (25 - DIGITS)
         for _ in range(3):
             before, unknowns = unknowns, self.nearer(unknowns)
-        points = self.pose(self.drive.c0, unknowns).points.values()
-        noise = max(abs(series(point).c0) for point in points) * mpf(10) ** (25 - DIGITS)
-        for value, last in zip(unknowns, before, strict=True):
-            if abs(value - last) > max(abs(value) * mpf(10) ** -50, noise):
-                raise ArithmeticError("Newton's method has not converged")
-        return unknowns
+            pairs = zip(unknowns, before, strict=True)
+            if all(abs(x - last) <= max(abs(x) * 1e-50, noise) for x, last in pairs):
+                return unknowns
+        raise ArithmeticError("Newton's method has not converged")
 
     def motion(self, unknowns: list[Any]) -> list[Series]:
         """Solve the equations order by order in time, from the position on."""
         jacobian, drive = self.jacobian(unknowns), self.drive
-        found = [Series(value, mpf(0), mpf(0)) for value in unknowns]
+        found = [Series(value) for value in unknowns]
         firsts = solve_linear(jacobian, [-eq.c1 for eq in self.pose(drive, found).equations])
-        found = [Series(q.c0, first, mpf(0)) for q, first in zip(found, firsts, strict=True)]
+        found = [Series(q.c0, first) for q, first in zip(found, firsts, strict=True)]
         seconds = solve_linear(jacobian, [-eq.c2 for eq in self.pose(drive, found).equations])
         return [Series(q.c0, q.c1, second) for q, second in zip(found, seconds, strict=True)]
 
@@ -410,7 +416,8 @@ class Problem:
         found: dict[Key, Any] = {}
         for name, vector in pose.links.items():
             omega, alpha = turning_rates(series(vector))
-            found["link", name, "angle"] = mp.arg(series(vector).c0) % (2 * mp.pi)
+            angle = arg(series(vector).c0)
+            found["link", name, "angle"] = angle % (2 * pi_like(angle))
             found["link", name, "omega"], found["link", name, "alpha"] = omega, alpha
         for kind, places in (("point", pose.points), ("slide", pose.slides)):
             for name, place in places.items():
@@ -436,7 +443,7 @@ class Quantity:
 
     def kappa(self, part: Callable[[Any], Any] = lambda x: x) -> Any:
         """Return the condition number of the value, or of its real or imaginary part."""
-        return abs(part(self.value)) + mp.fsum(abs(part(term)) for term in self.terms.values())
+        return abs(part(self.value)) + sum(abs(part(term)) for term in self.terms.values())
 
 
 def exact(name: str, number: Any) -> Any:
@@ -505,11 +512,6 @@ def neighbours(problem: Problem) -> Iterator[tuple[str, Problem, Any]]:
         else:
             continue
         yield name, Problem(problem.mechanism, {**problem.numbers, name: moved}), STEP
-
-
-def fold(angle: Any) -> Any:
-    """Return the same direction within ±π."""
-    return angle - 2 * mp.pi * mp.nint(angle / (2 * mp.pi))
 
 
 def difference(key: Key, a: Any, b: Any) -> Any:

@@ -16,6 +16,7 @@ import numpy as np
 from mpmath import mp, mpf
 
 from tests.oracle import Key, Series, series
+from tests.precise import arg, expj
 
 DIGITS = 40
 STEP = 1e-7  # of the differences for condition numbers
@@ -44,7 +45,7 @@ class World:
     def way(self, name: str) -> Any:
         """Return the unit vector of an angle among the numbers."""
         angle = self.numbers[name]
-        return Series(np.exp(1j * angle) if isinstance(angle, np.ndarray) else mp.expj(angle))
+        return Series(expj(angle))
 
 
 @dataclass(frozen=True)
@@ -84,10 +85,20 @@ class Recipe:
         with mp.workdps(DIGITS):
             numbers = {name: mpf(value) for name, value in self.numbers.items()}
             radians = {name: numbers[name] * mp.pi / 180 for name in self.angles}
-            return self._solve(numbers | radians, steps=4)
+            return self.solve(numbers | radians, steps=4)
 
     def conditions(self) -> dict[Key, tuple[Any, Any]]:
-        """Return |p·∂q/∂p| of every quantity, summed over all numbers, for x and y of vectors.
+        """Return |q| and |p·∂q/∂p| of every quantity, summed over all numbers, for x and y."""
+        found = {}
+        for key, (value, terms) in self.changes().items():
+            found[key] = tuple(
+                float(abs(part(value)) + np.abs(part(terms)).sum())
+                for part in (np.real, np.imag, abs)
+            )
+        return found
+
+    def changes(self) -> dict[Key, tuple[Any, Any]]:
+        """Return every quantity in double precision, and p·∂q/∂p for every number p as an array.
 
         Every number is moved by itself, all of them at once as arrays.
         """
@@ -99,18 +110,18 @@ class Recipe:
             numbers[name] = np.full(count + 1, base)
             numbers[name][place] += STEP * (1.0 if name == "angle" else base)
         found = {}
-        for key, moved in self._solve(numbers, steps=6).items():
+        for key, moved in self.solve(numbers, steps=3).items():
             terms = (moved - moved[-1])[:-1]
             if key[2] == "angle":
                 terms = np.remainder(terms + math.pi, 2 * math.pi) - math.pi
-            value = moved[-1]
-            found[key] = tuple(
-                float(abs(part(value)) + np.abs(part(terms)).sum() / STEP)
-                for part in (np.real, np.imag, abs)
-            )
+            found[key] = moved[-1], terms / STEP
         return found
 
-    def _solve(self, numbers: Numbers, steps: int) -> dict[Key, Any]:
+    def solve(self, numbers: Numbers, steps: int) -> dict[Key, Any]:
+        """Return every quantity for numbers of any kind, angles in radians.
+
+        Newton's method takes so many ``steps`` from the pose in which the chain was drawn.
+        """
         place, rate, second = (numbers[name] for name in self.inputs)
         drive = Series(place, rate, second / 2)
         world = World(numbers, drive)
@@ -155,9 +166,7 @@ def _quantities(world: World, turning: Mapping[str, str]) -> dict[Key, Any]:
     found: dict[Key, Any] = {}
     for name, vector in world.links.items():
         first, second = vector.c1 / vector.c0, 2 * vector.c2 / vector.c0
-        angle = vector.c0
-        many = isinstance(angle, np.ndarray)
-        found["link", name, "angle"] = np.angle(angle) if many else mp.arg(angle)
+        found["link", name, "angle"] = arg(vector.c0)
         found["link", name, "omega"] = first.imag
         found["link", name, "alpha"] = (second - first * first).imag
     for kind, places in (("point", world.points), ("slide", world.slides)):

@@ -51,6 +51,13 @@ class Draw(random.Random):
         }
 
 
+class Wide(Draw):
+    """Draws lengths over four decades."""
+
+    def length(self, decades: float = 4.0) -> float:
+        return super().length(decades)
+
+
 def turn(degrees: float) -> complex:
     return cmath.rect(1.0, math.radians(degrees))
 

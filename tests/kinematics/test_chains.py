@@ -1,7 +1,7 @@
 """Any chain of dyads is as accurate as its numbers allow: 2 εκ for places, 4, 8, 64 for rates.
 
 ``VAD_SAMPLES=1000 pytest tests/kinematics/test_chains.py`` looks longer; ``python -m
-benchmarks.chains`` says how large the errors are.
+benchmarks.errors`` says how large the errors are.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 import vad
 from tests.kinematics.chains import KINDS, STARTS, Chain, errors
-from tests.kinematics.families import Draw
+from tests.kinematics.families import Draw, Wide
 from tests.kinematics.hand_built import BUILT, HandBuilt
 from tests.kinematics.worst_cases import BOUNDS
 
@@ -39,13 +39,6 @@ def test_each_kind_of_dyad_by_itself(kind: str) -> None:
     for seed, start in enumerate(STARTS * (SAMPLES // 12)):
         found = dict(errors(Chain(Draw(f"{kind} {seed}"), start, [kind])))
         assert not {key: size for key, size in found.items() if not size <= BOUNDS[key[2]]}
-
-
-class Wide(Draw):
-    """Lengths over four decades."""
-
-    def length(self, decades: float = 4.0) -> float:
-        return super().length(decades)
 
 
 def test_a_bar_that_goes_round_with_the_slot_in_which_it_ends() -> None:
