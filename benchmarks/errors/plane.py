@@ -120,6 +120,9 @@ def compare(tally: Tally, family: str, case: Case) -> None:
     try:
         motion = solve(case)
         measured = {key: read(motion, key) for key in truth.values}
+    except vad.InputError:
+        tally.others["is not accepted", case.name] += 1
+        return
     except vad.VadError as error:
         tally.refused(pose, truth, error)
         return
