@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tests.kinematics.families import FAMILIES, SAMPLERS, SCALES, Case, Draw, exists, scaled
+from tests.kinematics.families import FAMILIES, SAMPLERS, SCALES, Case, Draw, exists, scaled, turn
 
 
 class Deep(Draw):
@@ -79,6 +79,34 @@ def _coincidence(variant: str, draw: Few) -> tuple[dict[str, float], dict[str, f
     return sizes, {"angle": draw.angle(), **draw.rates()}
 
 
+def _folded(variant: str, draw: Few) -> tuple[dict[str, float], dict[str, float]]:
+    """Return a pose in which links lie on each other all the time, or a toggle to its last ε."""
+    name, one, other = SAMPLERS[variant][0], Draw.length(draw), Draw.length(draw)
+    alike, last = 1.0 + draw.nothing_or_little(), 1.0 - 2.0**-53 * draw.randint(0, 32)
+    rates = {"velocity": draw.sign() * one, "acceleration": draw.choice((0.0, other))}
+    inputs = {"angle": Draw.angle(draw), **draw.rates()}
+    if name == "four-bar":
+        turned = draw.choice((0.0, Draw.angle(draw)))
+        kite = {"ground": one, "crank": other, "coupler": other * alike, "rocker": one}
+        return kite | {"ground_angle": turned}, inputs
+    if name == "slider-crank":
+        offset = one * draw.nothing_or_little()
+        return {"crank": one, "rod": one * alike, "offset": offset}, inputs
+    if name == "double-slider":
+        guides = {"guide_a": draw.angle(), "guide_b": draw.angle()}
+        sine = abs(turn(guides["guide_a"] - guides["guide_b"]).imag)
+        return {"link": one, **guides}, {"position": one / (sine or 1.0) * last, **rates}
+    if name == "gate-actuator":
+        gap = abs(one + draw.sign() * other)
+        sizes = {"ground": one, "arm": other, "ground_angle": draw.choice((180.0, draw.angle()))}
+        return sizes, {"position": gap * draw.choice((last, 1.0 / last, alike)), **rates}
+    arm = "lever" if name == "crank-slotted-lever" else "arm"
+    sizes = {"ground": one, "crank": other, arm: Draw.length(draw), "ground_angle": 0.0}
+    height = draw.choice((0.0, sizes[arm] * draw.nothing_or_little()))
+    sizes |= {"rod": sizes[arm] * alike, "ram_height": height}
+    return sizes, inputs | {"angle": draw.choice((0.0, 180.0, inputs["angle"])) + draw.tiny(16.0)}
+
+
 def _other_rates(inputs: dict[str, float], draw: Draw) -> dict[str, float]:
     """Return the inputs with rates that are tiny, huge or nothing."""
     names = [name for name in inputs if name not in ("angle", "position")]
@@ -87,7 +115,9 @@ def _other_rates(inputs: dict[str, float], draw: Draw) -> dict[str, float]:
     return inputs | rates | ({nothing: 0.0} if nothing else {})
 
 
-OTHERS = ("deep", "coincidence", "rates")
+FOLDED = [name for name in SAMPLERS if name.endswith("ram")]
+FOLDED += ["four-bar", "slider-crank", "double-slider", "gate-actuator"]
+OTHERS = ("deep", "coincidence", "folded", "rates")
 
 
 def _drawn(
@@ -97,6 +127,8 @@ def _drawn(
     if family == "deep":
         near = [x for x in ("toggle", "change point", "near pivot") if exists(variant, x)]
         return sampler(deep.choice(near), deep)
+    if family == "folded":
+        return _folded(variant, few)
     if family == "coincidence":
         return _coincidence(variant, few)
     return sampler("random" if family in (*SCALES, "rates") else family, draw)
@@ -112,7 +144,7 @@ def planar(seed: int | str, plain: float = 0.1) -> Iterator[tuple[str, str, Case
     while True:
         variant = draw.choice(variants)
         family = "random" if draw.random() < plain else draw.choice((*FAMILIES, *OTHERS, *OTHERS))
-        if not exists(variant, family):
+        if not exists(variant, family) or (family == "folded" and variant not in FOLDED):
             continue
         try:
             parameters, inputs = _drawn(variant, family, draw, deep, few)
