@@ -62,12 +62,74 @@ def listening(monkeypatch):
         signal.signal(number, handler)
 
 
-def test_the_first_signal_is_raised_and_later_ones_do_nothing(listening):
+def test_the_first_signal_is_raised(listening):
     with pytest.raises(process.Interrupted) as caught:
         os.kill(os.getpid(), signal.SIGTERM)
     assert caught.value.exit_code == 128 + signal.SIGTERM
-    os.kill(os.getpid(), signal.SIGHUP)
-    os.kill(os.getpid(), signal.SIGTERM)
+
+
+def test_the_second_signal_ends_the_process_at_once(listening, monkeypatch, capfd):
+    ends, done = [], []
+    monkeypatch.setattr(os, "_exit", ends.append)
+    monkeypatch.setattr(process, "_last_acts", [lambda: done.append("removed")])
+    with pytest.raises(process.Interrupted), process.signals_held_back():
+        os.kill(os.getpid(), signal.SIGHUP)
+        os.kill(os.getpid(), signal.SIGTERM)
+    assert (ends, done) == ([128 + signal.SIGTERM], ["removed"])
+    assert capfd.readouterr().err == "error: interrupted\n"
+
+
+#: What a command may be at when it is interrupted, whatever it is called.
+WORK = {
+    "checks no signal": "while True: pass",
+    "holds signals back": "with process.signals_held_back():\n        while True: pass",
+    "waits for a thread": "work = threading.Thread(target=time.sleep, args=(99,))\n"
+    "    with process.signals_held_back():\n        work.start(); work.join()",
+    "hears of it late": "try:\n        time.sleep(99)\n    finally:\n        time.sleep(99)",
+}
+
+
+@pytest.mark.parametrize("work", WORK)
+def test_a_second_interrupt_ends_any_command_at_once(environment, tmp_path, work):
+    """Nothing half-written stays, here or where the system keeps temporary files."""
+    script = (
+        "import sys, threading, time, click\n"
+        "from pathlib import Path\n"
+        "from vad.cli import main, process\n"
+        "from vad.cli.app import app\n"
+        "from vad.export.files import new_file, new_folder, temporary_folder\n"
+        "def act(**_):\n"
+        "  with temporary_folder() as one, new_folder('two', bool) as two, new_file('three'):\n"
+        "    (one / 'a').touch(); (two / 'b').touch(); Path('begun').touch()\n"
+        f"    {WORK[work]}\n"
+        "app.all_commands(); app.add_command(click.Command('draw', callback=act))\n"
+        "sys.argv = ['vad', 'draw']\n"
+        "sys.exit(main())\n"
+    )
+    temporary, folder = tmp_path / "temporary", tmp_path / "folder"
+    temporary.mkdir()
+    folder.mkdir()
+    with subprocess.Popen(
+        [sys.executable, "-c", script],
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**environment, "TMPDIR": str(temporary)},
+        cwd=folder,
+    ) as running:
+        deadline = time.monotonic() + 30
+        while not (folder / "begun").exists():
+            assert time.monotonic() < deadline
+            time.sleep(0.01)
+        running.send_signal(signal.SIGINT)
+        time.sleep(0.2)
+        running.send_signal(signal.SIGINT)
+        try:
+            _, err = running.communicate(timeout=2)
+        finally:
+            running.kill()
+    assert (running.returncode, err) == (130, "error: interrupted\n")
+    assert [each.name for each in folder.iterdir()] == ["begun"]
+    assert list(temporary.iterdir()) == []
 
 
 def test_a_signal_that_is_held_back_is_raised_when_it_is_asked_for(listening):
@@ -107,3 +169,23 @@ def test_a_signal_that_is_lost_is_remembered_and_not_shown(environment):
         check=False,
     )
     assert (done.returncode, done.stderr) == (143, "error: interrupted\n")
+
+
+def test_a_thread_that_is_at_work_does_not_hold_back_the_end(environment):
+    """Python would wait for it, and no signal is heard any more."""
+    script = (
+        "import sys, threading, time\n"
+        "from vad.cli import app, main\n"
+        "app.table = lambda: threading.Thread(target=time.sleep, args=(99,)).start() or 'done'\n"
+        "sys.argv = ['vad', 'list']\n"
+        "sys.exit(main())\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script],
+        capture_output=True,
+        text=True,
+        env=environment,
+        timeout=30,
+        check=False,
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (0, "done\n", "")

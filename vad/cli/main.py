@@ -22,8 +22,21 @@ def main() -> int:
     process.open_standard_streams()
     try:
         process.raise_on_signals()
-        process.quieten()
         # From here on a signal ends the process in good order, even while modules are imported.
+        code = _carried_out()
+        process.ignore_signals()
+    except process.Interrupted as stop:
+        process.ignore_signals()
+        process.say("error: interrupted")
+        code = stop.exit_code
+    process.end_despite_threads(code)
+    return code
+
+
+def _carried_out() -> int:
+    """Carry out the words of the command line, or answer a shell; return the exit code."""
+    try:
+        process.quieten()
         from vad.cli import completion
         from vad.cli.run import run
 
@@ -34,9 +47,6 @@ def main() -> int:
         # Python would search all that is left for garbage before it ends: a tenth of `vad draw`.
         gc.freeze()
         return code
-    except process.Interrupted as stop:
-        process.say("error: interrupted")
-        return stop.exit_code
     except BrokenPipeError:
         process.abandon_stdout()
         return process.BROKEN_PIPE
@@ -44,8 +54,6 @@ def main() -> int:
         process.abandon_stdout()
         process.say(f"error: cannot write: {error.strerror or error}")
         return 1
-    finally:
-        process.ignore_signals()
 
 
 def answer(question: str) -> int:

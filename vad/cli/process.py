@@ -6,11 +6,13 @@ import contextlib
 import os
 import signal
 import sys
+import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from types import FrameType
+from typing import NoReturn
 
 _SIGNALS = [
     getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
@@ -22,13 +24,20 @@ BROKEN_PIPE = 128 + 13
 
 @dataclass
 class _Heard:
-    """The signals that have come, and whether they wait until `check_interrupt` is called."""
+    """The signal that came first, and what is done about it.
 
-    received: list[int] = field(default_factory=list)
+    It is ``held_back`` until `check_interrupt` is called; it is ``answered`` if the command waited
+    for it, as `wait_for_signal` does.
+    """
+
+    first: int | None = None
     held_back: bool = False
+    answered: bool = False
 
 
 _heard = _Heard()
+#: What is done before this process ends at once: it removes what is not finished.
+_last_acts: list[Callable[[], None]] = []
 
 
 class Interrupted(BaseException):
@@ -44,8 +53,8 @@ def check_interrupt() -> None:
 
     It may have been held back, or a library may have turned it into another error.
     """
-    if _heard.received:
-        raise Interrupted(_heard.received[0])
+    if _heard.first is not None and not _heard.answered:
+        raise Interrupted(_heard.first)
 
 
 def say(line: str) -> None:
@@ -68,10 +77,11 @@ def open_standard_streams() -> None:
 
 
 def quieten() -> None:
-    """Keep libraries from writing to stderr, unless Python was asked for warnings.
+    """Keep libraries from writing to stderr, here and in processes that this one starts.
 
-    Python itself would report a signal that comes while it cleans up after an import; that report
-    is left out, too.  matplotlib opens no window, whatever its configuration says.
+    They may write if Python was asked for warnings.  Python itself would report a signal that comes
+    while it cleans up after an import; that report is left out, too.  matplotlib opens no window,
+    whatever its configuration says.
     """
     import logging
     import warnings
@@ -79,6 +89,7 @@ def quieten() -> None:
     os.environ["MPLBACKEND"] = "agg"
     logging.getLogger().addHandler(logging.NullHandler())
     if not sys.warnoptions:
+        os.environ["PYTHONWARNINGS"] = "ignore"
         warnings.simplefilter("ignore")
     sys.unraisablehook = _report_uncaught
 
@@ -92,19 +103,35 @@ def _report_uncaught(lost: sys.UnraisableHookArgs) -> None:
 def raise_on_signals() -> None:
     """Turn the first of the signals that this process does not ignore into `Interrupted`.
 
-    Later ones do nothing, so that files can be removed undisturbed.  They have a handler all the
-    same, because Python reports a pending signal that is then set to be ignored.
+    The second one ends the process at once, whatever it is doing: a first one may be held back, and
+    two may come together, as at the end of a login.
     """
 
     def stop(number: int, _frame: FrameType | None) -> None:
-        first = not _heard.received
-        _heard.received.append(number)
-        if first and not _heard.held_back:
+        if _heard.first is not None:
+            _end_at_once(number)
+        _heard.first = number
+        if not _heard.held_back:
             raise Interrupted(number)
 
     for each in _SIGNALS:
         if signal.getsignal(each) is not signal.SIG_IGN:
             signal.signal(each, stop)
+
+
+def before_an_end_at_once(act: Callable[[], None]) -> None:
+    """Call ``act`` before a second signal ends this process, at any moment of its work."""
+    _last_acts.append(act)
+
+
+def _end_at_once(number: int) -> NoReturn:
+    """End this process without waiting for anything: locks may be taken, threads may be at work."""
+    with contextlib.suppress(Exception):
+        for act in _last_acts:
+            act()
+    with contextlib.suppress(OSError):
+        os.write(2, b"error: interrupted\n")
+    os._exit(128 + number)
 
 
 @contextmanager
@@ -124,15 +151,16 @@ def signals_held_back() -> Iterator[None]:
 def wait_for_signal() -> None:
     """Wait until a signal comes, in a block of `signals_held_back`.
 
-    An interrupt ends the waiting and is then forgotten; any other signal ends the process.
+    An interrupt is what the command waits for; any other signal ends the process.  A second one
+    ends it at once.
     """
-    while not _heard.received:
+    while _heard.first is None:
         time.sleep(_GLANCE)
-    _heard.received[:] = [each for each in _heard.received if each != signal.SIGINT]
+    _heard.answered = _heard.first == signal.SIGINT
 
 
 def ignore_signals() -> None:
-    """Ignore signals from now on: Python is about to end this process.
+    """Ignore signals from now on: there is nothing left to do but to end this process.
 
     Python removes its handlers before it ends, and a signal that came then would kill the process.
     It also reports no signal that is still pending.
@@ -141,6 +169,16 @@ def ignore_signals() -> None:
     sys.unraisablehook = lambda _: None
     for each in _SIGNALS:
         signal.signal(each, signal.SIG_IGN)
+
+
+def end_despite_threads(code: int) -> None:
+    """End this process with an exit code if a thread is at work, for which Python would wait.
+
+    No signal is heard any more by then.
+    """
+    for each in threading.enumerate():
+        if each is not threading.current_thread() and not each.daemon:
+            os._exit(code)
 
 
 def abandon_stdout() -> None:

@@ -19,9 +19,16 @@ import vad
 from vad.cli import completion
 from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import NamedOption, path, places, several, size
-from vad.cli.process import check_interrupt, say, signals_held_back, wait_for_signal
+from vad.cli.process import (
+    before_an_end_at_once,
+    check_interrupt,
+    say,
+    signals_held_back,
+    wait_for_signal,
+)
 from vad.errors import AssemblyError, UsageError, VadError
 from vad.export import FOLDER, FORMATS, format_of, formats, own_options
+from vad.export.files import clear_unfinished
 from vad.lecture.lesson import Lesson, Still, check_size
 from vad.lecture.turn import Turn
 from vad.mechanisms import Mechanism
@@ -45,6 +52,7 @@ Inputs = dict[str, Any]
 #: The files that lie beside a film with ``--subtitles``, and the films that take them.
 SUBTITLES = (".srt", ".vtt")
 _SUBTITLED = (".mp4", ".gif", FOLDER)
+before_an_end_at_once(clear_unfinished)
 #: The most poses of a sweep.
 LARGEST = 1_000_000
 _SHEET = [

@@ -4,8 +4,8 @@ The caller gets a stream, or an empty folder, beside the path.  When the caller 
 takes the place of the path in one step; a file is on the disk by then.  Until then, the old file
 stays as it was.  After any exception, also after an interrupt, nothing half-written remains.  A
 signal that the program turns into an exception, as the command line does, leaves nothing behind
-either.  If a program is killed, its unfinished files are removed when the next file is made in the
-same folder.
+either; nor does an end at once before which `clear_unfinished` is called.  If a program is killed,
+its unfinished files are removed when the next file is made in the same folder.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ import re
 import secrets
 import shlex
 import shutil
+import tempfile
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -26,6 +27,8 @@ from vad.errors import ExportError
 
 #: The name of an unfinished file, and how many seconds it may stand untouched.
 _PART, _HOUR = re.compile(r"\.vad-[0-9a-f]{8}\.part"), 3600.0
+#: What removes the unfinished files and folders of this moment, in the order of their making.
+_unfinished: list[Callable[[], None]] = []
 
 
 @contextmanager
@@ -63,7 +66,7 @@ def new_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     def clear() -> None:
         part.unlink(missing_ok=True)
 
-    with _explained(path), _cleared_up(clear):
+    with _explained(path), cleared_up(clear):
         _remove_leftovers(final.parent)
         with open(part, "x+b") as stream:
             yield stream
@@ -101,7 +104,7 @@ def new_folder(path: str | os.PathLike[str], replaceable: Callable[[Path], bool]
         shutil.rmtree(part, ignore_errors=True)
         shutil.rmtree(old, ignore_errors=True)
 
-    with _explained(path), _cleared_up(clear):
+    with _explained(path), cleared_up(clear):
         _check_folder(path, final, replaceable)
         _remove_leftovers(final.parent)
         part.mkdir()
@@ -113,8 +116,40 @@ def new_folder(path: str | os.PathLike[str], replaceable: Callable[[Path], bool]
 
 
 @contextmanager
-def _cleared_up(clear: Callable[[], None]) -> Iterator[None]:
-    """Call ``clear`` twice when the block ends: an interrupt may cut short the first call."""
+def temporary_folder() -> Iterator[Path]:
+    """Yield an empty folder of this user alone, where the system keeps such; it goes at the end.
+
+    Raises
+    ------
+    vad.errors.ExportError
+        If there is no place for it.
+
+    Examples
+    --------
+    >>> with temporary_folder() as folder:
+    ...     _ = (folder / "note.txt").write_text("for now")
+    >>> folder.exists()
+    False
+    """
+    with _explained("a temporary folder"):
+        path = Path(tempfile.gettempdir(), f"vad-{secrets.token_hex(8)}")
+
+    def clear() -> None:
+        shutil.rmtree(path, ignore_errors=True)
+
+    with cleared_up(clear):
+        with _explained(path):
+            path.mkdir(mode=0o700)
+        yield path
+
+
+@contextmanager
+def cleared_up(clear: Callable[[], None]) -> Iterator[None]:
+    """Call ``clear`` twice when the block ends: an interrupt may cut short the first call.
+
+    It may be called at any moment of the block, too, by `clear_unfinished`.
+    """
+    _unfinished.append(clear)
     try:
         try:
             yield
@@ -122,6 +157,17 @@ def _cleared_up(clear: Callable[[], None]) -> Iterator[None]:
             clear()
     finally:
         clear()
+        _unfinished.remove(clear)
+
+
+def clear_unfinished() -> None:
+    """Remove all unfinished files and folders: this process is about to end, at any moment.
+
+    Nothing may be made after that.
+    """
+    for clear in reversed(_unfinished.copy()):
+        with contextlib.suppress(Exception):  # the others are to be removed all the same
+            clear()
 
 
 def _remove_leftovers(folder: Path) -> None:
