@@ -161,6 +161,70 @@ def test_a_sheet_stands_only_if_it_is_what_would_be_made(written, contents, tmp_
     assert contents(out) == whole | {n: contents(out)[n] for n in ("011-key.json", "012-key.json")}
 
 
+DAMAGE = {
+    "a digit": lambda line: line.replace(b'"input": {"angle": ', b'"input": {"angle": 1'),
+    "a byte that is no text": lambda line: line.replace(b"four", b"f\xffur"),
+    "a line that is cut short": lambda line: line[: len(line) // 2],
+    "a number of another kind": lambda line: line.replace(b'"number": 4', b'"number": [4]'),
+    "no files": lambda line: line.replace(b'"files": {', b'"files": 3, "file": {'),
+    "no units": lambda line: line.replace(b'"units"', b'"unit"'),
+    "half a letter": lambda line: line.replace(b'"mm"', b'"\\ud800"'),
+    "depth": lambda line: b"[" * 100_000,
+    "digits": lambda line: b'{"number": ' + b"9" * 10_000 + b"}",
+    "another value": lambda line: b"4",
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGE)
+@pytest.mark.parametrize("name", ["answers.json", "answers.part.jsonl"])
+def test_of_damaged_answers_one_sheet_is_made_anew(written, contents, tmp_path, damage, name):
+    path, out = written(), tmp_path / "out"
+    vad.batch(path, out)
+    whole = contents(out)
+    lines = (out / "answers.json").read_bytes().split(b"\n")
+    assert DAMAGE[damage](lines[4]) != lines[4]
+    lines[4] = DAMAGE[damage](lines[4])
+    (out / "answers.json").unlink()
+    (out / name).write_bytes(b"\n".join(lines))
+    assert [each.number for each in vad.batch(path, out) if each.new] == [4]
+    assert contents(out) == whole
+
+
+def test_a_line_that_was_cut_short_costs_no_other_one(written, contents, tmp_path):
+    path, out = written(), tmp_path / "out"
+    whole = vad.batch(path, out)
+    lines = (out / "answers.json").read_bytes().split(b"\n")[1:4]
+    (out / "answers.json").unlink()
+    (out / "answers.part.jsonl").write_bytes(b"\n".join(lines)[:-99])
+
+    def stop(done: int, total: int) -> None:
+        if done == 2:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        vad.batch(path, out, progress=stop)
+    made = vad.batch(path, out)
+    assert [each.number for each in made if each.new] == [5, 6, 7, 8, 9, 10]
+    assert [each.answers for each in made] == [each.answers for each in whole]
+
+
+def test_a_later_damaged_line_hides_no_earlier_one(written, tmp_path):
+    path, out = written(), tmp_path / "out"
+    vad.batch(path, out)
+    lines = (out / "answers.json").read_bytes().split(b"\n")
+    (out / "answers.part.jsonl").write_bytes(DAMAGE["a digit"](lines[4]))
+    assert not [each.number for each in vad.batch(path, out) if each.new]
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes with names")
+@pytest.mark.parametrize("name", ["answers.json", "001-key.json"])
+def test_a_pipe_among_the_files_is_not_waited_for(written, tmp_path, name):
+    (tmp_path / "out").mkdir()
+    os.mkfifo(tmp_path / "out" / name)
+    with pytest.raises(vad.ExportError, match="is not a file that can be replaced"):
+        vad.batch(written(), tmp_path / "out")
+
+
 def test_one_sheet_is_made_again(written, contents, tmp_path):
     path, out = written(), tmp_path / "out"
     (alone,) = vad.batch(path, out, only=7)

@@ -1,8 +1,8 @@
 """The verb `batch`: from a file that says what a class is to get to a folder of sheets.
 
 While a batch runs, each sheet that is done is noted in a journal, a line each; when it ends, the
-journal becomes ``answers.json``.  A sheet need not be made again if its note says that it was made
-from the same settings, and its files are unchanged.
+journal becomes ``answers.json``.  A sheet need not be made again if its note is undamaged and says
+that it was made from the same settings, and its files are unchanged.
 """
 
 from __future__ import annotations
@@ -57,7 +57,8 @@ def batch(
     only
         The number of one sheet, which is made again.
     progress
-        Called after each sheet with how many are done and their total.
+        Called with how many sheets are done and their total: after each one, and twice a second
+        while workers make the next one.
 
     Returns
     -------
@@ -83,8 +84,11 @@ def batch(
     stand = (target.standing(job) for job in sheets.jobs if job.number != only)
     done = {each.number: each for each in (*sheets.failed, *stand) if each is not None}
     wanted = [job for job in sheets.jobs if job.number not in done and only in (None, job.number)]
-    for count, product in enumerate(products(wanted, jobs, cluster), start=1):
-        done[product.job.number] = target.take(product)
+    count = 0
+    for product in products(wanted, jobs, cluster):
+        if product is not None:
+            done[product.job.number] = target.take(product)
+            count += 1
         if progress is not None:
             progress(count, len(wanted))
     ordered = [done[number] for number in sorted(done)]
@@ -119,19 +123,21 @@ class Folder:
             raise ExportError(message, "name another folder") from None
         except (OSError, ValueError) as error:
             raise _cannot(path, error) from None
-        self._notes = {note["number"]: note for note in self._noted()}
+        self._earlier: dict[int, list[JournalNote]] = {}
+        for note in self._noted():
+            self._earlier.setdefault(note["number"], []).append(note)
+        self._notes: dict[int, JournalNote] = {}
 
     def standing(self, job: Job) -> Done | None:
         """Return a sheet that is in the folder already; None if it must be made."""
-        note = self._notes.get(job.number)
-        if note is None or note["made_from"] != job.fingerprint:
-            return None
-        files: Mapping[str, str] = note["files"]
-        if set(files) != set(job.names):
-            return None
-        if any(_digest_of(self.path / name) != digest for name, digest in files.items()):
-            return None
-        return self._done(note, new=False)
+        for note in reversed(self._earlier.get(job.number, [])):
+            if note["made_from"] != _seal(note, job):
+                continue
+            files: Mapping[str, str] = note["files"]
+            if all(_digest_of(self.path / name) == digest for name, digest in files.items()):
+                self._notes[job.number] = note
+                return self._done(note, new=False)
+        return None
 
     def take(self, product: Product) -> Done:
         """Write the files of a sheet, and note that it is done."""
@@ -145,12 +151,12 @@ class Folder:
             "number": job.number,
             **product.answers,
             "files": {name: _digest(content) for name, content in product.files.items()},
-            "made_from": job.fingerprint,
         }
+        note["made_from"] = _seal(note, job)
         self._notes[job.number] = note
         try:
-            with open(self.path / _JOURNAL, "a", encoding="utf-8") as journal:
-                journal.write(_line(note) + "\n")
+            with open(self.path / _JOURNAL, "a", encoding="utf-8", newline="\n") as journal:
+                journal.write("\n" + _line(note))  # the line before may have been cut short
         except OSError as error:
             raise _cannot(self.path / _JOURNAL, error) from None
         return self._done(note, new=True)
@@ -166,18 +172,15 @@ class Folder:
         (self.path / _JOURNAL).unlink(missing_ok=True)
 
     def _noted(self) -> Iterator[JournalNote]:
-        """Yield the notes of earlier runs, the latest last; other lines are left out."""
+        """Yield the notes of earlier runs, the latest last; what is no note is left out."""
         for name in (_ANSWERS, _JOURNAL):
-            try:
-                text = (self.path / name).read_text("utf-8")
-            except (OSError, UnicodeDecodeError):
-                continue
-            for line in text.splitlines():
+            for line in (_content(self.path / name) or b"").split(b"\n"):
                 try:
-                    note = json.loads(line.rstrip(","))
-                except ValueError:  # a bracket, or a line that was cut short
+                    note = json.loads(line.strip().removesuffix(b","))
+                except (ValueError, RecursionError):  # a bracket, or a line that is damaged
                     continue
-                if isinstance(note, dict) and {"number", "files", "made_from"} <= note.keys():
+                keys = {"number", "files", "made_from"}
+                if isinstance(note, dict) and keys <= note.keys() and type(note["number"]) is int:
                     yield note
 
     def _done(self, note: JournalNote, new: bool) -> Done:
@@ -186,6 +189,15 @@ class Folder:
         return Done(
             note["number"], tuple(self.path / name for name in note["files"]), answers, new=new
         )
+
+
+def _seal(note: JournalNote, job: Job) -> str:
+    """Return a text that is different for other settings, and for a note that says anything else.
+
+    It stands in the note as ``made_from``.
+    """
+    said = {name: value for name, value in note.items() if name != "made_from"}
+    return _digest(f"{job.fingerprint} {_line(said)}".encode("utf-8", "surrogatepass"))
 
 
 def _line(note: JournalNote) -> str:
@@ -208,8 +220,14 @@ def _digest(content: bytes) -> str:
 
 
 def _digest_of(path: Path) -> str | None:
+    content = _content(path)
+    return None if content is None else _digest(content)
+
+
+def _content(path: Path) -> bytes | None:
+    """Return what is in a file; None where there is none that can be read."""
     try:
-        return _digest(path.read_bytes())
+        return path.read_bytes() if path.is_file() else None
     except OSError:
         return None
 
