@@ -11,7 +11,6 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import fields, replace
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -22,6 +21,7 @@ from vad.batches.job import Job, Product, Value
 from vad.batches.sheets import is_film, is_problem
 from vad.errors import AssemblyError, InputError, VadError
 from vad.export import FORMATS, options_of, own_options
+from vad.export.files import temporary_folder
 from vad.kinematics.motion import Motion, solve
 from vad.lecture.lesson import Lesson
 from vad.mechanisms import Mechanism
@@ -42,7 +42,7 @@ def make(job: Job) -> Product:
         sheet = vad.draw(motion, **_only(options, "panels", "language"))
         sheet = replace(sheet, title=f"{sheet.title} · {job.label}")
         answers = motion.to_dict()
-        with TemporaryDirectory() as folder:
+        with temporary_folder() as folder:
             files = {}
             for name, kind in zip(job.names, job.recipe.files, strict=True):
                 _save(sheet, Path(folder, name), kind, job.recipe.blank, options)
