@@ -1,4 +1,4 @@
-"""The pages that follow from the code: the mechanisms, the command line, the benchmarks.
+"""The pages that follow from the code: mechanisms, command line, benchmarks and largest errors.
 
 Out go pages in Markdown by their paths.
 """
@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import csv
 import inspect
+import json
 import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -32,6 +33,18 @@ position, for four results (its position and acceleration and two rates; of a fo
 ω and the coupler's α), for the same where numba has compiled them, and for the same of one pose
 alone.
 """
+_LARGEST = """\
+What `python -m benchmarks.errors --table` has found: random mechanisms, at least half of them where
+trouble is, each against a hundred digits. ε·κ is the measure of
+[How exact, how fast](../explanation/accuracy.md); the pose that gives the largest error is written
+with all its digits.
+
+An ulp is one unit in the last place of the true number. These are errors of poses that are drawn
+without looking for trouble; where a result is the small difference of large numbers, its last place
+is far below what its input holds, and ulps can be many. With the poses of the largest errors in
+ulps, everything is in `benchmarks/results/errors.csv`. Chains of dyads are drawn from a seed by
+`benchmarks/errors/chains.py`; their links, points and slides are counted together.
+"""
 _FILMS = """\
 ## Films and pictures
 
@@ -46,6 +59,7 @@ def made_pages() -> dict[str, str]:
     return {
         "reference/mechanisms.md": _mechanisms(),
         "reference/command-line.md": _command_line(),
+        "reference/errors.md": _errors(),
         "explanation/benchmarks.md": _benchmarks(),
     }
 
@@ -117,6 +131,38 @@ def _benchmarks() -> str:
     _, films = _measured("rendering")
     parts = ["# Benchmarks", "  \n".join(machine), _SPEED, speed, _FILMS, films]
     return _joined([*parts, "The scripts are in `benchmarks/`."])
+
+
+def _errors() -> str:
+    lines = (_BENCHMARKS / "errors.csv").read_text("utf-8").splitlines()
+    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    parts = ["# Largest errors", _LARGEST]
+    for name in dict.fromkeys(row["mechanism"] for row in rows):
+        title = MECHANISMS[name].title if name in MECHANISMS else name.capitalize()
+        found = [
+            [
+                f"{row['part']} {row['quantity']}",
+                row["error"],
+                row["bound"],
+                _command(name, row["where"]),
+                row["most"],
+                row["most_ulps"],
+            ]
+            for row in rows
+            if row["mechanism"] == name
+        ]
+        head = ["result", "ε·κ", "bound", "in this pose", "ulps, 99 of 100", "ulps, largest"]
+        parts += [f"## {title}", _table(head, found)]
+    return _joined(parts)
+
+
+def _command(name: str, pose: str) -> str:
+    """Return the command that solves a pose, or what makes a chain again."""
+    if name not in MECHANISMS or not pose:
+        return f"`{pose}`" if pose else ""
+    numbers = json.loads(pose).items()
+    options = " ".join(f"--{key.replace('_', '-')} {value}" for key, value in numbers)
+    return f"`vad solve {name} {options}`"
 
 
 def _measured(name: str) -> tuple[list[str], str]:

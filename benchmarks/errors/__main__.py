@@ -5,6 +5,7 @@
 --results N    or how many results to compare, at most
 --only KIND    planar, chains or space
 --findings F   append what is beyond its bound to a file
+--table        know the worst of each result exactly, and write the table of the errors anew
 
 It fails where more than one result in a million is beyond its bound, but for the classes of which
 the accuracy page says so.
@@ -18,22 +19,36 @@ import time
 
 import gmpy2
 
-from benchmarks.errors import chains, plane, space
+from benchmarks.errors import chains, plane, space, table
 from benchmarks.errors.tally import Tally
+from tests.kinematics.families import SAMPLERS
 
 KINDS = {"planar": plane, "chains": chains, "space": space}
 
+MECHANISMS = {
+    "planar": {name for name, _ in SAMPLERS.values()},
+    "chains": {table.CHAINS},
+    "space": set(space.KINDS),
+}
 #: Of so many results one may be beyond its bound.
 ALLOWED = 1e6
 #: Where double precision cannot hold them: docs/pages/explanation/accuracy.md has the figures.
 NOT_HELD = {("chains", "four decades"), ("chains", "lengths alike")}
 
 
-def look(kind: str, seed: int, seconds: float, results: float) -> Tally:
-    """Compare random poses until the time or the number is used up."""
-    module, tally = KINDS[kind], Tally()
+def look(
+    kind: str, seed: int, seconds: float, results: float = float("inf"), exactly: bool = False
+) -> Tally:
+    """Compare random poses until the time or the number is used up.
+
+    To know the worst ``exactly`` takes longer, and begins with the poses of the table.
+    """
+    module, tally = KINDS[kind], Tally(least=0.0 if exactly else 0.5)
     end = time.monotonic() + seconds
     with gmpy2.context(gmpy2.get_context(), trap_divzero=True):
+        if exactly:
+            for name, given in table.known(MECHANISMS[kind]):
+                module.compare(tally, *module.again(name, given))
         for family, drawn in module.poses(seed):
             if time.monotonic() > end or tally.results >= results:
                 break
@@ -74,10 +89,13 @@ def main() -> int:
     parser.add_argument("--results", type=float, default=float("inf"))
     parser.add_argument("--only", choices=KINDS)
     parser.add_argument("--findings")
+    parser.add_argument("--table", action="store_true")
     given = parser.parse_args()
     failed = False
     for kind in [given.only] if given.only else KINDS:
-        tally = look(kind, given.seed, given.seconds, given.results)
+        tally = look(kind, given.seed, given.seconds, given.results, given.table)
+        if given.table:
+            table.write(MECHANISMS[kind], tally)
         report(kind, tally)
         failed = failed or broken(tally)
         if given.findings:

@@ -81,11 +81,12 @@ def given(case: Case) -> dict[str, Any]:
     return {**case.parameters, **case.inputs, "assembly": case.assembly}
 
 
-def case_of(name: str, numbers: Mapping[str, Any]) -> Case:
+def again(name: str, numbers: Mapping[str, Any]) -> tuple[str, Case]:
     """Return the pose of which `given` told."""
     inputs = vad.MECHANISMS[name].inputs
     sizes = {key: x for key, x in numbers.items() if key not in inputs and key != "assembly"}
-    return Case(name, sizes, {key: numbers[key] for key in inputs}, numbers["assembly"])
+    case = Case(name, sizes, {key: numbers[key] for key in inputs}, numbers["assembly"])
+    return "known", case
 
 
 def poses(seed: int) -> Iterator[tuple[str, Case]]:

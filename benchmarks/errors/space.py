@@ -44,11 +44,11 @@ class Drawn(NamedTuple):
         return {**self.sizes, **self.inputs, "assembly": self.assembly}
 
 
-def drawn(name: str, numbers: Mapping[str, Any]) -> Drawn:
+def again(name: str, numbers: Mapping[str, Any]) -> tuple[str, Drawn]:
     """Return the pose of which `Drawn.given` told."""
     inputs = ("angle", "omega", "alpha")
     sizes = {key: x for key, x in numbers.items() if key not in (*inputs, "assembly")}
-    return Drawn(name, sizes, {key: numbers[key] for key in inputs}, numbers["assembly"])
+    return "known", Drawn(name, sizes, {key: numbers[key] for key in inputs}, numbers["assembly"])
 
 
 # --- what is drawn ----------------------------------------------------------------------------

@@ -47,7 +47,8 @@ class Record:
     beyond: int = 0
     worst: float = 0.0
     where: str = ""
-    ulps: float = 0.0
+    ulps: list[float] = field(default_factory=list)
+    most_ulps: float = 0.0
     where_ulps: str = ""
 
 
@@ -63,7 +64,8 @@ class Finding:
     def text(self) -> str:
         what = " ".join(self.key)
         return (
-            f"{self.pose.mechanism} [{self.pose.family}] {what}: {self.size:.3g}  {self.pose.text}"
+            f"{self.pose.mechanism}, {self.pose.family}: {what} {self.size:.3g} εκ off: "
+            f"{self.pose.text}"
         )
 
 
@@ -123,7 +125,7 @@ class Tally:
         truth, again
             The truth, and what finds it with many more bits.
         plain
-            Whether its errors in ulps count: where nothing is near trouble.
+            Whether its errors in ulps count, too: it is a pose without trouble.
         """
         second: Truth | None = None
         self.poses += 1
@@ -146,8 +148,9 @@ class Tally:
                     self.findings.append(Finding(pose, key, size))
             if plain:
                 count = ulps(truth, key, found)
-                if count > record.ulps:
-                    record.ulps, record.where_ulps = count, pose.text
+                record.ulps.append(count)
+                if count > record.most_ulps:
+                    record.most_ulps, record.where_ulps = count, pose.text
 
 
 def miss(truth: Truth, key: Key, found: Any) -> Any:
