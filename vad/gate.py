@@ -65,11 +65,15 @@ def real(name: str, value: Any) -> float:
     """
     if type(value) is float:
         return value  # the usual case
+    wanted = "one number" if isinstance(value, list | tuple) else "a number"
     try:
         if isinstance(value, _NO_NUMBERS):
             raise TypeError
         kind = getattr(value, "dtype", None)  # numpy's: spans of time, truth values, arrays …
-        if kind is not None and (kind.kind not in "iuf" or value.shape != ()):
+        if kind is not None and value.shape != ():
+            wanted = "one number"
+            raise TypeError
+        if kind is not None and kind.kind not in "iuf":
             raise TypeError
         return float(value)
     except OverflowError:  # a whole number or a fraction beyond every float
@@ -77,8 +81,6 @@ def real(name: str, value: Any) -> float:
     except ValueError:  # what signals that it is no number
         return math.nan
     except Exception:  # a class may raise anything when it is asked for a number
-        several = isinstance(value, list | tuple) or hasattr(type(value), "shape")
-        wanted = "one number" if several else "a number"
         raise InputError(f"{_start(name)}must be {wanted}, got {quoted(value)}") from None
 
 
@@ -138,6 +140,26 @@ def whole(name: str, value: object, least: int, most: int, hint: str | None = No
         wanted = f"must be a whole number from {least} to {most}"
         raise UsageError(f"{_start(name)}{wanted}, got {quoted(value)}", hint)
     return found
+
+
+def flag(name: str, value: Any) -> bool:
+    """Return whether something is wanted.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If it is neither true nor false.
+
+    Examples
+    --------
+    >>> flag("subtitles", 1)
+    True
+    """
+    kind = getattr(type(value), "__name__", "")
+    found = int(value) if isinstance(value, bool) or kind in ("bool_", "bool") else index(value)
+    if found not in (0, 1):
+        raise UsageError(f"{_start(name)}must be True or False, got {quoted(value)}")
+    return bool(found)
 
 
 def index(value: Any) -> int | None:
@@ -207,6 +229,19 @@ def check_folded(name: str) -> None:
 def _called(sign: str) -> str:
     """Return the number and the name of a character."""
     return f"U+{ord(sign):04X} {unicodedata.name(sign, '')}".strip()
+
+
+def function(name: str, value: object) -> Any:
+    """Return a function, or None for none.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        For anything else.
+    """
+    if value is not None and not callable(value):
+        raise UsageError(f"{_start(name)}must be a function, got {quoted(value)}")
+    return value
 
 
 def several(name: str, value: object, wanted: str, hint: str | None = None) -> list[Any]:

@@ -6,6 +6,7 @@ same one of a seed; ``fault(input, seed)``, which says what it breaks; and `run`
 
 from __future__ import annotations
 
+import resource
 import signal
 import traceback
 import warnings
@@ -14,6 +15,9 @@ from collections.abc import Callable
 from typing import Any
 
 from vad.errors import VadError
+
+#: The most bytes of memory that a run may take.
+MOST_MEMORY = 4 * 2**30
 
 
 class _TooLongError(BaseException):
@@ -57,13 +61,18 @@ def broken(work: Callable[[], object], longest: float) -> str | None:
 def run(
     case: Callable[[int], Any], fault: Callable[[Any, int], str | None], tries: int, first: int = 0
 ) -> int:
-    """Try so many seeds; print each kind of fault once with its seeds, and return their number."""
+    """Try so many seeds; print each kind of fault once with its seeds, and return their number.
+
+    Memory without a limit ends in a `MemoryError`, which is a fault.
+    """
+    resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
     seeds: dict[str, list[int]] = {}
     told: dict[str, str] = {}
     for seed in range(first, first + tries):
         found = fault(case(seed), seed)
         if found is not None:
-            where = [line.strip() for line in found.splitlines() if line.strip().startswith("File")]
+            places = [line.strip() for line in found.splitlines() if "File" in line[:7]]
+            where = [place for place in places if "/vad/" in place] or places
             kind = " | ".join([*where[-1:], found.strip().splitlines()[-1][:160]])
             seeds.setdefault(kind, []).append(seed)
             told.setdefault(kind, found)

@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+from vad import gate
 from vad.batches.job import Done, Job, Product
 from vad.batches.sheets import read_sheets
 from vad.batches.workers import products
@@ -72,14 +73,17 @@ def batch(
     vad.errors.ExportError
         If the folder cannot be written, or a worker dies.
     """
-    if not isinstance(jobs, int) or isinstance(jobs, bool) or jobs < 1:
+    if (gate.index(jobs) or 0) < 1:
         raise UsageError(f"jobs: must be a whole number from 1 on, got {quoted(jobs)}")
+    gate.function("progress", progress)
     if cluster is not None and jobs != 1:
         raise UsageError("jobs: a cluster has its own workers", "leave out one of them")
     sheets = read_sheets(path)
     total = len(sheets.jobs) + len(sheets.failed)
-    if only is not None and (isinstance(only, bool) or only not in range(1, total + 1)):
-        raise UsageError(f"only: there is no sheet {quoted(only)}", f"from 1 to {total}")
+    if only is not None:
+        if not 1 <= (gate.index(only) or 0) <= total:
+            raise UsageError(f"only: there is no sheet {quoted(only)}", f"from 1 to {total}")
+        only = int(only)
     target = Folder(folder)
     stand = (target.standing(job) for job in sheets.jobs if job.number != only)
     done = {each.number: each for each in (*sheets.failed, *stand) if each is not None}
@@ -113,8 +117,7 @@ class Folder:
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
-        if not isinstance(path, str | os.PathLike):
-            raise UsageError(f"folder: must be the name of a folder, got {quoted(path)}")
+        path = gate.path("folder", path, "folder")
         self.path = Path(path)
         try:
             self.path.mkdir(exist_ok=True)

@@ -16,6 +16,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from vad import gate
 from vad.batches.choices import kind_of, offered, text_beside, written_at
 from vad.batches.job import Done, Job, Recipe
 from vad.discovery import one_of_all
@@ -387,9 +388,7 @@ def read_sheets(path: str | os.PathLike[str]) -> Rows:
     vad.errors.InputError
         For a file that cannot be read, or with its line for what in it cannot be.
     """
-    if not isinstance(path, str | os.PathLike):
-        raise UsageError(f"path: must be the name of a file, got {quoted(path)}", _HINT)
-    file = Path(path)
+    file = Path(gate.path("path", path, hint=_HINT))
     kind = file.suffix.lower()
     if kind not in (".toml", ".csv"):
         raise UsageError(f"sheets cannot be read from {quoted(str(path))}", _HINT)

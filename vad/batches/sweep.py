@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from vad import gate
 from vad.errors import InputError, UsageError, quoted, unknown
 from vad.kinematics.motion import Motion, MotionInSpace, solve
 from vad.kinematics.results import Point
@@ -110,7 +111,7 @@ def _solved(motion: Motion[Any, Any, Any], results: np.dtype[Any]) -> NDArray[An
 
 
 def _names(results: Iterable[str] | str) -> list[str]:
-    listed = [results] if isinstance(results, str) else list(results)
+    listed = gate.several("results", results, "names of results", _HINT)
     if not listed:
         raise UsageError("results: none given", _HINT)
     for name in listed:

@@ -35,6 +35,7 @@ from typing import (
     get_type_hints,
 )
 
+from vad import gate
 from vad.discovery import names_in
 from vad.errors import InputError, UsageError, quoted
 from vad.export import files
@@ -47,6 +48,7 @@ if TYPE_CHECKING:
     from vad.export.frames import Progress
 
 FOLDER = "/"
+_DOTTED = re.compile(r"\.\w+")
 _BESIDE = 'as in (".srt", ".vtt")'
 
 #: What a format saves, by the first word of its module's name.
@@ -141,7 +143,7 @@ def save(
     """
     extension = format_of(type(thing), path)
     module = import_module(FORMATS[type(thing)][extension])
-    _check_options(module, extension, options)
+    own = _checked_options(module, extension, options)
     with ExitStack() as stack:
         for other in _beside(path, beside):
             writer = import_module(FORMATS[type(thing)][format_of(type(thing), other)])
@@ -150,31 +152,39 @@ def save(
             target: Any = stack.enter_context(files.new_folder(path, module.is_frame))
         else:
             target = stack.enter_context(files.new_file(path))
-        module.write(thing, target, **options)
+        module.write(thing, target, **own)
 
 
 def _beside(path: str | os.PathLike[str], extensions: Iterable[str]) -> list[Path]:
     """Return the further files of the same name."""
-    if isinstance(extensions, str) or not isinstance(extensions, Iterable):
-        raise UsageError(f"beside: must be extensions, got {quoted(extensions)}", _BESIDE)
     others = []
-    for each in extensions:
-        if not isinstance(each, str) or not re.fullmatch(r"\.\w+", each):
+    for each in gate.several("beside", extensions, "extensions", _BESIDE):
+        if isinstance(extensions, str) or not isinstance(each, str) or not _DOTTED.fullmatch(each):
             raise UsageError(f"beside: must be extensions, got {quoted(each)}", _BESIDE)
         folder, name = os.path.split(os.path.splitext(os.fspath(path).rstrip("/"))[0])
         others.append(Path(folder, name + each))
     return others
 
 
-def _check_options(module: ModuleType, extension: str, options: Mapping[str, object]) -> None:
-    """Raise `vad.errors.UsageError` for an option that a format does not have, or cannot call."""
-    known = _parameters(module.__name__)
+def _checked_options(
+    module: ModuleType, extension: str, options: Mapping[str, object]
+) -> dict[str, Any]:
+    """Return the options of a format.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        For one that it does not have, that is neither true nor false, or that it cannot call.
+    """
+    known = signature(module.write).parameters
     for name in options:
-        if name not in known:
+        if name not in _parameters(module.__name__):
             raise UsageError(f"{name}: {_named(extension)} has no such option")
-    progress = options.get("progress")
-    if progress is not None and not callable(progress):
-        raise UsageError(f"progress: must be a function, got {quoted(progress)}")
+    gate.function("progress", options.get("progress"))
+    return {
+        name: gate.flag(name, value) if isinstance(known[name].default, bool) else value
+        for name, value in options.items()
+    }
 
 
 def _parameters(module: str) -> tuple[str, ...]:
@@ -263,9 +273,7 @@ def format_of(kind: type, path: str | os.PathLike[str]) -> str:
     """
     if kind not in FORMATS:
         raise UsageError(f"a {kind.__name__} cannot be saved", hint="draw or animate it first")
-    text = os.fspath(path) if isinstance(path, str | os.PathLike) else None
-    if not isinstance(text, str):
-        raise UsageError(f"path: must be the name of a file, got {quoted(path)}")
+    text = gate.path("path", path)
     formats = FORMATS[kind]
     extension = Path(text).suffix.lower()
     named_as_folder = text.endswith(("/", os.sep)) or extension == ""

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
+from vad import gate
 from vad.errors import ExportError, UsageError
 from vad.export.frames import Film, Progress, painted, rate, with_boxes
 from vad.export.lesson_srt import Cue, cues
@@ -48,6 +49,8 @@ _X264 = {
 _X264_OF_TURN = {"preset": "veryfast", "crf": "21", "x264-params": "chromaloc=1"}
 #: The bytes depend on the number of threads; more than two gain nothing on such pictures.
 _THREADS = 2
+#: The most threads that x264 takes; 0 lets it choose.
+_MOST_THREADS = 128
 #: How many pictures may be painted before they are encoded.
 _AHEAD = 8
 _SECONDS_BETWEEN_KEY_FRAMES = 10
@@ -88,6 +91,7 @@ def write(
         If the width or height is odd.
     """
     _check_even(lesson.size)
+    threads = gate.whole("threads", threads, 0, _MOST_THREADS)
     encode(
         painted(lesson, progress),
         stream,

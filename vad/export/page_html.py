@@ -19,7 +19,11 @@ def write(
     progress: Progress | None = None,
 ) -> None:
     """Write the page; a lesson has a style already, and its page fits every window."""
-    lesson = thing if isinstance(thing, Lesson) else animate(thing, style=style or STYLE)
+    lesson = (
+        thing
+        if isinstance(thing, Lesson)
+        else animate(thing, style=STYLE if style is None else style)
+    )
     start = 0 if lesson is thing else len(lesson.steps)
     target.write(document(lesson, start).encode())
     if progress is not None:

@@ -36,7 +36,7 @@ def write(
     vad.errors.UsageError
         If both a size and a paper are given, or a paper for a step of a lesson.
     """
-    if paper and (size or isinstance(thing, Still)):
+    if paper is not None and (size is not None or isinstance(thing, Still)):
         what = "a step of a lesson" if isinstance(thing, Still) else "a picture with a size"
         raise UsageError(f"paper: not for {what}", hint="a whole sheet takes the paper's size")
     shown = posed(thing, size, style, paper, blank)

@@ -12,7 +12,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from vad.errors import InputError, quoted
+from vad import gate
+from vad.errors import InputError
 from vad.export.data.old_sheets import with_facts
 from vad.export.data.records import within
 from vad.export.data.sheet_form import SHEET
@@ -104,12 +105,11 @@ def _loaded(source: str | os.PathLike[str] | Mapping[str, Any]) -> tuple[str, An
     """Return what a source is called, and what it holds."""
     if isinstance(source, Mapping):
         return "sheet", source
-    if not isinstance(source, str | os.PathLike) or not isinstance(os.fspath(source), str):
-        raise InputError(f"sheet: must be the name of a file, or its text, got {quoted(source)}")
-    is_text = isinstance(source, str) and source.lstrip().startswith(("{", "["))
-    name = "sheet" if is_text else os.fspath(source)
+    written = gate.path("sheet", source, "file, or its text")
+    is_text = isinstance(source, str) and written.lstrip().startswith(("{", "["))
+    name = "sheet" if is_text else written
     try:
-        return name, json.loads(str(source) if is_text else Path(name).read_text(encoding="utf-8"))
+        return name, json.loads(written if is_text else Path(name).read_text(encoding="utf-8"))
     except OSError as error:
         raise InputError(f"{name}: {error.strerror or 'cannot be read'}") from None
     except (ValueError, RecursionError) as error:  # no JSON, no UTF-8, or no name of a file

@@ -167,7 +167,7 @@ def text_of(path: object, longest: int = LONGEST) -> str:
     except UnicodeDecodeError:
         raise InputError(f"{name}: is no text in UTF-8") from None
     except OSError as error:
-        raise InputError(f"{quoted(place)}: {error.strerror or error}", _nearly(place)) from None
+        raise InputError(f"'{place}': {error.strerror or error}", _nearly(place)) from None
     except ValueError:
         raise InputError(f"{quoted(place)}: is no name of a file") from None
     if len(data) > longest:

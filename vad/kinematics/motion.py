@@ -267,22 +267,24 @@ def _one(name: str, value: object, largest: float) -> float:
 
 def _many(name: str, value: object) -> NDArray[np.float64]:
     """Return a new array; text and dates are refused, though numpy makes numbers of them."""
-    if np.ma.is_masked(value):
-        hint = "array.filled(numpy.nan) gives NaN, which is answered with NaN"
-        raise InputError(f"{name}: must not be masked, for a mask would be lost", hint)
     try:
         if isinstance(value, str | bytes | bytearray):
             raise TypeError
+        masked = np.ma.is_masked(value)
         array = np.asarray(value)
         kind = array.dtype.kind
         if kind not in "iufO" or (kind == "O" and not all(map(_is_number, array.flat))):
             raise TypeError
-        return np.array(array, dtype=float)
+        found = np.array(array, dtype=float)
     except Exception as error:  # whatever a class says that is asked for an array
         if isinstance(error, MemoryError):
             raise
         wanted = "must be a number or an array of numbers"
         raise InputError(f"{name}: {wanted}, got {quoted(value)}") from None
+    if masked:
+        hint = "array.filled(numpy.nan) gives NaN, which is answered with NaN"
+        raise InputError(f"{name}: must not be masked, for a mask would be lost", hint)
+    return found
 
 
 def _is_number(value: object) -> bool:

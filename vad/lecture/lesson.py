@@ -7,16 +7,15 @@ looks.
 from __future__ import annotations
 
 import contextlib
-import operator
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from itertools import accumulate, pairwise
-from numbers import Real
 from typing import Any
 
+from vad import gate
 from vad.discovery import names_in, one_of_all
 from vad.displayed import Displayed
-from vad.errors import UsageError, one_of, quoted
+from vad.errors import InputError, UsageError, one_of, quoted
 from vad.lecture.moment import Moment, done, drawing
 from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke, driver_of
 
@@ -147,7 +146,7 @@ def animate(
     """
     if not isinstance(sheet, Sheet):
         raise UsageError(f"sheet: must be what vad.draw returns, got {quoted(sheet)}")
-    _check_loop(sheet, loop)
+    loop = _loop(sheet, loop)
     fps, size, speed = checked(fps, size, speed, style)
 
     def count(seconds: float) -> int:
@@ -176,12 +175,14 @@ def animate(
     return Lesson(sheet, tuple(steps), count(OPENING), count(CLOSING), fps, size, style)
 
 
-def _check_loop(sheet: Sheet, loop: int) -> None:
-    """Check that a sheet has a loop with this number."""
+def _loop(sheet: Sheet, loop: object) -> int:
+    """Return the number of a loop, after checking that a sheet has it."""
     count = max(len(panel.loops) for panel in sheet.panels)
-    if isinstance(loop, bool) or not isinstance(loop, int) or not 1 <= loop <= max(count, 1):
+    found = gate.index(loop)
+    if found is None or not 1 <= found <= max(count, 1):
         hint = "this mechanism has one loop" if count < 2 else f"try 2, of its {count} loops"
         raise UsageError(f"loop: must be between 1 and {max(count, 1)}, got {quoted(loop)}", hint)
+    return found
 
 
 def opens(sheet: Sheet, panel: Panel) -> bool:
@@ -232,11 +233,10 @@ def checked(
 
 def _number(name: str, value: object, ends: tuple[float, float], hint: str) -> float:
     """Return a number in its range; NaN is out of every range."""
-    if isinstance(value, Real) and not isinstance(value, bool):
-        with contextlib.suppress(OverflowError, TypeError):  # too large for a float; a timedelta
-            number = float(value)
-            if ends[0] <= number <= ends[1]:
-                return number
+    with contextlib.suppress(InputError):
+        number = gate.number(name, value)
+        if ends[0] <= number <= ends[1]:
+            return number
     got = quoted(value)
     raise UsageError(f"{name}: must be between {ends[0]:g} and {ends[1]:g}, got {got}", hint)
 
@@ -249,15 +249,15 @@ def check_size(size: tuple[int, int]) -> tuple[int, int]:
     vad.errors.UsageError
         For a size that no picture can have.
     """
-    hint = "try 1280x720"
+    wanted, hint = "a width and a height in pixels", "try 1280x720"
     try:
-        width, height = (int(side) for side in size if isinstance(side, Real))
-        whole = (width, height) == tuple(size) and not isinstance(size, str | bytes)
-    except (TypeError, ValueError, OverflowError):
+        sides = [gate.number("size", each) for each in gate.several("size", size, wanted)]
+        width, height = map(int, sides)
+        whole = [width, height] == sides
+    except (InputError, ValueError):
         whole = False
     if not whole:
-        message = f"size: must be a width and a height in pixels, got {quoted(size)}"
-        raise UsageError(message, hint)
+        raise UsageError(f"size: must be {wanted}, got {quoted(size)}", hint)
     ends = zip(SMALLEST, (width, height), LARGEST, strict=True)
     if not all(low <= side <= high for low, side, high in ends):
         smallest, largest, got = (
@@ -374,7 +374,4 @@ def _place(number: Any) -> int | None:
     """Return the number of a step, or None if this is no such number."""
     if isinstance(number, str):
         return int(number.strip()[:_DIGITS]) if number.strip().isdecimal() else None
-    try:
-        return None if isinstance(number, bool) else operator.index(number)
-    except TypeError:
-        return None
+    return gate.index(number)

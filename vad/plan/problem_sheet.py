@@ -10,7 +10,8 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
 
-from vad.errors import UsageError, one_of, quoted
+from vad import gate
+from vad.errors import one_of
 from vad.plan.board import Plan
 from vad.plan.items import FOREVER, RESULTS, Item, Level, foot_of, head_of
 from vad.plan.page.table import table
@@ -28,10 +29,7 @@ def blank_panels(sheet: Sheet, names: Sequence[str] | str) -> Blank:
     vad.errors.UsageError
         For a panel that the sheet does not have.
     """
-    try:
-        chosen = [names] if isinstance(names, str) else list(names)
-    except TypeError:
-        raise UsageError(f"blank: must be names of panels, got {quoted(names)}") from None
+    chosen = gate.several("blank", names, "names of panels")
     there = [panel.name for panel in sheet.panels]
     panels = [sheet.panel(one_of("panel", name, there)) for name in chosen]
     return {

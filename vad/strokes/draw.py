@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
+from vad import gate
 from vad.errors import InputError, UsageError, one_of, quoted
 from vad.kinematics.linkage import points_of
 from vad.kinematics.motion import Motion, solve
@@ -114,11 +115,7 @@ def chosen(
     """
     fitting = [name for name, each in DIAGRAMS.items() if motion is None or each.applies(motion)]
     usual = tuple(name for name in fitting if DIAGRAMS[name].usual)
-    given = usual if panels is None else panels
-    try:
-        given = (given,) if isinstance(given, str) else tuple(given)
-    except TypeError:
-        raise UsageError(f"panels: must be names of panels, got {quoted(given)}") from None
+    given = usual if panels is None else gate.several("panels", panels, "names of panels")
     names = [one_of("panel", name, DIAGRAMS) for name in given]
     if not names:
         raise UsageError("panels: none given", hint="known: " + ", ".join(fitting))

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from vad import gate
 from vad.displayed import Displayed
 from vad.errors import InputError, UsageError, quoted
 from vad.strokes.sheet import Cell, Sheet
@@ -78,13 +79,11 @@ def multiples(
 
 def _checked(at: Sequence[float]) -> list[float]:
     """Return the places of the driver, after checking that a picture has room for them."""
-    try:
-        places = [] if isinstance(at, str) else list(at)
-    except TypeError:
-        places = []
+    wanted = f"{FEWEST} to {MOST} places of the driver"
+    places = [] if isinstance(at, str) else gate.several("at", at, wanted)
     if not FEWEST <= len(places) <= MOST:
         got = str(len(places)) if places else quoted(at)
-        raise UsageError(f"at: must be {FEWEST} to {MOST} places of the driver, got {got}")
+        raise UsageError(f"at: must be {wanted}, got {got}")
     return places
 
 

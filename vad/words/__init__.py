@@ -118,8 +118,8 @@ class Language:
     """
 
     def __init__(self, code: str) -> None:
-        self.code = code
-        self._tables = _tables(code)
+        self.code = one_of_all("language", code, languages(), GROUP)
+        self._tables = _tables(self.code)
         self.point = self._tables.point
 
     def say(self, phrase: str, **texts: str) -> str:
@@ -208,9 +208,7 @@ class _Tables:
 @cache
 def _tables(code: str) -> _Tables:
     """Return the tables of a language of this package or another one."""
-    own = languages()
-    one_of_all("language", code, own, GROUP)
-    if code in own:
+    if code in languages():
         return _Tables(code, import_module(f"{__name__}.{code}"))
     module = from_packages(GROUP)[code]
     if not isinstance(getattr(module, "PHRASES", None), Mapping):
