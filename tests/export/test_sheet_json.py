@@ -15,6 +15,7 @@ import pytest
 
 import vad
 from tests.export.synthetic import SHEET
+from tests.limits import within
 from tests.strokes.poses import MECHANISMS, sheets
 from vad.errors import InputError, UsageError
 from vad.export import save, sheet_json
@@ -197,6 +198,17 @@ def test_the_lesson_of_the_sheet_that_came_back_is_the_same() -> None:
         (("panels", "velocity", "strokes", 1, "kind"), ["pole"], "kind: must be one of fixed"),
         (("panels", "velocity", "strokes", 1, "name"), "pole", "two strokes are called 'pole'"),
         (("panels", "velocity", "strokes", 1, "name"), "x", "no stroke is called 'AB.tangential'"),
+        (
+            ("panels", "position", "strokes", 4, "sweep"),
+            1e7,
+            "sweep: must be an angle, at most 720",
+        ),
+        (
+            ("panels", "position", "strokes", 4, "radius"),
+            1e300,
+            "radius: must be a finite number, at",
+        ),
+        (("panels", "velocity", "zeros"), [{}] * 10_001, "zeros: a list has at most 10000 entries"),
         (("panels", "acceleration", "inset", "stroke"), "y", "no stroke is called 'y'"),
         (("panels", "acceleration", "inset", "sense"), 1.0, "inset.sense: must be one of 1, -1"),
     ],
@@ -230,6 +242,19 @@ def test_foreign_files_are_answered_in_one_line(folder: Path, text: str, said: s
     with pytest.raises(vad.InputError, match=said) as caught:
         vad.sheet_from_json("foreign.json")
     assert str(caught.value).startswith("foreign.json: ") and "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("source", ["/dev/zero", " " * 30_000_000 + "{}"])
+def test_a_file_without_an_end_is_not_read_whole(source: str) -> None:
+    with within(20.0), pytest.raises(vad.InputError, match="too long for a sheet"):
+        vad.sheet_from_json(source)
+
+
+def test_a_point_far_off_the_page_is_drawn_in_little_time() -> None:
+    data = sheet_json.to_dict(lever())
+    data["panels"]["position"]["strokes"][4]["centre"][0] = 1e7
+    with within(20.0):
+        assert picture(vad.sheet_from_json(data)).shape == (720, 1280, 4)
 
 
 @pytest.mark.parametrize("name", ["nowhere.json", "", ".", "a\x00b"])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from unittest import mock
+
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -66,3 +68,17 @@ def test_a_box_keeps_apart_from_another(box, centre, size):
     if min(abs(aside), abs(above), abs(aside - 0.02), abs(above - 0.01)) > 1e-9:
         assert page.has_room(centre, *size, 0.0, 0j) is (aside > 0.0 or above > 0.0)
         assert page.has_room(centre, *size, 0.0, 0.02 + 0.01j) is (aside > 0.02 or above > 0.01)
+
+
+@given(LINES, st.sampled_from([2.0, 1e3, 1e7, 1e250]))
+def test_a_leader_however_long_takes_little_memory(line, far):
+    within = obstacles([line], [])
+    assert 0.0 < within.covered(0.5 + 0.5j, complex(far, 0.5)) <= far
+
+
+@given(st.lists(LINES, min_size=1), st.lists(POINTS, min_size=1), SIZES)
+def test_centres_in_small_groups_are_told_the_same(lines, centres, size):
+    all_ = obstacles(lines, [])
+    at_once = all_.free(centres, *size, 0.0)
+    with mock.patch("vad.plan.labels.obstacles._MOST_AT_ONCE", 2 * len(lines)):
+        assert all_.free(centres, *size, 0.0).tolist() == at_once.tolist()

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import json
 import os
+from collections import Counter
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any, BinaryIO
 
 from vad import gate
@@ -19,6 +19,9 @@ from vad.export.data.records import within
 from vad.export.data.sheet_form import SHEET
 from vad.strokes.sheet import BELOW, Sheet
 from vad.strokes.translation import as_written, translated
+
+#: No sheet is longer; the longest that ships takes a hundredth of it.
+_MOST_BYTES = 20_000_000
 
 
 def write(
@@ -109,11 +112,21 @@ def _loaded(source: str | os.PathLike[str] | Mapping[str, Any]) -> tuple[str, An
     is_text = isinstance(source, str) and written.lstrip().startswith(("{", "["))
     name = "sheet" if is_text else written
     try:
-        return name, json.loads(written if is_text else Path(name).read_text(encoding="utf-8"))
+        text = written if is_text else _read(name)
+        if len(text) > _MOST_BYTES:
+            raise InputError(f"{name}: too long for a sheet: at most {_MOST_BYTES} bytes are read")
+        return name, json.loads(text)
     except OSError as error:
         raise InputError(f"{name}: {error.strerror or 'cannot be read'}") from None
     except (ValueError, RecursionError) as error:  # no JSON, no UTF-8, or no name of a file
         raise InputError(f"{name}: not JSON: {error}".splitlines()[0]) from None
+
+
+def _read(name: str) -> str:
+    """Return the text of a file, and of a longer one than a sheet's no more than its beginning."""
+    with open(name, "rb") as file:
+        held = file.read(_MOST_BYTES + 1)
+    return held.decode("utf-8") if len(held) <= _MOST_BYTES else held.decode("latin-1")
 
 
 def _check(sheet: Sheet) -> None:
@@ -124,12 +137,13 @@ def _check(sheet: Sheet) -> None:
         place = within("panels", panel.name)
         if panel.below and panel.below.name != panel.name + BELOW:
             raise InputError(f"{place}.below.name: must be {panel.name + BELOW!r}")
-        names = [stroke.name for stroke in (*panel.strokes, *panel.zeros)]
-        for name in names:
-            if names.count(name) > 1:
+        times = Counter(stroke.name for stroke in (*panel.strokes, *panel.zeros))
+        for name in times:
+            if times[name] > 1:
                 raise InputError(f"{place}: two strokes are called {name!r}")
+        drawn = {stroke.name for stroke in panel.strokes}
         sums = [terms for each in panel.equations for terms in (each.left, each.right)]
         called = [term.stroke for terms in sums for term in terms if term.stroke]
         for name in called + ([panel.inset.stroke] if panel.inset else []):
-            if name not in {stroke.name for stroke in panel.strokes}:
+            if name not in drawn:
                 raise InputError(f"{place}: no stroke is called {name!r}")

@@ -150,17 +150,21 @@ def with_digits(notation: Notation, sentences: Iterable[Sentence]) -> Notation:
         operands = [typed(figure) for figure in sentence.figures(each.operands)]
         calculations.append((typed(result), operands, _OPERATIONS[each.operation]))
     digits: dict[str, int] = {}
-    before = None
-    while before != digits:
+    # Each number gets more digits only, and `_ALL` at most.
+    for _ in range(_ALL * len(alike) + 1):
         before = dict(digits)
         for number, operands, calculate in calculations:
-            while not number.agrees(calculate([each.factor for each in operands])):
+            for _ in range(_ALL * (len(operands) + 1)):
+                if number.agrees(calculate([each.factor for each in operands])):
+                    break
                 finer = _to_refine(number, operands)
                 if finer is None:
                     break
                 digits[finer.key] = finer.count + 1
                 for same in alike[finer.key]:  # wherever it stands
                     same.read(digits[finer.key])
+        if digits == before:
+            break
     return replace(notation, digits=digits)
 
 
@@ -193,10 +197,13 @@ class _Typed:
 
     @property
     def count(self) -> int:
-        """The significant digits of the number as it is written."""
+        """The significant digits of the number, or more if it was asked for more than it shows.
+
+        A zero shows one digit, and a measured angle has one decimal, whatever was asked for.
+        """
         if self.figure.given:
             return max(GIVEN, self._digits)
-        return max(MEASURED, len(self.number.as_tuple().digits))
+        return max(MEASURED, self._digits, len(self.number.as_tuple().digits))
 
     @property
     def exact(self) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from vad.kinematics.linkage import Bar, Slide, angle_of, scalar_of
 from vad.strokes.arithmetic import Figure
@@ -196,29 +196,35 @@ class PositionPencil:
 def hull(places: Mapping[str, complex]) -> tuple[str, ...]:
     """Return the corners of the convex hull of points, counter-clockwise from the first of them.
 
+    A point within the hull or on its edge is no corner, and of points in one place the first is.
+    The points are sorted once, and each is added to a side and taken from it at most once.  So
+    there is an end whatever rounding does to points that nearly coincide.
+
     Examples
     --------
     >>> hull({"A": 0j, "B": 4 + 0j, "M": 1 + 1j, "C": 3j})
     ('A', 'B', 'C')
     """
-    start = min(places, key=lambda point: (places[point].imag, places[point].real))
-    corners = [start]
-    while True:
-        here = places[corners[-1]]
-        rest = [point for point in places if places[point] != here]
-        # The next corner has no point on its right hand; of several in line the farthest is one.
-        following = next(
-            point
-            for point in sorted(rest, key=lambda point: -abs(places[point] - here))
-            if all(_left(places[point] - here, places[other] - here) for other in rest)
-        )
-        if following == start:
-            break
-        corners.append(following)
-    first = corners.index(next(point for point in places if point in corners))
-    return tuple(corners[first:] + corners[:first])
+    named = {place: letter for letter, place in list(places.items())[::-1]}
+    rightward = sorted(named, key=lambda place: (place.real, place.imag))
+    lower, upper = _side(rightward), _side(rightward[::-1])
+    corners = [named[place] for place in (*lower[:-1], *upper[:-1])] or [named[lower[0]]]
+    first = min(map(list(places).index, corners))
+    start = corners.index(list(places)[first])
+    return tuple(corners[start:] + corners[:start])
 
 
-def _left(way: complex, other: complex) -> bool:
-    """Tell whether a vector points to the left of another, or along it."""
-    return (way.conjugate() * other).imag >= -1e-12 * abs(way) * abs(other)
+def _side(points: Sequence[complex]) -> list[complex]:
+    """Return the corners of the side of a hull on the right hand, of points that are sorted."""
+    side: list[complex] = []
+    for point in points:
+        while len(side) > 1 and not _turns_left(side[-2], side[-1], point):
+            side.pop()  # no more often than points were added
+        side.append(point)
+    return side
+
+
+def _turns_left(start: complex, corner: complex, end: complex) -> bool:
+    """Tell whether a way turns to the left at a corner, by more than rounding makes of none."""
+    way, onward = corner - start, end - corner
+    return (way.conjugate() / abs(way) * (onward / abs(onward))).imag > 1e-12

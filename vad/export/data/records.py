@@ -15,6 +15,12 @@ from vad.errors import InputError
 
 _REQUIRED: Any = object()
 _MOST = 17  # significant digits of a double
+#: No number is larger, so that its product with the scale of a page is one, too.
+_LARGEST = 1e250
+#: No angle is larger, in degrees: an arc is painted in pieces of a turn.
+_LARGEST_ANGLE = 720.0
+#: No list is longer: the curve of a whole turn takes some hundred points.
+_LONGEST = 10_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,9 +78,16 @@ def _read_number(value: Any, place: str) -> float:
             number = float(value)
         except OverflowError:
             number = math.inf
-        if math.isfinite(number):
+        if abs(number) <= _LARGEST:
             return number
-    raise wrong(place, "a finite number", value)
+    raise wrong(place, f"a finite number, at most {_LARGEST:g} in size", value)
+
+
+def _read_angle(value: Any, place: str) -> float:
+    angle = _read_number(value, place)
+    if abs(angle) > _LARGEST_ANGLE:
+        raise wrong(place, f"an angle, at most {_LARGEST_ANGLE:g}° in size", value)
+    return angle
 
 
 def _read_count(value: Any, place: str) -> int:
@@ -101,6 +114,7 @@ def _read_point(value: Any, place: str) -> complex:
 
 TEXT = Form(str, _read_text)
 NUMBER = Form(lambda value: float(value) + 0.0, _read_number)  # adding 0 turns -0.0 into 0.0
+ANGLE = Form(NUMBER.write, _read_angle)
 COUNT = Form(int, _read_count)
 INDEX = Form(int, _read_index)  # of a point in a list
 FLAG = Form(bool, _read_flag)
@@ -153,6 +167,8 @@ def many(form: Form) -> Form:
     def read(value: Any, place: str) -> tuple[Any, ...]:
         if not isinstance(value, list):
             raise wrong(place, "a list", value)
+        if len(value) > _LONGEST:
+            raise InputError(f"{place}: a list has at most {_LONGEST} entries, got {len(value)}")
         return tuple(form.read(each, f"{place}[{i}]") for i, each in enumerate(value))
 
     return Form(lambda values: [form.write(each) for each in values], read)

@@ -25,6 +25,7 @@ from typing import Any, get_args
 
 from vad.errors import InputError
 from vad.export.data.records import (
+    ANGLE,
     COUNT,
     FLAG,
     INDEX,
@@ -204,8 +205,8 @@ ELLIPSE = record(
     centre=POINT,
     first=POINT,
     second=POINT,
-    start=optional(NUMBER, 0.0),
-    sweep=optional(NUMBER, 360.0),
+    start=optional(ANGLE, 0.0),
+    sweep=optional(ANGLE, 360.0),
     far=optional(many(row(NUMBER, NUMBER)), ()),
 )
 SHAPE = variants(
@@ -220,9 +221,7 @@ SHAPE = variants(
         cylinder=optional(NUMBER, 0.0),
     ),
     line=record(Line, through=POINT, direction=WAY, until=POINT, square_to=optional(TEXT)),
-    arc=record(
-        Arc, centre=POINT, radius=NUMBER, start=NUMBER, sweep=NUMBER, through=optional(POINT)
-    ),
+    arc=record(Arc, centre=POINT, radius=NUMBER, start=ANGLE, sweep=ANGLE, through=optional(POINT)),
     guide=record(Guide, through=POINT, direction=WAY, side=optional(WAY)),
     block=record(
         Block,
@@ -239,7 +238,7 @@ SHAPE = variants(
         breaks=optional(many(INDEX), ()),
     ),
     ellipse=ELLIPSE,
-    fold=record(Fold, centre=POINT, axis=WAY, turn=NUMBER, arms=many(POINT), rim=ELLIPSE),
+    fold=record(Fold, centre=POINT, axis=WAY, turn=ANGLE, arms=many(POINT), rim=ELLIPSE),
     bearing=record(Bearing, at=POINT, direction=WAY),
 )
 STROKE = record(

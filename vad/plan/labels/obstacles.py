@@ -21,6 +21,11 @@ Bools = NDArray[np.bool_]
 
 #: A pixel of a page 720 pixels high: nearer than this is the same place to the eye.
 PIXEL = 1.0 / 720.0
+#: A leader is sampled every so many pixels, and at no more places than there are on the longest way
+#: across a page: what is longer leaves the page, whatever it lies on.
+_SAMPLED, _MOST_SAMPLES = 3.0 * PIXEL, 500
+#: So many pairs of a box and a stroke are compared at once: that bounds the memory.
+_MOST_AT_ONCE = 1 << 20
 
 
 @dataclass
@@ -89,7 +94,10 @@ class Obstacles:
             past |= (y - above >= top) | (y + above <= bottom)
             free &= past.all(axis=0)
         if self.lines and free.any():
-            free &= ~_meets(at, half_x, half_y, self._strokes()).any(axis=1)
+            rows = max(1, _MOST_AT_ONCE // len(self.lines))
+            for first in range(0, len(at), rows):
+                some = slice(first, first + rows)
+                free[some] &= ~_meets(at[some], half_x, half_y, self._strokes()).any(axis=1)
         return free
 
     def has_room(
@@ -141,7 +149,7 @@ class Obstacles:
 
     def covered(self, start: complex, end: complex) -> float:
         """Return how much of a leader would lie on strokes."""
-        steps = max(2, int(abs(end - start) / (3.0 * PIXEL)))
+        steps = int(min(max(2.0, abs(end - start) / _SAMPLED), _MOST_SAMPLES))
         centres = [start + (end - start) * i / steps for i in range(1, steps)]
         lies_on = ~self.free(centres, 0.0, 0.0, PIXEL)
         return float(lies_on.sum()) * abs(end - start) / steps

@@ -46,6 +46,8 @@ _SMOOTHING = np.array([1.0, 2.0, 3.0, 2.0, 1.0]) / 9.0
 
 CELL = 0.003
 _STEP = 0.7 * CELL  # so close are points along and across a stroke
+#: A stroke that is longer, in page heights, leaves the panel: the part within it counts.
+_LONGEST = 4.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -237,7 +239,7 @@ class Crowd:
         self._edge = edge
         self._size = int(edge.height / CELL) + 2, int(edge.width / CELL) + 2
         taken = np.zeros((len(poses), *self._size), dtype=np.int32)
-        pose, at = _points(poses)
+        pose, at = _points(poses, edge.inside(-_LONGEST / 4))
         rows, columns = self._cells(at)
         inside = (rows >= 0) & (rows < self._size[0]) & (columns >= 0) & (columns < self._size[1])
         taken[pose[inside], rows[inside], columns[inside]] = 1
@@ -271,9 +273,17 @@ class Crowd:
         return rows, columns
 
 
-def _points(poses: Sequence[Obstacles]) -> tuple[Ints, Complexes]:
-    """Return points all over the strokes, and the pose that each belongs to."""
-    strokes = [(number, *line[:3]) for number, pose in enumerate(poses) for line in pose.lines]
+def _points(poses: Sequence[Obstacles], near: Rect) -> tuple[Ints, Complexes]:
+    """Return points all over the strokes, and the pose that each belongs to.
+
+    Of a long stroke only what is ``near`` the panel counts.
+    """
+    strokes = [
+        (number, *part, half)
+        for number, pose in enumerate(poses)
+        for start, end, half, _ in pose.lines
+        if (part := (start, end) if abs(end - start) <= _LONGEST else near.clipped(start, end))
+    ]
     if not strokes:
         return np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.complex128)
     pose, starts, ends, halves = (np.array(column) for column in zip(*strokes, strict=True))
