@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+import vad
 from tests.kinematics.families import Case
-from tests.kinematics.worst_cases import BOUNDS, errors
+from tests.kinematics.worst_cases import BOUNDS, error, errors, read, solve
 from tests.oracle import reference
 
 TURNING = {"omega": 10.0, "alpha": 3.0}
@@ -73,6 +74,61 @@ CASES = {
         {"angle": 12, **TURNING},
         "open",
     ),
+    "a rod as long as its crank, but for the offset of its guide": Case(
+        "slider-crank",
+        {"crank": 45.11333708995299, "rod": 45.11333708995299, "offset": 2.499355303218587e-13},
+        {"angle": -144.72978780814938, "omega": -2.3724437482343954, "alpha": -16.11698838012595},
+        "open",
+    ),
+    "a rod folded back along a lever that is nearly as long": Case(
+        "whitworth",
+        {
+            "ground": 0.3607270451651615,
+            "crank": 63.4477780272565,
+            "arm": 56.39396535565214,
+            "rod": 56.39396534459924,
+            "ground_angle": 130.17416862055444,
+        },
+        {"angle": 180.0, "omega": 0.2498035459954324, "alpha": 134.75083123700844},
+        "crossed",
+    ),
+    "a rod folded back along a lever that is as long": Case(
+        "whitworth",
+        {
+            "ground": 0.1658724881767059,
+            "crank": 62.52042582069354,
+            "arm": 36.43344191349623,
+            "rod": 36.43344191349623,
+            "ground_angle": 23.670794147762393,
+        },
+        {"angle": 0.0, "omega": -0.22174551793247327, "alpha": 0.0},
+        "open",
+    ),
+    "a ram that stands still while its lever turns": Case(
+        "whitworth",
+        {
+            "ground": 0.6312120713027705,
+            "crank": 27.962333807980094,
+            "arm": 70.87775115231837,
+            "rod": 70.87775115231837,
+            "ground_angle": -122.64616170774072,
+        },
+        {"angle": 175.8310790426898, "omega": -0.5721574859118983, "alpha": 3.9000881788406474},
+        "crossed",
+    ),
+    "a lever far smaller than its ground, with a rod that folds back": Case(
+        "crank-slotted-lever",
+        {
+            "ground": 45.45212691827671,
+            "crank": 28.402415200729774,
+            "lever": 0.10380346144578843,
+            "rod": 0.1038034614461382,
+            "ram_height": 0.0,
+            "ground_angle": 0.0,
+        },
+        {"angle": 0.0012230139001164929, "omega": 0.12323515653271791, "alpha": -65.0},
+        "open",
+    ),
 }
 
 
@@ -81,3 +137,25 @@ def test_errors_stay_within_their_bounds(case: Case) -> None:
     truth = reference(case.name, case.parameters, case.inputs, case.assembly)
     beyond = {key: size for key, size in errors(case, truth) if size > BOUNDS[key[2]]}
     assert not beyond
+
+
+def test_a_ram_within_a_few_epsilon_of_its_dead_centre_has_a_place_and_no_rates() -> None:
+    case = Case(
+        "whitworth",
+        {
+            "ground": 11.612958295727456,
+            "crank": 77.85047235445587,
+            "arm": 10.184734189255726,
+            "ground_angle": 0.0,
+            "rod": 36.251701907492944,
+            "ram_height": -26.684449880708637,
+        },
+        {"angle": -101.99853140849257, "omega": 2.0, "alpha": 0.0},
+        "crossed",
+    )
+    truth = reference(case.name, case.parameters, case.inputs, case.assembly)
+    motion = solve(case)
+    for key in (("point", "E", "position"), ("slide", "ram", "position"), ("link", "rod", "angle")):
+        assert error(key, read(motion, key), truth[key]) <= BOUNDS[key[2]]
+    with pytest.raises(vad.DeadCentreError, match="rod and ram are parallel"):
+        motion.slide("ram").velocity  # noqa: B018

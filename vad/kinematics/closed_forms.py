@@ -32,7 +32,6 @@ from vad.kinematics.numbers import (
     times,
     turned,
     vector,
-    zero_below,
 )
 
 # A sine or cosine is written as a distance from the nearest of these values.
@@ -185,7 +184,7 @@ class AngleAndLength:
 
     Over a grounded crank g is 1, and the sine of the pin gives the height.  A gap that comes from
     other loops is ``rounded``: where the bar stands across the line, what is left along the line
-    may be rounding alone, and counts as zero.
+    may be rounding alone, and the sine counts as zero.
     """
 
     def __init__(
@@ -207,7 +206,10 @@ class AngleAndLength:
         spread = self.r + abs(height)
         root = self.side * root_of_factors(below, above, 2.0 * self.r, spread, spread)
         r = nonzero(self.r)  # a bar may have length zero in a unit that suits the others
-        return vector(root / r, height / r), root - dot(g, gap), -root / r
+        sine = -root / r
+        if self._noise:
+            sine = select(minimum(below, above) < self._noise * spread, sine * 0.0, sine)
+        return vector(root / r, height / r), root - dot(g, gap), sine
 
     def miss(self, gap: Number, g: Number, u: Number) -> Number:
         """Return by how much the line is out of reach; it is negative where it is not."""
@@ -217,11 +219,7 @@ class AngleAndLength:
         """Return r - h, r + h and h, the component of the bar across the line."""
         if self.crank is None:
             height = cross(g, gap)
-            below, above = self.r - height, self.r + height
-            if self._noise:
-                least = self._noise * (self.r + abs(height))
-                below, above = zero_below(below, least), zero_below(above, least)
-            return below, above, height
+            return self.r - height, self.r + height, height
         centre, short = nearest(u.imag, u.real)
         sunk = self.crank.t * short
         return (

@@ -21,7 +21,7 @@ from vad.kinematics.closed_forms import (
 )
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, length_of, scalar_of
-from vad.kinematics.loop import LoopSolver, equal_bars, equal_rod
+from vad.kinematics.loop import LoopSolver, SignedStep, equal_bars, equal_rod
 from vad.kinematics.numbers import (
     Number,
     across,
@@ -244,6 +244,10 @@ class ParallelLoop(LoopSolver):
             turning[bar.link] = 0.0 if source == GROUND else turning[source]
 
 
+# A bar and an arm count as about equally long if their ratio is within this.
+_ALIKE_BARS = 2.0
+
+
 class AngleAndLengthLoop(LoopSolver):
     """A bar that ends on a line."""
 
@@ -267,6 +271,7 @@ class AngleAndLengthLoop(LoopSolver):
         """Turn the signs so that the bar leads from the gap to the line."""
         frame, way = self.frame, -self.way
         self._moving = isinstance(self.other.along, str)
+        self._arm: Bar | None = None
         if self._moving:
             self.crank = None
             self._see_from_slot()
@@ -277,8 +282,45 @@ class AngleAndLengthLoop(LoopSolver):
         self._advance = frame.advance(self.other) if self.other.through_tail else 0.0
         if not self._moving:
             frame.guides[self.step.link] = fold(float(self.other.along))
+            self._see_from_pin()
         if crank:
             self.equal = equal_rod(crank, self.turns, self.side, self.step, size, self.other.name)
+
+    def _see_from_pin(self) -> None:
+        """See the rates of a bar that is about as long as the arm of its pin from that arm.
+
+        Folded back onto the arm, the bar turns with it, and its end on the guide is near the pivot
+        of the arm and hardly moves.  Seen from the arm no large rates cancel: what turns there is
+        the guide, by the short distance from the pivot to that end.
+        """
+        frame = self.frame
+        ((_, arm), *more) = self.known
+        if more or not isinstance(arm, Bar) or not isinstance(arm.length, float):
+            return
+        ratio = frame.size(self.step) / frame.size(arm)
+        if not 1.0 / _ALIKE_BARS < abs(ratio) < _ALIKE_BARS:
+            return
+        self.viewpoint, self._arm = arm.link, arm
+        line = frame.line(self.other, None)
+        guide = replace(self.other, along=GROUND, turn=line)
+        ground: list[SignedStep] = [
+            (self.other_way, Bar(self.other.ends, GROUND, self.other.name, turn=line))
+        ]
+        height = cross(line, self.offset * self.axis) * frame.scale
+        if height:
+            ground.append((1, replace(self.ground[1], length=height, turn=across(line))))
+        self.moving = ground, [*ground, (self.way, self.step), (self.other_way, guide)]
+
+    def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
+        """Find ω and the slide's velocity, or α and its acceleration."""
+        if self._arm:  # the slide as seen from the foot of the arm's pivot on the guide
+            frame, ((way, arm),) = self.frame, self.known
+            both = way * frame.displacement(arm, pose) + self.way * frame.displacement(
+                self.step, pose
+            )
+            along = -self.other_way * dot(frame.line(self.other, None), both)
+            pose = replace(pose, length={**pose.length, self.other.name: along})
+        super().cross(pose, rates, sine)
 
     def _see_from_slot(self) -> None:
         """See the rates of a bar that is longer than its gap from the link with the slot.
