@@ -102,6 +102,54 @@ WRONG: dict[str, tuple[Callable[[], Linkage], str]] = {
         lambda: Linkage(angle_of("crank"), (), fixed={"D": complex(float("nan"), 0)}),
         "fixed point D: must be at a finite place, got (nan+0j)",
     ),
+    "no loop": (lambda: Linkage(angle_of("crank"), ()), "there is no loop"),
+    "a loop that the driver does not move": (
+        lambda: Linkage(
+            angle_of("crank"),
+            (
+                Loop((CRANK, Bar("BC", "coupler", 120.0)), (Bar("DC", "rocker", 80.0),)),
+                Loop((Bar("AE", "prop", 80.0),), (Bar("DE", "stay", 60.0),)),
+            ),
+            ground=GROUND,
+        ),
+        "loop 2: stands still, for the angle of crank does not move it",
+    ),
+    "a driver in no loop": (
+        lambda: Linkage(
+            angle_of("motor"),
+            (Loop((Bar("AE", "prop", 80.0),), (Bar("DE", "stay", 60.0),)),),
+            ground=GROUND,
+        ),
+        "loop 1: stands still, for the angle of motor does not move it",
+    ),
+    "a length beyond every length": (
+        lambda: four_bar((Bar("AB", "crank", 1e201),), ()),
+        "length of AB: must be between 1e-200 and 1e+200, got 1e+201",
+    ),
+    "a length that is next to nothing": (
+        lambda: four_bar((Bar("AB", "crank", -5e-324),), ()),
+        "length of AB: must be between 1e-200 and 1e+200, got 4.94066e-324",
+    ),
+    "an offset without an end": (
+        lambda: four_bar((Bar("AB", "crank", "block", offset=complex(0, float("inf"))),), ()),
+        "offset of AB: must be at a finite place, got infj",
+    ),
+    "an origin far away": (
+        lambda: slotted(Slide("AC", "slider", 0.0, origin=1e308j), second=()),
+        "origin of AC: must be within ±1e+200, got 1e+308",
+    ),
+    "a ground link without an end": (
+        lambda: Linkage(angle_of("crank"), (), ground=("D", 1e308, 0.0)),
+        "distance of D from A: must be between 1e-200 and 1e+200, got 1e+308",
+    ),
+    "a ground link without a direction": (
+        lambda: Linkage(angle_of("crank"), (), ground=("D", 100.0, float("nan"))),
+        "direction of D from A: must be a finite number, got nan",
+    ),
+    "a point with a digit of another script": (
+        lambda: four_bar((Bar("AB\u0663", "crank", 40.0),), ()),
+        "ends: must be two points, got 'AB\u0663'",
+    ),
     "a point fixed twice": (
         lambda: Linkage(angle_of("crank"), (), ground=GROUND, fixed={"D": 1j}),
         "fixed point D: is given twice",

@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 import vad
+from tests.kinematics.hand_built import HandBuilt
 from vad.kinematics.any_solver import AnySolver
+from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of, length_of
 from vad.kinematics.solver import Solver, solver_of
 from vad.kinematics.space.solver import SpaceSolver
 from vad.strokes.sentences import Voice
@@ -134,3 +136,53 @@ def test_coriolis_is_the_sliding_velocity_turned_with_omega(sense: int, angle: f
     assert inset.coriolis == pytest.approx(inset.sense * 1j * inset.sliding)
     way = 1 if motion.slide("block").velocity > 0 else -1
     assert inset.sliding == pytest.approx(way * inset.slot)
+
+
+GROUND = ("D", 100.0, 0.0)
+AB, DC = Bar("AB", "crank", 70.0), Bar("DC", "rocker", 60.0)
+#: Loops in which a known vector hangs on one that is not, and the names of both.
+BEYOND: dict[str, tuple[Linkage, str, str]] = {
+    "driven coupler": (
+        Linkage(
+            angle_of("coupler"), (Loop((AB, Bar("BC", "coupler", 120.0)), (DC,)),), ground=GROUND
+        ),
+        "coupler",
+        "crank",
+    ),
+    "driven coupler on the other side": (
+        Linkage(
+            angle_of("coupler"), (Loop((AB,), (DC, -Bar("BC", "coupler", 120.0))),), ground=GROUND
+        ),
+        "coupler",
+        "rocker",
+    ),
+    "driven slide between two rockers": (
+        Linkage(length_of("slot"), (Loop((AB,), (DC, Slide("CB", "slot", 90.0))),), ground=GROUND),
+        "slot",
+        "rocker",
+    ),
+    "driven rod beyond its slider": (
+        Linkage(
+            angle_of("rod"),
+            (Loop((AB,), (Slide("AC", "slider", 0.0), -Bar("BC", "rod", 140.0))),),
+        ),
+        "rod",
+        "slider",
+    ),
+}
+
+
+@pytest.mark.parametrize("panel", PANELS)
+@pytest.mark.parametrize("case", BEYOND)
+def test_a_known_vector_beyond_an_unknown_one_is_refused_by_name(case: str, panel: str) -> None:
+    """It is solved, but the polygons begin with what is known."""
+    linkage, known, unknown = BEYOND[case]
+    built: Any = HandBuilt(linkage)
+    driven = {"angle": 20.0} if linkage.driver.kind == "angle" else {"position": 30.0}
+    motion = vad.solve(built, **driven)
+    motion.to_dict()
+    with pytest.raises(vad.InputError) as caught:
+        vad.draw(motion, panel)
+    said = f"loop 1: {known} is known, but hangs on {unknown}, which is not: such a loop is solved"
+    assert str(caught.value) == f"{said}, but cannot be drawn yet"
+    assert caught.value.hint == "drive a link or a slide of the frame"

@@ -232,6 +232,21 @@ def scalar_of(step: Step) -> Scalar:
     return angle_of(step.link) if isinstance(step, Bar) else length_of(step.name)
 
 
+def scalars_of(step: Step) -> set[Scalar]:
+    """Name all angles and lengths that make a bar or slide.
+
+    Examples
+    --------
+    >>> sorted(map(str, scalars_of(Slide("QB", "block", "lever"))))
+    ['the angle of lever', 'the length of block']
+    """
+    if isinstance(step, Bar):
+        others = {length_of(step.length)} if isinstance(step.length, str) else set[Scalar]()
+    else:
+        others = {angle_of(step.along)} if isinstance(step.along, str) else set[Scalar]()
+    return {scalar_of(step)} | others
+
+
 @dataclass(frozen=True, slots=True)
 class Loop:
     """Two chains that end at the same point.
@@ -334,7 +349,10 @@ def _check(linkage: Linkage) -> None:
         For the first thing that is wrong, with the number of its loop.
     """
     _check_fixed(linkage)
+    if not linkage.loops:
+        raise InputError("there is no loop", hint="a driver alone moves nothing else")
     fixed = _fixed(linkage)
+    moving = {linkage.driver}
     for number, (loop, unknowns) in enumerate(
         zip(linkage.loops, linkage.unknowns, strict=True), start=1
     ):
@@ -359,6 +377,9 @@ def _check(linkage: Linkage) -> None:
             elif _is_strut(step, linkage) and start == other_start:
                 raise InputError(f"{where}: {step.link} must lead between two fixed points")
         _check_guides(where, loop, unknowns, linkage.driver)
+        if moving.isdisjoint(scalar for _, step in loop.steps() for scalar in scalars_of(step)):
+            raise InputError(f"{where}: stands still, for {linkage.driver} does not move it")
+        moving.update(unknowns)
     _check_lengths(linkage)
 
 

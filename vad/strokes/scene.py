@@ -11,8 +11,10 @@ from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any, TypeGuard
 
+from vad.errors import InputError
 from vad.kinematics.linkage import (
     Bar,
+    Linkage,
     Scalar,
     Slide,
     Step,
@@ -20,6 +22,7 @@ from vad.kinematics.linkage import (
     length_of,
     points_of,
     scalar_of,
+    scalars_of,
 )
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import ORDERS, Spot
@@ -32,6 +35,35 @@ if TYPE_CHECKING:
     from vad.kinematics.state import Pose, Rates
     from vad.mechanisms.mechanism import Mechanism
     from vad.strokes.diagram import Diagram, Drawing, Order
+
+
+def _check_drawable(linkage: Linkage) -> None:
+    """Refuse a known vector that a chain reaches over one that the loop has yet to find.
+
+    The polygons begin with what is known, and the lines of the unknown vectors cross at the end.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For such a vector; it names the link or slide.
+    """
+    known = {linkage.driver}
+    for number, (loop, unknowns) in enumerate(
+        zip(linkage.loops, linkage.unknowns, strict=True), start=1
+    ):
+        for chain in (loop.first, loop.second):
+            beyond = ""
+            for step in chain:
+                name = step.link if isinstance(step, Bar) else step.name
+                if not scalars_of(step) <= known:
+                    beyond = beyond or name
+                elif beyond:
+                    raise InputError(
+                        f"loop {number}: {name} is known, but hangs on {beyond}, which is not: "
+                        "such a loop is solved, but cannot be drawn yet",
+                        hint="drive a link or a slide of the frame",
+                    )
+        known.update(unknowns)
 
 
 @lru_cache(maxsize=64)
@@ -64,6 +96,7 @@ class Members:
     """
 
     def __init__(self, motion: Motion) -> None:
+        _check_drawable(motion.linkage)
         self.unit = motion.mechanism.length_unit
         self.frame, self.linkage = motion.frame, motion.linkage
         self.driver = self.linkage.driver
