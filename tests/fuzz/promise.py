@@ -10,7 +10,6 @@ import resource
 import signal
 import traceback
 import warnings
-from collections import Counter
 from collections.abc import Callable
 from typing import Any
 
@@ -61,23 +60,30 @@ def broken(work: Callable[[], object], longest: float) -> str | None:
 def run(
     case: Callable[[int], Any], fault: Callable[[Any, int], str | None], tries: int, first: int = 0
 ) -> int:
-    """Try so many seeds; print each kind of fault once with its seeds, and return their number.
+    """Try so many seeds; print the first fault of each kind, and return the number of all faults.
 
     Memory without a limit ends in a `MemoryError`, which is a fault.
     """
     resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
     seeds: dict[str, list[int]] = {}
-    told: dict[str, str] = {}
     for seed in range(first, first + tries):
         found = fault(case(seed), seed)
-        if found is not None:
-            places = [line.strip() for line in found.splitlines() if "File" in line[:7]]
-            where = [place for place in places if "/vad/" in place] or places
-            kind = " | ".join([*where[-1:], found.strip().splitlines()[-1][:160]])
-            seeds.setdefault(kind, []).append(seed)
-            told.setdefault(kind, found)
-    counts = Counter({kind: len(each) for kind, each in seeds.items()})
-    for kind, count in counts.most_common():
-        print(f"{count} × {kind}\n  seeds {seeds[kind][:8]}\n{told[kind][-1500:]}")
-    print(f"{tries} tries, {sum(counts.values())} faults of {len(counts)} kinds")
-    return sum(counts.values())
+        if found is None:
+            continue
+        kind = kind_of(found)
+        if kind not in seeds:
+            print(f"seed {seed}: {found.strip()[-2000:]}\n", flush=True)
+        seeds.setdefault(kind, []).append(seed)
+    for kind, several in sorted(seeds.items(), key=lambda each: -len(each[1])):
+        print(f"{len(several)} × {kind}: seeds {several[:8]}")
+    faults = sum(map(len, seeds.values()))
+    print(f"{tries} tries from seed {first} on, {faults} faults of {len(seeds)} kinds")
+    return faults
+
+
+def kind_of(found: str) -> str:
+    """Return what faults of one kind have in common: the place in the program, and the end."""
+    lines = found.strip().splitlines()
+    places = [line.strip() for line in lines if line.lstrip().startswith("File ")]
+    own = [place for place in places if "/vad/" in place] or places
+    return " | ".join([*own[-1:], lines[-1][:160]])
