@@ -19,6 +19,8 @@ from vad.errors import InputError, UsageError, quoted
 SHORTEST, LONGEST = 1e-200, 1e200
 #: The largest rate of a driver: squares of rates times lengths stay in the range of doubles.
 FASTEST = 1e60
+#: The ends of what the longest vector of a drawing may have: so its scale is a double, too.
+SMALLEST_DRAWN, LARGEST_DRAWN = 1e-250, 1e250
 #: The most things in a list of names: more than there are names of anything.
 MOST_NAMES = 1000
 #: The most characters of a line of text: a title, the name of a unit.
@@ -90,7 +92,8 @@ def dimension(name: str, value: object, *, signed: bool) -> float:
     Raises
     ------
     vad.errors.InputError
-        If it is no finite number, or beyond `SHORTEST` and `LONGEST`.
+        If it is no finite number, or beyond `SHORTEST` and `LONGEST`; what is ``signed`` may be as
+        small as it likes.
 
     Examples
     --------
@@ -99,14 +102,14 @@ def dimension(name: str, value: object, *, signed: bool) -> float:
     vad.errors.InputError: crank: must be positive, got -4
     """
     found = number(name, value)
-    wrong = wrong_dimension(found, signed=signed)
+    wrong = wrong_dimension(found, signed)
     if wrong:
-        hint = None if wrong_dimension(-found, signed=signed) else f"try {-found:g}"
+        hint = None if wrong_dimension(-found, signed) else f"try {-found:g}"
         raise InputError(f"{_start(name)}{wrong}", hint)
     return found
 
 
-def wrong_dimension(number: float, *, signed: bool) -> str | None:
+def wrong_dimension(number: float, signed: bool) -> str | None:
     """Return what is wrong with a finite number as a dimension, or None.
 
     Examples
@@ -119,6 +122,25 @@ def wrong_dimension(number: float, *, signed: bool) -> str | None:
     if abs(number) > LONGEST or (not signed and number < SHORTEST):
         return f"must be between {SHORTEST:g} and {LONGEST:g}, got {number:g}"
     return None
+
+
+def check_drawn(name: str, longest: float, unit: str) -> None:
+    """Refuse a drawing whose longest vector no scale brings to a page; nothing at all is drawn.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If it is beyond `SMALLEST_DRAWN` and `LARGEST_DRAWN`.
+
+    Examples
+    --------
+    >>> check_drawn("velocity", 5e-310, "mm/s")
+    Traceback (most recent call last):
+    vad.errors.InputError: velocity: cannot be drawn, for its longest vector has 5e-310 mm/s
+    """
+    if longest and not SMALLEST_DRAWN <= longest <= LARGEST_DRAWN:
+        said = f"cannot be drawn, for its longest vector has {longest:g} {unit}"
+        raise InputError(f"{name}: {said}", "draw other panels, or with other rates")
 
 
 def whole(name: str, value: object, least: int, most: int, hint: str | None = None) -> int:

@@ -10,11 +10,13 @@ import pytest
 
 import vad
 from tests.kinematics.hand_built import HandBuilt
+from vad.files.examples import example_path
 from vad.kinematics.any_solver import AnySolver
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of, length_of
 from vad.kinematics.solver import Solver, solver_of
 from vad.kinematics.space.solver import SpaceSolver
 from vad.strokes.sentences import Voice
+from vad.strokes.shapes import Line
 
 PANELS = ("position", "velocity", "acceleration")
 
@@ -186,3 +188,50 @@ def test_a_known_vector_beyond_an_unknown_one_is_refused_by_name(case: str, pane
     said = f"loop 1: {known} is known, but hangs on {unknown}, which is not: such a loop is solved"
     assert str(caught.value) == f"{said}, but cannot be drawn yet"
     assert caught.value.hint == "drive a link or a slide of the frame"
+
+
+@pytest.mark.parametrize(
+    ("inputs", "said"),
+    [
+        ({"omega": 1e-157}, "acceleration: cannot be drawn, for its longest vector has "),
+        ({"omega": 1e-300}, "velocity: cannot be drawn, for its longest vector has "),
+        ({"omega": 0.0, "alpha": 1e-320}, "acceleration: cannot be drawn, for its longest vector"),
+    ],
+)
+def test_vectors_that_no_scale_brings_to_a_page_are_refused(
+    inputs: dict[str, float], said: str
+) -> None:
+    motion = vad.solve(vad.FourBar(), **inputs)
+    with pytest.raises(vad.InputError) as caught:
+        vad.draw(motion)
+    assert str(caught.value).startswith(said)
+    vad.draw(motion, "position")
+
+
+def test_an_equation_begins_with_the_part_that_is_drawn() -> None:
+    """The crank and the rocker turn about one point as one body, so that the rocker has no α."""
+    kind = vad.load(example_path("four-bar-with-slider"))
+    panel = vad.draw(vad.solve(kind(Cy=0.0))).panel("acceleration")
+    first, *_ = panel.equations[1].left
+    assert (first.stroke, first.label) == ("CB.normal", "c\u2032b\u2033ₙ")
+    drawn = {stroke.name for stroke in panel.strokes}
+    assert {t.stroke for each in panel.equations for t in (*each.left, *each.right)} <= drawn
+
+
+def test_a_plate_that_is_a_point_beside_another_length_is_drawn() -> None:
+    kind = vad.load(example_path("v-engine"))
+    panel = vad.draw(vad.solve(kind(AB=1.5e102))).panel("velocity")
+    lines = [stroke.shape for stroke in panel.strokes if isinstance(stroke.shape, Line)]
+    assert lines
+    assert all(abs(line.direction) == pytest.approx(1.0) for line in lines)
+
+
+def test_a_point_next_to_a_line_has_an_angle() -> None:
+    """The arc tangent of so small a slope is no error, though it underflows."""
+    kind = vad.mechanism(
+        fixed={"A": (0, 5e-324), "C": (-1800, 0)},
+        links={"crank": {"AB": 330}, "rod": {"BD": 1800}, "beam": {"CD": 1800}},
+        driver={"crank": {"angle": 0, "omega": 18}},
+    )
+    vad.draw(vad.solve(kind(), angle=60.0), "position")
+    vad.draw(vad.solve(kind(crank=3.3e102, rod=3.3e102), angle=60.0), "position")

@@ -6,8 +6,6 @@ parameters take later, so that no value makes a dyad jump to its other place.
 
 from __future__ import annotations
 
-import cmath
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -18,6 +16,7 @@ from vad.files.places import PARALLEL, SAME, Place, ahead, words_for
 from vad.files.structure import Dyad
 from vad.kinematics.any_solver import Evaluation
 from vad.kinematics.closed_forms import OpenLoopError
+from vad.kinematics.numbers import bearing
 from vad.kinematics.solver import Solver
 
 
@@ -137,7 +136,7 @@ class _Assembling:
         known = self.pose | fixed_points(self.description, self.values)
         if not set(link.base) <= set(known):
             return None
-        return math.degrees(cmath.phase(known[link.base[1]] - known[link.base[0]]))
+        return bearing(known[link.base[1]] - known[link.base[0]])
 
     def _places(self, count: int, sides: Mapping[str, float], value: float) -> dict[str, complex]:
         """Return where the points of the last of ``count`` dyads are."""

@@ -222,6 +222,19 @@ def degrees_of(value: Number, base: float = 0.0) -> Number:
     return positive(difference(degrees, -base) if base else degrees)
 
 
+def bearing(vector: complex) -> float:
+    """Return the direction of a plane vector in degrees, within ±180.
+
+    `cmath.phase` fails where the slope of the vector underflows.
+
+    Examples
+    --------
+    >>> bearing(1j), bearing(complex(1e300, 5e-324))
+    (90.0, 0.0)
+    """
+    return math.degrees(math.atan2(vector.imag, vector.real))
+
+
 def positive(degrees: Number) -> Number:
     """Return an angle within ±360° as the same angle within [0, 360)."""
     raised = degrees + (degrees < 0.0) * 360.0

@@ -5,11 +5,10 @@ Further points of a link are drawn on its line, or as corners of a plate.
 
 from __future__ import annotations
 
-import cmath
-import math
 from dataclasses import replace
 
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, angle_of, points_of, scalar_of
+from vad.kinematics.numbers import bearing
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing
 from vad.strokes.inking import PositionPencil
@@ -82,7 +81,7 @@ class FurtherPoints:
     def arc(self, bar: Bar, centre: str, end: str, size: Figure, phrase: str = "compass") -> None:
         """Draw a compass arc about one end of a bar through the other."""
         at, point = self.scene.at(centre), self.scene.at(end)
-        angle = math.degrees(cmath.phase(point - at))
+        angle = bearing(point - at)
         arc = Arc(at, size.value, angle - COMPASS, 2 * COMPASS, through=point)
         letters = self.scene.members.letters(bar)
         parts: dict[str, SentencePart] = {"head": end, "tail": centre, "bar": letters, "size": size}

@@ -80,6 +80,8 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     drawn = tuple(diagram.panel(scene) for diagram in diagrams)
     rows = scene.rows(diagrams)
     largest = _largest(rows, drawn)
+    for half in (half for panel in drawn for half in panel.halves):
+        gate.check_drawn(half.name, largest[half.unit], half.unit)
     rates = [largest.get(order.unit_of(scene.unit), 0.0) for order in (VELOCITY, ACCELERATION)]
     notation = Notation(scene.language.point, in_metres(rates))
     scene.voice.notation = notation = with_digits(notation, scene.calculated)
@@ -179,7 +181,8 @@ def _largest(rows: list[Row], panels: tuple[Panel, ...]) -> dict[str, float]:
             if isinstance(stroke.shape, Arrow):
                 size = max(size, abs(stroke.shape.end - stroke.shape.start))
         largest[half.unit] = size
-    largest["rad/s²"] = max(largest.get("rad/s²", 0.0), largest.get("rad/s", 0.0) ** 2)
+    turning = largest.get("rad/s", 0.0)
+    largest["rad/s²"] = max(largest.get("rad/s²", 0.0), turning * turning)
     return largest
 
 

@@ -12,12 +12,11 @@ link's own angles in the acceleration polygon.
 
 from __future__ import annotations
 
-import cmath
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 
 from vad.kinematics.linkage import Bar, Slide
+from vad.kinematics.numbers import bearing
 from vad.strokes.arithmetic import Figure, product
 from vad.strokes.captions import Captions
 from vad.strokes.diagram import ORDERS, Drawing
@@ -111,12 +110,21 @@ class PlanePencil(Pencil[StepVector]):
         return stroke
 
     def leads_to(self, letter: str) -> Stroke | None:
-        """Return the stroke from the pole to a vertex, even one that is left out as zero."""
+        """Return the stroke from the pole to a vertex, if one is drawn.
+
+        A vector with one part alone is drawn as that part, and its sum is left out.
+        """
         for stroke in (*self.strokes, *self.zeros):
             match stroke.shape:
                 case Arrow(start=0j, head=head) if head == letter:
-                    return stroke
+                    return stroke if stroke in self.strokes else self._part_of(stroke)
         return None
+
+    def _part_of(self, whole: Stroke) -> Stroke | None:
+        """Return the one part of a vector that is drawn; its sum is left out."""
+        vector = whole.part.of if whole.part else ""
+        parts = (stroke for stroke in self.strokes if stroke.part and stroke.part.of == vector)
+        return next((stroke for stroke in parts if isinstance(stroke.shape, Arrow)), None)
 
     def _rule(self, part: Part[StepVector], slide: Slide, stroke: str) -> CoriolisInset:
         """Return the directions that the Coriolis inset shows."""
@@ -204,10 +212,11 @@ class Images:
                 meeting=pencil.letter(bar.head),
             )
         away = until - through
-        line = Line(through, away / abs(away) if turns else 1.0, until, square)
+        shown = turns and pencil.shows(away)
+        line = Line(through, away / abs(away) if shown else 1.0, until, square)
         own = StrokePart(side, "line")
         stroke = Stroke("construction", label, line, said, bar.link, part=own)
-        if turns:
+        if shown:
             pencil.add(stroke)
         else:
             pencil.leave_out(stroke)
@@ -215,7 +224,7 @@ class Images:
     def _angle(self, near: str, far: str, third: str) -> float:
         """Return the angle at a corner of the link, in degrees, counter-clockwise positive."""
         corner, one, other = map(self._scene.at, (near, far, third))
-        return math.degrees(cmath.phase((other - corner) / (one - corner)))
+        return bearing((other - corner) / (one - corner))
 
     def _similar(self, bar: Bar, base: Bar) -> Sentence:
         """Say that the image is similar to the link, and how long its next side is."""

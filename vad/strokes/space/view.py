@@ -11,6 +11,7 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
+from vad.kinematics.numbers import bearing
 from vad.kinematics.space.numbers import Vector3, cross, difference, dot, over, scaled
 from vad.strokes.sheet import Arc, Curve, Ellipse
 
@@ -122,7 +123,7 @@ def circle(centre: complex, radius: float, start: float = 0.0, sweep: float = 36
 def compass(centre: complex, at: complex, half: float) -> Arc:
     """Return the arc of a compass that finds a point, by ``half`` degrees to each side."""
     way = at - centre
-    return Arc(centre, abs(way), math.degrees(cmath.phase(way)) - half, 2 * half, at)
+    return Arc(centre, abs(way), bearing(way) - half, 2 * half, at)
 
 
 def through(at: complex, half: complex) -> Curve:
