@@ -54,7 +54,7 @@ SUBTITLES = (".srt", ".vtt")
 _SUBTITLED = (".mp4", ".gif", FOLDER)
 before_an_end_at_once(clear_unfinished)
 #: The most poses of a sweep.
-LARGEST = 1_000_000
+LARGEST = 10_000_000
 _SHEET = [
     click.Option(
         ["--panels"],

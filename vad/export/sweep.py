@@ -47,10 +47,14 @@ def save_sweep(motion: Motions, path: str | Path) -> None:
         raise UsageError(
             f"a sweep cannot be saved as {quoted(str(path))}", hint=f"as {' or '.join(FORMATS)}"
         )
-    if not np.any(motion.assembled):
-        raise AssemblyError("the links close at none of these poses")
     with new_file(path) as stream:
         import_module(FORMATS[kind]).write(motion, stream)
+
+
+def check_closes(anywhere: bool) -> None:
+    """Raise `vad.errors.AssemblyError` if the links close at none of the poses."""
+    if not anywhere:
+        raise AssemblyError("the links close at none of these poses")
 
 
 @dataclass(frozen=True, slots=True)

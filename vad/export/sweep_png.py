@@ -19,7 +19,16 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, MultipleLocator, ScalarFormatter
 
-from vad.export.sweep import Column, Curves, Results, largest, limits, results_of, unwrapped
+from vad.export.sweep import (
+    Column,
+    Curves,
+    Results,
+    check_closes,
+    largest,
+    limits,
+    results_of,
+    unwrapped,
+)
 from vad.kinematics.motion import Motions
 from vad.kinematics.solver import Solver
 from vad.plan.lettering.glyphs import width
@@ -53,7 +62,14 @@ _GAP, _PITCH = 0.5, 1.15
 
 
 def write(motion: Motions, target: BinaryIO) -> None:
-    """Write the plot of a motion's results."""
+    """Write the plot of a motion's results.
+
+    Raises
+    ------
+    vad.errors.AssemblyError
+        If none of the poses can be assembled.
+    """
+    check_closes(bool(np.any(motion.assembled)))
     results, style = results_of(motion), load_style("paper")
     with mpl.rc_context():
         mpl.rcdefaults()  # the user's own settings are for the user's own plots
