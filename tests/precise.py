@@ -6,6 +6,7 @@ as fast, and errors of millions of results are measured with them.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 import gmpy2
@@ -19,6 +20,12 @@ def expj(angle: Any) -> Any:
         return np.exp(1j * angle)
     if isinstance(angle, mpf):
         return mp.expj(angle)
+    return _expj(angle, gmpy2.get_context().precision)
+
+
+@lru_cache(maxsize=256)
+def _expj(angle: Any, bits: int) -> Any:
+    """Return it from the few angles of a pose, which stand in every equation, once."""
     sine, cosine = gmpy2.sin_cos(angle)
     return gmpy2.mpc(cosine, sine)
 

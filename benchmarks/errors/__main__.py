@@ -43,7 +43,7 @@ def look(
 
     To know the worst ``exactly`` takes longer, and begins with the poses of the table.
     """
-    module, tally = KINDS[kind], Tally(least=0.0 if exactly else 0.5)
+    module, tally = KINDS[kind], Tally(exactly=exactly)
     end = time.monotonic() + seconds
     with gmpy2.context(gmpy2.get_context(), trap_divzero=True):
         if exactly:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, replace
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import gmpy2
@@ -21,10 +22,13 @@ from vad.kinematics.linkage import Scalar
 from vad.kinematics.solver import solver_of
 from vad.kinematics.space.linkages import BallJointed, CrossedShafts, DualAngle
 from vad.methods import closed_form, loops_in_space
-from vad.methods.loops_in_space import Arithmetic, Walk
+from vad.methods.loops_in_space import Arithmetic, LoopInSpace, Walk
 from vad.methods.problem import FOUR_AXES, HOOKE, SLIDES, Jet, SpaceProblem, problem_of
 
 Numbers = dict[str, Any]
+Place = dict[Scalar, Any]
+#: A step smaller than that ends the iteration; after so many steps it has not converged.
+CONVERGED, MOST_STEPS = 1e-75, 12
 
 
 class Drawn(NamedTuple):
@@ -142,8 +146,16 @@ def _linear(columns: list[list[Any]], right: list[Any]) -> list[Any]:
     return solve_linear([list(row) for row in zip(*columns, strict=True)], right)
 
 
+@lru_cache(maxsize=64)
+def _sin_cos(angle: Any, bits: int) -> tuple[Any, Any]:
+    """Return sine and cosine: the same few angles are walked over again and again."""
+    return gmpy2.sin_cos(angle)
+
+
 def _arithmetic() -> Arithmetic:
-    return Arithmetic(gmpy2.mpfr, gmpy2.cos, gmpy2.sin, gmpy2.const_pi(), _linear)
+    bits = gmpy2.get_context().precision
+    cos, sin = (lambda x, k=k: _sin_cos(gmpy2.mpfr(x), bits)[k] for k in (1, 0))
+    return Arithmetic(gmpy2.mpfr, cos, sin, gmpy2.const_pi(), _linear)
 
 
 class SpaceTruth(Truth):
@@ -153,22 +165,84 @@ class SpaceTruth(Truth):
         plain: Any = problem_of(pose.mechanism, pose.inputs)
         start = closed_form.positions(plain)
         self._problem = replace(plain, drive=Jet(*map(gmpy2.mpfr, plain.drive)))
-        self._found = _solved(self._problem, start)
-        self.values = _results(self._problem, self._found)
+        try:
+            near = _Near(self._problem, start)
+            place = near.place(self._problem, start)
+        except ArithmeticError:  # next to a dead centre its steps do not shrink
+            found = loops_in_space.solve(self._problem, _arithmetic(), start, CONVERGED)
+            place = {scalar: jet.value for scalar, jet in found.items()}
+        self._place, self._near = place, _Near(self._problem, place)
+        self.values = _results(self._problem, self._near.motion(self._problem, place))
         self.drive = Drive(1, *self._problem.drive[1:])
 
     def changes(self) -> dict[Key, list[Any]]:
         """Return the differences between this problem and its neighbours."""
-        near = {scalar: jet.value for scalar, jet in self._found.items()}
         found: dict[Key, list[Any]] = {key: [] for key in self.values}
         for other in _varied(self._problem):
-            for key, value in _results(other, _solved(other, near)).items():
+            moved = self._near.motion(other, self._near.place(other, self._place))
+            for key, value in _results(other, moved).items():
                 found[key].append(difference(key, value, self.values[key]) / STEP)
         return found
 
 
-def _solved(problem: SpaceProblem, start: Any) -> dict[Scalar, Jet]:
-    return loops_in_space.solve(problem, _arithmetic(), start, 1e-75)
+class _Near:
+    """Solves problems near one: with the derivatives of that one, and what is missing again.
+
+    Each step multiplies the error by the distance from the pose in which the derivatives are true.
+    """
+
+    def __init__(self, problem: SpaceProblem, place: Place) -> None:
+        loop, place = _loop(problem), {scalar: gmpy2.mpfr(x) for scalar, x in place.items()}
+        self._unknowns = problem.unknowns
+        unit = ({scalar: int(scalar == one) for scalar in place} for one in self._unknowns)
+        columns = [loop.change(place, rates) for rates in unit]
+        size = len(columns)
+        ones = [[gmpy2.mpfr(int(i == k)) for i in range(size)] for k in range(size)]
+        self._inverse = [_linear(columns, one) for one in ones]
+
+    def _step(self, gap: list[Any]) -> Place:
+        pairs = enumerate(self._unknowns)
+        return {
+            scalar: -sum(g * column[k] for g, column in zip(gap, self._inverse, strict=True))
+            for k, scalar in pairs
+        }
+
+    def place(self, problem: SpaceProblem, start: Place) -> Place:
+        """Return the position next to a start."""
+        loop, place = _loop(problem), {scalar: gmpy2.mpfr(x) for scalar, x in start.items()}
+        for _ in range(MOST_STEPS):
+            steps = self._step(loop.gap(place)[0])
+            place = {scalar: x + steps[scalar] for scalar, x in place.items()}
+            if all(
+                abs(step) < CONVERGED * max(problem.unit(scalar), abs(place[scalar]))
+                for scalar, step in steps.items()
+            ):
+                return place
+        raise ArithmeticError("the steps do not shrink")
+
+    def motion(self, problem: SpaceProblem, place: Place) -> dict[Scalar, Jet]:
+        """Return the position with its two derivatives."""
+        loop = _loop(problem)
+        rates = self._step(loop.gap(place)[1])
+        rates = _sum(rates, self._step(loop.gap(place, rates)[1]))
+        known = loop.gap(place, rates)[2]
+        seconds = self._step(known)
+        missing = [x + y for x, y in zip(known, loop.change(place, seconds), strict=True)]
+        seconds = _sum(seconds, self._step(missing))
+        return {
+            each: Jet(x, problem.sense(each) * rates[each], problem.sense(each) * seconds[each])
+            for each, x in place.items()
+        }
+
+
+def _sum(one: Place, other: Place) -> Place:
+    return {scalar: x + other[scalar] for scalar, x in one.items()}
+
+
+def _loop(problem: SpaceProblem) -> LoopInSpace:
+    degrees, rate, second = problem.drive
+    angle = gmpy2.const_pi() * (degrees % 360) / 180
+    return LoopInSpace(problem, _arithmetic(), (angle, rate, second))
 
 
 def _varied(problem: SpaceProblem) -> list[SpaceProblem]:
@@ -225,7 +299,7 @@ def _vectors(
         yield from _point("B", b.origin, *b.speed)
         yield from _point("C", c.origin, *c.speed)
         way, *rates = (
-            loops_in_space._less(x, y)
+            loops_in_space.less(x, y)
             for x, y in zip((c.origin, *c.speed), (b.origin, *b.speed), strict=True)
         )
         square = loops_in_space.dot(way, way)

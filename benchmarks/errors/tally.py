@@ -76,8 +76,8 @@ class Tally:
     records: dict[tuple[str, str, str], Record] = field(default_factory=dict)
     families: Counter[tuple[str, str]] = field(default_factory=Counter)
     beyond: Counter[tuple[str, str]] = field(default_factory=Counter)
-    least: float = 0.5
-    """Share of a bound from which on an error is looked at; 0 to know the worst exactly."""
+    exactly: bool = False
+    """Whether to know the worst of every result, and not of those alone that are beyond a bound."""
     others: Counter[tuple[str, str]] = field(default_factory=Counter)
     findings: list[Finding] = field(default_factory=list)
     refusals: list[tuple[Pose, str]] = field(default_factory=list)
@@ -135,7 +135,7 @@ class Tally:
             self.families[pose.mechanism, pose.family] += 1
             bound = BOUNDS[key[2]]
             size = error(truth, key, found, least=True)
-            if size > max(min(bound, record.worst), self.least * bound):
+            if size > (min(bound, record.worst) if self.exactly else bound):
                 size = error(truth, key, found)
                 if size > bound:
                     second = second or again()
@@ -163,11 +163,14 @@ def miss(truth: Truth, key: Key, found: Any) -> Any:
 def error(truth: Truth, key: Key, found: Any, least: bool = False) -> float:
     """Return the error of a result in units of ε·κ, or of what κ is at ``least``."""
     off = miss(truth, key, found)
-    noise = LAST_DIGIT * truth.largest[key[2]]
+    largest = truth.largest[key[2]]
+    noise = LAST_DIGIT * largest
     kappa = truth.least_kappa if least else truth.kappa
     sizes = [0.0]
     for part in parts_of(key, truth.values[key]):
         size = abs(part(off))
+        if abs(part(truth.values[key])) <= noise and size <= EPSILON**2 * largest:
+            continue  # zero in exact numbers, and as good as that
         if not size <= noise:  # NaN is beyond any bound
             scale = EPSILON * kappa(key, part)
             sizes.append(float(size / scale) if scale and not gmpy2.is_nan(size) else math.inf)

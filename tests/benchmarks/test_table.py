@@ -19,7 +19,7 @@ LINES = [line for line in table.read() if line.where]
 def measured(line: table.Line) -> float:
     """Return the error of a line's pose in ε·κ."""
     (kind,) = (kind for kind, names in MECHANISMS.items() if line.mechanism in names)
-    module, tally = KINDS[kind], Tally(least=0.0)
+    module, tally = KINDS[kind], Tally(exactly=True)
     with gmpy2.context(gmpy2.get_context(), trap_divzero=True):
         module.compare(tally, *module.again(line.mechanism, json.loads(line.where)))
     return tally.records[line.mechanism, line.part, line.quantity].worst

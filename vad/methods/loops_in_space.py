@@ -116,15 +116,16 @@ def between(one: Walk, other: Walk) -> tuple[tuple[Triple, Triple], ...]:
     The first is right to the first order, and zero where the ends agree.
     """
     turned = added(cross(other.x, one.x), cross(other.y, one.y), cross(other.z, one.z))
-    place = scaled(one.arithmetic.number(0.5), turned), _less(one.origin, other.origin)
+    place = scaled(one.arithmetic.number(0.5), turned), less(one.origin, other.origin)
     rates = (
-        (_less(one.spin[order], other.spin[order]), _less(one.speed[order], other.speed[order]))
+        (less(one.spin[order], other.spin[order]), less(one.speed[order], other.speed[order]))
         for order in range(2)
     )
     return place, *rates
 
 
-def _less(a: Triple, b: Triple) -> Triple:
+def less(a: Triple, b: Triple) -> Triple:
+    """Return the difference of two vectors."""
     return added(a, scaled(-1, b))
 
 
@@ -182,7 +183,9 @@ def solve(
     """
     degrees, rate, second = problem.drive
     angle = arithmetic.pi * arithmetic.number(degrees % 360) / 180
-    loop = _Loop(problem, arithmetic, (angle, arithmetic.number(rate), arithmetic.number(second)))
+    loop = LoopInSpace(
+        problem, arithmetic, (angle, arithmetic.number(rate), arithmetic.number(second))
+    )
     place = {scalar: arithmetic.number(start[scalar]) for scalar in problem.unknowns}
     for _ in range(_MOST_STEPS):
         steps = loop.solved(place, loop.gap(place)[0])
@@ -202,7 +205,7 @@ def solve(
     }
 
 
-class _Loop:
+class LoopInSpace:
     """The equations of a problem for one place of its driver."""
 
     def __init__(self, problem: SpaceProblem, arithmetic: Arithmetic, driver: Derivatives) -> None:
@@ -224,13 +227,15 @@ class _Loop:
 
     def solved(self, place: Mapping[Scalar, Any], gap: list[Any]) -> dict[Scalar, Any]:
         """Return the change of the unknowns that closes a gap, to the first order."""
-        columns = []
-        still = (self._driver[0], 0, 0)
-        for one in self._unknowns:
-            jets = {scalar: (place[scalar], int(scalar == one), 0) for scalar in place}
-            columns.append(self._equations(jets, still)[1])
+        unit = ({scalar: int(scalar == one) for scalar in place} for one in self._unknowns)
+        columns = [self.change(place, rates) for rates in unit]
         found = self._arithmetic.solve(columns, [-x for x in gap])
         return dict(zip(self._unknowns, found, strict=True))
+
+    def change(self, place: Mapping[Scalar, Any], rates: Mapping[Scalar, Any]) -> list[Any]:
+        """Return how fast a gap opens if the unknowns move and the driver rests."""
+        jets = {scalar: (place[scalar], rates[scalar], 0) for scalar in place}
+        return self._equations(jets, (self._driver[0], 0, 0))[1]
 
 
 def _axes(
