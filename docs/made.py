@@ -43,7 +43,8 @@ An ulp is one unit in the last place of the true number. These are errors of pos
 without looking for trouble; where a result is the small difference of large numbers, its last place
 is far below what its input holds, and ulps can be many. With the poses of the largest errors in
 ulps, everything is in `benchmarks/results/errors.csv`. Chains of dyads are drawn from a seed by
-`benchmarks/errors/chains.py`; their links, points and slides are counted together.
+`benchmarks/errors/chains.py`; their links, points and slides are counted together. The last are
+[the files that ship with the program](mechanisms.md#from-files), over their ranges.
 """
 _FILMS = """\
 ## Films and pictures
@@ -138,7 +139,7 @@ def _errors() -> str:
     rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
     parts = ["# Largest errors", _LARGEST]
     for name in dict.fromkeys(row["mechanism"] for row in rows):
-        title = MECHANISMS[name].title if name in MECHANISMS else name.capitalize()
+        title = MECHANISMS[name].title if name in MECHANISMS else _title(name)
         found = [
             [
                 f"{row['part']} {row['quantity']}",
@@ -156,9 +157,14 @@ def _errors() -> str:
     return _joined(parts)
 
 
+def _title(name: str) -> str:
+    file = name.removesuffix(".toml")
+    return example_title(file) if file != name else name.capitalize()
+
+
 def _command(name: str, pose: str) -> str:
     """Return the command that solves a pose, or what makes a chain again."""
-    if name not in MECHANISMS or not pose:
+    if name == "chains" or not pose:
         return f"`{pose}`" if pose else ""
     numbers = json.loads(pose).items()
     options = " ".join(f"--{key.replace('_', '-')} {value}" for key, value in numbers)

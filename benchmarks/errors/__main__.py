@@ -1,9 +1,9 @@
 """``python -m benchmarks.errors``: look for the largest errors, for so many seconds.
 
 --seed S       where the random numbers begin
---seconds N    how long to look, for each of the three kinds
+--seconds N    how long to look, for each of the kinds
 --results N    or how many results to compare, at most
---only KIND    planar, chains or space
+--only KIND    planar, chains, space or examples
 --findings F   append what is beyond its bound to a file
 --table        know the worst of each result exactly, and write the table of the errors anew
 
@@ -19,16 +19,17 @@ import time
 
 import gmpy2
 
-from benchmarks.errors import chains, plane, space, table
+from benchmarks.errors import chains, examples, plane, space, table
 from benchmarks.errors.tally import Tally
 from tests.kinematics.families import SAMPLERS
 
-KINDS = {"planar": plane, "chains": chains, "space": space}
+KINDS = {"planar": plane, "chains": chains, "space": space, "examples": examples}
 
 MECHANISMS = {
     "planar": {name for name, _ in SAMPLERS.values()},
     "chains": {table.CHAINS},
     "space": set(space.KINDS),
+    "examples": {f"{name}.toml" for name in examples.NAMES},
 }
 #: Of so many results one may be beyond its bound.
 ALLOWED = 1e6
