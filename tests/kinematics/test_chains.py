@@ -49,6 +49,15 @@ def test_a_bar_that_goes_round_with_the_slot_in_which_it_ends() -> None:
         assert not {key: size for key, size in found.items() if not size <= BOUNDS[key[2]]}
 
 
+@pytest.mark.parametrize("seed", [2607, 2176, 1780, 1699, 286])
+def test_a_slide_between_links_that_turn_almost_as_one(seed: int) -> None:
+    """Its velocity is a small difference of large ones, but for one who turns with these links."""
+    draw = Wide(f"four {seed}")
+    kinds = [draw.choice(KINDS) for _ in range(draw.randint(3, 5))]
+    found = dict(errors(Chain(draw, draw.choice(STARTS), kinds)))
+    assert not {key: size for key, size in found.items() if not size <= BOUNDS[key[2]]}
+
+
 @pytest.mark.parametrize("name", list(BUILT))
 def test_many_poses_have_the_bits_of_one(name: str) -> None:
     mechanism = HandBuilt(BUILT[name]())

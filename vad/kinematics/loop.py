@@ -69,12 +69,19 @@ class LoopSolver:
             self.turns = {bar.link: bar.turn, GROUND: self.axis}
             turn = bar.turn * self.axis.conjugate()
             self.crank = GroundedCrank(self.offset, way * frame.size(bar), turn)
-        self.inverted = self._longer_crank()
         #: The link from which rates are seen; None where that is the ground.
-        self.viewpoint = frame.linkage.driver.name if self.inverted else None
+        self.viewpoint = self._longest_side()
+        self.inverted = self.crank is not None and self.viewpoint is not None
         ground = self.offset.real * frame.scale
         self.ground = (1, Bar("".join(starts), GROUND, ground, turn=self.axis))
-        known = [self.ground] if self.inverted else self.known
+        if self.offset.imag and self.viewpoint:
+            length = abs(self.offset)
+            turn = self.axis * (self.offset / length)
+            self.ground = (1, Bar("".join(starts), GROUND, length * frame.scale, turn=turn))
+        known = self.known
+        if self.viewpoint:
+            seen = [step for step in known if scalar_of(step[1]) != angle_of(self.viewpoint)]
+            known = [self.ground, *seen] if self.offset else seen
         #: The steps with known components: of the velocity, and of the acceleration.
         self.moving = known, [*known, *ordered]
         #: What links of equal length copy: in some poses they stand still or turn with the crank.
@@ -101,19 +108,34 @@ class LoopSolver:
             return 1.0 + 0j, self.offset
         return self.offset / size, complex(size)
 
-    def _longer_crank(self) -> bool:
-        """Tell whether rates are better found as seen from the crank: kinematic inversion.
+    def _longest_side(self) -> str | None:
+        """Return the link from which rates are best seen; None for the ground: kinematic inversion.
 
-        A crank that is longer than the ground takes the other links round with it.  Seen from the
-        crank only the short ground turns, and no large rates cancel.
+        It is the link with the longest side of the loop.  A crank that is longer than the ground
+        takes the other links round with it: seen from the crank only the short ground turns, and
+        no large rates cancel.  The length of a slot counts as that of the bar that ends in it.
         """
-        guided = any(
-            isinstance(s.along, float) for s in (self.step, self.other) if isinstance(s, Slide)
-        )
+        slides = [s for s in (self.step, self.other) if isinstance(s, Slide)]
+        bars = [bar for _, bar in self.known if isinstance(bar, Bar)]
+        guided = any(isinstance(slide.along, float) for slide in slides)
+        if guided or len(bars) < len(self.known):
+            return None
         crank = self.crank
-        if crank is None or crank.c.imag != 0.0 or guided:
-            return False
-        return abs(crank.c) < abs(crank.t)
+        if crank is not None:
+            longer = crank.c.imag == 0.0 and abs(crank.c) < abs(crank.t)
+            return self.frame.linkage.driver.name if longer else None
+        sides: dict[str, complex] = {GROUND: self.offset}
+        for way, bar in self.known:
+            assert isinstance(bar, Bar)
+            if isinstance(bar.length, float):
+                side = way * self.frame.size(bar) * bar.turn
+                sides[bar.link] = sides.get(bar.link, 0j) + side
+            elif bar.length in self._unknown_lengths and isinstance(self.step, Bar):
+                sides[bar.link] = self.frame.size(self.step)
+            else:
+                return None
+        link = max(sides, key=lambda name: abs(sides[name]))
+        return None if link == GROUND else link
 
     def check_ends(self) -> None:
         """Raise an `InputError` where an end of the loop is not an unknown bar."""
@@ -202,6 +224,8 @@ class LoopSolver:
             if isinstance(step, Bar):
                 turning = rate / nonzero(self.radius(step, pose))
                 found.turning[step.link] = turning + found.turning[link] if link else turning
+                if link:
+                    found.against[step.link] = link, turning
             else:
                 found.sliding[step.name] = rate
 
@@ -283,6 +307,7 @@ class EqualLinks:
         for link, (source, _) in self._copies.items():
             rate = 0.0 if source == GROUND else rates.turning[source]
             rates.turning[link] = select(here, rate, rates.turning[link])
+            rates.against.pop(link, None)
         if self._slide:
             rates.sliding[self._slide] = select(here, 0.0, rates.sliding[self._slide])
 

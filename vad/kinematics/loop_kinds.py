@@ -143,7 +143,11 @@ class TwoAnglesLoop(LoopSolver):
         p, q = -across(gap), self._sense * frame.unknown_direction(short, pose)
         x, y = crossing(-total, p, q, sine * (-self._sense * frame.size(long, pose)))
         found[long.link] = x + spin if self.inverted else x
-        found[short.link] = found[long.link] + y / frame.size(short)
+        relative = y / frame.size(short)
+        found[short.link] = found[long.link] + relative
+        rates[-1].against[short.link] = long.link, relative
+        if self.inverted:
+            rates[-1].against[long.link] = driver, x
 
 
 class StrutLoop(TwoAnglesLoop):
@@ -242,6 +246,8 @@ class ParallelLoop(LoopSolver):
         for bar, (source, _) in self._copies.items():
             turning = rates[-1].turning
             turning[bar.link] = 0.0 if source == GROUND else turning[source]
+            if source != GROUND:
+                rates[-1].against[bar.link] = source, 0.0
 
 
 # A bar and an arm count as about equally long if their ratio is within this.
@@ -274,7 +280,6 @@ class AngleAndLengthLoop(LoopSolver):
         self._arm: Bar | None = None
         if self._moving:
             self.crank = None
-            self._see_from_slot()
         crank = self.crank and replace(self.crank, c=way * self.crank.c, t=way * self.crank.t)
         size = frame.size(self.step)
         rounded = any(scalar_of(step) != frame.linkage.driver for _, step in self.known)
@@ -309,7 +314,8 @@ class AngleAndLengthLoop(LoopSolver):
         height = cross(line, self.offset * self.axis) * frame.scale
         if height:
             ground.append((1, replace(self.ground[1], length=height, turn=across(line))))
-        self.moving = ground, [*ground, (self.way, self.step), (self.other_way, guide)]
+        pushed: list[SignedStep] = [*ground, (self.way, self.step), (self.other_way, guide)]
+        self.moving = ground, pushed
 
     def cross(self, pose: Pose, rates: tuple[Rates, ...], sine: Number) -> None:
         """Find ω and the slide's velocity, or α and its acceleration."""
@@ -321,27 +327,6 @@ class AngleAndLengthLoop(LoopSolver):
             along = -self.other_way * dot(frame.line(self.other, None), both)
             pose = replace(pose, length={**pose.length, self.other.name: along})
         super().cross(pose, rates, sine)
-
-    def _see_from_slot(self) -> None:
-        """See the rates of a bar that is longer than its gap from the link with the slot.
-
-        From there the bar hardly turns, and no large rates cancel; as seen from the ground it turns
-        nearly as fast as that link.
-        """
-        bars = [(way, bar) for way, bar in self.known if isinstance(bar, Bar)]
-        rest = [(way, bar) for way, bar in bars if bar.link != self.other.along]
-        if len(bars) < len(self.known) or not all(isinstance(bar.length, float) for _, bar in rest):
-            return
-        ground = abs(self.offset)
-        gap = ground + sum(float(self.frame.size(bar)) for _, bar in rest)
-        if not 0.0 < gap < self.frame.size(self.step):
-            return
-        self.viewpoint = str(self.other.along)
-        if ground:
-            way = self.offset / ground
-            length = ground * self.frame.scale
-            rest.append((1, replace(self.ground[1], length=length, turn=way)))
-        self.moving = rest, [*rest, (self.way, self.step), (self.other_way, self.other)]
 
     def limits(self) -> list[float]:
         """Return the places of the driver at which the bar stands across its guide."""

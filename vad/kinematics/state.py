@@ -62,17 +62,45 @@ class Pose:
 
 @dataclass(slots=True)
 class Rates:
-    """First or second derivatives of the angle of every link and the length of every slide."""
+    """First or second derivatives of the angle of every link and the length of every slide.
+
+    Attributes
+    ----------
+    turning
+        The rate of each link.
+    sliding
+        The rate of each slide.
+    against
+        The rates that were found as seen from another link: by link, that other link and the rate.
+        Links that turn almost as one have digits here that a difference of their rates has lost.
+    """
 
     turning: dict[str, Number]
     sliding: dict[str, Number]
+    against: dict[str, tuple[str, Number]] = field(default_factory=dict)
+
+    def between(self, link: str, other: str) -> Number:
+        """Return the rate of a link as seen from another one."""
+        rates: dict[str, Number] = {link: 0.0}  # of the first link, seen from those on its way
+        while link in self.against:
+            seen_from, rate = self.against[link]
+            rates[seen_from] = rates[link] + rate
+            link = seen_from
+        back, end = 0.0, other
+        while end not in rates and end in self.against:
+            end, rate = self.against[end]
+            back = back + rate
+        if end in rates:
+            return rates[end] - back
+        first = next(iter(rates))
+        return self.turning[first] - self.turning[other]
 
     def seen_from(self, link: str) -> Rates:
         """Return the rates as seen from a link; from there the ground turns the other way."""
-        spin = self.turning[link]
-        turning = {name: rate - spin for name, rate in self.turning.items() if name != link}
-        return Rates({**turning, link: 0.0, GROUND: -spin}, self.sliding)
+        turning = {name: self.between(name, link) for name in self.turning if name != link}
+        return Rates({**turning, link: 0.0, GROUND: -self.turning[link]}, self.sliding)
 
     def all(self) -> list[Number]:
         """Return all that it holds."""
-        return [*self.turning.values(), *self.sliding.values()]
+        seen = [rate for _, rate in self.against.values()]
+        return [*self.turning.values(), *self.sliding.values(), *seen]
