@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from vad import gate
 from vad.errors import InputError, UsageError, quoted, unknown
+from vad.kinematics.any_solver import Result
 from vad.kinematics.motion import Motion, MotionInSpace, solve
-from vad.kinematics.results import Point
 from vad.kinematics.solver import Solver
 from vad.mechanisms import Mechanism
 
@@ -102,11 +102,16 @@ def _block(
     return _solved(solve(mechanism, **single, **dict(zip(names, arrays, strict=True))), results)
 
 
-def _solved(motion: Motion[Any, Any, Any], results: np.dtype[Any]) -> NDArray[Any]:
-    found = np.empty(motion.shape, results)
-    for name in results.names or ():
-        owner, _, quantity = name.rpartition(".")
-        found[name] = getattr(_part(motion, owner, quantity), quantity)
+def _solved(motion: Motion[Any, Any, Any], dtype: np.dtype[Any]) -> NDArray[Any]:
+    """Return the results by which the fields are named: of many poses in one calculation."""
+    names = dtype.names or ()
+    if motion.many:
+        table = motion.read_all([_result(motion, name) for name in names])
+        return table.view(dtype).reshape(motion.shape)
+    found = np.empty((), dtype)
+    for name in names:
+        kind, part, quantity = _result(motion, name)
+        found[name] = getattr(getattr(motion, kind)(part), quantity)
     return found
 
 
@@ -122,34 +127,33 @@ def _names(results: Iterable[str] | str) -> list[str]:
 
 def _field(motion: Motion[Any, Any, Any], name: str) -> tuple[str, type, tuple[int, ...]]:
     """Return a result's name, type and shape: of a vector in space, three numbers."""
-    owner, _, quantity = name.rpartition(".")
-    part = _part(motion, owner, quantity)
-    vector = isinstance(part, Point) or owner in motion.solver.bodies
+    kind, part, _ = _result(motion, name)
+    vector = kind == "point" or part in motion.solver.bodies
     if vector and not isinstance(motion.solver, Solver):
         return name, float, (3,)
     return name, complex if vector else float, ()
 
 
-def _part(motion: Motion[Any, Any, Any], owner: str, quantity: str) -> Any:
-    """Return the link, joint, point or slide that has a result."""
-    known: dict[str, tuple[Any, str]] = {}
-    bodies = [name for name in motion.links if name in motion.solver.bodies]
-    lines = [name for name in motion.links if name not in bodies]
-    for names, quantities, part in (
-        (lines, _LINK, motion.link),
-        (bodies, _LINK[1:], motion.link),
-        (motion.points, _POINT, motion.point),
-        (motion.slides, (*_POINT, "coriolis"), motion.slide),
-    ):
-        known |= {f"{name}.{each}": (part, name) for name in names for each in quantities}
-    if isinstance(motion, MotionInSpace):
-        known |= {
-            f"{name}.{each}": (motion.joint, name) for name in motion.joints for each in _LINK
-        }
-    if f"{owner}.{quantity}" not in known:
-        raise unknown("result", f"{owner}.{quantity}", known)
-    part, name = known[f"{owner}.{quantity}"]
-    return part(name)
+def _result(motion: Motion[Any, Any, Any], name: str) -> Result:
+    """Return the link, joint, point or slide that has a result, and which of its quantities."""
+    bodies = [part for part in motion.links if part in motion.solver.bodies]
+    lines = [part for part in motion.links if part not in bodies]
+    joints = motion.joints if isinstance(motion, MotionInSpace) else ()
+    known = {
+        f"{part}.{quantity}": (kind, part, quantity)
+        for kind, parts, quantities in (
+            ("link", lines, _LINK),
+            ("link", bodies, _LINK[1:]),
+            ("point", motion.points, _POINT),
+            ("slide", motion.slides, (*_POINT, "coriolis")),
+            ("joint", joints, _LINK),
+        )
+        for part in parts
+        for quantity in quantities
+    }
+    if name not in known:
+        raise unknown("result", name, known)
+    return known[name]
 
 
 def _is_dask(value: object) -> bool:

@@ -6,19 +6,21 @@ programs that find any result for one pose or for many.
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Set
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from vad.kinematics.linkage import Scalar
 from vad.kinematics.numbers import Number, direction, fold, positive
+from vad.kinematics.one_pose import Order, Steps, pose_function
 from vad.kinematics.program import Program
-from vad.kinematics.recording import Recorded, RecordedVector, Tape
+from vad.kinematics.recording import Operand, Recorded, RecordedVector, Tape
 from vad.kinematics.state import Pose, Rates
 
 if TYPE_CHECKING:
@@ -27,9 +29,6 @@ if TYPE_CHECKING:
 # A result: its kind (link, joint, point or slide), its name, and which quantity of it.
 Result = tuple[str, str, str]
 
-
-# The order of a result, and the function that finds it from all numbers up to that order.
-Reader = tuple[int, Callable[..., tuple[float, ...]]]
 
 # To record a program takes about as long as to solve so many poses without one.
 OFTEN = 50
@@ -82,7 +81,8 @@ class AnySolver(ABC):
 
     def __init__(self) -> None:
         self._asked: Counter[Result] = Counter()
-        self._readers: dict[Result, Reader] = {}
+        #: The function of a pose, and the number of each result that is often asked for in it.
+        self.often: tuple[Callable[..., Steps], dict[Result, int]] | None = None
 
     @property
     def plane(self) -> Solver:
@@ -163,19 +163,17 @@ class AnySolver(ABC):
         """The solver as programs."""
         return RecordedSolver(self)
 
-    def reader(self, result: Result) -> Reader | None:
-        """Return the order and the function of a result that is asked for often, else None."""
-        reader = self._readers.get(result)
-        if reader is None:
-            self._asked[result] += 1
-            if self._asked[result] > OFTEN:
-                reader = order_of(result), self.recorded.result(result).one
-                self._readers[result] = reader
-        return reader
+    def count(self, result: Result) -> None:
+        """Count that a result is asked for; from a certain number on it is one of those `often`."""
+        self._asked[result] += 1
+        if self._asked[result] > OFTEN:
+            # What is asked for beside it will soon be asked for as often.
+            results = [each for each, times in self._asked.items() if 2 * times > OFTEN]
+            self.often = self.recorded.pose(results)
 
     def closes(self, places: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Tell for many places of the driver whether the links close."""
-        return self.recorded.order(0).many([places], places.size)[0]
+        return self.recorded.program(()).many([places], places.size)[0]
 
     def sines(self, places: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return for many places of the driver the sines of every loop, as rows."""
@@ -257,67 +255,88 @@ def round_the_turn(angles: Iterable[float]) -> NDArray[np.float64]:
 class RecordedSolver:
     """A solver as programs, each of which is made when it is first asked for.
 
-    There are three orders: the pose, the velocities and the accelerations.  All numbers of an
-    order are kept.  A result is calculated from them, and not from the driver's motion again.
+    There are three orders: the pose, the velocities and the accelerations.  A program calculates
+    any results, in one run from the driver's motion, or from the numbers of the orders below that
+    an earlier run has kept.
+
+    Attributes
+    ----------
+    inputs
+        The driver's place, its rate and its second rate.
     """
 
     def __init__(self, solver: AnySolver) -> None:
         tape = Tape()
         self._solver = solver
-        self._inputs = tuple(map(tape.input, ("place", "rate", "second_rate")))
-        self._evaluation = Evaluation(solver, self._inputs)
-        self._orders: list[Program] = []
-        self._results: dict[Result, Program] = {}
+        self.inputs = tuple(map(tape.input, ("place", "rate", "second_rate")))
+        self._evaluation = Evaluation(solver, self.inputs)
+        self._programs: dict[Any, Program] = {}
 
-    def order(self, order: int) -> Program:
-        """Return the program from one input, and all numbers of the orders below, to an order.
+    def program(self, results: tuple[Result, ...], known: int = 0, order: int = -1) -> Program:
+        """Return the program that calculates results.
 
-        Its first output in order 0 tells whether the links close.
+        Parameters
+        ----------
+        results
+            What is asked for.  The parts of all results are the last outputs, and its columns.
+        known
+            The number of orders whose numbers are given.  Without any the first output tells
+            whether the links close.
+        order
+            The highest order whose numbers are wanted, too: those that are not known are outputs.
         """
-        while len(self._orders) <= order:
-            below = len(self._orders)
-            given = (*self._known(below - 1), self._inputs[below])
-            names = {number.name for number in given}
-            new = {
-                x.name: x
-                for x in _parts(self._numbers(below))
-                if isinstance(x, Recorded) and x.name not in names
-            }
-            self._orders.append(Program(given, tuple(new.values())))
-        return self._orders[order]
+        key = results, known, order
+        if key not in self._programs:
+            highest = max([order, known - 1, *map(order_of, results)])
+            inputs = [*self.inputs[: highest + 1]]
+            inputs += [x for each in range(known) for x in self.numbers(each)]
+            kept = [x for each in range(known, order + 1) for x in self.numbers(each)]
+            if not known:
+                kept = [self.closes, *kept]
+            parts = [x for result in results for x in self.parts(result)]
+            self._programs[key] = Program(inputs, [*kept, *parts], len(parts))
+        return self._programs[key]
 
-    def result(self, result: Result) -> Program:
-        """Return the program from all numbers up to its order to a result, or to its x, y and z."""
-        if result not in self._results:
-            value = self._solver.evaluate(result, self._evaluation)
-            outputs = [_without_sign(x) for x in _parts([value])]
-            self._results[result] = Program(self._known(order_of(result)), outputs)
-        return self._results[result]
+    def pose(self, results: Iterable[Result]) -> tuple[Callable[..., Steps], dict[Result, int]]:
+        """Return the function of one pose, and the number of each result in it."""
+        listed = sorted(results, key=order_of)
+        orders = []
+        for order in range(order_of(listed[-1]) + 1):
+            parts = [self.parts(result) for result in listed if order_of(result) == order]
+            orders.append(Order(self.numbers(order), parts))
+        function = pose_function(self.inputs, self.closes, orders)
+        return function, {result: number for number, result in enumerate(listed)}
+
+    @cached_property
+    def closes(self) -> Recorded:
+        """Whether the links close."""
+        sum_of_all = self.inputs[0] + sum(self._evaluation.pose.sine)  # NaN where they do not
+        return sum_of_all == sum_of_all
+
+    def numbers(self, order: int) -> list[Recorded]:
+        """Return all that an order finds."""
+        values = (self._evaluation.rates(order)[-1] if order else self._evaluation.pose).all()
+        given = {number.name for number in self.inputs}
+        found = {x.name: x for x in _parts(values) if isinstance(x, Recorded)}
+        return [number for name, number in found.items() if name not in given]
+
+    def parts(self, result: Result) -> list[Operand]:
+        """Return a result, or its x and y, or its x, y and z; no zero is negative."""
+        if result[2] == "coriolis" and not self._solver.on_turning_link(result[1]):
+            return [math.nan]
+        value = self._solver.evaluate(result, self._evaluation)
+        return [_without_sign(x) for x in _parts([value])]
 
     @cached_property
     def sines(self) -> Program:
         """The program from the driver's place to the sine of each loop."""
-        return Program(self._inputs[:1], self._evaluation.pose.sine)
+        return Program(self.inputs[:1], self._evaluation.pose.sine)
 
     @cached_property
     def misses(self) -> Program:
         """The program from the driver's place to what the searched loops miss by."""
-        misses = self._solver.searched_misses(self._evaluation.pose, self._inputs[0])
-        return Program(self._inputs[:1], misses)
-
-    def _known(self, order: int) -> tuple[Recorded, ...]:
-        """Return the inputs and all numbers of an order and of the orders below it."""
-        if order < 0:
-            return ()
-        program = self.order(order)
-        return (*program.inputs, *program.outputs)
-
-    def _numbers(self, order: int) -> list[Number]:
-        if order:
-            return self._evaluation.rates(order)[-1].all()
-        pose = self._evaluation.pose
-        sum_of_all = self._inputs[0] + sum(pose.sine)  # NaN where the links do not close
-        return [sum_of_all == sum_of_all, *pose.all()]
+        misses = self._solver.searched_misses(self._evaluation.pose, self.inputs[0])
+        return Program(self.inputs[:1], misses)
 
 
 def _parts(values: Iterable[Number]) -> Iterator[Number]:

@@ -112,12 +112,11 @@ def travels(mechanism: Mechanism, samples: int = 721) -> Mapping[str, tuple[floa
     solver = solver_of(mechanism)
     ranges = [np.linspace(low, high, samples) for low, high in closing_range(mechanism)]
     places = np.concatenate([*ranges, [math.nan]])
-    known = [places, *solver.recorded.order(0).many([places], places.size)]
-    found = {}
-    for name in solver.slides:
-        (slid,) = solver.recorded.result(("slide", name, "position")).many(known, places.size)
-        found[name] = float(np.fmin.reduce(slid)), float(np.fmax.reduce(slid))
-    return found
+    slides = sorted(solver.slides)
+    program = solver.recorded.program(tuple(("slide", name, "position") for name in slides))
+    _, *slid = program.many([places], places.size)
+    least, greatest = (map(float, map(end, slid)) for end in (np.fmin.reduce, np.fmax.reduce))
+    return dict(zip(slides, zip(least, greatest, strict=True), strict=True))
 
 
 def _sizes(frame: ReferenceFrame) -> list[float]:

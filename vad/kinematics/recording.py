@@ -98,13 +98,18 @@ OPERATIONS = {
 
 
 def function_of(
-    arguments: list[str], lines: list[str], names: Mapping[str, Any]
+    arguments: list[str], lines: list[str], names: Mapping[str, Any] | None = None
 ) -> Callable[..., Any]:
     """Return the function with this text; every word of the text is written by this program."""
-    space = dict(names)
+    space = vars(math) | {"arctan2": np.arctan2} if names is None else dict(names)
     exec("\n    ".join([f"def program({', '.join(arguments)}):", *lines]), space)
     function: Callable[..., Any] = space["program"]
     return function
+
+
+def line_of(step: Recorded) -> str:
+    """Return an operation as a line of Python."""
+    return f"{step.name} = {OPERATIONS[step.operation].text.format(*step.operands)}"
 
 
 # A recorded number, or a float that is the same in every pose.
@@ -279,6 +284,12 @@ def key_of(operand: Operand) -> str:
     0.0, -0.0 and False are equal, and so are 1.0 and True; as texts they are not.
     """
     return operand.name if isinstance(operand, Recorded) else repr(operand)
+
+
+def kind_of(operand: Operand) -> type:
+    """Return the type of a number: float, or that of a truth value or a whole number."""
+    is_step = isinstance(operand, Recorded) and operand.operation
+    return OPERATIONS[operand.operation].kind if is_step else float
 
 
 def _is_negative(value: Operand) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Generic
 
@@ -15,7 +15,8 @@ from vad.kinematics.any_solver import AnySolver, Evaluation, Result, order_of
 from vad.kinematics.closed_forms import OpenLoopError
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Linkage
-from vad.kinematics.numbers import NAN_VECTOR, Number, Truth, is_array
+from vad.kinematics.numbers import Number, Truth, is_array
+from vad.kinematics.one_pose import Steps
 from vad.kinematics.reach import closing_range
 from vad.kinematics.results import place_unit
 from vad.kinematics.solver import Solver, solver_of
@@ -26,8 +27,6 @@ if TYPE_CHECKING:
 
 # The number of coordinates of a vector in space.
 _AXES = 3
-# Of the known numbers, the one after the first input tells whether the links close.
-_CLOSES = 1
 # The step from a dead centre to a place that may have rates: in degrees, or of the solver's unit.
 _ASIDE = {"angle": 2.0, "length": 0.02}
 
@@ -53,8 +52,15 @@ class Solution(Generic[Truth]):
         self.many = any(map(is_array, values))
         self.shape = _broadcast(inputs) if self.many else ()
         self._evaluation = Evaluation(solver, values)
-        # For each order that was asked for: all inputs and numbers up to this order.
-        self._known: list[tuple[Any, ...]] = []
+        # Of many poses: how many orders are known, all inputs and the numbers of these orders by
+        # name, and which poses close.
+        self._orders = 0
+        self._known: dict[str, Any] = {}
+        self._closes: Any = None
+        # Of one pose: the function that has run as far as anything was asked for, if there is one,
+        # and the number of each result in it.
+        self._steps: Steps | None = None
+        self._numbers: dict[Result, int] = {}
         # The results of one pose that were asked for: a sheet reads each of them twice or more.
         self._found: dict[Result, Number] = {}
 
@@ -132,7 +138,9 @@ class Solution(Generic[Truth]):
         """Whether the links close: a bool, or an array of them; a dead centre counts as closed."""
         closed: Any
         if self.many:
-            closed = self._find(0)[_CLOSES].reshape(self.shape).copy()
+            if not self._orders:
+                self.read_all((), 0)
+            closed = self._closes.reshape(self.shape).copy()
         else:
             try:
                 closed = bool(self._evaluation.pose)
@@ -158,18 +166,22 @@ class Solution(Generic[Truth]):
         return found.copy() if isinstance(found, np.ndarray) else found
 
     def _read_one(self, result: Result) -> Number:
-        reader = self.solver.reader(result)
-        if reader:
-            order, function = reader
-            known = self._find(order)
-            parts = function(*known)
-            if known[_CLOSES]:
-                if len(parts) < _AXES:
-                    value = parts[0] if len(parts) == 1 else complex(*parts)
-                    if value - value == 0:
-                        return value
-                elif all(map(math.isfinite, parts)):
-                    return np.array(parts)
+        if self._steps is None and self.solver.often:
+            function, self._numbers = self.solver.often
+            self._steps = function(*self._evaluation.inputs)
+            if not next(self._steps)[0]:
+                self._numbers = {}
+        number = self._numbers.get(result)
+        if number is None or self._steps is None:
+            self.solver.count(result)
+        else:
+            parts = self._steps.send(number)
+            if len(parts) < _AXES:
+                value = parts[0] if len(parts) == 1 else complex(*parts)
+                if value - value == 0:
+                    return value
+            elif all(map(math.isfinite, parts)):
+                return np.array(parts)
         self.pose  # noqa: B018  # raises where the links do not close
         value = self.solver.evaluate(result, self._evaluation)
         parts = value if isinstance(value, tuple) else (value,)
@@ -181,41 +193,62 @@ class Solution(Generic[Truth]):
         return np.array(parts) + 0.0 if len(parts) == _AXES else value + 0.0
 
     def _read_many(self, result: Result) -> NDArray[Any]:
-        program, known = self.solver.recorded.result(result), self._find(order_of(result))
-        found: NDArray[Any] = np.empty((math.prod(self.shape), len(program.outputs)))
-        program.play(known, list(found.T))
-        nothing: Number = math.nan
-        if len(program.outputs) == 2:
-            found, nothing = found.view(complex), NAN_VECTOR
-        closes = known[_CLOSES]
+        table = self.read_all([result], order_of(result))
+        width = table.shape[1]
+        if width == 2:
+            return table.view(complex).reshape(self.shape)
+        return table.reshape((*self.shape, width) if width == _AXES else self.shape)
+
+    def read_all(self, results: Sequence[Result], kept: int = -1) -> NDArray[np.float64]:
+        """Return a new table of results, with a row for each of many poses.
+
+        Each result has a column, a vector one for each coordinate.  A result that does not exist
+        is NaN, and all coordinates of a vector are.  The numbers of the orders up to ``kept`` are
+        kept, so that what is asked for later is calculated from them.
+        """
+        place, size = self._evaluation.inputs[0], math.prod(self.shape)
+        if self._orders == 0 and 1 < np.size(place) < size:  # once for each place of the driver
+            self._run((), 0, place.size, place.shape)
+        return self._run(tuple(results), kept, size, self.shape)
+
+    def _run(
+        self, results: tuple[Result, ...], kept: int, size: int, shape: tuple[int, ...]
+    ) -> NDArray[np.float64]:
+        """Run a program on poses of a shape; keep what it finds beside its table."""
+        recorded = self.solver.recorded
+        program = recorded.program(results, self._orders, kept)
+        if not self._known:
+            names = (number.name for number in recorded.inputs)
+            self._known = dict(zip(names, self._evaluation.inputs, strict=True))
+        given = [_spread(self._known[x.name], shape) for x in program.inputs]
+        new = dict(zip((x.name for x in program.kept), program.arrays(size), strict=True))
+        table = np.empty((size, program.columns))
+        closes = new.get(recorded.closes.name, self._closes)
+        widths = [len(recorded.parts(result)) for result in results]
+
+        def finish(part: slice) -> None:
+            block, close = table[part], closes[part]
+            if close.all() and math.isfinite(block.sum()):
+                return
+            for columns in np.split(block, np.cumsum(widths)[:-1], axis=1):
+                columns[~(np.isfinite(columns).all(axis=1) & close)] = math.nan
+
         with np.errstate(all="ignore"):
-            whole = bool(closes.all()) and math.isfinite(abs(found.sum()))
-        if not whole:
-            found[~(np.isfinite(found).all(axis=1) & closes)] = nothing
-        in_space = len(program.outputs) == _AXES
-        return found.reshape((*self.shape, _AXES) if in_space else self.shape)
+            program.play(given, [*new.values(), *table.T], finish)
+        if kept >= self._orders:
+            self._closes = _spread(closes.reshape(shape), self.shape)
+            self._known |= {
+                name: _spread(found.reshape(shape), self.shape) for name, found in new.items()
+            }
+            self._orders = kept + 1
+        return table
 
-    def _find(self, order: int) -> tuple[Any, ...]:
-        """Return the inputs and all numbers up to an order; those of many poses as flat arrays."""
-        while len(self._known) <= order:
-            number = len(self._known)
-            below = self._known[-1] if number else ()
-            program, given = self.solver.recorded.order(number), self._evaluation.inputs[number]
-            new: tuple[Any, ...]
-            if not self.many:
-                new = program.one(*below, given)
-            elif not number:  # positions are found once for each place of the driver
-                place = np.asarray(given)
-                pose = program.many([place.ravel()], place.size)
-                new = tuple(self._spread(x.reshape(place.shape)) for x in pose)
-            else:
-                new = tuple(program.many([*below, self._spread(given)], math.prod(self.shape)))
-            self._known.append((*below, self._spread(given), *new))
-        return self._known[order]
 
-    def _spread(self, value: Number) -> Number:
-        """Return an array flat, in the broadcast shape of all inputs; a number as it is."""
-        return np.broadcast_to(value, self.shape).ravel() if is_array(value) else value
+def _spread(value: Number, shape: tuple[int, ...]) -> Number:
+    """Return an array flat, in a shape to which it broadcasts; a number as it is."""
+    if not is_array(value) or value.shape == (math.prod(shape),):
+        return value
+    return np.broadcast_to(value, shape).ravel()
 
 
 def _broadcast(inputs: dict[str, Number]) -> tuple[int, ...]:
