@@ -1,8 +1,8 @@
 """How long what a user reads takes: of a million poses and of one, as multiples of the floor.
 
 ``python -m benchmarks.speed`` prints the ratios and writes benchmarks/results/speed.csv.  Floor
-and poses are measured in turn, many times, and the best of each is taken.  Where numba is
-installed, the compiled loops are measured too, once they are made.
+and poses are measured in turn, many times, and the best of each is taken.  Where llvmlite
+is installed, the compiled loops are measured too, once they are made.
 """
 
 from __future__ import annotations
@@ -86,7 +86,7 @@ def ratios(name: str, mechanism: Mechanism) -> list[float]:
     program.OFTEN = math.inf
     floor, *times = in_turn([lambda: four_functions(angles), position, four, singles])
     compiled = math.nan
-    if importlib.util.find_spec("numba"):
+    if importlib.util.find_spec("llvmlite"):
         program.OFTEN = 0
         other_floor, found = in_turn([lambda: four_functions(angles), four])
         compiled = found / other_floor

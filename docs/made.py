@@ -30,8 +30,8 @@ _SPEED = """\
 
 Time divided by that of `sin`, `cos`, `sqrt` and `arctan2` of as many numbers: for a point's
 position, for four results (its position and acceleration and two rates; of a four-bar the rocker's
-ω and the coupler's α), for the same where numba has compiled them, and for the same of one pose
-alone.
+ω and the coupler's α), for the same where it is compiled (`vad-diagrams[fast]`), and for the
+same of one pose alone.
 """
 _LARGEST = """\
 What `python -m benchmarks.errors --table` has found: random mechanisms, at least half of them where

@@ -287,7 +287,7 @@ class RecordedSolver:
         """
         key = results, known, order
         if key not in self._programs:
-            highest = max([order, known - 1, *map(order_of, results)])
+            highest = max([0, order, known - 1, *map(order_of, results)])
             inputs = [*self.inputs[: highest + 1]]
             inputs += [x for each in range(known) for x in self.numbers(each)]
             kept = [x for each in range(known, order + 1) for x in self.numbers(each)]

@@ -16,12 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.kinematics.recording import Operand, Recorded, kind_of
+from vad.kinematics.recording import Operand, Recorded, kind_of, prepared
 
 Array = NDArray[Any]
-
-# Up to here an angle can be folded without the loop that a remainder needs.
-LARGEST_ANGLE = 1e15
 
 # How each operation is written.  The arc tangent is missing: its last bit would not be numpy's.
 _TEXTS = {
@@ -119,11 +116,6 @@ class Compiled:
         address = self._engine.get_function_address("program")
         self._loop = ctypes.CFUNCTYPE(None, ctypes.c_int64, *kinds)(address)
 
-    def knows(self, inputs: Sequence[Array | float]) -> bool:
-        """Tell whether all angles are small enough to be folded in compiled code."""
-        largest = (np.fmax.reduce(np.abs(inputs[i]), axis=None) for i in self._folded)
-        return not any(angle > LARGEST_ANGLE for angle in largest)
-
     def play(
         self,
         inputs: Sequence[Array | float],
@@ -134,6 +126,9 @@ class Compiled:
         """Write the outputs, block by block; each block that is written is given to ``finish``."""
         size = len(outputs[0])
         given = [np.ascontiguousarray(x, float) if isinstance(x, np.ndarray) else x for x in inputs]
+        for place in self._folded:
+            angles = prepared(given[place])
+            given[place] = angles if angles.ndim else float(angles)
         places = [_address(x) for x in (*given, *outputs[: self._starts])]
         for start in range(0, size, block):
             part = slice(start, min(start + block, size))
@@ -229,6 +224,8 @@ def _engine(text: str) -> Any:
     """Return what holds the machine code of a module for this processor."""
     import llvmlite.binding as llvm  # type: ignore[import-not-found,import-untyped,unused-ignore]
 
+    if llvm.llvm_version_info < (16,):
+        raise RuntimeError("this version of LLVM wants a type of every address")
     with contextlib.suppress(RuntimeError):  # later versions need no such call, and refuse it
         llvm.initialize()
     llvm.initialize_native_target()

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import numbers
+import sys
 from collections.abc import Sequence
 from decimal import Decimal
 from typing import TYPE_CHECKING, Any, Generic, TypedDict, Unpack, overload
@@ -251,9 +252,9 @@ def checked(name: str, value: object, largest: float) -> Number:
         return value  # the usual case
     if _is_number(value):
         return _one(name, value, largest)
-    array = _many(name, value)
-    with np.errstate(invalid="ignore"):
-        array[~(np.isfinite(array) & (np.abs(array) <= largest))] = np.nan
+    array, most = _many(name, value), min(largest, sys.float_info.max)
+    if array.size and not (array.min() >= -most and array.max() <= most):
+        array[~(np.abs(array) <= most)] = np.nan
     array.flags.writeable = False  # a later change would not be solved
     return array
 

@@ -106,7 +106,7 @@ class Program:
         many = tuple(isinstance(x, np.ndarray) for x in inputs)
         if self._played > OFTEN:
             loop = self._compiled_for(many)
-            if loop and loop.knows(inputs):
+            if loop:
                 loop.play(inputs, outputs, BLOCK, finish)
                 return
         self._blocks_for(many).play(inputs, outputs, finish)

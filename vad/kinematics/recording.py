@@ -37,12 +37,20 @@ def _select(condition: Any, rare: Any, usual: Any, out: Any) -> None:
         np.putmask(out, condition, rare)
 
 
+def prepared(degrees: Any) -> Any:
+    """Return an angle, or angles, that can be folded without the loop that a remainder needs.
+
+    Beyond 1e15, 360·k is no longer exact, but fmod is; with 720 it can still be told which of +180
+    and -180 is meant.
+    """
+    degrees = np.asarray(degrees)
+    if degrees.size and not (degrees.min() >= -1e15 and degrees.max() <= 1e15):
+        return np.where(np.abs(degrees) > 1e15, np.fmod(degrees, 720.0), degrees)
+    return degrees
+
+
 def _fold(degrees: Any, out: Any) -> None:
-    degrees = np.asarray(degrees)  # the angle may be one number, where only the rates are many
-    # Beyond 1e15, 360·k is no longer exact, but fmod is; with 720 it can still be told which of
-    # +180 and -180 is meant.
-    if not (degrees.min() >= -1e15 and degrees.max() <= 1e15):
-        degrees = np.where(np.abs(degrees) > 1e15, np.fmod(degrees, 720.0), degrees)
+    degrees = prepared(degrees)
     np.divide(degrees, 360.0, out=out)
     np.rint(out, out=out)
     np.multiply(out, 360.0, out=out)
@@ -72,7 +80,7 @@ OPERATIONS = {
     "divide": Operation("{} / {}", operator.truediv, np.divide),
     "negative": Operation("-{}", operator.neg, np.negative),
     "absolute": Operation("abs({})", abs, np.absolute),
-    "copy": Operation("{}", float, np.positive),
+    "copy": Operation("{}", float, _place),
     "minimum": Operation("{0} if {0} < {1} else {1}", min, np.minimum),
     "maximum": Operation("{0} if {0} > {1} else {1}", lambda x, y: x if x > y else y, np.fmax),
     "sqrt": Operation("sqrt({})", math.sqrt, np.sqrt),
