@@ -70,7 +70,7 @@ def tried_here() -> None:
     harness.GRACE = 0.5
     harness.importlib.import_module = lambda _: Entrance  # type: ignore[assignment,attr-defined]
     found = harness.tried("any", 0, 60.0, 12)
-    print(json.dumps([found.tries, sorted(sum(found.seeds.values(), []))]))
+    print(json.dumps([found.tries, sorted(seed for each in found.seeds.values() for seed in each)]))
 
 
 def test_what_hangs_or_dies_is_known_by_its_seed():

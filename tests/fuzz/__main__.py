@@ -20,6 +20,7 @@ import select
 import signal
 import sys
 import time
+import traceback
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import partial
@@ -75,7 +76,10 @@ def child(entrance: Any, first: int, end: float, pipe: int) -> None:
             if time.monotonic() > end:
                 break
             said.write(json.dumps([seed]) + "\n")
-            fault = entrance.fault(entrance.case(seed), seed)
+            try:
+                fault = entrance.fault(entrance.case(seed), seed)
+            except Exception:  # of the harness itself
+                fault = traceback.format_exc()
             if fault is not None:
                 said.write(json.dumps([seed, fault]) + "\n")
     os._exit(0)
