@@ -402,17 +402,19 @@ class Problem:
                 return unknowns
         raise ArithmeticError("Newton's method has not converged")
 
-    def motion(self, unknowns: list[Any]) -> list[Series]:
+    def motion(self, unknowns: list[Any], jacobian: list[list[Any]] | None = None) -> list[Series]:
         """Solve the equations order by order in time, from the position on."""
-        jacobian, drive = self.jacobian(unknowns), self.drive
+        jacobian, drive = jacobian or self.jacobian(unknowns), self.drive
         found = [Series(value) for value in unknowns]
         firsts = solve_linear(jacobian, [-eq.c1 for eq in self.pose(drive, found).equations])
         found = [Series(q.c0, first) for q, first in zip(found, firsts, strict=True)]
         seconds = solve_linear(jacobian, [-eq.c2 for eq in self.pose(drive, found).equations])
         return [Series(q.c0, q.c1, second) for q, second in zip(found, seconds, strict=True)]
 
-    def quantities(self, unknowns: list[Any]) -> dict[Key, Any]:
-        pose = self.pose(self.drive, self.motion(unknowns))
+    def quantities(
+        self, unknowns: list[Any], jacobian: list[list[Any]] | None = None
+    ) -> dict[Key, Any]:
+        pose = self.pose(self.drive, self.motion(unknowns, jacobian))
         found: dict[Key, Any] = {}
         for name, vector in pose.links.items():
             omega, alpha = turning_rates(series(vector))
