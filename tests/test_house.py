@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ast
+import re
+from itertools import pairwise
 from pathlib import Path
 
 import vad
@@ -38,3 +40,17 @@ def test_signals_are_the_affair_of_the_command_line():
     """But for the workers of a batch, which are started so that they hear none."""
     listeners = {path.as_posix() for path, text in FILES.items() if "signal" in imported(text)}
     assert listeners == {"cli/process.py", "batches/workers.py"}
+
+
+def test_every_loop_says_what_bounds_it():
+    """A loop without a count has a comment: what each round does, or for what it waits."""
+    bound = re.compile(r"(#|//) .*\b(each round|waits)\b", re.IGNORECASE)
+    scripts = {path.relative_to(HOME): path.read_text("utf-8") for path in HOME.rglob("*.js")}
+    silent = [
+        f"{path}:{number}"
+        for path, text in (FILES | scripts).items()
+        for number, (before, line) in enumerate(pairwise(["", *text.splitlines()]), 1)
+        if re.match(r"\s*while\b.*[:{](\s*#.*)?$", line)
+        and not (bound.search(before) or bound.search(line))
+    ]
+    assert silent == []

@@ -156,6 +156,7 @@ def _end_with(parent: int, folder: Path) -> None:
     """End this process soon after its parent has died, and remove the folder that it had."""
 
     def watch() -> None:
+        # Waits as long as the parent lives.
         while os.getppid() == parent:
             time.sleep(_GLANCE)
         shutil.rmtree(folder, ignore_errors=True)

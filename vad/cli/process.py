@@ -154,6 +154,7 @@ def wait_for_signal() -> None:
     An interrupt is what the command waits for; any other signal ends the process.  A second one
     ends it at once.
     """
+    # Waits for the person who stops the command.
     while _heard.first is None:
         time.sleep(_GLANCE)
     _heard.answered = _heard.first == signal.SIGINT

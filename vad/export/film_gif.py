@@ -141,6 +141,7 @@ class _Film:
             return
         start, image = self._held
         delay = max(time - start, _SHORTEST)
+        # Each round leaves less; speed and fps have limits, and so has a delay.
         while delay > _LONGEST:
             self._write_image(_LONGEST - _SHORTEST, image)
             delay -= _LONGEST - _SHORTEST

@@ -312,12 +312,13 @@ def leave_off_last_track(stream: BinaryIO) -> None:
 
 def _atoms(stream: BinaryIO, start: int, end: int) -> Iterator[tuple[bytes, int, int]]:
     """Yield kind, start and end of the content of each atom between two places."""
+    # Each round goes on by the head of an atom, at least.
     while start < end:
         stream.seek(start)
         head = stream.read(_LONG)
         length, content = int.from_bytes(head[:4], "big"), start + _HEAD
         if length == 1:
             length, content = int.from_bytes(head[8:], "big"), start + _LONG
-        after = end if length == _TO_THE_END else start + length
+        after = end if length == _TO_THE_END else max(start + length, content)
         yield head[4:8], content, after
         start = after

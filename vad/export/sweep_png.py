@@ -291,6 +291,7 @@ def apart(shares: Sequence[float], pitch: float) -> list[float]:
     groups: list[list[float]] = []
     for share in shares:
         groups.append([share])
+        # Each round joins two groups.
         while len(groups) > 1 and _first(groups[-1], pitch) - _last(groups[-2], pitch) < pitch:
             last = groups.pop()
             groups[-1] += last

@@ -286,6 +286,7 @@ def _apart(vector: complex, name: str, tail: str, head: str) -> float:
 
 def _without_beginning(first: Steps, second: Steps) -> tuple[Steps, Steps]:
     """Return two chains without the steps that both begin with."""
+    # Each round drops a step; the chains differ at their ends.
     while first[0] == second[0]:
         first, second = first[1:], second[1:]
     return first, second

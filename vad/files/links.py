@@ -120,6 +120,7 @@ class _LinkReader:
     ) -> dict[str, Rule]:
         """Return the rules of further points; each rule needs only points before it."""
         known, rules = list(base), dict[str, Rule]()
+        # Each round takes a distance or more.
         while sizes:
             point = self._next(known, sizes, angles)
             own = {pair: sizes.pop(pair) for pair in _leading_to(point, known, sizes)}

@@ -111,6 +111,7 @@ def _check_connected(source: Source, description: Description) -> None:
             groups.append({guide.point, *line.pair})
         else:
             groups.append({guide.point, line.through})
+    # Each round joins one group more.
     while new := set().union(*(group for group in groups if group & joined)) - joined:
         joined |= new
     loose = [name for name, link in description.links.items() if not joined & set(link.points)]
@@ -233,6 +234,7 @@ def dyads(description: Description, driver: DriverEntry | None = None) -> list[D
     """
     known = _Known(description, driver or description.driver)
     found: list[Dyad] = []
+    # Each round locates the links of a dyad, which were unknown.
     while dyad := next(_dyads(known), None):
         before = set(known.points)
         if dyad.point not in before:

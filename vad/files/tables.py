@@ -274,7 +274,7 @@ def _parts(path: str) -> list[str]:
         inner: Any = tomllib.loads(f"{path} = 0")
     except tomllib.TOMLDecodeError:  # the line is within a text of several lines
         return [path]
-    while isinstance(inner, dict):  # as deep as there are parts
+    while isinstance(inner, dict):  # each round goes one part deeper
         ((part, inner),) = inner.items()
         parts.append(part)
     return parts

@@ -75,6 +75,7 @@ def served(start: ExportQuestion, port: int = 0) -> Iterator[PageKey]:
         thread = Thread(target=server.run, args=([listener],), name="vad gui")
         thread.start()
         try:
+            # Waits until the server answers or its thread has ended.
             while not server.started and thread.is_alive():
                 time.sleep(0.01)
             yield key

@@ -134,6 +134,7 @@ function send() {
 
 async function pump() {
   let pending = send();
+  // Each round takes the answer to one question.
   while (pending) {
     const [kind, asked, answer] = await pending;
     asking = false;

@@ -230,6 +230,7 @@ class Evaluation:
 
     def rates(self, orders: int) -> tuple[Rates, ...]:
         """Return the rates of the first ``orders`` orders; a rate that does not exist is NaN."""
+        # Each round finds one order more, of three.
         while len(self._found) < orders:
             value = self.inputs[len(self._found) + 1]
             self._found = *self._found, self.solver.rates(self.pose, self._found, value)

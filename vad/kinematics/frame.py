@@ -294,7 +294,7 @@ def _shortest(
     }
     routes: dict[str, Route] = {letter: (letter, ()) for letter in frame.fixed}
     costs = {letter: (0, start[letter]) for letter in frame.fixed}
-    while True:
+    for _ in range(2 * len(frame.steps) + 1):  # each round leads to one more point, or is the last
         candidates = []
         for step in frame.steps:
             for way, tail, head in ((1, step.tail, step.head), (-1, step.head, step.tail)):
@@ -305,7 +305,8 @@ def _shortest(
                     key = (total[0], 0.0) if guide else total
                     candidates.append((key, total, head, tail, (way, step)))
         if not candidates:
-            return routes
+            break
         _, total, head, tail, hop = min(candidates, key=lambda candidate: candidate[0])
         begin, hops = routes[tail]
         routes[head], costs[head] = (begin, (*hops, hop)), total
+    return routes

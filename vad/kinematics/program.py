@@ -135,6 +135,7 @@ def needed(inputs: Sequence[Recorded], outputs: Sequence[Operand]) -> list[Recor
     done = {number.name for number in inputs}
     steps: list[Recorded] = []
     waiting = [number for number in reversed(outputs) if isinstance(number, Recorded)]
+    # Each round ends a number, or goes on to one that was recorded before it.
     while waiting:
         number = waiting[-1]
         missing = [x for x in number.operands if isinstance(x, Recorded) and x.name not in done]

@@ -82,11 +82,13 @@ class Rates:
     def between(self, link: str, other: str) -> Number:
         """Return the rate of a link as seen from another one."""
         rates: dict[str, Number] = {link: 0.0}  # of the first link, seen from those on its way
+        # Each round goes on to another body; every one is seen from an earlier one.
         while link in self.against:
             seen_from, rate = self.against[link]
             rates[seen_from] = rates[link] + rate
             link = seen_from
         back, end = 0.0, other
+        # Each round goes on to another body, too.
         while end not in rates and end in self.against:
             end, rate = self.against[end]
             back = back + rate

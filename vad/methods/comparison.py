@@ -124,14 +124,18 @@ def _error(scalar: Scalar, order: int, value: float, truth: Found) -> float:
         return float(miss / (abs(truth[scalar][order]) or max(alike) or 1))
 
 
+#: A call is timed so many times four to this power at most: then a clock stands still.
+_MOST_POWERS = 16
+
+
 def seconds(call: Callable[[], object], least: float = 0.002, repeats: int = 5) -> float:
     """Return the time of one call: the best of a few runs that are long enough to be measured."""
     count, best = 1, 0.0
-    while True:
+    for count in (4**power for power in range(_MOST_POWERS)):
         best = min(_elapsed(call, count) for _ in range(repeats))
         if best >= least:
-            return best / count
-        count *= 4
+            break
+    return best / count
 
 
 def _elapsed(call: Callable[[], object], count: int) -> float:

@@ -206,6 +206,7 @@ export function mount(root, data, { address = true } = {}) {
     // A page that was hidden goes on from where it stopped.
     let left = clamp(time - then, 0, 250) / 1000 * speed.value, at = x;
     then = time;
+    // Each round uses up time or goes on by a stroke.
     while (left > 0 && (rest > 0 || at < goal)) {
       const stroke = Math.floor(at), [grow, hold] = lesson.times[stroke] ?? [0, 0];
       const need = rest > 0 ? rest : (stroke + 1 - at) * grow, used = Math.min(left, need);

@@ -256,14 +256,15 @@ class _Incremental:
         for _, spot, grows in now:
             if grows:
                 box = union(box, spot)
-        while True:
+        for _ in now:  # each round takes one more in, at least
             wider = box
             for _, spot, grows in now:
                 if not grows and touching(spot, wider):
                     wider = union(wider, spot)
             if wider == box:
-                return box
+                break
             box = wider
+        return box
 
     def _cut(self, box: Box) -> PixelWords:
         return self._words[window(box)]

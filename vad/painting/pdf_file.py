@@ -72,6 +72,7 @@ def path(vertices: Points, codes: Codes) -> Iterator[str]:
     """Yield the operators of a path; a quadratic curve is written as the same cubic curve."""
     points, kinds = vertices.tolist(), codes.tolist()
     place = 0
+    # Each round goes on by a point or more.
     while place < len(kinds):
         kind = kinds[place]
         if kind == CLOSE:

@@ -239,6 +239,7 @@ def _data(letter: Letter) -> str:
     points = [(round(_EM * x), -round(_EM * y)) for x, y in letter.vertices.tolist()]
     kinds = letter.codes.tolist()
     data, before, place, start = "", "", 0, (0, 0)
+    # Each round goes on by a point or more.
     while place < len(kinds):
         if kinds[place] == MOVE:
             start = points[place]

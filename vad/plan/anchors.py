@@ -287,6 +287,7 @@ class AngleArc:
         """Return the arc in a pose."""
         arc: Arc = solved.shape(self.stroke)
         bow = Bow(solved.scale(arc.centre), self.radius, arc.start, arc.sweep)
+        # Each round makes it smaller by a twentieth; some thirty are enough from the largest.
         while bow.radius > LEAST_RADIUS and not all(
             self.room.holds(point, -ANGLE_WIDTH) for point in bow.line()
         ):

@@ -170,6 +170,7 @@ def thinned(points: Complexes) -> Ints:
         return np.arange(len(points))
     ends = [round(last * piece / _PIECES) for piece in range(_PIECES + 1)]
     kept, left = set(ends), list(pairwise(ends))
+    # Each round splits a stretch at a point between its ends, or drops it.
     while left:
         first, end = left.pop()
         if end - first < 2:

@@ -34,6 +34,8 @@ TALL = 1.5  # height over width
 SCALE_SIZE = 0.030
 LONGEST_BAR = 0.12
 SHORTEST_BAR = 0.03
+#: So many lengths of 1, 2 and 5 times a power of ten lie between these two, at most.
+_MOST_BARS = 4
 SCALE_GAP = 0.0125  # from the bar to its value
 SCALE_RISE = 0.0098  # of the bar above the baseline
 SCALE_TICK = 0.008
@@ -162,14 +164,15 @@ def bar(panel: Panel, scale: Scale, room: float, notation: Notation) -> tuple[fl
     Where none of a length that can be measured fits, the shortest one.
     """
     value = scale_bar(scale.factor, LONGEST_BAR)
-    while True:
+    for _ in range(_MOST_BARS):
         runs = roman(notation.quantity(value, panel.unit, given=True))
         length = value * scale.factor
         shorter = scale_bar(scale.factor, 0.9 * length)
         fits = width(runs, SCALE_SIZE) + SCALE_GAP + length <= room
         if fits or shorter * scale.factor < SHORTEST_BAR:
-            return length, runs
+            break
         value = shorter
+    return length, runs
 
 
 def bar_marks(length: float, runs: Runs, start: complex, size: float = SCALE_SIZE) -> list[Mark]:

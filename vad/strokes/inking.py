@@ -218,8 +218,9 @@ def _side(points: Sequence[complex]) -> list[complex]:
     """Return the corners of the side of a hull on the right hand, of points that are sorted."""
     side: list[complex] = []
     for point in points:
+        # Each round takes a point away that was added once.
         while len(side) > 1 and not _turns_left(side[-2], side[-1], point):
-            side.pop()  # no more often than points were added
+            side.pop()
         side.append(point)
     return side
 

@@ -132,6 +132,7 @@ def place_all(obstacles: Obstacles, wishes: Sequence[Wish]) -> Iterator[tuple[in
     it takes no place of another label.
     """
     near = {number: _near(obstacles, wish) for number, wish in enumerate(wishes)}
+    # Each round places one label.
     while near:
         number = min(near, key=lambda each: len(near[each]) or math.inf)
         spots = near.pop(number)

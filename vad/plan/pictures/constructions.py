@@ -490,8 +490,10 @@ def visible_part(arc: Bow, room: Rect) -> Bow:
     if not inside[middle]:
         return arc
     first = last = middle
+    # Each round goes back by one step.
     while first > 0 and inside[first - 1]:
         first -= 1
+    # Each round goes on by one step.
     while last < steps and inside[last + 1]:
         last += 1
     start = arc.start + arc.sweep * first / steps

@@ -404,6 +404,7 @@ def _abreast(
 
 def _connected(meets: Mapping[int, set[int]], first: int) -> set[int]:
     found, fresh = {first}, {first}
+    # Each round finds others than before, or is the last.
     while fresh:
         fresh = set().union(*(meets[number] for number in fresh)) - found
         found |= fresh
