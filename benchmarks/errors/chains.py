@@ -9,12 +9,11 @@ import gmpy2
 import numpy as np
 
 import vad
-from benchmarks.errors.tally import Pose, Tally
+from benchmarks.errors.tally import Pose, Tally, read_all
 from benchmarks.errors.truth import BITS, MORE_BITS, Drive, Truth
 from tests.kinematics.chain_oracle import Recipe
 from tests.kinematics.chains import KINDS, STARTS, Chain
 from tests.kinematics.families import Draw, Wide
-from tests.kinematics.worst_cases import read
 from tests.oracle import STEP, Key, difference
 
 #: From the sixteen digits of the drawn pose to all of them.
@@ -51,20 +50,20 @@ class ChainTruth(Truth):
         place, rate, second = (self._numbers[name] for name in recipe.inputs)
         self.drive = Drive(1 if "angle" in recipe.inputs else place, rate, second)
 
-    def changes(self) -> dict[Key, list[Any]]:
-        """Return p·∂q/∂p of every result for every number."""
+    def changes(self) -> Iterator[tuple[str, dict[Key, Any]]]:
+        """Yield p·∂q/∂p of every result for every number."""
         if self._bits == BITS:
             with np.errstate(all="ignore"):
-                return {key: list(x) for key, (_, x) in self._recipe.changes().items()}
+                found = self._recipe.changes()
+            for place, name in enumerate(self._numbers):
+                yield name, {key: terms[place] for key, (_, terms) in found.items()}
+            return
         gmpy2.get_context().precision = BITS  # of κ few digits are needed
         true = self._recipe.solve(self._numbers, STEPS[BITS])
-        found: dict[Key, list[Any]] = {key: [] for key in true}
         for name, value in self._numbers.items():
             moved = value + STEP * (1 if name == "angle" else value)
             values = self._recipe.solve(self._numbers | {name: moved}, STEPS[BITS])
-            for key, x in values.items():
-                found[key].append(difference(key, x, true[key]) / STEP)
-        return found
+            yield name, {key: difference(key, x, true[key]) / STEP for key, x in values.items()}
 
 
 def chain_of(family: str, seed: str) -> tuple[str, Chain]:
@@ -102,7 +101,7 @@ def compare(tally: Tally, family: str, seed: str) -> None:
     truth = look(BITS)
     try:
         motion = vad.solve(chain.mechanism(), **chain.inputs)
-        measured = {key: read(motion, key) for key in truth.values}
+        measured = read_all(motion, truth.values)
     except vad.VadError as error:
         tally.refused(pose, truth, error)
         return

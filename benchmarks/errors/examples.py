@@ -14,13 +14,12 @@ import gmpy2
 from mpmath import mp
 
 import vad
-from benchmarks.errors.tally import Pose, Tally
+from benchmarks.errors.tally import Pose, Tally, read_all
 from benchmarks.errors.truth import BITS, Drive, Truth
 from tests.examples.test_accuracy import BESIDE, QUANTITIES, nearby, results
 from tests.examples.test_examples import example
 from tests.examples.test_examples import poses as places
 from tests.kinematics.families import Draw
-from tests.kinematics.worst_cases import read
 from tests.oracle import Key
 from vad.files.examples import example_names
 from vad.files.loading import WrittenMechanism
@@ -48,15 +47,16 @@ class ExampleTruth(Truth):
         place, rate, second = map(gmpy2.mpfr, inputs.values())
         self.drive = Drive(1 if "angle" in inputs else place, rate, second)
 
-    def changes(self) -> dict[Key, list[Any]]:
-        """Return the differences of the program's results when its numbers change a little."""
+    def changes(self) -> Iterator[tuple[str, dict[Key, Any]]]:
+        """Yield the differences of the program's results when its numbers change a little."""
         here = results(self._mechanism, self._inputs)
-        found: dict[Key, list[Any]] = {key: [] for key in self.values}
-        for moved, share in nearby(self._mechanism, self._inputs):
-            there = results(*moved)
-            for key, terms in found.items():
-                terms.append(_difference(key, there[key[1:]], here[key[1:]]) / share)
-        return found
+        for (mechanism, inputs), share in nearby(self._mechanism, self._inputs):
+            there = results(mechanism, inputs)
+            name = "angle" if inputs != self._inputs else "a parameter"
+            yield (
+                name,
+                {k: _difference(k, there[k[1:]], here[k[1:]]) / share for k in self.values},
+            )
 
 
 def _difference(key: Key, one: float, other: float) -> float:
@@ -89,7 +89,7 @@ def compare(tally: Tally, family: str, drawn: Drawn) -> None:
     try:
         truth = ExampleTruth(mechanism, inputs)
         motion = vad.solve(mechanism, **inputs)
-        measured = {key: read(motion, key) for key in truth.values}
+        measured = read_all(motion, truth.values)
     except (ArithmeticError, vad.VadError):
         tally.others["does not close", f"{name}.toml"] += 1
         return

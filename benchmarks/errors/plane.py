@@ -9,10 +9,10 @@ import gmpy2
 
 import vad
 from benchmarks.errors.draws import planar
-from benchmarks.errors.tally import LEAST_RATE, Pose, Tally
+from benchmarks.errors.tally import LEAST_RATE, Pose, Tally, read_all
 from benchmarks.errors.truth import BITS, MORE_BITS, Drive, Truth
 from tests.kinematics.families import Case
-from tests.kinematics.worst_cases import read, solve
+from tests.kinematics.worst_cases import solve
 from tests.oracle import (
     ANGLES,
     DEFAULTS,
@@ -75,14 +75,12 @@ class PlaneTruth(Truth):
             if area.c0 * side < 0:
                 raise ArithmeticError("Newton's method has left its assembly")
 
-    def changes(self) -> dict[Key, list[Any]]:
-        """Return the differences between this problem and its neighbours."""
+    def changes(self) -> Iterator[tuple[str, dict[Key, Any]]]:
+        """Yield the differences between this problem and its neighbours."""
         jacobian = self._problem.jacobian(self._unknowns)
-        found: dict[Key, list[Any]] = {key: [] for key in self.values}
-        for _, moved, step in neighbours(self._problem):
-            for key, value in moved.quantities(moved.nearer(self._unknowns, jacobian)).items():
-                found[key].append(difference(key, value, self.values[key]) / step)
-        return found
+        for name, moved, step in neighbours(self._problem):
+            values = moved.quantities(moved.nearer(self._unknowns, jacobian))
+            yield name, {k: difference(k, x, self.values[k]) / step for k, x in values.items()}
 
 
 def given(case: Case) -> dict[str, Any]:
@@ -129,7 +127,7 @@ def compare(tally: Tally, family: str, case: Case) -> None:
         return
     try:
         motion = solve(case)
-        measured = {key: read(motion, key) for key in truth.values}
+        measured = read_all(motion, truth.values)
     except vad.InputError:
         tally.others["is not accepted", case.name] += 1
         return

@@ -12,10 +12,9 @@ import numpy as np
 
 import vad
 from benchmarks.errors.draws import Deep, Few
-from benchmarks.errors.tally import Pose, Tally
+from benchmarks.errors.tally import Pose, Tally, read_all
 from benchmarks.errors.truth import BITS, MORE_BITS, Drive, Truth
 from tests.kinematics.families import Draw
-from tests.kinematics.worst_cases import read
 from tests.oracle import STEP, Key, difference, solve_linear
 from vad.kinematics.closed_forms import OpenLoopError
 from vad.kinematics.linkage import Scalar
@@ -175,14 +174,12 @@ class SpaceTruth(Truth):
         self.values = _results(self._problem, self._near.motion(self._problem, place))
         self.drive = Drive(1, *self._problem.drive[1:])
 
-    def changes(self) -> dict[Key, list[Any]]:
-        """Return the differences between this problem and its neighbours."""
-        found: dict[Key, list[Any]] = {key: [] for key in self.values}
-        for other in _varied(self._problem):
+    def changes(self) -> Iterator[tuple[str, dict[Key, Any]]]:
+        """Yield the differences between this problem and its neighbours."""
+        for name, other in _varied(self._problem):
             moved = self._near.motion(other, self._near.place(other, self._place))
-            for key, value in _results(other, moved).items():
-                found[key].append(difference(key, value, self.values[key]) / STEP)
-        return found
+            values = _results(other, moved)
+            yield name, {k: difference(k, x, self.values[k]) / STEP for k, x in values.items()}
 
 
 class _Near:
@@ -245,11 +242,11 @@ def _loop(problem: SpaceProblem) -> LoopInSpace:
     return LoopInSpace(problem, _arithmetic(), (angle, rate, second))
 
 
-def _varied(problem: SpaceProblem) -> list[SpaceProblem]:
-    """Return the same problem with each of its numbers changed a little, by itself."""
+def _varied(problem: SpaceProblem) -> Iterator[tuple[str, SpaceProblem]]:
+    """Yield the same problem with each of its numbers changed a little, by itself."""
     linkage: Any = problem.linkage
     step = gmpy2.mpfr(STEP)
-    more, found = 1 + step, []
+    more = 1 + step
     for each in fields(linkage):
         value = getattr(linkage, each.name)
         if isinstance(value, DualAngle):
@@ -258,12 +255,13 @@ def _varied(problem: SpaceProblem) -> list[SpaceProblem]:
             ]
         else:
             others = [] if isinstance(value, bool) or not value else [value * more]
-        found += [replace(problem, linkage=replace(linkage, **{each.name: x})) for x in others]
+        for x in others:
+            yield each.name, replace(problem, linkage=replace(linkage, **{each.name: x}))
     angle, rate, second = problem.drive
     degrees = 180 * step / gmpy2.const_pi()
-    drives = [(angle + degrees, rate, second), (angle, rate * more, second)]
-    drives += [(angle, rate, second * more)]
-    return found + [replace(problem, drive=Jet(*drive)) for drive in drives]
+    yield "angle", replace(problem, drive=Jet(angle + degrees, rate, second))
+    yield "omega", replace(problem, drive=Jet(angle, rate * more, second))
+    yield "alpha", replace(problem, drive=Jet(angle, rate, second * more))
 
 
 def names(kind: str) -> tuple[str, str, str]:
@@ -363,7 +361,7 @@ def compare(tally: Tally, family: str, drawn: Drawn) -> None:
         solver_of(mechanism).positions(drawn.inputs["angle"])  # what is told of a miss takes long
         truth = look(BITS)
         motion: Any = vad.solve(mechanism, **drawn.inputs)
-        measured = {key: read(motion, key) for key in truth.values}
+        measured = read_all(motion, truth.values)
     except OpenLoopError:
         tally.others["does not close", drawn.name] += 1
     except (vad.DeadCentreError, ArithmeticError):  # there Newton's method creeps

@@ -7,8 +7,9 @@ which the rates tell.  Only an error that is large in units of that bound is loo
 
 from __future__ import annotations
 
+import itertools
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cached_property
 from operator import attrgetter, itemgetter
 from typing import Any, NamedTuple
@@ -23,6 +24,7 @@ BITS, MORE_BITS = 333, 2560
 #: Where a number of the first look ends, against the largest of its kind in that pose.
 LAST_DIGIT = 1e-60
 
+INPUTS = ("angle", "omega", "alpha", "position", "velocity", "acceleration")
 ORDERS = {
     "angle": 0,
     "position": 0,
@@ -65,12 +67,22 @@ class Truth(ABC):
     drive: Drive
 
     @abstractmethod
-    def changes(self) -> dict[Key, list[Any]]:
-        """Return p·∂q/∂p of every result for every number p."""
+    def changes(self) -> Iterator[tuple[str, dict[Key, Any]]]:
+        """Yield the name of every number p, parameters and inputs, and p·∂q/∂p of every result."""
 
     @cached_property
-    def _changes(self) -> dict[Key, list[Any]]:
+    def _rest(self) -> Iterator[tuple[str, dict[Key, Any]]]:
         return self.changes()
+
+    @cached_property
+    def _seen(self) -> list[tuple[str, dict[Key, Any]]]:
+        return []
+
+    def look_on(self) -> bool:
+        """Find how the results change with one more number, if there is one."""
+        before = len(self._seen)
+        self._seen.extend(itertools.islice(self._rest, 1))
+        return len(self._seen) > before
 
     @cached_property
     def largest(self) -> dict[str, float]:
@@ -82,12 +94,14 @@ class Truth(ABC):
 
     def kappa(self, key: Key, part: Part) -> Any:
         """Return the condition number of a part of a result."""
-        terms = self._changes[key]
-        return abs(part(self.values[key])) + sum(abs(part(x)) for x in terms)
+        while self.look_on():
+            pass
+        return abs(part(self.values[key])) + sum(abs(part(x[key])) for _, x in self._seen)
 
     def least_kappa(self, key: Key, part: Part) -> Any:
-        """Return what the condition number is at least."""
-        return sum(abs(part(x)) for x in self._least_terms(key))
+        """Return what the condition number is at least, by the numbers that were looked at."""
+        parameters = [x[key] for name, x in self._seen if name not in INPUTS]
+        return sum(abs(part(x)) for x in [*self._least_terms(key), *parameters])
 
     def _least_terms(self, key: Key) -> list[Any]:
         """Return the value and its changes with the inputs alone.
