@@ -194,3 +194,10 @@ turn = { DC = 80 }
 [driver]
 speed = { angle = 60, omega = 10 }
 """
+
+
+@pytest.mark.parametrize("count", [252, 300, 5000])
+def test_a_name_that_is_too_long_for_a_file_is_an_unknown_mechanism(vad, count):
+    result = vad("solve", "x" * count)
+    assert result.code == 2
+    assert result.err.startswith("error: unknown mechanism 'xxx")

@@ -17,6 +17,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+from vad import gate
 from vad.batches.job import Value
 from vad.errors import InputError, UsageError, VadError, quoted, unknown
 from vad.files.examples import example_names
@@ -24,12 +25,10 @@ from vad.files.loading import class_of
 from vad.files.tables import read_text, text_of
 from vad.mechanisms import Mechanism, mechanism_named
 from vad.mechanisms.mechanism import NUMBERS
-from vad.units import read
+from vad.units import number_of
 
 _NICE = (*range(10, 20), *range(20, 100, 5))
 _MOST = 10_000
-#: No number of a mechanism is larger, nor any whole number that a file may hold.
-LARGEST = 1e300
 #: A number that lies beyond an end by at most this share of it counts as the end.
 _ROUNDING = 1e-12
 _FORMS = "write a number, a list, { from, to, step } or { share = 0.25 }"
@@ -81,16 +80,13 @@ class Quantity:
         vad.errors.InputError
             If it is neither, or not positive where it must be.
         """
-        if isinstance(value, str):
-            number = read(value, self.kind, self.length_unit)
-        elif isinstance(value, int | float) and not isinstance(value, bool):
-            number = float(value) if abs(value) < LARGEST else math.inf
-        else:
-            raise InputError(f"must be a number, got {quoted(value)}", _FORMS)
-        if not math.isfinite(number):
-            raise InputError(f"must be a finite number, got {number}")
-        if not self.signed and number <= 0.0:
-            raise InputError(f"must be positive, got {number:g}")
+        try:
+            number = number_of("", value, self.kind, self.length_unit)
+        except VadError as error:
+            raise InputError(str(error), error.hint or _FORMS) from None
+        wrong = gate.wrong_dimension(number, self.signed)
+        if wrong:
+            raise InputError(wrong)
         return number
 
 

@@ -8,9 +8,9 @@ file.
 from __future__ import annotations
 
 import dataclasses
+import os
 import re
 from collections.abc import Callable, Collection, Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 import click
@@ -65,7 +65,7 @@ def kind_of(name: str) -> type[Mechanism]:
     try:
         return mechanism_named(name)
     except UsageError as wrong:
-        if Path(name + EXTENSION).is_file():
+        if os.path.isfile(name + EXTENSION):
             wrong.hint = f"{name}{EXTENSION} is a file"
         elif name in example_names():
             wrong.hint = f"vad example {name} > {name}{EXTENSION}"
