@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import vad
-from tests.fuzz import calls
+from tests.fuzz import calls, files, linkages
 from tests.fuzz.promise import broken
 
 MOTION = vad.solve(vad.FourBar())
@@ -18,9 +18,11 @@ LESSON = vad.animate(SHEET)
 BOTH = np.array([60.0, 61.0])
 
 
-@pytest.mark.parametrize("first", range(0, 600, 150))
-def test_no_call_breaks_the_promise(first):
-    found = {seed: calls.fault(seed) for seed in range(first, first + 150)}
+@pytest.mark.parametrize("entrance", [calls, files, linkages])
+@pytest.mark.parametrize("first", range(0, 200, 50))
+def test_nothing_that_comes_in_breaks_the_promise(entrance, first):
+    seeds = range(first, first + 50)
+    found = {seed: entrance.fault(entrance.case(seed), seed) for seed in seeds}
     assert {seed: told for seed, told in found.items() if told} == {}
 
 

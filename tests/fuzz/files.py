@@ -25,7 +25,7 @@ from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.style import load_style
 
-#: The most seconds that a file may take from its text to the plan of its page.
+#: The most seconds of the processor that a file may take from its text to the plan of its page.
 LONGEST = 20.0
 
 EXAMPLES = tuple(example_path(name).read_text("utf-8") for name in example_names())

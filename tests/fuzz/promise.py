@@ -31,14 +31,14 @@ def broken(work: Callable[[], object], longest: float) -> str | None:
     work
         What is tried.  It must return, or raise a `VadError` of one line, without a warning.
     longest
-        The most seconds that it may take.
+        The most seconds of the processor that it may take.
     """
 
     def stop(*_: object) -> None:
         raise _TooLongError
 
-    before = signal.signal(signal.SIGALRM, stop)
-    signal.setitimer(signal.ITIMER_REAL, longest)
+    before = signal.signal(signal.SIGPROF, stop)
+    signal.setitimer(signal.ITIMER_PROF, longest)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
@@ -52,8 +52,8 @@ def broken(work: Callable[[], object], longest: float) -> str | None:
     except Exception:
         return traceback.format_exc()
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0.0)
-        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        signal.signal(signal.SIGPROF, before)
     return None
 
 

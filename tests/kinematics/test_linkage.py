@@ -122,6 +122,58 @@ WRONG: dict[str, tuple[Callable[[], Linkage], str]] = {
         ),
         "loop 1: stands still, for the angle of motor does not move it",
     ),
+    "an image of a link that nothing finds": (
+        lambda: Linkage(
+            angle_of("crank"),
+            (Loop((CRANK, Bar("BC", "coupler", 120.0)), (Bar("DC", "rocker", 80.0),)),),
+            images=(Bar("DE", "lever", 30.0),),
+            ground=GROUND,
+        ),
+        "images: no loop finds the angle of lever so far",
+    ),
+    "a slide on a link that nothing finds": (
+        lambda: Linkage(
+            angle_of("crank"),
+            (
+                Loop(
+                    (CRANK,),
+                    (Bar("DQ", "lever", 30.0), Slide("QB", "block", "arm"), Bar("BB", "arm", 1.0)),
+                ),
+            ),
+            ground=GROUND,
+        ),
+        "loop 1 has 3 unknowns (the angle of lever, the length of block, the angle of arm), not "
+        "two",
+    ),
+    "a slide along two lines": (
+        lambda: Linkage(
+            angle_of("crank"),
+            (
+                Loop((CRANK, Bar("BC", "rod", 120.0)), (Slide("AC", "slider", 0.0),)),
+                Loop(
+                    (Slide("AC", "slider", 30.0), Bar("CE", "arm", 50.0)),
+                    (Bar("DE", "rocker", 80.0),),
+                ),
+            ),
+            ground=GROUND,
+        ),
+        "slider: slides along two lines",
+    ),
+    "a slide with the name of a link": (
+        lambda: Linkage(
+            angle_of("crank"),
+            (Loop((CRANK, Bar("BC", "rod", 120.0)), (Slide("AC", "rod", 0.0),)),),
+        ),
+        "rod: is a link, and a slide that is not on it",
+    ),
+    "a bar with the length of a slide elsewhere": (
+        lambda: Linkage(
+            angle_of("link"),
+            (Loop((-Slide("OA", "a", 0.0),), (Bar("AB", "link", "b"), -Slide("OB", "b", 75.0))),),
+            pivot="O",
+        ),
+        "link: AB has the length of b, which does not slide on it",
+    ),
     "a length beyond every length": (
         lambda: four_bar((Bar("AB", "crank", 1e201),), ()),
         "length of AB: must be between 1e-200 and 1e+200, got 1e+201",

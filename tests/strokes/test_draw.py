@@ -190,6 +190,16 @@ def test_a_known_vector_beyond_an_unknown_one_is_refused_by_name(case: str, pane
     assert caught.value.hint == "drive a link or a slide of the frame"
 
 
+def test_a_line_that_hangs_on_a_turning_point_is_refused_by_name() -> None:
+    loop = Loop((AB, -Slide("CB", "block", 70.0)), (Bar("AC", "yoke", 50.0),))
+    built: Any = HandBuilt(Linkage(angle_of("crank"), (loop,)))
+    motion = vad.solve(built, angle=60.0)
+    motion.to_dict()
+    with pytest.raises(vad.InputError) as caught:
+        vad.draw(motion)
+    assert str(caught.value).startswith("block: its line hangs on C, which does not slide")
+
+
 @pytest.mark.parametrize(
     ("inputs", "said"),
     [

@@ -64,6 +64,18 @@ def _check_drawable(linkage: Linkage) -> None:
                         hint="drive a link or a slide of the frame",
                     )
         known.update(unknowns)
+    steps = [step for loop in linkage.loops for _, step in loop.steps()]
+    carried = {step.head for step in steps if isinstance(step, Slide)}
+    moved = {step.head for step in steps} - set(linkage.fixed)
+    for step in steps:
+        if not isinstance(step, Slide) or isinstance(step.along, str):
+            continue
+        if step.tail in moved and step.tail not in carried:
+            raise InputError(
+                f"{step.name}: its line hangs on {step.tail}, which does not slide: such a line "
+                "is solved, but cannot be drawn yet",
+                hint="let the line begin at a slider, or turn with a link",
+            )
 
 
 @lru_cache(maxsize=64)
