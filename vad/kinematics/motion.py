@@ -5,12 +5,11 @@ The inputs may be numbers or arrays; type checkers know which results follow fro
 
 from __future__ import annotations
 
-import math
 import numbers
 import sys
 from collections.abc import Sequence
 from decimal import Decimal
-from typing import TYPE_CHECKING, Any, Generic, TypedDict, Unpack, overload
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypedDict, Unpack, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,24 +60,45 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
     >>> round(motion.slide("slider").velocity, 6)
     -490.028085
     """
+    global _latest  # noqa: PLW0603  # only what can be made again
+    if mechanism is not _latest.mechanism:
+        _latest = _prepared(mechanism)
+    _, solver, defaults, largest, kind = _latest
+    # An input that is left out has the mechanism's own default, which is never refused.
+    given = defaults.copy()
+    for name, value in inputs.items():
+        if name not in given:
+            raise unknown("input", name, mechanism.inputs)
+        most = largest[name]
+        usual = type(value) is float and -most <= value <= most
+        given[name] = value if usual else checked(name, value, most)
+    return kind(mechanism, solver, given)
+
+
+class _Prepared(NamedTuple):
+    """A mechanism made ready for `solve`: its solver, its inputs and how large they may be."""
+
+    mechanism: Mechanism | None
+    solver: Any
+    defaults: dict[str, Number]
+    largest: dict[str, float]
+    kind: type[Motion[Any, Any, Any]]
+
+
+def _prepared(mechanism: Mechanism) -> _Prepared:
     if not callable(getattr(type(mechanism), "marked", None)):  # every mechanism has this method
         raise InputError(
             f"mechanism: must be a mechanism with its dimensions, got {quoted(mechanism)}",
             hint="for example vad.FourBar()",
         )
-    for name in inputs:
-        if name not in mechanism.inputs:
-            raise unknown("input", name, mechanism.inputs)
     solver = solver_of(mechanism)
     turns = solver.driver.kind == "angle"
-    largest = gate.FASTEST * (1.0 if turns else solver.scale)
-    # An input that is left out has the mechanism's own default, which is never refused.
-    given = dict(mechanism.inputs) | {
-        name: checked(name, value, math.inf if name == "angle" else largest)
-        for name, value in inputs.items()
-    }
+    fastest = gate.FASTEST * (1.0 if turns else solver.scale)
+    largest = dict.fromkeys(mechanism.inputs, fastest)
+    if turns:
+        largest["angle"] = sys.float_info.max
     kind = Motion if isinstance(solver, Solver) else MotionInSpace
-    return kind(mechanism, solver, given)
+    return _Prepared(mechanism, solver, dict(mechanism.inputs), largest, kind)
 
 
 class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
@@ -102,7 +122,9 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
 
     def point(self, letter: str) -> Point[Vector]:
         """Return the motion of a point."""
-        if not isinstance(letter, str) or letter not in self.points:
+        own = self.mechanism
+        known = isinstance(letter, str) and letter in self.solver.letters
+        if not known or (letter not in own.letters and letter not in own.points):
             raise unknown("point", letter, self.points)
         return Point(self, letter)
 
@@ -208,6 +230,9 @@ def _listed(
     return {name: plain(value) for name, value in values if value is not None}
 
 
+# Who solves pose after pose asks again and again for one mechanism: it is compared once.
+_latest = _Prepared(None, None, {}, {}, Motion)
+
 #: Many poses at once, for annotations.
 Motions = Motion[NDArray[np.float64], NDArray[np.complex128], NDArray[np.bool_]]
 MotionsInSpace = MotionInSpace[NDArray[np.float64], NDArray[np.bool_]]
@@ -248,13 +273,11 @@ def checked(name: str, value: object, largest: float) -> Number:
         If it is neither a number nor an array of them, or a number that is not finite or greater
         than ``largest``.
     """
-    if type(value) is float and -largest <= value <= largest and math.isfinite(value):
-        return value  # the usual case
     if _is_number(value):
         return _one(name, value, largest)
-    array, most = _many(name, value), min(largest, sys.float_info.max)
-    if array.size and not (array.min() >= -most and array.max() <= most):
-        array[~(np.abs(array) <= most)] = np.nan
+    array = _many(name, value)
+    if array.size and not (array.min() >= -largest and array.max() <= largest):
+        array[~(np.abs(array) <= largest)] = np.nan
     array.flags.writeable = False  # a later change would not be solved
     return array
 

@@ -24,7 +24,6 @@ from vad.kinematics.recording import (
     function_of,
     key_of,
     kind_of,
-    line_of,
 )
 
 Array = NDArray[Any]
@@ -74,12 +73,6 @@ class Program:
         self._played = 0
         self._blocks: dict[tuple[bool, ...], Blocks] = {}
         self._compiled: dict[tuple[bool, ...], Compiled | None] = {}
-
-    @cached_property
-    def one(self) -> Callable[..., tuple[float, ...]]:
-        """The function from the inputs of one pose to its outputs, without a branch or a loop."""
-        lines = [f"return ({''.join(f'{x}, ' for x in self.outputs)})"]
-        return function_of([x.name for x in self.inputs], [*map(line_of, self.steps), *lines])
 
     @property
     def kept(self) -> Sequence[Operand]:

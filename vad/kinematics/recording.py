@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -72,8 +72,13 @@ def _either(condition: bool, rare: float, usual: float) -> float:
     return rare if condition else usual
 
 
+# Longer texts are not nested in each other.
+LONGEST_TEXT = 400
+
 OPERATIONS = {
-    "fold": Operation("remainder({}, 360.0)", lambda x: math.remainder(x, 360.0), _fold, kept=(0,)),
+    "fold": Operation(  # no zero is negative
+        "remainder({}, 360.0) + 0.0", lambda x: math.remainder(x, 360.0) + 0.0, _fold, kept=(0,)
+    ),
     "add": Operation("{} + {}", operator.add, np.add),
     "subtract": Operation("{} - {}", operator.sub, np.subtract),
     "multiply": Operation("{} * {}", operator.mul, np.multiply),
@@ -113,11 +118,6 @@ def function_of(
     exec("\n    ".join([f"def program({', '.join(arguments)}):", *lines]), space)
     function: Callable[..., Any] = space["program"]
     return function
-
-
-def line_of(step: Recorded) -> str:
-    """Return an operation as a line of Python."""
-    return f"{step.name} = {OPERATIONS[step.operation].text.format(*step.operands)}"
 
 
 # A recorded number, or a float that is the same in every pose.
@@ -284,6 +284,32 @@ class RecordedVector:
         return RecordedVector(self.real * length, self.imag * length)
 
     __rmul__ = __mul__
+
+
+def lines_of(steps: Sequence[Recorded], uses: Mapping[str, int]) -> list[str]:
+    """Return operations as lines of Python.
+
+    An operation whose result is used once, by a later one of them, is written where it is used:
+    nothing is then stored.  ``uses`` tells how often each is used here and elsewhere.
+    """
+    written_once = {
+        operand.name
+        for step in steps
+        for place, operand in enumerate(step.operands)
+        if isinstance(operand, Recorded)
+        and OPERATIONS[step.operation].text.count(f"{{{place}}}") < 2
+        and uses[operand.name] == 1
+    }
+    nested: dict[str, str] = {}
+    lines = []
+    for step in steps:
+        texts = [nested.pop(key_of(x), x) for x in step.operands]
+        text = OPERATIONS[step.operation].text.format(*texts)
+        if step.name in written_once and len(text) < LONGEST_TEXT:
+            nested[step.name] = f"({text})"
+        else:
+            lines.append(f"{step.name} = {text}")
+    return lines
 
 
 def key_of(operand: Operand) -> str:

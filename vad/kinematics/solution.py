@@ -16,7 +16,6 @@ from vad.kinematics.closed_forms import OpenLoopError
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Linkage
 from vad.kinematics.numbers import Number, Truth, is_array
-from vad.kinematics.one_pose import Steps
 from vad.kinematics.reach import closing_range
 from vad.kinematics.results import place_unit
 from vad.kinematics.solver import Solver, solver_of
@@ -48,18 +47,17 @@ class Solution(Generic[Truth]):
         self.mechanism = mechanism
         self.solver = solver
         self._inputs = inputs
-        values = tuple(inputs.values())
-        self.many = any(map(is_array, values))
+        self._values = tuple(inputs.values())
+        self.many = np.ndarray in map(type, self._values)
         self.shape = _broadcast(inputs) if self.many else ()
-        self._evaluation = Evaluation(solver, values)
+        self._evaluated: Evaluation | None = None
         # Of many poses: how many orders are known, all inputs and the numbers of these orders by
         # name, and which poses close.
         self._orders = 0
         self._known: dict[str, Any] = {}
         self._closes: Any = None
-        # Of one pose: the function that has run as far as anything was asked for, if there is one,
-        # and the number of each result in it.
-        self._steps: Steps | None = None
+        # Of one pose: what runs on to a result when its number is sent there, and these numbers.
+        self._send: Any = None
         self._numbers: dict[Result, int] = {}
         # The results of one pose that were asked for: a sheet reads each of them twice or more.
         self._found: dict[Result, Number] = {}
@@ -68,6 +66,13 @@ class Solution(Generic[Truth]):
     def inputs(self) -> Mapping[str, Number]:
         """The motion of the driver, by name; read-only."""
         return MappingProxyType(self._inputs)
+
+    @property
+    def _evaluation(self) -> Evaluation:
+        """The solver's own calculation of one pose."""
+        if self._evaluated is None:
+            self._evaluated = Evaluation(self.solver, self._values)
+        return self._evaluated
 
     @property
     def plane(self) -> Solver:
@@ -95,7 +100,7 @@ class Solution(Generic[Truth]):
         try:
             return self._evaluation.pose
         except OpenLoopError as gap:
-            place = self._evaluation.inputs[0]
+            place = self._values[0]
             raise _not_assembled(self.mechanism, place, gap.miss) from None
 
     @property
@@ -158,30 +163,33 @@ class Solution(Generic[Truth]):
         vad.errors.AssemblyError, vad.errors.DeadCentreError, vad.errors.InputError
             For one pose that does not close, or has no such result, or one too large.
         """
+        found = self._found.get(result)
+        if found is not None:
+            return found.copy() if type(found) is np.ndarray else found
         if self.many:
             return self._read_many(result)
-        found = self._found.get(result)
-        if found is None:
-            found = self._found[result] = self._read_one(result)
-        return found.copy() if isinstance(found, np.ndarray) else found
-
-    def _read_one(self, result: Result) -> Number:
-        if self._steps is None and self.solver.often:
-            function, self._numbers = self.solver.often
-            self._steps = function(*self._evaluation.inputs)
-            if not next(self._steps)[0]:
-                self._numbers = {}
         number = self._numbers.get(result)
-        if number is None or self._steps is None:
+        if number is not None:
+            value = self._send(number)
+            if type(value) is tuple:
+                if all(map(math.isfinite, value)):
+                    self._found[result] = np.array(value)
+                    return np.array(value)
+            elif value - value == 0:
+                self._found[result] = value
+                return value
+        return self._read_directly(result)
+
+    def _read_directly(self, result: Result) -> Number:
+        """Return a result of one pose that is seldom asked for, or does not exist."""
+        if self._send is None and self.solver.often:
+            function, numbers = self.solver.often
+            self._send = function(*self._values).send
+            if self._send(None):  # the links close
+                self._numbers = numbers
+                return self.read(result)
+        if result not in self._numbers:
             self.solver.count(result)
-        else:
-            parts = self._steps.send(number)
-            if len(parts) < _AXES:
-                value = parts[0] if len(parts) == 1 else complex(*parts)
-                if value - value == 0:
-                    return value
-            elif all(map(math.isfinite, parts)):
-                return np.array(parts)
         self.pose  # noqa: B018  # raises where the links do not close
         value = self.solver.evaluate(result, self._evaluation)
         parts = value if isinstance(value, tuple) else (value,)
@@ -190,7 +198,9 @@ class Solution(Generic[Truth]):
         if any(x - x != 0 for x in parts):
             raise InputError("the result leaves the range of double precision")
         # No zero is negative.
-        return np.array(parts) + 0.0 if len(parts) == _AXES else value + 0.0
+        found = np.array(parts) + 0.0 if len(parts) == _AXES else value + 0.0
+        self._found[result] = found
+        return found.copy() if len(parts) == _AXES else found
 
     def _read_many(self, result: Result) -> NDArray[Any]:
         table = self.read_all([result], order_of(result))
@@ -206,7 +216,7 @@ class Solution(Generic[Truth]):
         is NaN, and all coordinates of a vector are.  The numbers of the orders up to ``kept`` are
         kept, so that what is asked for later is calculated from them.
         """
-        place, size = self._evaluation.inputs[0], math.prod(self.shape)
+        place, size = self._values[0], math.prod(self.shape)
         if self._orders == 0 and 1 < np.size(place) < size:  # once for each place of the driver
             self._run((), 0, place.size, place.shape)
         return self._run(tuple(results), kept, size, self.shape)
@@ -219,7 +229,7 @@ class Solution(Generic[Truth]):
         program = recorded.program(results, self._orders, kept)
         if not self._known:
             names = (number.name for number in recorded.inputs)
-            self._known = dict(zip(names, self._evaluation.inputs, strict=True))
+            self._known = dict(zip(names, self._values, strict=True))
         given = [_spread(self._known[x.name], shape) for x in program.inputs]
         new = dict(zip((x.name for x in program.kept), program.arrays(size), strict=True))
         table = np.empty((size, program.columns))

@@ -93,7 +93,7 @@ class Solver(AnySolver):
         """Itself."""
         return self
 
-    @property
+    @cached_property
     def letters(self) -> Set[str]:
         """Every point that can be reached."""
         return self.routes.letters
