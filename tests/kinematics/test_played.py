@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import json
 import math
 import operator
 import sys
@@ -18,8 +19,9 @@ from hypothesis import strategies as st
 import vad
 from tests.invariants.test_motion import defaults, factors, optional
 from tests.kinds import PLANE
+from vad.batches.sweep import _result
 from vad.kinematics import any_solver, program
-from vad.kinematics.any_solver import Evaluation, Result
+from vad.kinematics.any_solver import Evaluation, Result, order_of
 from vad.kinematics.program import Blocks, Program
 from vad.kinematics.recording import OPERATIONS, Tape, function_of, key_of, lines_of
 from vad.kinematics.solver import Solver, guide_of, solver_of
@@ -185,6 +187,130 @@ def test_a_position_costs_no_velocity(angle: Any, orders: int, monkeypatch: Any)
         link = vad.solve(mechanism, angle=angle).link("rocker")
         assert np.all(link.omega if orders else link.angle)
     assert set(asked) == set(range(1, orders + 1))
+
+
+def test_one_pose_runs_only_as_far_as_it_is_asked() -> None:
+    """What a result does not need has not been calculated: it is no local variable yet."""
+    recorded = solver_of(vad.FourBar()).recorded
+    asked = [
+        ("point", "C", "position"),
+        ("link", "coupler", "omega"),
+        ("point", "C", "velocity"),
+        ("link", "rocker", "alpha"),
+    ]
+    function, numbers = recorded.pose(asked)
+    assert [numbers[result] for result in asked] == [0, 1, 2, 3]
+    names = [{number.name for number in recorded.numbers(order)} for order in range(3)]
+    steps = function(60.0, 10.0, 5.0)
+    assert next(steps)
+    sizes = []
+    for result in asked:
+        steps.send(numbers[result])
+        known = set(steps.gi_frame.f_locals)
+        sizes.append(len(known))
+        beyond = [number for order in range(order_of(result) + 1, 3) for number in names[order]]
+        assert not known.intersection(beyond)
+        assert known.intersection(names[order_of(result)])
+    assert sizes == sorted(set(sizes))
+
+
+def test_a_program_has_no_input_beyond_its_order() -> None:
+    recorded = solver_of(vad.FourBar()).recorded
+    for count, quantity in enumerate(("position", "velocity", "acceleration"), start=1):
+        assert len(recorded.program((("point", "C", quantity),)).inputs) == count
+    later = recorded.program((("link", "rocker", "omega"),), known=1)
+    assert len(later.steps) < len(recorded.program((("link", "rocker", "omega"),)).steps)
+    assert "fold" not in {step.operation for step in later.steps}
+
+
+ALL = vad.MECHANISMS
+
+
+@pytest.mark.parametrize("name", ALL)
+@settings(max_examples=3, deadline=None)
+@given(data=st.data())
+def test_all_results_at_once_are_those_one_by_one(name: str, data: Any) -> None:
+    """Whatever is asked for beside a result, and before it: the same bits."""
+    mechanism = ALL[name]()
+    listed = vad.solve(mechanism).to_dict()
+    names = [
+        f"{part}.{quantity}"
+        for kind in ("links", "joints", "points", "slides")
+        for part, found in listed.get(kind, {}).items()
+        for quantity in found
+    ]
+    asked = data.draw(st.lists(st.sampled_from(names), min_size=1, max_size=6, unique=True))
+    first, second, third = mechanism.inputs
+    places = mechanism.inputs[first] * np.linspace(-0.5, 3.0, 50)[:, None]
+    inputs = {first: places, second: np.array([1.0, -2.5]), third: data.draw(st.floats(-9, 9))}
+    swept = vad.sweep(mechanism, asked, **inputs)
+    motion = vad.solve(mechanism, **inputs)
+    for result in data.draw(st.permutations(asked)):
+        alone = vad.sweep(mechanism, result, **inputs)[result]
+        read = motion.read(_result(motion, result))
+        assert swept[result].tobytes() == alone.tobytes() == np.asarray(read).tobytes(), result
+
+
+# A player in another language has such a table; here it shares nothing with the program's own.
+PLAYED = {
+    "fold": lambda x: math.remainder(x, 360.0) + 0.0,
+    "add": lambda x, y: x + y,
+    "subtract": lambda x, y: x - y,
+    "multiply": lambda x, y: x * y,
+    "divide": lambda x, y: x / y,
+    "negative": lambda x: -x,
+    "absolute": abs,
+    "minimum": lambda x, y: x if x < y else y,
+    "maximum": lambda x, y: x if x > y else y,
+    "sqrt": math.sqrt,
+    "copysign": math.copysign,
+    "arctan2": lambda y, x: float(np.arctan2(y, x)),
+    "round": lambda x: float(round(x)),
+    "place": int,
+    "choose": lambda place, constants: constants[place],
+    "less": lambda x, y: x < y,
+    "greater": lambda x, y: x > y,
+    "equal": lambda x, y: x == y,
+    "both": lambda x, y: x and y,
+    "either": lambda x, y: x or y,
+    "select": lambda condition, rare, usual: rare if condition else usual,
+}
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_the_listing_of_a_program_is_played_by_any_reader(name: str) -> None:
+    mechanism = ALL[name]()
+    motion = vad.solve(mechanism)
+    listed = motion.to_dict()
+    asked = [
+        _result(motion, f"{part}.{quantity}")
+        for kind in ("links", "points", "slides")
+        for part, found in listed[kind].items()
+        for quantity in found
+    ]
+    text = json.dumps(
+        solver_of(mechanism).recorded.program(tuple(asked)).listing(), allow_nan=False
+    )
+    program = json.loads(text)
+    numbers: dict[Any, Any] = dict(zip(program["inputs"], mechanism.inputs.values(), strict=True))
+
+    def value(operand: Any) -> Any:
+        if isinstance(operand, str):
+            return numbers[operand]
+        return math.nan if operand is None else operand
+
+    for result, operation, *operands in program["operations"]:
+        numbers[result] = PLAYED[operation](*map(value, operands))
+    closes, *found = map(value, program["outputs"])
+    assert closes
+    wanted = [part for result in asked for part in parts_of(motion.read(result))]
+    assert list(map(float.hex, found)) == list(map(float.hex, wanted))
+
+
+def parts_of(value: Any) -> list[float]:
+    if isinstance(value, complex):
+        return [value.real, value.imag]
+    return list(map(float, np.atleast_1d(value)))
 
 
 def test_a_program_holds_what_is_asked_for_alone() -> None:

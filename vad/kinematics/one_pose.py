@@ -31,8 +31,8 @@ def pose_function(
 ) -> Callable[..., Steps]:
     """Return the function of a pose; results are numbered from the first order to the last.
 
-    A result of an order costs nothing of a higher order, and nothing that belongs to another result
-    alone.
+    A result costs nothing of a higher order.  Of its own order all is found that any of the results
+    needs, but not what belongs to another result alone.
     """
     wanted = [part for order in orders for parts in order.results for part in parts]
     used = {step.name for step in needed(inputs, wanted)}

@@ -74,6 +74,32 @@ class Program:
         self._blocks: dict[tuple[bool, ...], Blocks] = {}
         self._compiled: dict[tuple[bool, ...], Compiled | None] = {}
 
+    def listing(self) -> dict[str, Any]:
+        """Return the program as data that JSON can hold, for a player in another language.
+
+        Returns
+        -------
+        dict
+            ``inputs``: their names.  ``operations``: for each its name, what it does (a key of
+            `vad.kinematics.recording.OPERATIONS`), and its operands, in an order in which they can
+            be done.  ``outputs``.  An operand or an output is a name, a truth value, a number, a
+            list of numbers to choose from, or None, which stands for NaN.
+
+        Examples
+        --------
+        >>> from vad.kinematics.recording import Tape
+        >>> x = Tape().input("x")
+        >>> Program([x], [2.0 * x + 1.0]).listing()["operations"]
+        [['t0', 'multiply', 'x', 2.0], ['t1', 'add', 't0', 1.0]]
+        """
+        return {
+            "inputs": [number.name for number in self.inputs],
+            "operations": [
+                [step.name, step.operation, *map(_listed, step.operands)] for step in self.steps
+            ],
+            "outputs": [_listed(output) for output in self.outputs],
+        }
+
     @property
     def kept(self) -> Sequence[Operand]:
         """The outputs that are no columns of the table."""
@@ -121,6 +147,14 @@ class Program:
             parts = self.inputs, self.steps, self.outputs, self.columns
             self._compiled[many] = compiled(*parts, many)
         return self._compiled[many]
+
+
+def _listed(operand: Operand) -> Any:
+    if isinstance(operand, Recorded):
+        return operand.name
+    if isinstance(operand, tuple):
+        return list(map(_listed, operand))
+    return None if operand != operand else operand
 
 
 def needed(inputs: Sequence[Recorded], outputs: Sequence[Operand]) -> list[Recorded]:
