@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 import pytest
 
 import vad
@@ -155,3 +157,21 @@ def test_tables_without_an_end_are_refused():
     table["A"] = table
     with pytest.raises(InputError, match="nested too deep"):
         vad.mechanism(fixed=table, links={}, driver={})
+
+
+def test_a_file_with_hundreds_of_links_is_refused_at_once():
+    links = "".join(
+        f"c{n} = {{ B{n}B{n + 1} = 9 }}\nr{n} = {{ D{n}B{n + 1} = 8 }}\n" for n in range(900)
+    )
+    text = f"[fixed]\nA = [0, 0]\n[links]\ncrank = {{ AB0 = 4 }}\n{links}[driver]\n"
+    start = time.process_time()
+    error = caught(text)
+    assert time.process_time() - start < 2.0
+    assert str(error) == "lesson.toml, line 104: [links] has more than 100 entries"
+
+
+@pytest.mark.parametrize("number", [101, 3000])
+def test_a_link_with_hundreds_of_points_is_refused_at_once(number):
+    pairs = ", ".join(f"AB{n} = {n + 1}" for n in range(number))
+    error = refused("{ AB = 40 }", f"{{ {pairs} }}")
+    assert str(error) == "lesson.toml, line 6: crank: has more than 100 entries"

@@ -32,6 +32,9 @@ WORDS = ("title", "unit", "about", "source")
 TABLES = ("dimensions", "fixed", "links", "guides", "driver", "assembly", "pose")
 #: A mechanism fits on a page; a longer file is probably the wrong one.
 LONGEST = 100_000
+#: The most entries of a table, such as [links], and of one entry: with the number of links, the
+#: time to find their places grows by its cube.
+MOST = 100
 #: The most digits of a number: Python may read no more, and no double is as large.
 LONGEST_NUMBER = 600
 
@@ -237,6 +240,7 @@ def sorted_out(source: Source) -> Source:
                 wrong = unknown("table", key, TABLES)
                 table, inside = (key, "") if (key, "") in source.lines else ("", key)
                 raise source.error(table, inside, str(wrong), wrong.hint)
+            _check_count(source, key, value)
             tables[key] = value
         elif key in WORDS:
             with source.at("", key):
@@ -247,6 +251,15 @@ def sorted_out(source: Source) -> Source:
             wrong = unknown("word", key, (*WORDS, *TABLES))
             raise source.error("", key, str(wrong), wrong.hint)
     return Source(source.name, tables, source.lines)
+
+
+def _check_count(source: Source, table: str, entries: Mapping[str, Any]) -> None:
+    """Refuse a table with more entries than any mechanism has."""
+    for number, (key, value) in enumerate(entries.items(), start=1):
+        if number > MOST:
+            raise source.error(table, key, f"[{table}] has more than {MOST} entries")
+        if isinstance(value, Mapping | list | tuple) and len(value) > MOST:
+            raise source.error(table, key, f"{key}: has more than {MOST} entries")
 
 
 def _lines(text: str) -> dict[tuple[str, str], int]:
