@@ -174,6 +174,12 @@ WRONG: dict[str, tuple[Callable[[], Linkage], str]] = {
         ),
         "link: AB has the length of b, which does not slide on it",
     ),
+    "a bar without a length": (
+        lambda: four_bar(
+            (Bar("AB", "crank", 0.0), Bar("BC", "coupler", 120.0)), (Bar("DC", "rocker", 80.0),)
+        ),
+        "crank: AB has no length",
+    ),
     "a length beyond every length": (
         lambda: four_bar((Bar("AB", "crank", 1e201),), ()),
         "length of AB: must be between 1e-200 and 1e+200, got 1e+201",

@@ -163,6 +163,19 @@ BEYOND: dict[str, tuple[Linkage, str, str]] = {
         "slot",
         "rocker",
     ),
+    "driven angle of a cylinder": (
+        Linkage(
+            angle_of("cylinder"),
+            (
+                Loop(
+                    (Slide("DS", "cylinder", "cylinder"), Bar("SB", "cylinder", "cylinder")), (AB,)
+                ),
+            ),
+            ground=GROUND,
+        ),
+        "cylinder",
+        "cylinder",
+    ),
     "driven rod beyond its slider": (
         Linkage(
             angle_of("rod"),

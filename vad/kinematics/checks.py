@@ -181,6 +181,9 @@ def _check_slides(linkage: Linkage) -> None:
 def _check_lengths(linkage: Linkage) -> None:
     """Check that a bar that stands in two loops has one length and one direction."""
     steps = [step for loop in linkage.loops for _, step in loop.steps()]
+    for step in steps:
+        if isinstance(step, Bar) and step.length == 0.0:
+            raise InputError(f"{step.link}: {step.ends} has no length")
     first: dict[tuple[str, str], Bar] = {}
     for bar in (*steps, *linkage.images):
         if isinstance(bar, Bar):

@@ -247,8 +247,9 @@ def offset_slot(pin: Number, aside: float, side: float) -> tuple[Number, Number,
     length = sqrt(dot(pin, pin))
     low, high = length - abs(aside), length + abs(aside)
     along = side * root_of_factors(low, high, 2.0 * length, high, high)
-    cosine = along / length
-    return over(times(pin, vector(cosine, -aside / length)), length), along, cosine
+    reach = nonzero(length)
+    cosine = along / reach
+    return over(times(pin, vector(cosine, -aside / reach)), reach), along, cosine
 
 
 def crossing(target: Number, p: Number, q: Number, sine: Number) -> tuple[Number, Number]:

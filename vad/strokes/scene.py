@@ -55,14 +55,14 @@ def _check_drawable(linkage: Linkage) -> None:
             beyond = ""
             for step in chain:
                 name = step.link if isinstance(step, Bar) else step.name
-                if not scalars_of(step) <= known:
-                    beyond = beyond or name
-                elif beyond:
+                found = scalars_of(step) <= known
+                if beyond and (found or (isinstance(step, Bar) and angle_of(step.link) in known)):
                     raise InputError(
                         f"loop {number}: {name} is known, but hangs on {beyond}, which is not: "
                         "such a loop is solved, but cannot be drawn yet",
                         hint="drive a link or a slide of the frame",
                     )
+                beyond = beyond or ("" if found else name)
         known.update(unknowns)
     steps = [step for loop in linkage.loops for _, step in loop.steps()]
     carried = {step.head for step in steps if isinstance(step, Slide)}
