@@ -211,3 +211,11 @@ def test_the_slope_of_the_position_is_the_velocity():
     step = math.tau / 720 / 10.0  # seconds from sample to sample at 10 rad/s
     slope = (x[2:] - x[:-2]) / (2 * step)
     assert slope == pytest.approx(v[1:-1], abs=0.2)
+
+
+@pytest.mark.parametrize("name", ["open", "crossed"])
+def test_links_that_close_at_one_place_alone_do_not_turn(name: str) -> None:
+    """The crank is as long as all other links together."""
+    with pytest.raises(vad.AssemblyError) as caught:
+        vad.turn(vad.FourBar(crank=300, assembly=name))
+    assert str(caught.value) == "the links close for angle 0° alone, where nothing moves"

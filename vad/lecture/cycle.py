@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from vad.errors import AssemblyError
 from vad.kinematics.motion import Motion, solve
 from vad.kinematics.reach import change_points, closing_range
+from vad.kinematics.results import place_unit
 from vad.strokes.diagram import POSITION, Spot
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import scene_of
@@ -104,7 +105,7 @@ def course(motion: Motion) -> Course:
     Raises
     ------
     vad.errors.AssemblyError
-        If the links close nowhere.
+        If the links close nowhere, or for one place of the driver alone.
     """
     names = tuple(motion.mechanism.inputs)
     given = tuple(float(motion.inputs[name]) for name in names)
@@ -122,6 +123,10 @@ def course(motion: Motion) -> Course:
 
     low, high = min(_cut_at_change_points(motion.mechanism, ranges), key=distance)
     middle, half = (low + high) / 2, (0.5 - KEPT) * (high - low)
+    if half < math.ulp(middle):
+        unit = place_unit(motion.mechanism)
+        message = f"the links close for {names[0]} {middle:g}{unit} alone, where nothing moves"
+        raise AssemblyError(message, "draw that pose")
     here = min(around, key=lambda x: abs(x - middle))
     start = math.acos(min(max((here - middle) / half, -1.0), 1.0))
     rate = given[1] / (math.radians(half) if turns else half)
