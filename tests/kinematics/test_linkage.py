@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 
 import vad
+from vad.errors import quoted
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of, length_of
 
 CRANK = Bar("AB", "crank", 40.0)
@@ -173,6 +174,30 @@ WRONG: dict[str, tuple[Callable[[], Linkage], str]] = {
             pivot="O",
         ),
         "link: AB has the length of b, which does not slide on it",
+    ),
+    "points that are no text": (
+        lambda: four_bar((Bar(["A", "B"], "crank", 40.0),), ()),  # type: ignore[arg-type]
+        "ends: must be two points, got ['A', 'B']",
+    ),
+    "a link that is no text": (
+        lambda: four_bar((Bar("AB", [], 40.0),), ()),  # type: ignore[arg-type]
+        "link of AB: must be a line of text, got []",
+    ),
+    "a slide that is no text": (
+        lambda: slotted(Slide("AC", None, 0.0), second=()),  # type: ignore[arg-type]
+        "name of AC: must be a line of text, got None",
+    ),
+    "a whole number larger than every length": (
+        lambda: four_bar((Bar("AB", "crank", 10**400),), ()),
+        f"length of AB: must be a finite number or a name, got {quoted(10**400)}",
+    ),
+    "a turn that is a number too large": (
+        lambda: four_bar((Bar("AB", "crank", 40.0, turn=10**400),), ()),
+        f"turn of AB: must be a unit vector, got {quoted(10**400)}",
+    ),
+    "a turn that leaves the range": (
+        lambda: four_bar((Bar("AB", "crank", 40.0, turn=complex(1e308, 1.7e308)),), ()),
+        "turn of AB: must be a unit vector, got (1e+308+1.7e+308j)",
     ),
     "a bar without a length": (
         lambda: four_bar(

@@ -14,7 +14,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache, lru_cache
+from functools import lru_cache
 from typing import NamedTuple
 
 from vad import gate
@@ -90,6 +90,7 @@ class Bar(_Run):
 
     def __post_init__(self) -> None:
         points_of(self.ends)
+        gate.line(f"link of {self.ends}", self.link)
         object.__setattr__(self, "length", _number(f"length of {self.ends}", self.length))
         if isinstance(self.length, float) and self.length:
             check_length(f"length of {self.ends}", abs(self.length))
@@ -144,6 +145,7 @@ class Slide(_Run):
 
     def __post_init__(self) -> None:
         points_of(self.ends)
+        gate.line(f"name of {self.ends}", self.name)
         object.__setattr__(self, "along", _number(f"direction of {self.ends}", self.along))
         object.__setattr__(self, "turn", _unit(f"turn of {self.ends}", self.turn))
         check_place(f"origin of {self.ends}", self.origin)
@@ -155,7 +157,6 @@ class Slide(_Run):
 Step = Bar | Slide
 
 
-@cache
 def points_of(ends: str) -> tuple[str, str]:
     """Return the two points that a vector is named by.
 
@@ -164,21 +165,28 @@ def points_of(ends: str) -> tuple[str, str]:
     >>> points_of("BC"), points_of("O2A")
     (('B', 'C'), ('O2', 'A'))
     """
-    pair = re.fullmatch(rf"({_POINT})({_POINT})", ends) if isinstance(ends, str) else None
+    pair = _points_of(ends) if isinstance(ends, str) else None
     if pair is None:
-        raise InputError(
-            f"ends: must be two points, got {ends!r}", hint="such as 'BC', or 'O2A' from O2 to A"
-        )
-    return pair[1], pair[2]
+        hint = "such as 'BC', or 'O2A' from O2 to A"
+        raise InputError(f"ends: must be two points, got {quoted(ends)}", hint)
+    return pair
+
+
+@lru_cache(maxsize=4096)
+def _points_of(ends: str) -> tuple[str, str] | None:
+    pair = re.fullmatch(rf"({_POINT})({_POINT})", ends)
+    return (pair[1], pair[2]) if pair else None
 
 
 def _number(what: str, value: float | str) -> float | str:
     """Return a number as a float, and a name as it is."""
     if isinstance(value, str):
-        return value
-    if isinstance(value, bool) or not isinstance(value, float | int) or not math.isfinite(value):
-        raise InputError(f"{what}: must be a finite number or a name, got {quoted(value)}")
-    return float(value)
+        return gate.line(what, value)
+    try:
+        return gate.number(what, value)
+    except InputError:
+        wanted = "must be a finite number or a name"
+        raise InputError(f"{what}: {wanted}, got {quoted(value)}") from None
 
 
 def check_length(what: str, length: float) -> None:
@@ -190,7 +198,7 @@ def check_length(what: str, length: float) -> None:
 
 def check_place(what: str, place: complex) -> None:
     """Refuse a place that is not finite, or farther away than any length."""
-    if not isinstance(place, complex | float | int) or not cmath.isfinite(place):
+    if not _is_finite(place):
         raise InputError(f"{what}: must be at a finite place, got {quoted(place)}")
     farthest = max(abs(place.real), abs(place.imag))
     if farthest > gate.LONGEST:
@@ -199,9 +207,17 @@ def check_place(what: str, place: complex) -> None:
 
 def _unit(what: str, value: complex) -> complex:
     """Return a unit vector as a complex number."""
-    if not isinstance(value, complex | float | int) or not abs(abs(value) - 1.0) < 1e-9:
+    if not _is_finite(value) or not abs(math.hypot(value.real, value.imag) - 1.0) < 1e-9:
         raise InputError(f"{what}: must be a unit vector, got {quoted(value)}")
     return complex(value)
+
+
+def _is_finite(value: object) -> bool:
+    """Tell whether a value is a finite plane vector; a whole number may be too large for one."""
+    try:
+        return isinstance(value, complex | float | int) and cmath.isfinite(value)
+    except OverflowError:
+        return False
 
 
 class Scalar(NamedTuple):
