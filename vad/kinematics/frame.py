@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from typing import cast
+from typing import TypeGuard, cast
 
-from vad.kinematics.linkage import Bar, Linkage, Slide, Step, angle_of, scalar_of
+from vad.kinematics.linkage import Bar, Linkage, Slide, Step, angle_of, length_of, scalar_of
 from vad.kinematics.numbers import (
     Number,
     across,
@@ -218,6 +218,18 @@ class Routes:
         self._places = _shortest(frame, *_place_costs(frame))
         self._motions = _shortest(frame, *_motion_costs(frame))
         self.letters = frozenset(self._places)
+        self._strut = next((step for step in frame.steps if self._is_strut(step)), None)
+        if self._strut:
+            _, cost = _place_costs(frame, strut=0.0)
+            self._over_strut = _shortest(frame, dict.fromkeys(frame.fixed, 0.0), cost)
+            hops = self._places[self._strut.head][1]
+            lengths = (step.length for _, step in hops if isinstance(step, Bar))
+            sizes = (abs(length) / frame.scale for length in lengths if isinstance(length, float))
+            self._longest_strut = sum(sizes)
+
+    def _is_strut(self, step: Step) -> TypeGuard[Bar]:
+        driver = self._frame.linkage.driver
+        return isinstance(step, Bar) and length_of(str(step.length)) == driver
 
     def guide(self, letter: str) -> Slide | None:
         """Return the guide of a point to which this guide alone leads, else None."""
@@ -235,14 +247,23 @@ class Routes:
         forward = isinstance(crank.length, float) and way == 1
         return crank if start in self._frame.places and forward and blocks else None
 
-    def start(self, letter: str) -> str:
-        """Return the fixed point at which the route to a point begins."""
-        return self._places[letter][0]
+    def route(self, letter: str) -> Route:
+        """Return the route to a point: the fixed point at which it begins, and its steps."""
+        return self._places[letter]
 
-    def position(self, letter: str, pose: Pose) -> Number:
-        """Return where a point is from its `start`, in the solver's unit and frame."""
+    def over_strut(self, letter: str, pose: Pose) -> tuple[Route, Number] | None:
+        """Return the route over the driven strut, and whether it is the shorter one in a pose.
+
+        None if there is no strut, or if it does not matter for this point.
+        """
+        if not self._strut or self._over_strut[letter] == self._places[letter]:
+            return None
+        return self._over_strut[letter], self._frame.size(self._strut, pose) < self._longest_strut
+
+    def along(self, route: Route, pose: Pose) -> Number:
+        """Return the vector along a route, in the solver's unit and frame."""
         total: Number = 0j
-        for way, step in self._places[letter][1]:
+        for way, step in route[1]:
             if isinstance(step, Slide):
                 total = total + way * self._frame.shift(step)
             total = total + way * self._frame.displacement(step, pose)
@@ -257,14 +278,14 @@ class Routes:
         return total
 
 
-def _place_costs(frame: ReferenceFrame) -> Costs:
-    """Let a route cost its length: a short one rounds least."""
+def _place_costs(frame: ReferenceFrame, strut: float = 3.0) -> Costs:
+    """Let a route cost its length: a short one rounds least; say what a variable length costs."""
 
     def cost(step: Step) -> float:
         if isinstance(step, Slide):
-            return 1.0 if isinstance(step.along, str) else 1e-9
+            return min(1.0, strut) if isinstance(step.along, str) else 1e-9
         # The point of a lever under its block is where the pin is, and better found by the pin.
-        return 3.0 if isinstance(step.length, str) else abs(frame.size(step))
+        return strut if isinstance(step.length, str) else abs(frame.size(step))
 
     return {letter: abs(place) for letter, place in frame.fixed.items()}, cost
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from vad.kinematics.any_solver import AnySolver, Evaluation, Result, order_of, round_the_turn
 from vad.kinematics.closed_forms import OpenLoopError
-from vad.kinematics.frame import ReferenceFrame, Routes
+from vad.kinematics.frame import ReferenceFrame, Route, Routes
 from vad.kinematics.linkage import Linkage, Slide, angle_of
 from vad.kinematics.loop import LoopSolver
 from vad.kinematics.loop_kinds import loop_solver
@@ -27,6 +27,7 @@ from vad.kinematics.numbers import (
     direction,
     fold,
     positive,
+    select_vector,
     times,
     turned,
 )
@@ -211,14 +212,23 @@ def _position(evaluation: Evaluation, letter: str, order: int) -> Number:
     """Return where a point is: on its guide, on the driven crank, or at the end of its route."""
     plane = evaluation.solver.plane
     routes, frame = plane.routes, plane.frame
-    start = routes.start(letter)
     guide, pin = routes.guide(letter), routes.pin(letter)
     if guide:
         return guide.origin + _sliding(evaluation, guide.name, order) * heading(guide)
     if pin:
         along = turned(evaluation.driver_direction, pin.turn) * float(pin.length)
-        return frame.places[start] + along
-    from_start = routes.position(letter, evaluation.pose)
+        return frame.places[routes.route(letter)[0]] + along
+    usual, other = routes.route(letter), routes.over_strut(letter, evaluation.pose)
+    if other is None:
+        return _end(evaluation, usual)
+    over_strut, shorter = other
+    return select_vector(shorter, _end(evaluation, over_strut), _end(evaluation, usual))
+
+
+def _end(evaluation: Evaluation, route: Route) -> Number:
+    """Return where a route ends."""
+    frame, start = evaluation.solver.plane.frame, route[0]
+    from_start = evaluation.solver.plane.routes.along(route, evaluation.pose)
     if start in frame.places:
         return frame.places[start] + _outward(evaluation, from_start)
     return frame.linkage.place + _outward(evaluation, frame.fixed[start] + from_start)
