@@ -76,6 +76,11 @@ def test_the_sdist_has_what_its_tests_need(in_sdist):
     assert {*beside, "pyproject.toml", "hatch_build.py"} <= in_sdist
 
 
+def test_the_cases_with_thirty_digits_are_in_the_repository_alone(in_wheel, in_sdist):
+    handed_out = {*in_wheel, *in_sdist}
+    assert not {name for name in handed_out if name.startswith("cases/") or name.endswith(".xz")}
+
+
 def test_an_index_page_shows_no_link_that_leads_nowhere(metadata):
     assert metadata["Description-Content-Type"] == "text/markdown"
     page = str(metadata.get_payload(decode=True), "utf-8")
