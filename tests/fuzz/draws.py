@@ -16,6 +16,7 @@ from typing import Any
 import vad
 from tests.fuzz.promise import broken
 from vad.files.examples import example_names, example_path
+from vad.kinematics.reach import closing_range
 from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.style import load_style
@@ -57,6 +58,11 @@ def case(seed: int) -> Case:
     driven, place = next(iter(whole.inputs.items()))
     places = (place, place, 0.0, 180.0, dice.uniform(0.0, 360.0), place * 10.0**power)
     inputs = {driven: dice.choice(places)}
+    if dice.random() < 0.8:
+        with suppress(vad.VadError):
+            ranges = closing_range(kind(**given))
+            low, high = dice.choice(ranges) if ranges else (0.0, 1.0)
+            inputs = {driven: low + (high - low) * dice.choice((0.0, 1.0, dice.random()))}
     for name in list(whole.inputs)[1:]:
         if dice.random() < 0.2:
             inputs[name] = dice.choice((0.0, -1.0, 1e-9, 1e6, 1e30, 1e-100, 1e100))
