@@ -19,8 +19,11 @@ _MOST = 17  # significant digits of a double
 _LARGEST = 1e250
 #: No angle is larger, in degrees: an arc is painted in pieces of a turn.
 _LARGEST_ANGLE = 720.0
-#: No list is longer: the curve of a whole turn takes some hundred points.
-_LONGEST = 10_000
+#: No list is longer: the curve of a whole turn takes some hundred points.  Strokes and rows, which
+#: make way for each other on a page, are fewer.
+_LONGEST, FEWER = 10_000, 500
+#: No text has more characters.
+_LONGEST_TEXT = 10_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +67,8 @@ def wrong(place: str, wanted: str, value: Any) -> InputError:
 def _read_text(value: Any, place: str) -> str:
     try:
         if isinstance(value, str) and value.encode():
+            if len(value) > _LONGEST_TEXT:
+                raise wrong(place, f"a text of at most {_LONGEST_TEXT} characters", value)
             return value
     except UnicodeEncodeError:  # half of a surrogate pair, which no file can hold
         raise wrong(place, "text", value) from None
@@ -161,14 +166,14 @@ def _read_way(value: Any, place: str) -> complex:
 WAY = Form(POINT.write, _read_way)
 
 
-def many(form: Form) -> Form:
-    """Return the form of a tuple of any number of values."""
+def many(form: Form, most: int = _LONGEST) -> Form:
+    """Return the form of a tuple of any number of values, up to the ``most`` that a page takes."""
 
     def read(value: Any, place: str) -> tuple[Any, ...]:
         if not isinstance(value, list):
             raise wrong(place, "a list", value)
-        if len(value) > _LONGEST:
-            raise InputError(f"{place}: a list has at most {_LONGEST} entries, got {len(value)}")
+        if len(value) > most:
+            raise InputError(f"{place}: has at most {most} entries, got {len(value)}")
         return tuple(form.read(each, f"{place}[{i}]") for i, each in enumerate(value))
 
     return Form(lambda values: [form.write(each) for each in values], read)
