@@ -252,6 +252,13 @@ def test_a_file_without_an_end_is_not_read_whole(source: str) -> None:
         vad.sheet_from_json(source)
 
 
+def test_an_equation_of_a_stroke_without_a_name_is_refused() -> None:
+    data = sheet_json.to_dict(lever())
+    data["panels"]["velocity"]["equations"][0]["left"][0]["stroke"] = ""
+    with pytest.raises(vad.InputError, match=r"panels\.velocity: no stroke is called ''"):
+        vad.sheet_from_json(data)
+
+
 def test_a_point_far_off_the_page_is_drawn_in_little_time() -> None:
     data = sheet_json.to_dict(lever())
     data["panels"]["position"]["strokes"][4]["centre"][0] = 1e7

@@ -9,6 +9,7 @@ import json
 import random
 import tempfile
 from collections.abc import Iterator
+from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
@@ -53,7 +54,7 @@ def _mutate(data: Any, dice: random.Random) -> None:
     if kind < 0.15:
         del held[last]
     elif kind < 0.25:
-        held[last] = _at(data, dice.choice(ways))
+        held[last] = deepcopy(_at(data, dice.choice(ways)))
     elif kind < 0.32 and isinstance(held, list):
         held[last:last] = [held[last]] * dice.choice((1, 3, 400))
     elif kind < 0.4:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from unittest import mock
 
+import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -74,6 +75,12 @@ def test_a_box_keeps_apart_from_another(box, centre, size):
 def test_a_leader_however_long_takes_little_memory(line, far):
     within = obstacles([line], [])
     assert 0.0 < within.covered(0.5 + 0.5j, complex(far, 0.5)) <= far
+
+
+def test_a_stroke_that_ends_far_off_the_page_has_a_place():
+    all_ = obstacles([(0.5 + 0.5j, -1e200 + 1e200j, 0.01)], [])
+    with np.errstate(all="raise"):
+        assert all_.free([0.5 + 0.5j, 0.9 + 0.1j], 0.1, 0.1, 0.0).tolist() == [False, True]
 
 
 @given(st.lists(LINES, min_size=1), st.lists(POINTS, min_size=1), SIZES)

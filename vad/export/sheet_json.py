@@ -143,7 +143,7 @@ def _check(sheet: Sheet) -> None:
                 raise InputError(f"{place}: two strokes are called {name!r}")
         drawn = {stroke.name for stroke in panel.strokes}
         sums = [terms for each in panel.equations for terms in (each.left, each.right)]
-        called = [term.stroke for terms in sums for term in terms if term.stroke]
+        called = [term.stroke for terms in sums for term in terms if term.stroke is not None]
         for name in called + ([panel.inset.stroke] if panel.inset else []):
             if name not in drawn:
                 raise InputError(f"{place}: no stroke is called {name!r}")

@@ -26,6 +26,8 @@ PIXEL = 1.0 / 720.0
 _SAMPLED, _MOST_SAMPLES = 3.0 * PIXEL, 500
 #: So many pairs of a box and a stroke are compared at once: that bounds the memory.
 _MOST_AT_ONCE = 1 << 20
+#: No stroke reaches farther, in page heights: its square is a number.
+_FARTHEST = 1e100
 
 
 @dataclass
@@ -144,7 +146,7 @@ class Obstacles:
         """Return all lines as arrays; they are kept until there is another."""
         if self._kept is None or len(self._kept.middles) != len(self.lines):
             starts, ends, halves, _ = zip(*self.lines, strict=True)
-            self._kept = _Strokes.between(np.array(starts), np.array(ends), np.array(halves))
+            self._kept = _Strokes.between(_near(starts), _near(ends), np.array(halves))
         return self._kept
 
     def covered(self, start: complex, end: complex) -> float:
@@ -163,6 +165,15 @@ class Obstacles:
         strokes = _Strokes.between(starts, ends, np.full(len(lines), half_width))
         free: Bools = ~np.logical_or.reduce(_meets(at, wide, high, strokes))
         return free
+
+
+def _near(points: Sequence[complex]) -> Complexes:
+    """Return points as an array; those without end off the page so near that squares are finite."""
+    at = np.array(points, dtype=np.complex128)
+    near: Complexes = np.clip(at.real, -_FARTHEST, _FARTHEST) + 1j * np.clip(
+        at.imag, -_FARTHEST, _FARTHEST
+    )
+    return near
 
 
 @dataclass(frozen=True, slots=True)
