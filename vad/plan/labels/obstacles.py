@@ -26,8 +26,8 @@ PIXEL = 1.0 / 720.0
 _SAMPLED, _MOST_SAMPLES = 3.0 * PIXEL, 500
 #: So many pairs of a box and a stroke are compared at once: that bounds the memory.
 _MOST_AT_ONCE = 1 << 20
-#: No stroke reaches farther, in page heights: its square is a number.
-_FARTHEST = 1e100
+#: No stroke reaches farther, in page heights: so near, where it crosses the page is still told.
+_FARTHEST = 1e9
 
 
 @dataclass
@@ -168,7 +168,7 @@ class Obstacles:
 
 
 def _near(points: Sequence[complex]) -> Complexes:
-    """Return points as an array; those without end off the page so near that squares are finite."""
+    """Return points as an array; those far off the page are brought nearer."""
     at = np.array(points, dtype=np.complex128)
     near: Complexes = np.clip(at.real, -_FARTHEST, _FARTHEST) + 1j * np.clip(
         at.imag, -_FARTHEST, _FARTHEST
