@@ -16,13 +16,13 @@ ROOT = Path(__file__).parents[1]
 #: So many inputs of each entrance take a second or two.  Calls have tests of their own.
 SHARES = {
     "files": 12,
-    "lines": 40,
+    "lines": 200,
     "draws": 12,
     "sheets": 25,
-    "batches": 8,
+    "batches": 60,
     "messages": 15,
     "titles": 2,
-    "signals": 1,
+    "signals": 4,
 }
 
 

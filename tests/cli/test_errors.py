@@ -71,6 +71,7 @@ def test_a_misspelt_word_is_answered_with_the_nearest(vad, words, nearest):
         ("animate four-bar -o x.mp4 --size 12", "--size: '12' is not a size"),
         ("animate four-bar -o x.mp4 --size 1280x-720", "--size: '1280x-720' is not a size"),
         ("sweep four-bar -o x.csv --steps 1.5", "--steps"),
+        ("animate four-bar --subtitles -o /", "'/' has no name, and so no file beside it"),
         ("sweep four-bar -o x.csv --steps 1", "--steps: must be from 2 to 10000000"),
         ("sweep four-bar -o x.csv --steps 10000001", "--steps: must be from 2 to 10000000"),
         ("sweep four-bar -o x.csv --from 7 --to 7", "--from, --to: 7 to 7 is no range"),

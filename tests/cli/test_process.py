@@ -150,6 +150,34 @@ def test_an_interrupt_in_mid_film(environment, tmp_path, output):
 
 
 @posix
+def test_a_signal_of_which_python_makes_an_error_during_an_import(environment):
+    """As where a class is made whose attributes are told their names."""
+    script = (
+        "import os, signal, sys\n"
+        "from vad.cli import main\n"
+        "class Name:\n"
+        "    def __set_name__(self, owner, name):\n"
+        "        os.kill(os.getpid(), signal.SIGINT)\n"
+        "class Finder:\n"
+        "    def find_spec(self, name, path=None, target=None):\n"
+        "        if name == 'vad.cli.app':\n"
+        "            type('Owner', (), {'name': Name()})\n"
+        "sys.meta_path.insert(0, Finder())\n"
+        "sys.argv = ['vad', 'list']\n"
+        "sys.exit(main())\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script],
+        capture_output=True,
+        text=True,
+        env=environment,
+        timeout=60,
+        check=False,
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "error: interrupted\n")
+
+
+@posix
 def test_a_signal_that_a_library_makes_an_error_of(environment):
     """As numpy does while it is being imported."""
     script = (

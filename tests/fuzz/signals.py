@@ -1,6 +1,11 @@
-"""Processes that are stopped by one to three signals at any moment of their work.
+"""Signals at any moment: processes that get one to three of them while they work.
 
-A seed is a command and its signals with pauses between them.
+A seed is a command, and signals with their moments, to the process or, as from a terminal, to all
+that it has started.  Whatever comes, the process ends soon, says one line, and leaves no worker,
+nothing half-written and no temporary file behind; after SIGKILL the workers end by themselves, and
+the next run cleans up.  Run as a program, this module tries so many seeds from a first one::
+
+    python -m tests.fuzz.signals 87 0
 """
 
 from __future__ import annotations
@@ -12,77 +17,127 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-#: The most seconds from the last signal to the end of the process.
-LONGEST = 30.0
+from vad.files.examples import example_path
 
+#: The most seconds after one signal, and after a second one, in which all processes have ended.
+LONGEST, AT_ONCE = 30.0, 5.0
 ROOT = Path(__file__).parents[2]
-COMMANDS = (
-    "animate whitworth --speed .2 --fps 60 -o made.mp4",
-    "animate four-bar -o made.gif",
-    "sweep whitworth --steps 1000000 -o made.csv",
-    "draw crank-slotted-lever -o made.pdf",
-    "draw four-bar --turn -o made.svg",
-    "batch sheets.toml -o out",
-    "batch sheets.toml -o out --jobs 2",
-    "gui four-bar --no-browser",
-    "compare slider-crank",
-    "animate slider-crank -o made.html",
-)
 SHEETS = (
-    '[sheet]\nmechanism = "four-bar"\ncount = 60\nfiles = ["key.svg"]\n'
-    "[vary]\ncrank = { share = 0.2 }\n"
+    '[sheet]\nmechanism = "four-bar"\ncount = 200\nfiles = ["problem.svg", "key.svg"]\n'
+    "[vary]\ncrank = { share = 0.25 }\n"
 )
-HEARD = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
-#: What may be said by processes that are stopped, or done before that.
-LINES = ("error: interrupted", "http://127.0.0.1", "hint: ")
+COMMANDS = (
+    *("batch sheets.toml -o out --jobs 3",) * 4,
+    "batch sheets.toml -o out",
+    "animate whitworth --speed .1 --fps 60 -o made.mp4",
+    "animate slider-crank --speed .1 --fps 60 -o made.gif",
+    "animate four-bar --turn -o made/",
+    "animate four-bar -o made.html",
+    "sweep whitworth --steps 3000000 -o made.csv",
+    "sweep whitworth -o made.png",
+    "draw press.toml --turn -o made.pdf",
+    "compare four-bar",
+    "check press.toml",
+    "gui --no-browser",
+)
+#: The line that each of these processes says when signals are heard; before that nothing is tried.
+_HEARS = "import sys; from vad.cli import process; listen = process.raise_on_signals\n" + (
+    "def heard():\n    listen(); print('hears', file=sys.stderr, flush=True)\n"
+    "process.raise_on_signals = heard\n"
+    "from vad.cli import main; sys.exit(main())\n"
+)
 
 
 @dataclass(frozen=True)
 class Case:
-    """A command, and when it hears which signals: seconds after what was before."""
+    """A command and the signals that it gets.
 
-    words: str
-    signals: tuple[tuple[float, int], ...]
+    Each has the seconds after the one before, and whether all that the command has started gets it.
+    """
+
+    words: tuple[str, ...]
+    signals: tuple[tuple[float, int, bool], ...]
 
 
 def case(seed: int) -> Case:
-    """Return a command and its signals."""
+    """Return the command of a seed, and its signals."""
     dice = random.Random(seed)
-    first = dice.choice((dice.uniform(0.0, 0.5), dice.uniform(0.3, 3.0), dice.uniform(0.0, 8.0)))
-    pauses = [first, *(dice.choice((0.0, 0.002, 0.1, 1.0)) for _ in range(dice.randrange(3)))]
-    return Case(dice.choice(COMMANDS), tuple((each, dice.choice(HEARD)) for each in pauses))
+    words = tuple(dice.choice(COMMANDS).split())
+    several = []
+    for count in range(dice.choice((1, 1, 2, 2, 3))):
+        pause = dice.choice((0.0, 0.001, 0.02, dice.uniform(0.0, 0.4), dice.uniform(0.0, 1.5)))
+        kinds = (signal.SIGINT, signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL)
+        number = dice.choice(kinds if count == 0 else kinds[:-1])
+        everybody = number != signal.SIGKILL and dice.random() < 0.6
+        several.append((pause, int(number), everybody))
+        if number == signal.SIGKILL:
+            break
+    return Case(words, tuple(several))
 
 
-def fault(stopped: Case, _: int = 0) -> str | None:
-    """Start a process and stop it; return what it breaks, or None."""
-    with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "sheets.toml").write_text(SHEETS, "utf-8")
+def fault(case: Case, _: int = 0) -> str | None:
+    """Start a command and send it its signals; return what that breaks, or None."""
+    with tempfile.TemporaryDirectory() as home:
+        place, temporary = Path(home, "place"), Path(home, "temporary")
+        place.mkdir()
+        temporary.mkdir()
+        (place / "sheets.toml").write_text(SHEETS, "utf-8")
+        (place / "press.toml").write_text(example_path("toggle-press").read_text("utf-8"), "utf-8")
         with subprocess.Popen(
-            [sys.executable, "-m", "vad", *stopped.words.split()],
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
+            [sys.executable, "-c", _HEARS, *case.words],
+            stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
-            env={**os.environ, "PYTHONPATH": str(ROOT)},
-            cwd=folder,
             start_new_session=True,
-        ) as process:
-            for pause, number in stopped.signals:
-                time.sleep(pause)
-                process.send_signal(number)
+            cwd=place,
+            env={**os.environ, "PYTHONPATH": str(ROOT), "TMPDIR": str(temporary)},
+        ) as running:
             try:
-                _, said = process.communicate(timeout=LONGEST)
-            except subprocess.TimeoutExpired:
-                os.killpg(process.pid, signal.SIGKILL)
-                return "does not end"
-        left = [str(each) for each in Path(folder).rglob(".vad-*")]
-    early = stopped.signals[0][0] < 0.4  # before the program listens, Python or the system ends it
-    others = [line for line in said.splitlines() if line.strip() and not line.startswith(LINES)]
-    if "internal fault" in said or (others and not early):
-        return f"says {said[-900:]}"
-    if left and len(stopped.signals) == 1:
-        return f"leaves {left}"
+                found = _tried(case, running)
+            finally:
+                with suppress(ProcessLookupError):
+                    os.killpg(running.pid, signal.SIGKILL)
+        killed = any(number == signal.SIGKILL for _, number, _ in case.signals)
+        left = [] if killed else [each.name for each in temporary.rglob("*")]
+        left += [] if killed else [each.name for each in place.rglob(".vad-*")]
+        return found or (f"{case} leaves {left}" if left else None)
+
+
+def _tried(case: Case, running: subprocess.Popen[str]) -> str | None:
+    assert running.stderr is not None
+    if running.stderr.readline() != "hears\n":
+        return f"{case} does not begin"
+    sent: list[float] = []
+    for pause, number, everybody in case.signals:
+        time.sleep(pause)
+        if running.poll() is None:
+            sent.append(time.monotonic())
+            send: Callable[[int, int], None] = os.killpg if everybody else os.kill
+            with suppress(ProcessLookupError):
+                send(running.pid, number)
+    try:
+        _, err = running.communicate(timeout=LONGEST)
+    except subprocess.TimeoutExpired:
+        return f"{case} does not end"
+    took = time.monotonic() - sent[-1] if sent else 0.0
+    if len(sent) > 1 and took > AT_ONCE:
+        return f"{case} ends only {took:.1f} s after the second signal"
+    if running.returncode == -signal.SIGKILL:
+        return f"{case} says {err!r}" if err else None
+
+    codes = {0, *(128 + number for _, number, _ in case.signals)}
+    said = "" if running.returncode == 0 else "error: interrupted\n"
+    if running.returncode not in codes or err != said:
+        return f"{case} ends with {running.returncode} and says {err!r}"
     return None
+
+
+if __name__ == "__main__":
+    from tests.fuzz.promise import run
+
+    run(case, fault, *map(int, sys.argv[1:]))

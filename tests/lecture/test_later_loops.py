@@ -65,3 +65,10 @@ def test_one_loop_has_no_second(capsys: Any):
     assert "loop: must be between 1 and 1, got 2" in capsys.readouterr().err
     assert run(["animate", "four-bar", "--loop", "2", "--turn", "-o", "x.mp4"]) == 2
     assert "--loop does not go with --turn" in capsys.readouterr().err
+
+
+def test_a_panel_without_a_second_loop_is_drawn_from_its_beginning():
+    """In space the views may have more loops than the polygons."""
+    lesson = vad.animate(vad.draw(vad.solve(vad.SphericalFourBar())), loop=2)
+    begun = {step.panel.name: step.there for step in reversed(lesson.steps)}
+    assert not all(begun.values())

@@ -15,6 +15,7 @@ from dataclasses import dataclass, field, fields
 from functools import cache
 from pathlib import Path
 from typing import Any
+from unicodedata import normalize
 
 from vad import gate
 from vad.batches.choices import kind_of, offered, text_beside, written_at
@@ -46,6 +47,8 @@ KEEP = 0.2
 _TABLES = ("sheet", "vary", "keep")
 _LISTS = ("files", "blank", "panels")
 _NUMBER = re.compile(r"[+-]?\d+")
+#: What no name of a file can hold on some system, or begin or end with; and how long it may be.
+_NOT_IN_NAMES, _NOT_AT_ENDS, _LONGEST_NAME = frozenset('<>:"/\\|?*'), (".", " ", ""), 200
 #: No class is so large.
 _LONGEST = 10_000_000
 _HINT = "as in sheets.toml, or sheets.csv with one row a sheet"
@@ -78,13 +81,25 @@ def _files(value: object) -> tuple[str, ...]:
     found = names(value)
     if not found:
         raise InputError("none given", 'as in ["problem.pdf", "key.pdf"]')
+    alike: dict[str, str] = {}
     for name in found:
-        if name != Path(name).name or name.startswith(".") or not name.isprintable():
+        if not _is_name(name):
             raise InputError(f"{quoted(name)} is no name of a file", 'as in "key.pdf"')
+        same = alike.setdefault(normalize("NFC", normalize("NFC", name).casefold()), name)
+        if same != name:
+            one = f"{quoted(same)} and {quoted(name)} are one name"
+            raise InputError(f"{one} where capitals do not count", "name them apart")
         film, kind = is_film(name), Path(name).suffix.lower()
         if is_problem(name) and (film or "blank" not in options_of(Sheet, kind)):
             raise InputError(f"{quoted(name)}: only a picture can be a problem", "call it a key")
     return found
+
+
+def _is_name(name: str) -> bool:
+    """Tell whether any system can have a file of this name, with a number before it."""
+    ends = name[:1] in _NOT_AT_ENDS or name[-1:] in _NOT_AT_ENDS
+    fits = len(name.encode("utf-8", "replace")) <= _LONGEST_NAME
+    return fits and not ends and name.isprintable() and not _NOT_IN_NAMES.intersection(name)
 
 
 def _panels(value: object) -> tuple[str, ...]:
@@ -307,8 +322,8 @@ def read_csv(text: str, path: Path) -> Rows:
                 read += [(place, line, _recipe(cells, path))] * count
         except VadError as error:
             read.append((place, line, error))
-    if len(read) > MOST:
-        raise InputError(f"{path.name}: asks for {len(read)} sheets, more than {MOST}")
+        if len(read) > MOST:
+            raise InputError(f"{place}: asks for more than {MOST} sheets", "make two files of it")
     found = Rows()
     width = max(3, len(str(len(read))))
     for number, (place, _, made) in enumerate(read, start=1):

@@ -54,6 +54,9 @@ def _carried_out() -> int:
         process.abandon_stdout()
         process.say(f"error: cannot write: {error.strerror or error}")
         return 1
+    except Exception:
+        process.check_interrupt()  # Python makes other errors of one that comes during an import
+        raise
 
 
 def answer(question: str) -> int:
@@ -74,5 +77,5 @@ def answer(question: str) -> int:
 
     try:
         return shell_complete(app, {}, "vad", VARIABLE, question)
-    except VadError:
+    except (VadError, UnicodeError):  # or they are no text
         return 0

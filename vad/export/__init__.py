@@ -162,6 +162,9 @@ def _beside(path: str | os.PathLike[str], extensions: Iterable[str]) -> list[Pat
         if isinstance(extensions, str) or not isinstance(each, str) or not _DOTTED.fullmatch(each):
             raise UsageError(f"beside: must be extensions, got {quoted(each)}", _BESIDE)
         folder, name = os.path.split(os.path.splitext(os.fspath(path).rstrip("/"))[0])
+        if not name:
+            message = f"{quoted(os.fspath(path))} has no name, and so no file beside it has one"
+            raise UsageError(message, "name a folder of its own, such as frames/")
         others.append(Path(folder, name + each))
     return others
 
