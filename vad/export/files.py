@@ -27,6 +27,8 @@ from vad.errors import ExportError
 
 #: The name of an unfinished file, and how many seconds it may stand untouched.
 _PART, _HOUR = re.compile(r"\.vad-[0-9a-f]{8}\.part"), 3600.0
+#: The name of a temporary folder, and how many seconds it may stand.
+_TEMPORARY, _DAY = re.compile(r"vad-[0-9a-f]{8}\.tmp"), 86400.0
 #: What removes the unfinished files and folders of this moment, in the order of their making.
 _unfinished: list[Callable[[], None]] = []
 
@@ -116,8 +118,15 @@ def new_folder(path: str | os.PathLike[str], replaceable: Callable[[Path], bool]
 
 
 @contextmanager
-def temporary_folder() -> Iterator[Path]:
-    """Yield an empty folder of this user alone, where the system keeps such; it goes at the end.
+def temporary_folder(place: str | os.PathLike[str] | None = None) -> Iterator[Path]:
+    """Yield an empty folder that its owner alone can read, and that is removed at the end.
+
+    What a killed process has left is removed when the next one is made in the same place, a day later.
+
+    Parameters
+    ----------
+    place
+        The folder in which it is made; None for that of temporary files.
 
     Raises
     ------
@@ -132,12 +141,14 @@ def temporary_folder() -> Iterator[Path]:
     False
     """
     with _explained("a temporary folder"):
-        path = Path(tempfile.gettempdir(), f"vad-{secrets.token_hex(8)}")
+        around = Path(tempfile.gettempdir() if place is None else place)
+        path = around / f"vad-{secrets.token_hex(4)}.tmp"
 
     def clear() -> None:
         shutil.rmtree(path, ignore_errors=True)
 
     with cleared_up(clear):
+        _remove_leftovers(around, _TEMPORARY, _DAY)
         with _explained(path):
             path.mkdir(mode=0o700)
         yield path
@@ -170,15 +181,15 @@ def clear_unfinished() -> None:
             clear()
 
 
-def _remove_leftovers(folder: Path) -> None:
+def _remove_leftovers(folder: Path, name: re.Pattern[str] = _PART, age: float = _HOUR) -> None:
     """Remove unfinished files from ``folder`` that a killed process has left behind.
 
     A process that still writes has touched its file within the last hour.
     """
-    long_ago = time.time() - _HOUR
+    long_ago = time.time() - age
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:
-            if not _PART.fullmatch(entry.name):
+            if not name.fullmatch(entry.name):
                 continue
             with contextlib.suppress(OSError):
                 if entry.stat(follow_symlinks=False).st_mtime > long_ago:

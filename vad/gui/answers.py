@@ -8,18 +8,17 @@ its own, which is removed afterwards; no question names a path.
 from __future__ import annotations
 
 import math
-import tempfile
 import time
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from pathlib import Path
-from threading import Event
 from typing import Any
 
 import numpy as np
 
 import vad
 from vad.errors import AssemblyError, DeadCentreError, ExportError, VadError
+from vad.export.files import temporary_folder
 from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion, Scales, problem
 from vad.kinematics.motion import Motion
 from vad.kinematics.reach import closing_range
@@ -49,8 +48,10 @@ _POSES = 12
 #: last point are this angle from the ends, in radians.
 _END = 0.05
 _TURN = (0.0, 360.0)
-#: The extensions of pictures; and what any file is, by its extension.
-PICTURES = ("png", "svg", "pdf")
+#: The most bytes of a file.
+LARGEST_FILE = 200_000_000
+#: The extensions of pictures and films; and what any file is, by its extension.
+PICTURES, FILMS = ("png", "svg", "pdf"), ("mp4", "gif")
 MEDIA = {
     "png": "image/png",
     "svg": "image/svg+xml",
@@ -315,30 +316,31 @@ def _way(motion: Motion, letter: str) -> complex:
     return complex(moved.point(letter).velocity)
 
 
-def saved(question: ExportQuestion, extension: str, closing: Event) -> tuple[bytes, str]:
+def saved(question: ExportQuestion, extension: str) -> tuple[bytes, str]:
     """Return the bytes of a file, and what it is called.
 
     Raises
     ------
     vad.errors.VadError
-        For what cannot be drawn or saved.
+        For what cannot be drawn or saved, or takes more than `LARGEST_FILE` bytes.
     """
     mechanism, inputs = question.build()
     panels = question.panels or None
     sheet = vad.draw(vad.solve(mechanism, **inputs), panels, question.language)
     name = f"{mechanism.name}.{extension}"
-
-    def stop_if_closing(_done: int, _total: int) -> None:
-        if closing.is_set():
-            raise ExportError("the server is ending")
-
-    with tempfile.TemporaryDirectory(prefix="vad-") as folder:
-        path = Path(folder, name)
+    with temporary_folder() as folder:
+        path = folder / name
         if extension == "json":
             vad.save(sheet, path)
         elif extension in PICTURES:
             vad.save(sheet, path, style=question.style, size=question.size)
         else:
             film = vad.animate(sheet, question.fps, question.size, question.speed, question.style)
-            vad.save(film, path, progress=stop_if_closing)
+            vad.save(film, path, progress=lambda *_: _check_size(folder))
         return path.read_bytes(), name
+
+
+def _check_size(folder: Path) -> None:
+    if sum(each.stat().st_size for each in folder.iterdir()) > LARGEST_FILE:
+        most = f"{LARGEST_FILE / 1e6:g} MB"
+        raise ExportError(f"the film takes more than {most}", "try a smaller size, or vad animate")

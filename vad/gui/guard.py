@@ -17,7 +17,7 @@ from http.cookies import CookieError, SimpleCookie
 from threading import Event
 
 from starlette.datastructures import Headers, MutableHeaders
-from starlette.requests import Request
+from starlette.requests import ClientDisconnect, Request
 from starlette.responses import HTMLResponse, JSONResponse, RedirectResponse, Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
@@ -145,6 +145,8 @@ class SecurityHeaders:
 
         try:
             await self._app(scope, receive, send_with_headers)
+        except ClientDisconnect:
+            pass  # nobody is there who would read an answer
         except Exception as error:
             if not isinstance(error, RefusalError):
                 traceback.print_exc(file=sys.stderr)

@@ -8,13 +8,12 @@ makes JSON of an error.
 from __future__ import annotations
 
 import dataclasses
-import math
 import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Self, TypeVar
 
-from vad import units
+from vad import gate, units
 from vad.errors import (
     AssemblyError,
     DeadCentreError,
@@ -27,12 +26,15 @@ from vad.errors import (
     unknown,
 )
 from vad.files.examples import EXTENSION
+from vad.gui.work import BusyError
 from vad.lecture.lesson import check_size
 from vad.mechanisms import MECHANISMS, Mechanism
 from vad.mechanisms.mechanism import NUMBERS
 
 #: The largest picture and the most frames a second that the page saves.
 LARGEST, MOST_FPS = (3840, 2160), 60.0
+#: The most further points: the time of a lesson grows with the cube of their number.
+MOST_POINTS = 40
 
 Asked = TypeVar("Asked", bound="Question")
 #: A number in the scene's unit, or a text that has a unit of its own: "6 cm".
@@ -42,6 +44,7 @@ Kinds = Mapping[str, type[Mechanism]]
 #: The scale of each panel: x and y of its origin on the page, and its factor.
 Scales = Mapping[str, tuple[float, float, float]]
 _KINDS: dict[type[VadError], str] = {
+    BusyError: "busy",
     UsageError: "usage",
     InputError: "input",
     AssemblyError: "assembly",
@@ -217,10 +220,7 @@ def _numbers(
     for name, value in given.items():
         if name not in known:
             raise unknown(what, name, known)
-        try:
-            found[name] = units.read(value, known[name], unit) if isinstance(value, str) else value
-        except UsageError as error:
-            raise UsageError(f"{name}: {error}", error.hint) from None
+        found[name] = units.number_of(name, value, known[name], unit)
     return found
 
 
@@ -240,12 +240,6 @@ def _texts(name: str, value: object) -> tuple[str, ...]:
     return tuple(_text(name, each) for each in value)
 
 
-def _number(name: str, value: object) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        raise InputError(f"{name}: must be a finite number, got {quoted(value)}")
-    return float(value)
-
-
 def _object(name: str, value: object) -> dict[str, Any]:
     if not isinstance(value, dict):
         raise UsageError(f"{name}: must be an object, got {quoted(value)}")
@@ -255,10 +249,17 @@ def _object(name: str, value: object) -> dict[str, Any]:
 def _values(name: str, value: object) -> dict[str, NumberOrText]:
     """Read numbers and texts by name; None stands for the default, and what is left out does."""
     return {
-        key: each if isinstance(each, str) else _number(key, each)
+        key: each if isinstance(each, str) else gate.number(key, each)
         for key, each in _object(name, value).items()
         if each is not None
     }
+
+
+def _points(name: str, value: object) -> dict[str, Any]:
+    points = _object(name, value)
+    if len(points) > MOST_POINTS:
+        raise UsageError(f"{name}: must be at most {MOST_POINTS}, got {len(points)}")
+    return points
 
 
 def _scales(name: str, value: object) -> Scales:
@@ -266,7 +267,7 @@ def _scales(name: str, value: object) -> Scales:
     for panel, each in _object(name, value).items():
         if not isinstance(each, list) or len(each) != 3:
             raise UsageError(f"{name}: must have three numbers for {quoted(panel)}")
-        x, y, factor = (_number(name, number) for number in each)
+        x, y, factor = (gate.number(name, number) for number in each)
         if factor <= 0.0:
             raise UsageError(f"{name}: must be positive, got {factor:g}")
         found[panel] = x, y, factor
@@ -275,7 +276,7 @@ def _scales(name: str, value: object) -> Scales:
 
 def _ways(name: str, value: object) -> dict[str, dict[str, float]]:
     return {
-        panel: {label: _number(name, way) for label, way in _object(name, each).items()}
+        panel: {label: gate.number(name, way) for label, way in _object(name, each).items()}
         for panel, each in _object(name, value).items()
     }
 
@@ -291,7 +292,7 @@ def _size(name: str, value: object) -> tuple[int, int]:
 
 
 def _fps(name: str, value: object) -> float:
-    fps = _number(name, value)
+    fps = gate.number(name, value)
     if fps > MOST_FPS:
         raise UsageError(f"{name}: must be at most {MOST_FPS:g}, got {fps:g}")
     return fps
@@ -302,7 +303,7 @@ _CHECKS = {
     "parameters": _values,
     "inputs": _values,
     "assembly": lambda name, value: value,
-    "points": _object,
+    "points": _points,
     "length_unit": _optional_text,
     "panels": _texts,
     "language": _text,
@@ -313,7 +314,7 @@ _CHECKS = {
     "style": _text,
     "size": _size,
     "fps": _fps,
-    "speed": _number,
+    "speed": gate.number,
 }
 
 

@@ -1,44 +1,47 @@
 """The server on this machine: its routes, its address, and how it ends.
 
-A request that the guard lets pass is answered with a page, a pose, a lesson or a file.  Poses and
-lessons are calculated one at a time, because one person looks at them.  They are calculated in the
-thread of the server: another thread would delay each move by half a millisecond.  A film is made in
-a thread of its own, and a second film is refused until the first is complete.  The server takes
-127.0.0.1 and nothing else, and there is no option that says otherwise.
+A request that the guard lets pass is answered with a page, a pose, a lesson or a file.  All are
+worked out in threads, which are stopped when it takes too long, when nobody waits any more, and
+when the server ends.  One film is made at a time, and a second one is refused until the first has
+been sent.  The server takes 127.0.0.1 and nothing else, and there is no option that says otherwise.
 """
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import json
+import logging
 import socket
 import time
 from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import replace
+from functools import partial
 from threading import Event, Thread
 from typing import Any
 from urllib.parse import quote
 
-import anyio.to_thread
 import uvicorn
-from anyio import CapacityLimiter, WouldBlock
 from starlette.applications import Starlette
 from starlette.middleware import Middleware
 from starlette.middleware.trustedhost import TrustedHostMiddleware
 from starlette.requests import Request
-from starlette.responses import HTMLResponse, JSONResponse, Response
+from starlette.responses import HTMLResponse, Response
 from starlette.routing import Route
-from starlette.types import ASGIApp
+from starlette.types import ASGIApp, Receive, Scope, Send
 
 from vad.errors import ExportError, VadError
-from vad.gui.answers import MEDIA, lesson, pose, saved
+from vad.gui.answers import FILMS, MEDIA, lesson, pose, saved
+from vad.gui.connections import Connection, InPieces, body_of
 from vad.gui.guard import HOSTS, Guard, PageKey, RefusalError, SecurityHeaders
 from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion, Question, problem, read
 from vad.gui.window import window
+from vad.gui.work import ANSWER, ANSWERS, FILE, FILES, FILM, BusyError, Work
 from vad.words import all_languages
 
 _HOST = "127.0.0.1"
 _PATIENCE = 1  # seconds for what is being sent when the server ends
+_END = 3.0  # seconds after which nobody waits for its end any more
 _RETRY = {"retry-after": "5"}
 Endpoint = Callable[[Request], Awaitable[Response]]
 
@@ -63,6 +66,7 @@ def served(start: ExportQuestion, port: int = 0) -> Iterator[PageKey]:
         key, closing = PageKey(listener.getsockname()[1]), Event()
         config = uvicorn.Config(
             application(key, start, closing),
+            http=Connection,
             ws="none",
             lifespan="off",
             log_config=None,
@@ -71,8 +75,9 @@ def served(start: ExportQuestion, port: int = 0) -> Iterator[PageKey]:
             server_header=False,
             timeout_graceful_shutdown=_PATIENCE,
         )
+        logging.getLogger("uvicorn").addHandler(logging.NullHandler())
         server = uvicorn.Server(config)
-        thread = Thread(target=server.run, args=([listener],), name="vad gui")
+        thread = Thread(target=server.run, args=([listener],), name="vad gui", daemon=True)
         thread.start()
         try:
             # Waits until the server answers or its thread has ended.
@@ -82,7 +87,7 @@ def served(start: ExportQuestion, port: int = 0) -> Iterator[PageKey]:
         finally:
             closing.set()
             server.should_exit = True
-            thread.join()
+            thread.join(_END)
 
 
 def _listening(port: int) -> socket.socket:
@@ -109,49 +114,66 @@ def application(key: PageKey, start: ExportQuestion, closing: Event) -> ASGIApp:
     start
         What is set when the page opens.
     closing
-        Set when the server is to end; a film that is being made ends, too.
+        Set when the server is to end; all that is being worked out is stopped then.
     """
-    filming = CapacityLimiter(1)
+    answers, files = Work(closing, ANSWERS), Work(closing, FILES)
 
-    async def page(request: Request) -> Response:
+    def answered(
+        given: Callable[[Request, bytes], Response],
+        work: Work = answers,
+        seconds: float = ANSWER,
+    ) -> Endpoint:
+        """Return the endpoint whose answer a function gives to a request with its body."""
+
+        async def endpoint(request: Request) -> Response:
+            body = await body_of(request)
+            gone = request.is_disconnected
+            try:
+                return await work.done(seconds, gone, partial(given, request, body))
+            except BusyError as error:
+                return _busy(error)
+            except VadError as error:  # of a question that the page itself never asks
+                return _reply({"error": problem(error)}, 422)
+
+        return endpoint
+
+    def page(request: Request, _: bytes) -> Response:
         code = request.query_params.get("lang", start.language)
         shown = replace(start, language=code if code in all_languages() else start.language)
-        nonce = request.state.nonce
-        return HTMLResponse(window(shown, nonce))
+        return HTMLResponse(window(shown, request.state.nonce))
 
-    def answer(kind: type[Question], work: Callable[[Any], dict[str, Any]]) -> Endpoint:
-        async def asked(request: Request) -> Response:
-            question = read(kind, await _json(request), start.kinds)
-            return _reply(_answer_or_error(work, question))
+    def posed(_: Request, body: bytes) -> Response:
+        return _answer_or_error(pose, read(PoseQuestion, _json(body), start.kinds))
 
-        return _with_errors(asked)
+    def taught(_: Request, body: bytes) -> Response:
+        return _answer_or_error(lesson, read(LessonQuestion, _json(body), start.kinds))
 
-    async def export(request: Request) -> Response:
-        extension = request.path_params["extension"]
-        if extension not in MEDIA:
-            raise RefusalError(404, "there is no such format")
-        question = read(ExportQuestion, await _json(request), start.kinds)
+    def filed(extension: str, _: Request, body: bytes) -> Response:
+        question = read(ExportQuestion, _json(body), start.kinds)
         try:
-            filming.acquire_on_behalf_of_nowait(request)
-        except WouldBlock:
-            busy = {"message": "another file is being made", "hint": None, "kind": "busy"}
-            return JSONResponse({"error": busy}, 503, _RETRY)
-        try:
-            data, name = await anyio.to_thread.run_sync(saved, question, extension, closing)
+            data, name = saved(question, extension)
         except VadError as error:
             return _reply({"error": problem(error, question.fields)})
-        finally:
-            filming.release_on_behalf_of(request)
         headers = {"content-disposition": _attached(name)}
         return Response(data, media_type=MEDIA[extension], headers=headers)
 
+    async def unknown(_: Request) -> Response:
+        raise RefusalError(404, "there is no such format")
+
+    one = [Middleware(OneAtATime, turn=asyncio.Lock())]
     routes = [
-        Route("/", page, methods=["GET"]),
-        Route("/api/pose", answer(PoseQuestion, pose), methods=["POST"]),
-        Route("/api/lesson", answer(LessonQuestion, lesson), methods=["POST"]),
-        Route("/api/export/{extension}", _with_errors(export), methods=["POST"]),
+        Route("/", answered(page), methods=["GET"]),
+        Route("/api/pose", answered(posed), methods=["POST"]),
+        Route("/api/lesson", answered(taught), methods=["POST"]),
     ]
+    for extension in MEDIA:
+        path, given = f"/api/export/{extension}", partial(filed, extension)
+        film = extension in FILMS
+        endpoint = answered(given, files, FILM if film else FILE)
+        routes += [Route(path, endpoint, methods=["POST"], middleware=one if film else None)]
+    routes += [Route("/api/export/{extension}", unknown, methods=["POST"])]
     middleware = [
+        Middleware(InPieces),
         Middleware(SecurityHeaders),
         Middleware(TrustedHostMiddleware, allowed_hosts=HOSTS, www_redirect=False),
         Middleware(Guard, key=key),
@@ -159,24 +181,34 @@ def application(key: PageKey, start: ExportQuestion, closing: Event) -> ASGIApp:
     return Starlette(routes=routes, middleware=middleware)
 
 
-def _answer_or_error(work: Callable[[Any], dict[str, Any]], question: Question) -> dict[str, Any]:
+class OneAtATime:
+    """Refuses a request while another one is answered; ``turn`` is the lock of those that are."""
+
+    def __init__(self, app: ASGIApp, turn: asyncio.Lock) -> None:
+        self._app = app
+        self._turn = turn
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer one request."""
+        if self._turn.locked():
+            await _busy(BusyError("another film is being made"))(scope, receive, send)
+        else:
+            async with self._turn:
+                await self._app(scope, receive, send)
+
+
+def _answer_or_error(work: Callable[[Any], dict[str, Any]], question: Question) -> Response:
     """Return an answer, or the error if the user can do something about it."""
     try:
-        return work(question)
+        return _reply(work(question))
     except VadError as error:
-        return {"error": problem(error, question.fields)}
+        return _reply({"error": problem(error, question.fields)})
 
 
-def _with_errors(endpoint: Endpoint) -> Endpoint:
-    """Answer a faulty question with its error; the page itself never asks one."""
-
-    async def asked(request: Request) -> Response:
-        try:
-            return await endpoint(request)
-        except VadError as error:
-            return _reply({"error": problem(error)}, 422)
-
-    return asked
+def _busy(error: BusyError) -> Response:
+    answer = _reply({"error": problem(error)}, 503)
+    answer.headers.update(_RETRY)
+    return answer
 
 
 def _attached(name: str) -> str:
@@ -189,13 +221,13 @@ def _attached(name: str) -> str:
     )
 
 
-async def _json(request: Request) -> object:
+def _json(body: bytes) -> object:
     try:
-        return json.loads(await request.body())
+        return json.loads(body)
     except (ValueError, RecursionError):
         raise RefusalError(400, "the question is not JSON") from None
 
 
 def _reply(data: dict[str, Any], status: int = 200) -> Response:
-    text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
+    text = json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     return Response(text, status, media_type="application/json")

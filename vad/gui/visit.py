@@ -8,18 +8,17 @@ file may be opened by an editor: there the browser is given the address with the
 
 from __future__ import annotations
 
-import contextlib
 import os
-import shutil
-import tempfile
-import time
 import webbrowser
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from html import escape
 from pathlib import Path
 from threading import Thread
 from typing import TYPE_CHECKING
+
+from vad.export.files import temporary_folder
 
 if TYPE_CHECKING:
     from vad.gui.guard import PageKey
@@ -28,7 +27,6 @@ if TYPE_CHECKING:
 NO_BROWSER = "no browser can be started"
 #: How many seconds a browser has to come before the user is told how else the window opens.
 _SLOW = 30.0
-_PREFIX, _DAY = "vad-window-", 24 * 3600.0
 #: Where programs are installed that see neither the folder of temporary files nor hidden folders.
 _CONFINED = ("/snap", "/var/lib/snapd/snap")
 _PAGE = """<!DOCTYPE html>
@@ -71,30 +69,16 @@ def _led(key: PageKey) -> Iterator[str]:
     if os.name == "nt":
         yield key.address_with_ticket
         return
-    with _folder() as folder:
+    with temporary_folder(_readable()) as folder:
         file = folder / "window.html"
         with open(os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w") as stream:
             stream.write(_PAGE.format(address=escape(key.address_with_ticket)))
-        key.ticket.on_use = file.unlink
+        key.ticket.on_use = partial(file.unlink, missing_ok=True)
         yield file.as_uri()
 
 
-@contextmanager
-def _folder() -> Iterator[Path]:
-    """Yield a new folder that its owner alone can read, and the browser of the owner."""
+def _readable() -> Path | None:
+    """Return the place of a folder that the browser can read; None for that of temporary files."""
     home = Path("~").expanduser()
-    confined = any(map(os.path.isdir, _CONFINED)) and os.access(home, os.W_OK)
-    place = home if confined else Path(tempfile.gettempdir())
-    _remove_leftovers(place)
-    with tempfile.TemporaryDirectory(
-        prefix=_PREFIX, dir=place, ignore_cleanup_errors=True
-    ) as folder:
-        yield Path(folder)
-
-
-def _remove_leftovers(place: Path) -> None:
-    """Remove folders of this kind that a killed process has left behind a day ago or earlier."""
-    with contextlib.suppress(OSError):
-        for folder in place.glob(f"{_PREFIX}*"):
-            if folder.stat().st_mtime < time.time() - _DAY:
-                shutil.rmtree(folder, ignore_errors=True)
+    confined = any(map(os.path.isdir, _CONFINED))
+    return home if confined and os.access(home, os.W_OK | os.X_OK) else None

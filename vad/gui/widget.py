@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from functools import partial
 from importlib.resources import files
 from threading import Event
 from typing import TYPE_CHECKING, Any
@@ -24,6 +25,7 @@ from vad.gui.messages import (
     read,
 )
 from vad.gui.window import window
+from vad.gui.work import ANSWER, ANSWERS, FILM, Work
 from vad.mechanisms import MECHANISMS
 
 if TYPE_CHECKING:
@@ -31,7 +33,8 @@ if TYPE_CHECKING:
 
 #: A frame has neither an address to keep nor one to load in another language.
 _HIDDEN = "<style>[data-what=link],.side{display:none}</style>\n"
-_WORK: dict[str, tuple[type[Question], Callable[[Any], dict[str, Any]]]] = {
+_WORK = Work(Event(), ANSWERS)
+_ANSWERS: dict[str, tuple[type[Question], Callable[[Any], dict[str, Any]]]] = {
     "pose": (PoseQuestion, pose),
     "lesson": (LessonQuestion, lesson),
 }
@@ -62,16 +65,16 @@ def in_cell(start: ExportQuestion) -> AnyWidget:
 
 def answer(path: str, body: object, kinds: Kinds = MECHANISMS) -> tuple[bytes, str, str]:
     """Return what the server answers to the same question: bytes, their type, a file's name."""
-    kind, work = _WORK.get(path, (ExportQuestion, None))
+    kind, work = _ANSWERS.get(path, (ExportQuestion, None))
     fields: tuple[str, ...] = ()
     try:
         question: Any = read(kind, body, kinds)
         fields = question.fields
         if work is None:
             extension = one_of("format", path.removeprefix("export/"), MEDIA)
-            data, name = saved(question, extension, Event())
+            data, name = _WORK.done_here(FILM, partial(saved, question, extension))
             return data, MEDIA[extension], name
-        found = work(question)
+        found = _WORK.done_here(ANSWER, partial(work, question))
     except VadError as error:
         found = {"error": problem(error, fields)}
     return json.dumps(found, ensure_ascii=False).encode(), "application/json", ""
