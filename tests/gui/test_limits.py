@@ -149,13 +149,13 @@ def test_a_film_has_a_most_of_bytes(key, monkeypatch):
 def test_what_a_killed_process_left_is_swept(tmp_path, monkeypatch):
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     old, new, foreign = (
-        tmp_path / name for name in ("vad-0123abcd.part", "vad-4567abcd.part", "vad-mine.part")
+        tmp_path / name for name in ("vad-0123abcd.tmp", "vad-4567abcd.tmp", "vad-mine.tmp")
     )
     for folder in (old, new, foreign):
         folder.mkdir()
         (folder / "film.mp4").write_bytes(b"half")
     for folder in (old, foreign):
-        os.utime(folder, (time.time() - 7200,) * 2)
+        os.utime(folder, (time.time() - 2 * 86400,) * 2)
     vad.gui.answers.saved(ExportQuestion("slider-crank", size=(320, 240)), "svg")
     assert sorted(each.name for each in tmp_path.iterdir()) == sorted([new.name, foreign.name])
 

@@ -121,7 +121,8 @@ def new_folder(path: str | os.PathLike[str], replaceable: Callable[[Path], bool]
 def temporary_folder(place: str | os.PathLike[str] | None = None) -> Iterator[Path]:
     """Yield an empty folder that its owner alone can read, and that is removed at the end.
 
-    What a killed process has left is removed when the next one is made in the same place, a day later.
+    What a killed process has left is removed when the next one is made in the same place, a day
+    later.
 
     Parameters
     ----------
@@ -182,9 +183,9 @@ def clear_unfinished() -> None:
 
 
 def _remove_leftovers(folder: Path, name: re.Pattern[str] = _PART, age: float = _HOUR) -> None:
-    """Remove unfinished files from ``folder`` that a killed process has left behind.
+    """Remove what a killed process has left in ``folder`` under such a ``name``.
 
-    A process that still writes has touched its file within the last hour.
+    A process that still runs has touched it within so many seconds, its ``age``.
     """
     long_ago = time.time() - age
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
