@@ -276,6 +276,8 @@ def _results(problem: SpaceProblem, found: Mapping[Scalar, Jet]) -> dict[Key, An
     for scalar, jet in found.items():
         kind = "slide" if scalar.kind == "length" else "joint" if scalar.kind == "joint" else "link"
         values |= {(kind, scalar.name, name): x for name, x in zip(names(kind), jet, strict=True)}
+        if kind != "slide":
+            values[kind, scalar.name, "angle"] %= 2 * gmpy2.const_pi()
     for key, vector in _vectors(problem, found):
         values[key] = np.array(vector, dtype=object)
     return values
