@@ -26,7 +26,7 @@ STEP = 1e-6
 #: Slots beside their pivots, or counted backward, which that truth does not know; random chains do.
 BESIDE = {"offset-lever", "whitworth-ram"}
 #: Zero whatever the numbers are, so that there is no condition to measure by.
-VANISHING = {("scissor-lift", "roller", "acceleration")}
+VANISHING = {("scissor-lift", "roller", "acceleration"), ("scissor-lift", "platform", "alpha")}
 QUANTITIES = {
     "angle": ("link", ("angle", "omega", "alpha")),
     "length": ("slide", ("position", "velocity", "acceleration")),

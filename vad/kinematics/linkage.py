@@ -19,7 +19,6 @@ from typing import NamedTuple
 
 from vad import gate
 from vad.errors import InputError, quoted
-from vad.kinematics.numbers import difference, fold
 
 # Lines at a smaller angle than this (in degrees) count as parallel: where they cross is so far away
 # that squares of the distance leave the range of double precision.
@@ -364,6 +363,9 @@ def parallel(one: float, other: float) -> bool:
     --------
     >>> parallel(-360.0, 180.0), parallel(0.0, 1e-20)
     (True, False)
+    >>> parallel(89.99999999999999, -90.0)
+    False
     """
-    size = abs(difference(fold(one), fold(other)))
-    return bool(min(size, 180.0 - size) < _LEAST_ANGLE)
+    between = math.remainder(one, 180.0), -math.remainder(other, 180.0)
+    # `math.fsum` rounds once, so that no small angle is lost beside half a turn.
+    return any(abs(math.fsum((*between, k))) < _LEAST_ANGLE for k in (-180.0, 0.0, 180.0))
