@@ -93,7 +93,7 @@ def _reported(kind: type[Mechanism]) -> str:
 
 
 def _command_line() -> str:
-    with click.Context(app, info_name="vad") as context:
+    with click.Context(app, info_name="vad", **app.context_settings) as context:
         own = app.get_params(context)
     parts = ["# Command line", app.help or "", "`vad [OPTIONS] COMMAND …`", _options(own)]
     parts.append(

@@ -5,15 +5,25 @@ from __future__ import annotations
 import asyncio
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Coroutine, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from functools import partial
 from threading import Event
+from typing import Any, TypeVar
 
 import pytest
 
 import vad.gui.work
 from vad.gui.work import BusyError, Stopped, Work
+
+Found = TypeVar("Found")
+
+
+def in_new_loop(coroutine: Coroutine[Any, Any, Found]) -> Found:
+    """Run a coroutine in a thread of its own: in this one another test may have left a loop."""
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(asyncio.run, coroutine).result()
 
 
 async def nobody_goes() -> bool:
@@ -49,7 +59,7 @@ def do(request: pytest.FixtureRequest, work: Work) -> Callable[..., object]:
     """Let work be done in both ways."""
     if request.param == "done_here":
         return work.done_here
-    return lambda seconds, each: asyncio.run(work.done(seconds, nobody_goes, each))
+    return lambda seconds, each: in_new_loop(work.done(seconds, nobody_goes, each))
 
 
 def test_a_result_and_an_error_come_back(do):
@@ -107,7 +117,7 @@ def test_others_are_answered_meanwhile(work: Work):
         endless.cancel()
         return answer
 
-    assert asyncio.run(both()) == "at once"
+    assert in_new_loop(both()) == "at once"
 
 
 def test_work_waits_for_a_free_thread_but_not_for_ever(work: Work):
@@ -120,9 +130,9 @@ def test_work_waits_for_a_free_thread_but_not_for_ever(work: Work):
             await asyncio.gather(*two, return_exceptions=True)
 
     with pytest.raises(BusyError):
-        asyncio.run(third(0.3))
+        in_new_loop(third(0.3))
     with soon():
-        assert asyncio.run(third(4)) == "in the end"
+        assert in_new_loop(third(4)) == "in the end"
 
 
 def test_work_ends_when_nobody_waits_and_when_all_is_to_end():
@@ -139,12 +149,12 @@ def test_work_ends_when_nobody_waits_and_when_all_is_to_end():
         return True
 
     with soon(), pytest.raises(BusyError, match="nobody waits"):
-        asyncio.run(work.done(60, gone, endless))
+        in_new_loop(work.done(60, gone, endless))
     assert over.wait(5)
     over.clear()
     threading.Timer(0.3, closing.set).start()
     with soon(), pytest.raises(BusyError, match="ending"):
-        asyncio.run(work.done(60, nobody_goes, endless))
+        in_new_loop(work.done(60, nobody_goes, endless))
     assert over.wait(5)
 
 
@@ -197,5 +207,5 @@ def test_a_stop_is_told_again_where_it_was_lost(monkeypatch):
             await work.done(0.2, nobody_goes, deaf_once)
         await asyncio.sleep(1)
 
-    asyncio.run(stopped())
+    in_new_loop(stopped())
     assert over.is_set()

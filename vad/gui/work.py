@@ -85,10 +85,12 @@ class Work:
             with suppress(RuntimeError):  # the server has ended
                 loop.call_soon_threadsafe(_settle, result, found, error)
 
+        # It waits for a free thread until `_check` raises since the time is over.
         while (hand := self._begun(work, tell)) is None:
             self._check(end, seconds)
             await asyncio.sleep(_GLANCE)
         try:
+            # It waits for the result until `_check` raises since the time is over.
             while not result.done():
                 self._check(end, seconds)
                 await asyncio.wait([result], timeout=_GLANCE)
@@ -193,6 +195,7 @@ class _Hand:
 
     def _run(self) -> None:
         with suppress(Stopped):
+            # Each round waits for the next work and does it; the thread ends with the program.
             while not self.stopped:
                 self._do(*self._queue.get())
         self._working = False

@@ -258,7 +258,9 @@ class Routes:
         """
         if not self._strut or self._over_strut[letter] == self._places[letter]:
             return None
-        return self._over_strut[letter], self._frame.size(self._strut, pose) < self._longest_strut
+        size = self._frame.size(self._strut, pose)
+        shorter = (size > 0.0) & (size < self._longest_strut)  # at length 0 it has no direction
+        return self._over_strut[letter], shorter
 
     def along(self, route: Route, pose: Pose) -> Number:
         """Return the vector along a route, in the solver's unit and frame."""

@@ -11,12 +11,11 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.kinematics.compiled import Compiled, compiled
 from vad.kinematics.recording import (
     OPERATIONS,
     Operand,
@@ -25,6 +24,9 @@ from vad.kinematics.recording import (
     key_of,
     kind_of,
 )
+
+if TYPE_CHECKING:
+    from vad.kinematics.compiled import Compiled
 
 Array = NDArray[Any]
 # An operation, the places of its operands, and the place of its result.
@@ -144,6 +146,8 @@ class Program:
 
     def _compiled_for(self, many: tuple[bool, ...]) -> Compiled | None:
         if many not in self._compiled:
+            from vad.kinematics.compiled import compiled  # short sweeps do not need it
+
             parts = self.inputs, self.steps, self.outputs, self.columns
             self._compiled[many] = compiled(*parts, many)
         return self._compiled[many]
