@@ -185,7 +185,8 @@ class AnySolver(ABC):
         It is positive where the loop does not close, and nowhere else; it is NaN where a loop on
         which it depends does not close.
         """
-        found, sines = _rows(self.recorded.misses, places), self.sines(places)[self.searched]
+        rows = _rows(self.recorded.misses, places)
+        found, sines = rows[: len(self.searched)], rows[len(self.searched) :]
         return np.where(np.isnan(sines), np.maximum(found, _LEAST_MISS), np.minimum(found, 0.0))
 
 
@@ -335,9 +336,10 @@ class RecordedSolver:
 
     @cached_property
     def misses(self) -> Program:
-        """The program from the driver's place to what the searched loops miss by."""
+        """The program from the driver's place to the misses and sines of the searched loops."""
         misses = self._solver.searched_misses(self._evaluation.pose, self.inputs[0])
-        return Program(self.inputs[:1], misses)
+        sines = self._evaluation.pose.sine
+        return Program(self.inputs[:1], [*misses, *(sines[k] for k in self._solver.searched)])
 
 
 def _parts(values: Iterable[Number]) -> Iterator[Number]:

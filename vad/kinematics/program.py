@@ -269,18 +269,18 @@ class Blocks:
 
     def _arranged(self, steps: list[Recorded]) -> list[Move]:
         """Return every step as a move, and give each number its place."""
-        last = {key_of(x): step for step in steps for x in step.operands}
+        keys = [[*map(key_of, step.operands)] for step in steps]
+        last = {key: step for step, each in zip(steps, keys, strict=True) for key in each}
         moves: list[Move] = []
-        for step in steps:
-            places = [self._place[key_of(x)] for x in step.operands]
-            pairs = zip(step.operands, places, strict=True)
-            done = {place for x, place in pairs if last[key_of(x)] is step}
+        for step, names in zip(steps, keys, strict=True):
+            places = [self._place[name] for name in names]
+            done = {self._place[name] for name in names if last[name] is step}
             early = done - {places[number] for number in OPERATIONS[step.operation].kept}
             self._leave(early)
             if step.name not in self._place:
                 self._place[step.name] = self._row(kind_of(step))
             self._leave(done - early)
-            moves.append(self._move(step))
+            moves.append((step.operation, places, self._place[step.name]))
         return moves
 
     def _leave(self, places: set[int]) -> None:

@@ -34,8 +34,8 @@ Array = NDArray[np.float64]
 _POINTS = 1441
 # What is found on the grid is narrowed down: its neighbourhood is cut into so many parts, and the
 # best of them again, until what is left is below the last bit of a double.
-_PARTS = np.linspace(0.0, 1.0, 9)
-_SECTIONS = 18
+_PARTS = np.linspace(0.0, 1.0, 17)
+_SECTIONS = 12
 
 
 def closing_range(mechanism: Mechanism) -> list[tuple[float, float]]:
@@ -160,8 +160,11 @@ def _limits(solver: AnySolver, loop: int, marks: Array) -> list[float]:
     found: list[float] = []
     for low, high in pairwise(marks):
         grid = _grid(low, high)
-        grid = np.union1d(grid, _beyond(misses, grid))
         miss = misses(grid)
+        beyond = _beyond(misses, grid, miss)
+        if beyond.size:
+            grid = np.union1d(grid, beyond)
+            miss = misses(grid)
         closes, opens = miss <= 0.0, miss > 0.0  # neither where an earlier loop does not close
         (ends,) = np.nonzero(closes[:-1] & opens[1:])
         (starts,) = np.nonzero(opens[:-1] & closes[1:])
@@ -174,12 +177,11 @@ def _limits(solver: AnySolver, loop: int, marks: Array) -> list[float]:
 Measure = Callable[[Array], Array]
 
 
-def _beyond(misses: Measure, grid: Array) -> Array:
+def _beyond(misses: Measure, grid: Array, miss: Array) -> Array:
     """Return places beyond a limit that the grid does not show: all around is on one side of it.
 
     They are searched for around each point that is nearer to a limit than its neighbours are.
     """
-    miss = misses(grid)
     around = np.pad(miss, 1, mode="edge")
     distance = np.abs(around)
     nearest = (distance[:-2] >= distance[1:-1]) & (distance[1:-1] <= distance[2:])
@@ -188,20 +190,22 @@ def _beyond(misses: Measure, grid: Array) -> Array:
     (at,) = np.nonzero(nearest & alike)
     low, high = grid[np.maximum(at - 1, 0)], grid[np.minimum(at + 1, len(grid) - 1)]
     found = [np.empty(0)]
-    for places in approach(lambda x: np.abs(misses(x)), low, high):
-        beyond = misses(places.ravel()).reshape(places.shape)
+    for places, beyond in approach(misses, low, high):
         changed = np.where(closes[at][:, None], beyond > 0.0, beyond <= 0.0)
         found.append(places[changed])
     return np.concatenate(found)
 
 
-def approach(measure: Measure, low: Array, high: Array) -> Iterator[Array]:
-    """Yield places in some intervals, as rows, nearer and nearer to where a measure is least."""
+def approach(measure: Measure, low: Array, high: Array) -> Iterator[tuple[Array, Array]]:
+    """Yield places in some intervals, as rows, nearer and nearer to where a measure is zero.
+
+    What is measured there comes with them.
+    """
     for _ in range(_SECTIONS if low.size else 0):
         places = low[:, None] + (high - low)[:, None] * _PARTS
-        yield places
-        sizes = measure(places.ravel()).reshape(places.shape)
-        best = np.where(np.isnan(sizes), math.inf, sizes).argmin(axis=1)
+        measured = measure(places.ravel()).reshape(places.shape)
+        yield places, measured
+        best = np.where(np.isnan(measured), math.inf, np.abs(measured)).argmin(axis=1)
         rows = np.arange(len(best))
         low = places[rows, np.maximum(best - 1, 0)]
         high = places[rows, np.minimum(best + 1, len(_PARTS) - 1)]
@@ -300,8 +304,7 @@ def _flat_places(solver: Solver, number: int, low: float, high: float) -> Iterat
     sines = measure(grid)
     (at,) = np.nonzero((sines[:-2] > sines[1:-1]) & (sines[1:-1] <= sines[2:]))
     best, least = grid[at + 1], sines[at + 1]
-    for places in approach(measure, grid[at], grid[at + 2]):
-        sizes = measure(places.ravel()).reshape(places.shape)
+    for places, sizes in approach(measure, grid[at], grid[at + 2]):
         nearest = np.where(np.isnan(sizes), math.inf, sizes).argmin(axis=1)
         rows = np.arange(len(at))
         better = sizes[rows, nearest] < least
