@@ -59,9 +59,11 @@ def check_interrupt() -> None:
 
 def say(line: str) -> None:
     """Write ``line`` to stderr, if there is one and anybody listens."""
-    with contextlib.suppress(OSError):
+    try:
         if sys.stderr is not None:
             print(line, file=sys.stderr, flush=True)
+    except OSError:
+        _abandon(2)
 
 
 def open_standard_streams() -> None:
@@ -184,4 +186,8 @@ def end_despite_threads(code: int) -> None:
 
 def abandon_stdout() -> None:
     """Send what Python flushes at its end to the null device, where writing cannot fail."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+    _abandon(1)
+
+
+def _abandon(descriptor: int) -> None:
+    os.dup2(os.open(os.devnull, os.O_WRONLY), descriptor)
