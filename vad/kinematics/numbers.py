@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vad.kinematics.recording import OPERATIONS, Recorded, RecordedVector
+from vad.kinematics.recording import OPERATIONS, Symbol
 
 # A real or complex number, or a recorded one.
 Number = Any
@@ -148,8 +148,9 @@ def direction(degrees: Number, least: float = 0.0) -> Number:
 
 def vector(x: Number, y: Number) -> Number:
     """Return the plane vector with the coordinates ``x`` and ``y``."""
-    if isinstance(x, Recorded) or isinstance(y, Recorded):
-        return RecordedVector(x, y)
+    for part in (x, y):
+        if isinstance(part, Symbol):
+            return part.vector(x, y)
     return complex(x, y)
 
 
@@ -171,6 +172,17 @@ def dot(a: Number, b: Number) -> Number:
 def times(a: Number, b: Number) -> Number:
     """Return the complex product of two plane vectors: a unit vector turns the other one."""
     return vector(a.real * b.real - a.imag * b.imag, a.real * b.imag + a.imag * b.real)
+
+
+def facing(line: Number, way: Number) -> Number:
+    """Return the unit vector of a line, or its opposite: the one that does not point against a way.
+
+    Examples
+    --------
+    >>> facing(1j, 2.0 - 3.0j), facing(1j, 1.0 + 0j)
+    ((-0-1j), 1j)
+    """
+    return select_vector(dot(line, way) < 0.0, -line, line)
 
 
 def turned(a: Number, turn: complex) -> Number:
@@ -232,6 +244,8 @@ def bearing(vector: complex) -> float:
     >>> bearing(1j), bearing(complex(1e300, 5e-324))
     (90.0, 0.0)
     """
+    if isinstance(vector.real, Symbol) or isinstance(vector.imag, Symbol):
+        return _done("arctan2", vector.imag, vector.real) * _DEGREE
     return math.degrees(math.atan2(vector.imag, vector.real))
 
 
@@ -244,6 +258,6 @@ def positive(degrees: Number) -> Number:
 def _done(operation: str, *operands: Number) -> Number:
     """Do an operation on floats; if any operand is recorded, record it."""
     for operand in operands:
-        if isinstance(operand, Recorded):
-            return operand.tape.note(operation, *operands)
+        if isinstance(operand, Symbol):
+            return operand.note(operation, *operands)
     return OPERATIONS[operation].on_floats(*operands)

@@ -99,7 +99,9 @@ OPERATIONS = {
     ),
     "place": Operation("{}", int, _place, np.intp),
     "choose": Operation(
-        "{1[0]} if {0} < 0.5 else {1[2]} if {0} > 1.5 else {1[1]}", lambda i, of: of[i], _choose
+        "{1[0]} if {0} < 0.5 else {1[2]} if {0} > 1.5 else {1[1]}",
+        lambda i, of: of[int(i)],
+        _choose,
     ),
     "less": Operation("{} < {}", operator.lt, np.less, bool),
     "greater": Operation("{} > {}", operator.gt, np.greater, bool),
@@ -145,7 +147,21 @@ class Tape:
         return self._numbers[key]
 
 
-class Recorded:
+class Symbol:
+    """A number that notes what is done with it."""
+
+    __slots__ = ()
+
+    def note(self, operation: str, *operands: Operand) -> Operand:
+        """Do an operation on numbers, of which this is one, and remember it."""
+        raise NotImplementedError
+
+    def vector(self, x: Operand, y: Operand) -> Any:
+        """Return the plane vector of two numbers, of which this is one."""
+        raise NotImplementedError
+
+
+class Recorded(Symbol):
     """A real number or a truth value that an operation makes of others, or an input.
 
     It can stand wherever a float can stand.  Code that decides by it must use `select`.
@@ -161,6 +177,14 @@ class Recorded:
         self.name = name
         self.operation = operation
         self.operands = operands
+
+    def note(self, operation: str, *operands: Operand) -> Operand:
+        """Record an operation."""
+        return self.tape.note(operation, *operands)
+
+    def vector(self, x: Operand, y: Operand) -> RecordedVector:
+        """Return a vector of recorded numbers."""
+        return RecordedVector(x, y)
 
     def __str__(self) -> str:
         return self.name

@@ -143,7 +143,7 @@ class Solved:
             if isinstance(shape, Arrow):
                 found = direction_of(shape.start, shape.end)
             else:
-                found = complex(shape.direction)
+                found = shape.direction
             self._ways[stroke] = found
         return found
 
@@ -166,13 +166,13 @@ class Solved:
 
 def point_of(shape: Shape, vertex: str | int) -> complex:
     """Return a point of a shape by its name, or by its number among corners or points."""
-    found: Any
+    found: complex
     if isinstance(vertex, str):
         found = getattr(shape, vertex)
     else:
         several: Any = shape
         found = (several.corners if hasattr(several, "corners") else several.points)[vertex]
-    return complex(found)
+    return found
 
 
 @dataclass(frozen=True, slots=True)

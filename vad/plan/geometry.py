@@ -6,6 +6,8 @@ import cmath
 import math
 from dataclasses import dataclass
 
+from vad.kinematics.recording import Symbol
+
 SHORTEST = 1e-9  # less than this is no length
 
 
@@ -83,7 +85,12 @@ class Rect:
 
 def direction_of(start: complex, end: complex) -> complex:
     """Return the unit vector from ``start`` to ``end``, 0 where they coincide."""
-    return cmath.rect(1.0, cmath.phase(end - start)) if abs(end - start) > SHORTEST else 0j
+    way = end - start
+    if abs(way) <= SHORTEST:
+        return 0j
+    if isinstance(way.real, Symbol):  # it is traced
+        return way / abs(way)
+    return cmath.rect(1.0, cmath.phase(way))
 
 
 def bar_corners(start: complex, end: complex, wide: float) -> list[complex]:

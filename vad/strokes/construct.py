@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, angle_of, points_of, scalar_of
-from vad.kinematics.numbers import bearing
+from vad.kinematics.numbers import bearing, dot, facing
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing
 from vad.strokes.inking import PositionPencil
@@ -286,9 +286,7 @@ class _Construction:
         head, tail = slide.head, slide.tail
         towards = self.scene.at(tail) - self.scene.at(head)
         line = self.scene.heading(self.frame.line(slide, self.scene.pose))
-        if (line.conjugate() * towards).real < 0:
-            line = -line
-        shape = Line(self.scene.at(head), line, self.scene.at(tail))
+        shape = Line(self.scene.at(head), facing(line, towards), self.scene.at(tail))
         owner = Noun(self.ink.owner(slide))
         parts: dict[str, SentencePart] = {"head": tail, "pin": head, "link": owner}
         label = self.scene.write("parallel", line=self.scene.line(slide))
@@ -303,8 +301,8 @@ class _Construction:
         """
         line = self.scene.heading(self.frame.line(slide, self.scene.pose))
         at, start = self.scene.at(end), self.scene.at(self.ink.carrier(slide).tail)
-        towards = (line.conjugate() * (at - start)).real
-        shape = Line(at - towards * line, line if towards > 0 else -line, at)
+        foot = at - dot(line, at - start) * line
+        shape = Line(foot, facing(line, at - foot), at)
         label = self.scene.write("parallel", line=self.scene.line(slide))
         parts: dict[str, SentencePart] = {"head": end, "link": Noun(str(slide.along))}
         self.ink.draw(

@@ -72,7 +72,7 @@ def _chain(scene: Scene, outline: _Outline, order: int) -> Chain[StepVector]:
     for vector, forms in outline.forms.items():
         for name, line, amount in frame.components(vector.step, pose, rates):
             direction = scene.heading(line)
-            size = float(cast(float, amount)) * frame.scale
+            size = cast(float, amount) * frame.scale
             parts.append(Part(vector, name, size * direction, direction, *forms[name]))
     if outline.late:
         parts.sort(key=lambda part: part.name == "coriolis" and part.of in outline.late)

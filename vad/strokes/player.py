@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Generic, Protocol
 
+from vad.kinematics.numbers import facing
 from vad.strokes.sentences import Sentence
 from vad.strokes.sheet import (
     POLE,
@@ -135,8 +136,7 @@ class Pencil(Generic[V]):
     def line(self, part: Part[V], tip: Tip, end: str) -> None:
         """Draw the construction line of an unknown part, past the crossing at ``end``."""
         crossing = self.place(end)
-        away = (part.direction.conjugate() * (crossing - tip.at)).real < 0
-        direction = -part.direction if away else part.direction
+        direction = facing(part.direction, crossing - tip.at)
         said = self.words.line(part, tip.name, end)
         line = Line(tip.at, direction, crossing, part.square_to)
         own = StrokePart(part.of.name, "line")

@@ -24,6 +24,7 @@ from vad.kinematics.linkage import (
     scalar_of,
     scalars_of,
 )
+from vad.kinematics.numbers import minimum
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import ORDERS, Spot
 from vad.strokes.sentences import CaptionedMotion, Noun, Sentence
@@ -285,16 +286,18 @@ class Scene(CaptionedMotion, ABC):
     def outward(self, vector: complex) -> complex:
         """Turn a vector of the solver into the user's frame and unit."""
         frame = self.members.frame
-        return complex(vector * frame.turn * frame.scale)
+        turned: complex = vector * frame.turn * frame.scale
+        return turned
 
     def heading(self, direction: complex) -> complex:
         """Turn a unit vector of the solver into the user's frame."""
-        return complex(direction * self.members.frame.turn)
+        turned: complex = direction * self.members.frame.turn
+        return turned
 
     def at(self, point: str) -> complex:
         """Return where a point is, in the user's frame and unit."""
         if point not in self._places:
-            self._places[point] = complex(self.motion.read(("point", point, "position")))
+            self._places[point] = self.motion.read(("point", point, "position"))
         return self._places[point]
 
     def image(self, point: str, order: int) -> complex:
@@ -317,7 +320,8 @@ class Scene(CaptionedMotion, ABC):
     def size(self, bar: Bar) -> float:
         """Return the length of a bar in the user's unit, without its sign."""
         frame = self.members.frame
-        return abs(float(frame.size(bar, self.pose))) * frame.scale
+        size: float = abs(frame.size(bar, self.pose)) * frame.scale
+        return size
 
     def in_line(self, link: str, point: str) -> bool:
         """Tell whether a point of a link lies in line with the two that its loop finds."""
@@ -347,7 +351,8 @@ class Scene(CaptionedMotion, ABC):
         if bar.length != bar.link:
             return 0.0
         _, longest = self.motion.slide(str(bar.length)).travel
-        return min(0.9 * self.size(bar), longest / 2)  # a NaN travel is ignored
+        length: float = minimum(0.9 * self.size(bar), longest / 2)  # a NaN travel is ignored
+        return length
 
     @property
     def driver(self) -> Scalar:
@@ -391,11 +396,13 @@ class Scene(CaptionedMotion, ABC):
 
     def rate(self, name: str, order: int) -> float:
         """Return ω or α of a link."""
-        return float(self.orders(order)[-1].turning[name])
+        rate: float = self.orders(order)[-1].turning[name]
+        return rate
 
     def speed(self, name: str, order: int) -> float:
         """Return the velocity or acceleration of a slide in the user's unit."""
-        return float(self.orders(order)[-1].sliding[name]) * self.members.frame.scale
+        rate: float = self.orders(order)[-1].sliding[name] * self.members.frame.scale
+        return rate
 
     def line(self, slide: Slide) -> Noun:
         """Name the line of a slide."""

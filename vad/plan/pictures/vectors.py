@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from itertools import accumulate, combinations, pairwise
 from typing import Literal
 
+from vad.kinematics.numbers import minimum
 from vad.plan.anchors import Anchor, Solved
 from vad.plan.geometry import SHORTEST, Rect, direction_of
 from vad.plan.items import FOREVER, Level
@@ -276,13 +277,16 @@ def visible_start(
 
 def head_length(length: float, whole: bool) -> float:
     """Return the length of the arrowhead of a vector of a length on the page."""
-    return min(HEAD * (HEAD_WHOLE if whole else 1.0), HEAD_SHARE * length)
+    usual = HEAD * (HEAD_WHOLE if whole else 1.0)
+    least: float = minimum(usual, HEAD_SHARE * length)
+    return least
 
 
 def tip_of(start: complex, end: complex) -> complex:
     """Return where a vector's head ends: a little short of its vertex."""
     length = abs(end - start)
-    return end - min(TIP_GAP, 0.15 * length) * direction_of(start, end)
+    gap: float = minimum(TIP_GAP, 0.15 * length)
+    return end - gap * direction_of(start, end)
 
 
 def vector(
@@ -325,7 +329,7 @@ def head_of(start: complex, end: complex, whole: bool, lane: Lane = ALONE) -> li
     way, head = direction_of(start, end), head_length(abs(end - start), whole)
     tip = tip_of(start, end) + lane.aside
     base, half = tip - head * way, HEAD_HALF_WIDTH * head
-    left, right = (min(half, side) * 1j * way for side in (lane.left, lane.right))
+    left, right = (minimum(half, side) * 1j * way for side in (lane.left, lane.right))
     return [tip, base + left, base + HEAD_NOTCH * head * way, base - right]
 
 
