@@ -9,7 +9,7 @@ import pytest
 
 import vad
 from tests.kinematics.hand_built import BUILT, HandBuilt, turn
-from vad.kinematics.linkage import Bar, Linkage, Loop, angle_of
+from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of
 from vad.kinematics.reach import change_points
 
 
@@ -73,3 +73,11 @@ def test_sides_that_differ_are_no_parallelogram() -> None:
     mechanism = HandBuilt(Linkage(angle_of("crank"), (longer,), fixed={"D": 100 + 0j}))
     with pytest.raises(vad.InputError, match=r"^parallel: DC and the side opposite it differ by"):
         vad.solve(mechanism, angle=10.0).link("wheel").angle  # noqa: B018
+
+
+def test_a_bar_on_a_slide_is_no_parallelogram() -> None:
+    """Its rod is as long as the ground, but the crank has no bar opposite."""
+    chain = Bar("AB", "crank", 60), Bar("BC", "rod", 60)
+    guided = Loop(chain, (Slide("DC", "slider", 0.0, origin=60 + 0j),))
+    found = change_points(HandBuilt(Linkage(angle_of("crank"), (guided,), fixed={"D": 60 + 0j})))
+    assert [(point.place, point.parallel) for point in found] == [(90.0, False), (270.0, False)]

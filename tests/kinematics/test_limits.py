@@ -12,6 +12,7 @@ from mpmath import mp
 import vad
 from tests.kinds import PLANE, SPACE
 from tests.kinematics.test_traps import crank
+from vad.files.examples import example_path
 from vad.kinematics.reach import closing_range, travels
 
 
@@ -121,6 +122,7 @@ def test_a_tiny_ground_does_not_hide_the_rates_against_the_crank() -> None:
         vad.FourBar(ground=1e-199, rocker=1e140),
         vad.SliderCrank(crank=1e-199, rod=1.0, offset=1e140),
         vad.Whitworth(ground=1.0, crank=1e199, arm=1.0, rod=1e-199),
+        vad.load(example_path("offset-lever"))(lever=1e199),
     ],
     ids=str,
 )

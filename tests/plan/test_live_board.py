@@ -135,3 +135,17 @@ def pieces(pose: LivePose, role: str) -> list[tuple[complex, complex]]:
 def across(piece: tuple[complex, complex], way: complex) -> float:
     """Return how far a line leads to the left of a direction."""
     return ((piece[1] - piece[0]) * way.conjugate()).imag
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"ground": 1.2e-148, "crank": 5e-149, "lever": 250.0},
+        {"ground": 120.0, "crank": 50.0, "lever": 2.5e150},
+    ],
+)
+def test_the_name_of_a_vector_without_a_length_on_the_page_stands_above_it(given):
+    pose = board_of_all("crank-slotted-lever", **given).pose(
+        sheet_of("crank-slotted-lever", **given), {}, {}
+    )
+    assert 0.0 < pose.ways["acceleration"]["2ωv"] < 180.0

@@ -21,7 +21,7 @@ from vad.errors import InputError
 from vad.kinematics.any_solver import AnySolver
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Bar, Slide
-from vad.kinematics.loop_kinds import ParallelLoop
+from vad.kinematics.loop_kinds import ParallelLoop, loop_solver
 from vad.kinematics.numbers import cross, positive
 from vad.kinematics.solver import Solver, solver_of
 
@@ -322,7 +322,7 @@ def _can_be_parallel(solver: Solver, number: int) -> bool:
     linkage = solver.linkage
     loop = replace(linkage.loops[number], parallel=True)
     try:
-        ParallelLoop(solver.frame, 1.0, loop, linkage.unknowns[number])
+        solved = loop_solver(solver.frame, 1.0, loop, linkage.unknowns[number])
     except InputError:
         return False
-    return True
+    return isinstance(solved, ParallelLoop)  # a bar and a slide make none

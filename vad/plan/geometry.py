@@ -93,6 +93,11 @@ def direction_of(start: complex, end: complex) -> complex:
     return cmath.rect(1.0, cmath.phase(way))
 
 
+def normal_of(start: complex, end: complex) -> complex:
+    """Return the unit vector across the line from ``start`` to ``end``, up where they coincide."""
+    return 1j * (direction_of(start, end) or 1.0)
+
+
 def bar_corners(start: complex, end: complex, wide: float) -> list[complex]:
     """Return the corners of a straight part from ``start`` to ``end``, ``wide`` across."""
     half = wide / 2 * 1j * direction_of(end, start)

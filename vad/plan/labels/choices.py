@@ -14,7 +14,7 @@ from dataclasses import replace
 from typing import Protocol
 
 from vad.plan.anchors import Anchor
-from vad.plan.geometry import direction_of
+from vad.plan.geometry import normal_of
 from vad.plan.items import ALWAYS, Level
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import APART, CLEARANCE, WAYS, Placed, Wish, beside, place
@@ -147,7 +147,7 @@ class KeptLabels:
         stroke, solved = sketch.setting.panel.strokes[index], sketch.solved
         ends = ends_of(stroke)
         start, end = solved.places(ends)
-        runs, across = symbols(name), 1j * direction_of(start, end)
+        runs, across = symbols(name), normal_of(start, end)
         wanted = Wish((start + end) / 2, across, *ink_size(runs, SMALL_SIZE), near=GAPS)
         row = sketch.setting.row(stroke.link)
         self._add(sketch, name, runs, SMALL_SIZE, wanted, (ends[0], start), "tag", row)

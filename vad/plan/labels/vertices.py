@@ -12,7 +12,7 @@ from functools import cached_property, lru_cache
 from itertools import combinations
 
 from vad.plan.anchors import RIGHT, Anchor, Beside, Chains, PointName
-from vad.plan.geometry import direction_of
+from vad.plan.geometry import direction_of, normal_of
 from vad.plan.items import FOREVER, Level, Span
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import (
@@ -267,7 +267,7 @@ def add_tag(
 def _along(obstacles: Obstacles, start: complex, end: complex, runs: Runs, size: float) -> Placed:
     wide, high = ink_size(runs, size)
     span = end - start
-    normal = 1j * span / abs(span) if abs(span) > 1e-9 else 1j
+    normal = normal_of(start, end)
     if normal.imag < 0 or (normal.imag < 1e-9 and normal.real < 0):
         normal = -normal
     for gap in GAPS:
