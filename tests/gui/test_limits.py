@@ -164,7 +164,7 @@ def test_points_have_a_most(key):
     many = {f"P{i}": ["rod", i, 0] for i in range(MOST_POINTS + 1)}
     status, data = answer(key, points=many)
     assert status == 422
-    assert json.loads(data)["error"]["message"] == "points: must be at most 40, got 41"
+    assert json.loads(data)["error"]["message"] == "points: a window takes at most 40, got 41"
 
 
 def test_uploads_that_break_off_are_no_news(key):

@@ -15,8 +15,10 @@ import pytest
 
 import vad
 from tests.kinds import PLANE, SPACE
+from tests.limits import within
 from vad.cli.run import run
 from vad.kinematics.linkage import points_of
+from vad.strokes.draw import MOST_POINTS
 from vad.strokes.sheet import Arrow, Dot
 
 RAMS = {
@@ -166,3 +168,52 @@ def test_a_sweep_lists_it(tmp_path: Path):
     point = vad.solve(vad.SliderCrank(points={"D": ("rod", 100)}), angle=0.0).point("D")
     assert float(found["D position x [mm]"]) == point.position.real
     assert float(found["D acceleration y [mm/s^2]"]) == point.acceleration.imag
+
+
+def on_coupler(at: int) -> tuple[str, float, float]:
+    """Return the place of the point with this number."""
+    return "coupler", 10.0 + at, 7.0 * at
+
+
+def many(count: int) -> vad.FourBar:
+    """Return a four-bar with so many points on its coupler."""
+    names = [f"{letter}{number}" for letter in "EFGHPQ" for number in range(1000)]
+    places = {name: on_coupler(at) for at, name in enumerate(names[:count])}
+    return vad.FourBar(points=places)
+
+
+def test_thousands_of_points_are_solved_in_seconds():
+    with within(10.0):
+        motion = vad.solve(many(3000))
+        assert len(motion.table()) > 3000
+    one = with_point("four-bar", T=on_coupler(2999)).point("T").position
+    assert motion.point("G999").position == one
+
+
+def test_as_many_points_as_a_drawing_takes_are_drawn_in_seconds(tmp_path: Path):
+    with within(15.0):
+        vad.save(vad.draw(vad.solve(many(MOST_POINTS))), tmp_path / "many.svg")
+
+
+@pytest.mark.parametrize(
+    "drawn",
+    [
+        lambda kind: vad.draw(vad.solve(kind)),
+        lambda kind: vad.save(vad.turn(kind), "turn.svg"),
+        lambda kind: vad.multiples(kind, [10, 20]),
+        lambda kind: vad.animate(vad.draw(vad.solve(kind))),
+    ],
+)
+def test_more_points_than_a_drawing_takes_are_refused_by_name(drawn: Any):
+    message = "^points: a drawing has room for 100 on links, got 101$"
+    with pytest.raises(vad.InputError, match=message):
+        drawn(many(101))
+
+
+def test_a_window_refuses_points_when_it_opens(capsys: pytest.CaptureFixture[str]):
+    words = [f"--point=E{number} on coupler {number + 1}" for number in range(41)]
+    with within(10.0):
+        assert run(["gui", "four-bar", *words, "--no-browser"]) == 2
+    assert capsys.readouterr().err == "error: points: a window takes at most 40, got 41\n"
+    with pytest.raises(vad.UsageError, match="a window takes at most 40, got 41"):
+        vad.widget(many(41))

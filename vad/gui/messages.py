@@ -100,6 +100,11 @@ class Question:
 
         One that a file describes is asked for by the name of the file, and may be asked for beside
         the program's own.
+
+        Raises
+        ------
+        vad.errors.UsageError
+            For more further points than a window takes.
         """
         kind, name = type(mechanism), mechanism.name
         if MECHANISMS.get(name) is not kind:
@@ -109,7 +114,7 @@ class Question:
             mechanism.parameters(),
             {**mechanism.inputs, **inputs},
             mechanism.assembly,
-            {point: tuple(place) for point, place in mechanism.points.items()},
+            _points("points", {name: tuple(place) for name, place in mechanism.points.items()}),
             mechanism.length_unit,
             kinds={**MECHANISMS, name: kind},
             **options,
@@ -258,7 +263,7 @@ def _values(name: str, value: object) -> dict[str, NumberOrText]:
 def _points(name: str, value: object) -> dict[str, Any]:
     points = _object(name, value)
     if len(points) > MOST_POINTS:
-        raise UsageError(f"{name}: must be at most {MOST_POINTS}, got {len(points)}")
+        raise UsageError(f"{name}: a window takes at most {MOST_POINTS}, got {len(points)}")
     return points
 
 

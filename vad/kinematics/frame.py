@@ -7,6 +7,7 @@ solver adds the contributions up, and the polygons draw them.
 
 from __future__ import annotations
 
+import heapq
 import math
 from collections.abc import Callable, Iterator
 from typing import TypeGuard, cast
@@ -315,21 +316,30 @@ def _shortest(
         for number, pair in enumerate(frame.linkage.unknowns)
         for scalar in pair
     }
+    leading: dict[str, list[tuple[int, Hop, str]]] = {}
+    for number, step in enumerate(frame.steps):
+        leading.setdefault(step.tail, []).append((2 * number, (1, step), step.head))
+        leading.setdefault(step.head, []).append((2 * number + 1, (-1, step), step.tail))
     routes: dict[str, Route] = {letter: (letter, ()) for letter in frame.fixed}
     costs = {letter: (0, start[letter]) for letter in frame.fixed}
-    for _ in range(2 * len(frame.steps) + 1):  # each round leads to one more point, or is the last
-        candidates = []
-        for step in frame.steps:
-            for way, tail, head in ((1, step.tail, step.head), (-1, step.head, step.tail)):
-                if tail in routes and head not in routes:
-                    rank, so_far = costs[tail]
-                    total = max(rank, found.get(scalar_of(step), 0)), so_far + cost(step)
-                    guide = tail in frame.fixed and isinstance(step, Slide)
-                    key = (total[0], 0.0) if guide else total
-                    candidates.append((key, total, head, tail, (way, step)))
-        if not candidates:
-            break
-        _, total, head, tail, hop = min(candidates, key=lambda candidate: candidate[0])
-        begin, hops = routes[tail]
-        routes[head], costs[head] = (begin, (*hops, hop)), total
+    waiting: list[tuple[tuple[int, float], int, tuple[int, float], Hop, str, str]] = []
+
+    def look(tail: str) -> None:
+        """Let the steps that lead from a point wait for their turn."""
+        rank, so_far = costs[tail]
+        for number, (way, step), head in leading.get(tail, ()):
+            if head not in routes:
+                total = max(rank, found.get(scalar_of(step), 0)), so_far + cost(step)
+                guide = tail in frame.fixed and isinstance(step, Slide)
+                key = (total[0], 0.0) if guide else total
+                heapq.heappush(waiting, (key, number, total, (way, step), tail, head))
+
+    for letter in frame.fixed:
+        look(letter)
+    while waiting:  # each step waits twice at most, once from each of its ends
+        _, _, total, hop, tail, head = heapq.heappop(waiting)
+        if head not in routes:
+            begin, hops = routes[tail]
+            routes[head], costs[head] = (begin, (*hops, hop)), total
+            look(head)
     return routes

@@ -7,6 +7,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import islice
 from string import ascii_uppercase
 from typing import Any, NamedTuple
@@ -43,11 +44,15 @@ class LinkPoints(Mapping[str, LinkPoint]):
 
     items_given: tuple[tuple[str, LinkPoint], ...] = ()
 
+    @cached_property
+    def _by_name(self) -> dict[str, LinkPoint]:
+        return dict(self.items_given)
+
     def __getitem__(self, name: str) -> LinkPoint:
-        return dict(self.items_given)[name]
+        return self._by_name[name]
 
     def __iter__(self) -> Iterator[str]:
-        return iter(dict(self.items_given))
+        return iter(self._by_name)
 
     def __len__(self) -> int:
         return len(self.items_given)

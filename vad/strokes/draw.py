@@ -41,6 +41,9 @@ if TYPE_CHECKING:
 _TWIST = "_twist"
 #: The largest number of parameters in a title.
 MOST = 8
+#: The most further points on links: with their number, the time to place their letters grows by its
+#: square.  Solving takes as many as there are names.
+MOST_POINTS = 100
 
 
 def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: str = "en") -> Sheet:
@@ -60,7 +63,7 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     vad.errors.UsageError
         For an unknown panel or language, or a panel that does not apply to the mechanism.
     vad.errors.InputError
-        For a motion of many poses.
+        For a motion of many poses, or more further points on links than a page has room for.
     vad.errors.AssemblyError, vad.errors.DeadCentreError
         For a pose that does not exist, or has no rates.
 
@@ -195,8 +198,20 @@ class PlaneScene(Scene):
 
 
 def scene_of(motion: Motion[Any, Any, Any], language: Language) -> AnyScene:
-    """Return the scene of a motion, in the plane or in space."""
+    """Return the scene of a motion, in the plane or in space.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For more further points on links than a page has room for.
+    """
     if isinstance(motion.solver, Solver):
+        count = len(motion.solver.linkage.images)
+        if count > MOST_POINTS:
+            raise InputError(
+                f"points: a drawing has room for {MOST_POINTS} on links, got {count}",
+                hint="leave some out; vad solve and vad sweep take them all",
+            )
         return PlaneScene(motion, language)
     from vad.strokes.space.scene import SceneInSpace  # the plane does not need it
 

@@ -95,11 +95,12 @@ class Obstacles:
             past = (x - aside >= right) | (x + aside <= left)
             past |= (y - above >= top) | (y + above <= bottom)
             free &= past.all(axis=0)
-        if self.lines and free.any():
+        left = np.flatnonzero(free)  # on a full page few are
+        if self.lines and left.size:
             rows = max(1, _MOST_AT_ONCE // len(self.lines))
-            for first in range(0, len(at), rows):
-                some = slice(first, first + rows)
-                free[some] &= ~_meets(at[some], half_x, half_y, self._strokes()).any(axis=1)
+            for first in range(0, len(left), rows):
+                some = left[first : first + rows]
+                free[some] = ~_meets(at[some], half_x, half_y, self._strokes()).any(axis=1)
         return free
 
     def has_room(
