@@ -349,7 +349,7 @@ def test_an_operation_is_the_same_on_floats_and_on_blocks(operation: str) -> Non
     if operation in ("minimum", "maximum"):  # of NaN neither is asked, but what is above it
         asked = ~np.isnan(y if operation == "maximum" else x + y)
         x, y = x[asked], y[asked]
-    text, on_floats, on_blocks, kind, _ = OPERATIONS[operation]
+    text, _, on_floats, on_blocks, kind, _ = OPERATIONS[operation]
     out = np.empty(x.size, kind)
     with np.errstate(all="ignore"):
         on_blocks(x, y, out=out)

@@ -2,8 +2,8 @@
 
 The code of a solver runs once on such numbers, as it runs on floats.  Then every operation is
 known, and a `vad.kinematics.program.Program` can repeat them for one pose or for many.  Each
-operation has three forms: as Python writes it, on floats, and on blocks of some thousand poses.
-All three give the same bits.
+operation has four forms: as Python writes it, as JavaScript does, on floats, and on blocks of some
+thousand poses.  All give the same bits; only the arc tangent of a browser may differ in the last.
 """
 
 from __future__ import annotations
@@ -17,13 +17,15 @@ import numpy as np
 
 
 class Operation(NamedTuple):
-    """One operation: its text in Python, and its functions for floats and for blocks of poses.
+    """One operation: its texts in two languages, and its functions for floats and for blocks.
 
+    In JavaScript ``fold`` and ``copysign`` are those of ``vad/page/solver.js``.
     A function for blocks writes to the array ``out``, which may be the array of an operand, unless
     this is one of the operands that are ``kept``.  ``kind`` is the type of the result.
     """
 
     text: str
+    script: str
     on_floats: Callable[..., Any]
     on_blocks: Callable[..., Any]
     kind: type = float
@@ -77,38 +79,48 @@ LONGEST_TEXT = 400
 
 OPERATIONS = {
     "fold": Operation(  # no zero is negative
-        "remainder({}, 360.0) + 0.0", lambda x: math.remainder(x, 360.0) + 0.0, _fold, kept=(0,)
+        "remainder({}, 360.0) + 0.0",
+        "fold({})",
+        lambda x: math.remainder(x, 360.0) + 0.0,
+        _fold,
+        kept=(0,),
     ),
-    "add": Operation("{} + {}", operator.add, np.add),
-    "subtract": Operation("{} - {}", operator.sub, np.subtract),
-    "multiply": Operation("{} * {}", operator.mul, np.multiply),
-    "divide": Operation("{} / {}", operator.truediv, np.divide),
-    "negative": Operation("-{}", operator.neg, np.negative),
-    "absolute": Operation("abs({})", abs, np.absolute),
-    "copy": Operation("{}", float, _place),
-    "minimum": Operation("{0} if {0} < {1} else {1}", min, np.minimum),
-    "maximum": Operation("{0} if {0} > {1} else {1}", lambda x, y: x if x > y else y, np.fmax),
-    "sqrt": Operation("sqrt({})", math.sqrt, np.sqrt),
-    "copysign": Operation("copysign({}, {})", math.copysign, np.copysign),
+    "add": Operation("{} + {}", "{}+{}", operator.add, np.add),
+    "subtract": Operation("{} - {}", "{}-{}", operator.sub, np.subtract),
+    "multiply": Operation("{} * {}", "{}*{}", operator.mul, np.multiply),
+    "divide": Operation("{} / {}", "{}/{}", operator.truediv, np.divide),
+    "negative": Operation("-{}", "-{}", operator.neg, np.negative),
+    "absolute": Operation("abs({})", "abs({})", abs, np.absolute),
+    "copy": Operation("{}", "{}", float, _place),
+    "minimum": Operation("{0} if {0} < {1} else {1}", "{0}<{1}?{0}:{1}", min, np.minimum),
+    "maximum": Operation(
+        "{0} if {0} > {1} else {1}", "{0}>{1}?{0}:{1}", lambda x, y: x if x > y else y, np.fmax
+    ),
+    "sqrt": Operation("sqrt({})", "sqrt({})", math.sqrt, np.sqrt),
+    "copysign": Operation("copysign({}, {})", "copysign({},{})", math.copysign, np.copysign),
     # numpy's for one pose too: its last bit is not always that of the C library.
     "arctan2": Operation(
-        "float(arctan2({}, {}))", lambda y, x: float(np.arctan2(y, x)), np.arctan2
+        "float(arctan2({}, {}))", "atan2({},{})", lambda y, x: float(np.arctan2(y, x)), np.arctan2
     ),
     "round": Operation(  # of a number within ±1
-        "1.0 if {0} > 0.5 else -1.0 if {0} < -0.5 else 0.0", lambda x: float(round(x)), np.rint
+        "1.0 if {0} > 0.5 else -1.0 if {0} < -0.5 else 0.0",
+        "{0}>.5?1:{0}<-.5?-1:0",
+        lambda x: float(round(x)),
+        np.rint,
     ),
-    "place": Operation("{}", int, _place, np.intp),
+    "place": Operation("{}", "{}", int, _place, np.intp),
     "choose": Operation(
         "{1[0]} if {0} < 0.5 else {1[2]} if {0} > 1.5 else {1[1]}",
+        "{0}<.5?{1[0]}:{0}>1.5?{1[2]}:{1[1]}",
         lambda i, of: of[int(i)],
         _choose,
     ),
-    "less": Operation("{} < {}", operator.lt, np.less, bool),
-    "greater": Operation("{} > {}", operator.gt, np.greater, bool),
-    "equal": Operation("{} == {}", operator.eq, np.equal, bool),
-    "both": Operation("{} & {}", operator.and_, np.logical_and, bool),
-    "either": Operation("{} | {}", operator.or_, np.logical_or, bool),
-    "select": Operation("{1} if {0} else {2}", _either, _select, kept=(0, 1)),
+    "less": Operation("{} < {}", "{}<{}", operator.lt, np.less, bool),
+    "greater": Operation("{} > {}", "{}>{}", operator.gt, np.greater, bool),
+    "equal": Operation("{} == {}", "{}=={}", operator.eq, np.equal, bool),
+    "both": Operation("{} & {}", "{}&&{}", operator.and_, np.logical_and, bool),
+    "either": Operation("{} | {}", "{}||{}", operator.or_, np.logical_or, bool),
+    "select": Operation("{1} if {0} else {2}", "{0}?{1}:{2}", _either, _select, kept=(0, 1)),
 }
 
 
