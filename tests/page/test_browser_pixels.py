@@ -48,7 +48,7 @@ BARE = """() => {
     home.append(frame);
     frame.append(svg);
   }
-  const others = document.querySelectorAll('.board > *, .steps');
+  const others = document.querySelectorAll('.board > *, .steps, .grip');
   for (const each of others) each.style.visibility = 'hidden';
   for (let row = 0; row < 9; row++) home.style.setProperty(`--letter${row}`, `var(--ink${row})`);
 }"""

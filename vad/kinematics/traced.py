@@ -215,6 +215,15 @@ class TracedVector(complex):
         return complex.__eq__(self, other) is True
 
 
+def plain(value: Any) -> Any:
+    """Return the ordinary value of a number or a vector, or of a tuple of such values."""
+    if isinstance(value, tuple):
+        return tuple(map(plain, value))
+    if isinstance(value, TracedVector):
+        return complex(float(value.real), float(value.imag))
+    return value_of(value)
+
+
 def value_of(number: Any) -> Any:
     """Return the value of a number, traced or not."""
     if isinstance(number, TracedTruth):

@@ -25,8 +25,13 @@ from vad.words import Language
 #: The style of what is printed, if the page has it.
 _PRINTED = "paper"
 _START = (
-    "mount(document.querySelector('.vad'),JSON.parse(document.getElementById('data').textContent))"
+    "const root=document.querySelector('.vad'),"
+    "data=JSON.parse(document.getElementById('data').textContent);"
+    "mount(root,data);"
 )
+#: The scripts of a page that is turned, those first that others use.
+_HAND = ("solver.js", "labels.js", "picture.js", "hand.js")
+_TURNED = "window.vad=turn(root,{program},data.hand);"
 
 
 @cache
@@ -48,8 +53,13 @@ def document(lesson: Lesson, start: int = 0) -> str:
         How many strokes are done when it opens.
     """
     made = parts(lesson)
-    data = _json({**made.data, "start": start})
-    script = f"{asset('player.js')}\n{_START};\n"
+    data = {**made.data, "start": start}
+    parts_of_script = [asset("player.js"), _START]
+    if made.hand:
+        data["hand"] = made.hand.data
+        parts_of_script[:0] = map(asset, _HAND)
+        parts_of_script.append(_TURNED.replace("{program}", made.hand.program))
+    script = "\n".join(parts_of_script) + "\n"
     proof = b64encode(sha256(script.encode()).digest()).decode()
     policy = (
         "default-src 'none'; style-src 'unsafe-inline'; font-src data:; "
@@ -63,7 +73,7 @@ def document(lesson: Lesson, start: int = 0) -> str:
         f"<style>\n{made.faces.rules()}{asset('player.css')}"
         f"{colours(lesson.style, len(lesson.sheet.rows))}{made.looks}"
         f"</style>\n</head>\n<body>\n{section(lesson, made)}"
-        f'<script type="application/json" id="data">{data}</script>\n'
+        f'<script type="application/json" id="data">{_json(data)}</script>\n'
         f'<script type="module">{script}</script>\n</body>\n</html>\n'
     )
 

@@ -71,6 +71,11 @@ class Inker:
         """Return a mark in its final state."""
         return self._elements.of(mark.shape, self.inks(mark)).replace("\n", "")
 
+    @property
+    def frame(self) -> list[float]:
+        """What makes pixels of page units: pixels to the unit, and the left and the upper edge."""
+        return self._grid.frame
+
     def view(self, area: Rect) -> str:
         """Return the view of an area of the page."""
         corner, unit = self._grid.at(complex(area.left, area.top)), self._grid.unit

@@ -14,6 +14,7 @@ from typing import Any
 
 from vad.lecture.lesson import Lesson, LessonStep
 from vad.lecture.moment import drawing
+from vad.page.hand import Hand, hand
 from vad.page.ink import Inker, when
 from vad.page.spoken import spoken
 from vad.page.themed import Inks, lettered
@@ -23,6 +24,7 @@ from vad.painting.svg_text import Faces
 from vad.plan.board import Plan, plan, reach
 from vad.plan.format import screen
 from vad.plan.geometry import Rect
+from vad.plan.hand_board import HandBoard, hand_board
 from vad.plan.items import FOREVER
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, said, symbols
@@ -75,12 +77,18 @@ class Parts:
     lines: int
     looks: str
     faces: Faces
+    hand: Hand | None = None
 
 
 def page_plan(lesson: Lesson) -> Plan:
     """Return the board of a lesson as its page shows it, whatever the size of its film."""
-    key = load_style(lesson.style).key
-    return plan(lesson.sheet, screen(SIZE), key, lesson=True, words=False)
+    return _plan(lesson, turned_board(lesson))
+
+
+def _plan(lesson: Lesson, turned: HandBoard | None) -> Plan:
+    """Return the board of a lesson; its mechanism has the scale at which it can be turned."""
+    key, scales = load_style(lesson.style).key, turned.live.scales if turned else {}
+    return plan(lesson.sheet, screen(SIZE), key, lesson=True, scales=scales, words=False)
 
 
 def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
@@ -93,12 +101,17 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
     board
         Its board, where that has scales of its own.
     """
-    board = board or page_plan(lesson)
-    style, faces = load_style(lesson.style), Faces()
+    style, faces, sheet = load_style(lesson.style), Faces(), lesson.sheet
+    turned = None if board else turned_board(lesson)
+    board = board or _plan(lesson, turned)
     inker, words = Inker(board.form, Inks(style), faces), RunWriter(faces)
-    sheet = lesson.sheet
     listed = [_listed(lesson, step, words) for step in lesson.steps]
-    drawn = [panel_section(board, panel, inker, words) for panel in sheet.panels]
+    moved = hand(turned, sheet, inker) if turned else None
+    layers = moved.layers if moved else {}
+    drawn = [
+        panel_section(board, panel, inker, words, layers.get(panel.name, ""))
+        for panel in sheet.panels
+    ]
     results = table(board, style.key, inker, words)
     title = words.of(roman(sheet.title), light=False, heavy=True)
     items = words.of(roman(", ".join(item.replace(" ", "\u00a0") for item in parameters(sheet))))
@@ -136,7 +149,17 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
         lines=len(board.page.captions),
         looks=inker.classes.sheet(),
         faces=faces,
+        hand=moved,
     )
+
+
+def turned_board(lesson: Lesson) -> HandBoard | None:
+    """Return the board on which a lesson's mechanism is turned; None where it cannot be."""
+    sheet = lesson.sheet
+    if not sheet.source or any(panel.picture == "views" for panel in sheet.panels):
+        return None
+    names = [panel.name for panel in sheet.panels]
+    return hand_board(sheet.source.mechanism, names, sheet.language, screen(SIZE), 1)
 
 
 def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, str]:
@@ -147,15 +170,17 @@ def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, st
     return item, spoken(pieces, lesson.sheet.language)
 
 
-def panel_section(board: Plan, panel: Panel, inker: Inker, words: RunWriter) -> str:
-    """Return a panel: its head, its drawing, and its equations."""
+def panel_section(
+    board: Plan, panel: Panel, inker: Inker, words: RunWriter, layer: str = ""
+) -> str:
+    """Return a panel: its head, its drawing with the ``layer`` that a hand moves, its equations."""
     begun = when([(drawing(board.sketches[panel.name].setting.first), FOREVER)])
     wide = board.page.panels[panel.name].drawing.width * board.form.unit
     name = words.of(roman(panel.title), light=False, heavy=True)
     return (
         f'<section class="panel" style="--w:{number(wide)}">'
         f'<div class="top"{begun}><h2>{name}</h2>{scale_bar(board, panel, words)}</div>'
-        f"{picture(board, panel, inker)}"
+        f"{picture(board, panel, inker, layer)}"
         f'<div class="foot"{begun}>{_foot(board, panel, inker, words)}</div></section>'
     )
 
@@ -173,7 +198,7 @@ def scale_bar(board: Plan, panel: Panel, words: RunWriter) -> str:
     )
 
 
-def picture(board: Plan, panel: Panel, inker: Inker) -> str:
+def picture(board: Plan, panel: Panel, inker: Inker, layer: str = "") -> str:
     """Return the drawing of a panel, with how far its ink reaches up and down."""
     area = board.page.panels[panel.name].drawing
     ink = reach(item for item in board.items if item.region == panel.name)
@@ -182,7 +207,9 @@ def picture(board: Plan, panel: Panel, inker: Inker) -> str:
     return (
         f'<div class="drawing" style="--cut:{number(cut[0], 4)};--ink:{number(cut[1], 4)}">'
         f'<svg viewBox="{inker.view(area)}" role="img" aria-label="{escape(panel.title)}">'
-        f"{inker.drawing(board, panel.name)}</svg></div>"
+        f"{inker.drawing(board, panel.name)}"
+        + (f'<g class="hand">{layer}</g>' if layer else "")
+        + "</svg></div>"
     )
 
 

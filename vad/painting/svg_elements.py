@@ -39,6 +39,11 @@ class Grid:
         self._length = _lengths(self.fine)
         self._scale = self.unit * self.fine
 
+    @property
+    def frame(self) -> list[float]:
+        """Pixels to the page unit, and the left and the upper edge in page units."""
+        return [self.unit, self._corner.real, self._corner.imag]
+
     def at(self, z: complex) -> tuple[str, str]:
         """Return x and y of a point."""
         x, y = self.steps(z)

@@ -75,17 +75,22 @@ class LiveBoard:
         """
         board = cls(form, arrange(sheet, form, lines)[0], {})
         pictures = {
-            panel.name: over_reach(board._setting(sheet, panel), poses)
+            panel.name: over_reach(board.setting(sheet, panel), poses)
             for panel in sheet.panels
             if panel.picture != "vectors"
         }
         return replace(board, pictures=pictures)
 
+    @property
+    def scales(self) -> dict[str, Scale]:
+        """The scale of the mechanism, by the name of its panel."""
+        return {name: picture.scale for name, picture in self.pictures.items()}
+
     def resized(self, sheet: Sheet, scales: Mapping[str, Scale]) -> LiveBoard:
         """Return it for other dimensions; everything that stands still keeps its place."""
         pictures = {
             panel.name: resized(
-                self.pictures[panel.name], self._setting(sheet, panel), scales.get(panel.name)
+                self.pictures[panel.name], self.setting(sheet, panel), scales.get(panel.name)
             )
             for panel in sheet.panels
             if panel.name in self.pictures
@@ -100,7 +105,7 @@ class LiveBoard:
         turned: dict[str, dict[str, float]] = {}
         for half in sheet.halves:
             name, above = half.name, sketches.get(half.column)
-            setting = self._setting(sheet, half, above.obstacles if above else None)
+            setting = self.setting(sheet, half, above.obstacles if above else None)
             labels, picture = KeptLabels(ways.get(name, {})), self.pictures.get(name)
             if picture:
                 kept[name] = picture.scale
@@ -122,5 +127,6 @@ class LiveBoard:
         halves = rooms(column, self.page.panels[column.name].drawing, OVERLAP)
         return next(room for half, room in halves if half.name == panel.name)
 
-    def _setting(self, sheet: Sheet, panel: Panel, taken: Obstacles | None = None) -> Setting:
+    def setting(self, sheet: Sheet, panel: Panel, taken: Obstacles | None = None) -> Setting:
+        """Return what a picture is given: a panel in its place."""
         return Setting(sheet, panel, self.room(panel, sheet), rows_of(sheet), taken=taken)

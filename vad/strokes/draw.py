@@ -26,6 +26,7 @@ from vad.strokes.sheet import (
     Panel,
     Row,
     Sheet,
+    Source,
     driver_of,
 )
 from vad.words import Language
@@ -98,6 +99,7 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
         language=language,
         notation=notation,
         driver=driver_of(scene.driver.name, scene.driver.kind == "angle", clean, drawn),
+        source=Source(mechanism, dict(motion.inputs)),
     )
 
 

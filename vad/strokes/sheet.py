@@ -23,7 +23,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from vad.displayed import Displayed
 from vad.strokes.notation import Notation
@@ -281,6 +281,13 @@ class Coincidence:
     reason: Reason
 
 
+class Source(NamedTuple):
+    """A mechanism, and the motion of its driver in one pose."""
+
+    mechanism: Any
+    inputs: Mapping[str, float]
+
+
 @dataclass(frozen=True, slots=True)
 class Driver:
     """What drives the mechanism.
@@ -435,7 +442,8 @@ class Sheet(Displayed):
 
     ``parameters`` are (name, value, unit) in the title, where a `TWIST` joins the length before it;
     ``rows`` are the links, then the slides: their order decides their colours.  ``notation`` says
-    how the numbers in these data are written.  ``driver`` is what drives the mechanism.
+    how the numbers in these data are written.  ``driver`` is what drives the mechanism.  ``source``
+    is what was drawn; None for a sheet that was read from JSON.
     """
 
     mechanism: str
@@ -446,6 +454,7 @@ class Sheet(Displayed):
     language: str = "en"
     notation: Notation = field(default_factory=Notation)
     driver: Driver = Driver()
+    source: Source | None = field(default=None, compare=False, repr=False)
 
     @property
     def halves(self) -> tuple[Panel, ...]:

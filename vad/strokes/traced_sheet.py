@@ -37,7 +37,13 @@ class TracedSheet:
     """
 
     sheet: Sheet
-    inputs: Mapping[str, Traced]
+    inputs: dict[str, Traced]
+    tape: Tape
+
+    def input(self, name: str, value: float) -> Traced:
+        """Add an input, for what follows from the sheet and from something else."""
+        self.inputs[name] = Traced.input(self.tape, f"i{len(self.inputs)}", value)
+        return self.inputs[name]
 
     def program(self, numbers: Iterable[float]) -> Program:
         """Return the program from the inputs to some numbers of the sheet, in their order."""
@@ -70,8 +76,11 @@ def traced_sheet(
         For a pose that cannot be drawn.
     """
     tape = Tape()
-    given = {name: Traced.input(tape, name, value) for name, value in inputs.items()}
+    given = {
+        name: Traced.input(tape, f"i{number}", value)
+        for number, (name, value) in enumerate(inputs.items())
+    }
     # A solver of its own: the usual one answers from what it has calculated before.
     solver: Any = solver_of.__wrapped__(mechanism)
     kind = Motion if isinstance(solver, Solver) else MotionInSpace
-    return TracedSheet(draw(kind(mechanism, solver, dict(given)), panels, language), given)
+    return TracedSheet(draw(kind(mechanism, solver, dict(given)), panels, language), given, tape)

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from itertools import combinations
 
-from vad.plan.anchors import RIGHT, Anchor, Beside, Chains, PointName
+from vad.plan.anchors import RIGHT, Anchor, Beside, Chains, PointName, point_of
 from vad.plan.geometry import direction_of, normal_of
 from vad.plan.items import FOREVER, Level, Span
 from vad.plan.labels.obstacles import PIXEL, Obstacles
@@ -130,6 +130,35 @@ def find_vertices(panel: Panel, scale: Scale) -> list[Vertex]:
                 ways = [direction_of(at, other) for other in places if other != at]
                 vertex(letter, at, index, number).ways.extend(ways)
     return [spot for spot in _merged(found) if spot.letters]
+
+
+def vertices_by_letter(panel: Panel, scale: Scale) -> list[Vertex]:
+    """Return the vertices of ``panel`` by their letters alone, wherever they are in this pose.
+
+    Letters share a vertex if they have one place in every pose: at a pole, or under a block.
+    """
+    shared = [set(each.letters) for each in panel.coincident if each.reason != "zero"]
+    found: list[Vertex] = []
+    for index, stroke in enumerate(panel.strokes):
+        for letters, point in _named(stroke):
+            names = {letter.strip() for letter in letters.split(",") if letter.strip()}
+            alike = names.union(*(each for each in shared if each & names))
+            spot = next((each for each in found if each.letters.keys() & alike), None)
+            if not names:
+                continue
+            if spot is None:
+                at = scale(point_of(stroke.shape, point))
+                spot = Vertex({at: Anchor.of(stroke.name, point)}, {})
+                found.append(spot)
+            for letter in letters.split(","):
+                spot.letters.setdefault(letter.strip(), index)
+        if isinstance(stroke.shape, Arrow):
+            way = direction_of(scale(stroke.shape.start), scale(stroke.shape.end))
+            for letter, ahead in ((stroke.shape.tail, way), (stroke.shape.head, -way)):
+                for spot in found:
+                    if letter in spot.letters:
+                        spot.ways.append(ahead)
+    return found
 
 
 def _merged(vertices: list[Vertex]) -> list[Vertex]:

@@ -33,13 +33,16 @@ class Links:
         self.size = size
         self._pieces: dict[tuple[str, bool, bool], Piece] = {}
 
-    def pieces(self, sketch: Sketch, order: Iterable[int]) -> Iterator[tuple[int, Piece | None]]:
+    def pieces(
+        self, sketch: Sketch, order: Iterable[int], alone: bool = False
+    ) -> Iterator[tuple[int, Piece | None]]:
         """Yield strokes in an order, each with how it hangs if it is a bar, block, plate or slot.
 
-        The anchors are the same in all poses, except those of bars on a longer bar, and of levers
-        whose block is behind their pivot.
+        The anchors are the same in all poses, except those of bars on a longer bar, which are
+        narrower unless they are drawn ``alone``, and of levers whose block is behind their pivot.
         """
-        panel, narrow, behind = sketch.setting.panel, self._narrow(sketch), self._behind(sketch)
+        panel, behind = sketch.setting.panel, self._behind(sketch)
+        narrow = set() if alone else self._narrow(sketch)
         for index in order:
             stroke = panel.strokes[index]
             match stroke.shape:

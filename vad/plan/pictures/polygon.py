@@ -14,9 +14,9 @@ from itertools import product
 from vad.plan.anchors import SWELLING, Anchor, Area, Circle, Hung, PointName, on_page
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, Level
-from vad.plan.labels.choices import PLACED, LabelChoice
+from vad.plan.labels.choices import PLACED, LabelChoice, ends_of
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.labels.vertices import find_vertices
+from vad.plan.labels.vertices import find_vertices, vertices_by_letter
 from vad.plan.pictures.constructions import add_construction, line_of, name_construction
 from vad.plan.pictures.inset import (
     SIZES,
@@ -27,7 +27,7 @@ from vad.plan.pictures.inset import (
     find_corner,
     reserved,
 )
-from vad.plan.pictures.vectors import add_vector, place_vectors
+from vad.plan.pictures.vectors import Vector, add_vector, is_whole, place_vectors
 from vad.plan.reach import corners
 from vad.plan.roles import DOT_RIM, ROLES
 from vad.plan.scale import Scale, bar_box, bar_marks, fill, polygon_scale, stated
@@ -81,13 +81,29 @@ class Polygon:
         return sketch
 
     def under_hand(self, setting: Setting, labels: LabelChoice) -> Sketch:
-        """Return the vectors and dots of one pose that a hand has set, with their names."""
+        """Return the vectors and dots of one pose that a hand has set, with their names.
+
+        It is the same picture for all poses: each vector lies on its true line, and each letter has
+        a dot of its own.
+        """
         strokes = tuple(s for s in setting.panel.strokes if isinstance(s.shape, Arrow | Dot))
-        shown = replace(setting, panel=replace(setting.panel, strokes=strokes))
-        sketch = Sketch(shown, self.scale, setting.clear(), finished=True)
-        for index, placed in place_vectors(sketch).items():
-            add_vector(sketch, index, placed)
-        self._finish(sketch, labels)
+        panel = replace(setting.panel, strokes=strokes)
+        sketch = Sketch(replace(setting, panel=panel), self.scale, setting.clear(), finished=True)
+        for stroke in strokes:
+            if isinstance(stroke.shape, Arrow):
+                ends, whole = ends_of(stroke), is_whole(stroke, panel)
+                row, role = setting.row(stroke.link), "whole" if whole else "vector"
+                marks = Vector(*ends, whole).marks(sketch.solved, row, role, grows=False)
+                sketch.add(stroke, Level.STROKE, 0, marks)
+                sketch.obstacles.line(sketch.solved.places(ends), ROLES[role].width / 2)
+        vertices = vertices_by_letter(panel, self.scale)
+        for vertex in vertices:
+            sketch.hang(vertex.since, Level.DOT, [dot(vertex.anchor)])
+            sketch.obstacles.disc(vertex.at, RADIUS)
+        labels.vertices(sketch, vertices, 0.0, NEAR)
+        for index, stroke in enumerate(strokes):
+            if name := name_of(stroke):
+                labels.vector(sketch, index, name)
         return sketch
 
     def pose(self, panel: Panel) -> Sketch:

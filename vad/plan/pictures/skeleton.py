@@ -15,7 +15,7 @@ from vad.plan.anchors import SWELLING, Anchor, Hung, Solved
 from vad.plan.items import Level
 from vad.plan.labels.choices import PLACED, LabelChoice
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.labels.vertices import Vertex, find_vertices
+from vad.plan.labels.vertices import Vertex, find_vertices, vertices_by_letter
 from vad.plan.pictures import angles, machine, supports
 from vad.plan.pictures.constructions import (
     add_compass,
@@ -182,9 +182,12 @@ class Skeleton:
 
         What is driven has a handle, of which labels keep clear.
         """
-        vertices = find_vertices(setting.panel, self.scale)
-        sketch = self._moving(setting.panel, self.still, vertices)
-        sketch.setting = setting
+        panel = setting.panel
+        vertices = vertices_by_letter(panel, self.scale)
+        obstacles = Obstacles(setting.room, list(self.still.obstacles.lines))
+        sketch = Sketch(setting, self.scale, obstacles, finished=True)
+        self._add_strokes(sketch, alone=True)
+        self._add_joints(sketch, vertices)
         arcs = angles.angle_arcs(sketch)
         if arcs and self.sense:
             index = setting.panel.find(setting.sheet.driver.stroke)
@@ -195,10 +198,13 @@ class Skeleton:
         self._letter(sketch, vertices, labels, arcs)
         return sketch
 
-    def _add_strokes(self, sketch: Sketch) -> None:
-        """Add all strokes; where some stand still, those that move."""
+    def _add_strokes(self, sketch: Sketch, alone: bool = False) -> None:
+        """Add all strokes; where some stand still, those that move.
+
+        ``alone`` draws each bar as if it lay on no other one in this pose.
+        """
         panel = sketch.setting.panel
-        for index, piece in self._links.pieces(sketch, painting_order(panel)):
+        for index, piece in self._links.pieces(sketch, painting_order(panel), alone):
             if piece:
                 sketch.put(index, piece)
             elif not sketch.finished:

@@ -1,0 +1,139 @@
+"""The board that is laid out once with traced numbers is the board of every other pose, too."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import vad
+from tests.kinds import SPACE
+from vad.errors import VadError
+from vad.kinematics.reach import closing_range
+from vad.kinematics.traced import Traced, plain
+from vad.mechanisms import Mechanism
+from vad.plan.format import screen
+from vad.plan.hand_board import HandBoard, NamedLabels, hand_board
+from vad.plan.pictures.polygon import Polygon
+from vad.plan.scale import Scale
+from vad.plan.sketch import Sketch
+from vad.strokes.draw import chosen
+
+EXAMPLES = {
+    path.stem: vad.load(str(path))
+    for path in (Path(vad.__file__).parent / "examples").glob("*.toml")
+}
+KINDS: dict[str, Any] = {**vad.MECHANISMS, **dict(sorted(EXAMPLES.items()))}
+POSES = 30
+#: Pixels of a page 720 high.
+CLOSE = 0.05
+#: These take a free place beside what moves, which is another one in another pose.
+CHOSEN = ("speed", "tag")
+
+
+def board_of(name: str) -> HandBoard:
+    mechanism: Mechanism = KINDS[name]()
+    panels = chosen(None, vad.solve(mechanism))
+    return hand_board(mechanism, panels, "en", screen((1280, 720)), 1)
+
+
+def coordinates(sketches: dict[str, Sketch]) -> dict[tuple[Any, ...], float]:
+    """Return every coordinate of every mark, by stroke, level, role, and the mark's number."""
+    found: dict[tuple[Any, ...], float] = {}
+    count: dict[tuple[Any, ...], int] = {}
+    for panel, sketch in sketches.items():
+        for item in sketch.items:
+            arrow = any(mark.role in CHOSEN for mark in item.marks)
+            for mark in () if arrow else item.marks:
+                key = panel, item.stroke, item.level.name, mark.role
+                count[key] = count.get(key, -1) + 1
+                found.update(numbers(mark.shape, (*key, count[key])))
+    return found
+
+
+def numbers(value: Any, name: tuple[Any, ...]) -> Iterator[tuple[tuple[Any, ...], float]]:
+    if isinstance(value, complex):
+        yield (*name, "x"), value.real
+        yield (*name, "y"), value.imag
+    elif isinstance(value, float):
+        yield name, value
+    elif isinstance(value, tuple):
+        for number, each in enumerate(value):
+            yield from numbers(each, (*name, number))
+    elif is_dataclass(value):
+        for each in fields(value):
+            yield from numbers(getattr(value, each.name), (*name, each.name))
+
+
+def posed(board: HandBoard, inputs: dict[str, float]) -> dict[str, Sketch]:
+    """Return the sketches of a pose that is drawn with ordinary numbers."""
+    panels = [panel.name for panel in board.traced.sheet.panels]
+    sheet = vad.draw(vad.solve(board.mechanism, **inputs), panels)
+    sketches: dict[str, Sketch] = {}
+    for half in sheet.halves:
+        setting = board.live.setting(sheet, half)
+        traced = board.scales[half.name]
+        scale = Scale(plain(traced.origin), plain(traced.factor))
+        picture = board.live.pictures.get(half.name) or Polygon(setting, scale)
+        sketches[half.name] = picture.under_hand(setting, NamedLabels(half.name))
+    return sketches
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", [name for name in KINDS if name not in SPACE])
+def test_one_traced_board_is_the_board_of_every_pose(name: str) -> None:
+    board = board_of(name)
+    found = coordinates(dict(board.sketches))
+    program = board.traced.program(found.values())
+    rng, (place, rate, second) = np.random.default_rng(7), tuple(board.mechanism.inputs)
+    ranges = closing_range(board.mechanism)
+    poses = []
+    for _ in range(POSES):
+        low, high = ranges[rng.integers(len(ranges))]
+        at = float(low + (high - low) * rng.uniform(0.01, 0.99))
+        rates = [
+            float(board.traced.inputs[each]) * rng.uniform(0.5, 1.0) for each in (rate, second)
+        ]
+        poses.append({place: at, rate: rates[0], second: rates[1]})
+    given = [
+        np.array([pose.get(key, float(value)) for pose in poses])
+        for key, value in board.traced.inputs.items()
+    ]
+    table = dict(zip(found, program.many(given, POSES), strict=True))
+    drawn = 0
+    for number, pose in enumerate(poses):
+        try:
+            wanted = coordinates(posed(board, pose))
+        except VadError:
+            continue
+        drawn += 1
+        assert wanted.keys() <= found.keys()
+        for key, value in wanted.items():
+            if key[3] == "angle" and key[-1] == "radius":
+                continue  # an arc is smaller where its room ends
+            assert abs(table[key][number] - value) * 720.0 <= CLOSE, (key, pose)
+    assert drawn > POSES / 2
+
+
+def test_scales_of_polygons_are_inputs() -> None:
+    """Twice the scale moves a vertex twice as far from the pole."""
+    board = board_of("four-bar")
+    label = next(each for each in board.labels if (each.panel, each.name) == ("velocity", "b"))
+    program = board.traced.program([label.at.real, label.at.imag])
+    given = {name: float(value) for name, value in board.traced.inputs.items()}
+    factor = np.array([1.0, 2.0]) * given["velocity scale"]
+    given |= {"velocity x": 0.0, "velocity y": 0.0}
+    columns = [factor if name == "velocity scale" else value for name, value in given.items()]
+    x, y = program.many(columns, 2)
+    assert isinstance(label.at.real, Traced)
+    np.testing.assert_allclose([x[1], y[1]], [2.0 * x[0], 2.0 * y[0]], rtol=1e-14)
+
+
+def test_each_vertex_has_its_letters_in_every_pose() -> None:
+    names = {(label.panel, label.name) for label in board_of("four-bar").labels}
+    assert {("position", letter) for letter in "ABCD"} < names
+    assert {("acceleration", each) for each in ("b′ₙ", "b′", "cₙ", "c″ₙ", "c′", "a′, d′")} < names

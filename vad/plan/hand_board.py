@@ -1,0 +1,356 @@
+"""The board of a mechanism that a hand turns: marks and labels that follow from the inputs.
+
+One pose is drawn with traced numbers (`vad.strokes.traced_sheet`) and laid out with them, too.  So
+each place on the page is known as a program of the driver's motion and of the scales of polygons,
+which a player runs for every other pose.  Labels have no places yet: the player finds them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from vad.errors import AssemblyError, VadError
+from vad.kinematics.motion import solve
+from vad.kinematics.reach import closing_range
+from vad.kinematics.traced import TracedVector
+from vad.plan.format import Format
+from vad.plan.items import Item
+from vad.plan.labels.choices import VALUE, VALUE_NEAR
+from vad.plan.labels.vertices import GAPS, LETTER, SMALL_SIZE, Vertex, wish
+from vad.plan.lettering.glyphs import ink_size
+from vad.plan.lettering.runs import Runs, roman, symbols
+from vad.plan.live_board import LiveBoard
+from vad.plan.marks import Bow
+from vad.plan.pictures.polygon import Polygon
+from vad.plan.pictures.vectors import ALONE, place_vectors
+from vad.plan.pictures.views import held_arc, tip_of
+from vad.plan.scale import Scale, calm_scale
+from vad.plan.sketch import Sketch
+from vad.strokes.draw import draw
+from vad.strokes.sheet import Arrow, Block, Panel, Sheet
+from vad.strokes.traced_sheet import TracedSheet, traced_sheet
+
+if TYPE_CHECKING:
+    from vad.mechanisms.mechanism import Mechanism
+
+#: In how many poses the mechanism is drawn to find out how much room it needs.
+_POSES = 12
+#: These poses lie closer together near the ends of a range, where links turn fastest: as evenly
+#: spaced points of a half circle do when they are projected on its diameter.  The first and the
+#: last point are this angle from the ends, in radians.
+_END = 0.05
+_TURN = (0.0, 360.0)
+#: The first pose of a whole turn is this share of a step from 0°, where many poses are special.
+_ASIDE = 0.37
+#: Rates with which no vector vanishes.
+_RATES = (1.0, 0.37)
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """A label that is to be placed, on the page.
+
+    Attributes
+    ----------
+    panel, name
+        The panel in which it stands, and what tells it from others there.
+    runs, size, role, row
+        Its text and how that looks.
+    wide, high
+        The size of its ink.
+    at
+        What it names, a traced place.
+    radius
+        That of the dot there.
+    near
+        The distances at which it may stand, the best first.
+    way
+        The direction in which it would best stand in the traced pose, a unit vector.
+    across
+        For the name of a vector the other end of what it names: it stands beside the middle.
+    """
+
+    panel: str
+    name: str
+    runs: Runs
+    size: float
+    role: str
+    row: int | None
+    wide: float
+    high: float
+    at: complex
+    radius: float
+    near: Sequence[float]
+    way: complex
+
+
+@dataclass
+class NamedLabels:
+    """The labels of one pose by their names, without places."""
+
+    panel: str
+    found: list[Label] = field(default_factory=list)
+
+    def vertices(
+        self, sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
+    ) -> None:
+        """Note the letters of vertices; see `vad.plan.labels.choices.LabelChoice`."""
+        for number, vertex in enumerate(vertices):
+            wanted = wish(vertex, vertices, radius, near)
+            again = sum(other.label == vertex.label for other in vertices[:number])
+            name = f"{vertex.label} {again}" if again else vertex.label  # in another view
+            self._note(name, symbols(vertex.label), LETTER, vertex.at, wanted.first, near, radius)
+
+    def angle(self, sketch: Sketch, index: int, arc: Bow) -> None:
+        """Note the value of an angle."""
+        stroke = sketch.setting.panel.strokes[index]
+        way = _ray(arc.start + 0.5 * arc.sweep)
+        at = arc.centre + arc.radius * way
+        self._note(
+            f"angle {stroke.name}", roman(stroke.label), VALUE, at, way, VALUE_NEAR, role="value"
+        )
+
+    def vector(self, sketch: Sketch, index: int, name: str) -> None:
+        """Note the name of a vector, which stands beside its middle."""
+        stroke = sketch.setting.panel.strokes[index]
+        shape: Any = stroke.shape
+        start, end = sketch.scale(shape.start), sketch.scale(shape.end)
+        across = 1j * complex(end - start) / (abs(complex(end - start)) or 1.0)
+        row = sketch.setting.row(stroke.link)
+        middle = (start + end) / 2
+        self._note(name, symbols(name), SMALL_SIZE, middle, across, GAPS, role="tag", row=row)
+
+    def _note(
+        self,
+        name: str,
+        runs: Runs,
+        size: float,
+        at: complex,
+        way: complex,
+        near: Sequence[float],
+        radius: float = 0.0,
+        role: str = "letter",
+        row: int | None = None,
+    ) -> None:
+        ink = ink_size(runs, size)
+        self.found.append(
+            Label(self.panel, name, runs, size, role, row, *ink, at, radius, near, complex(way))
+        )
+
+
+def _ray(degrees: float) -> complex:
+    """Return the unit vector at an angle; of a traced angle a traced one."""
+    from vad.kinematics.numbers import direction, fold
+
+    found: complex = direction(fold(degrees))
+    return found
+
+
+@dataclass(frozen=True, slots=True)
+class Grip:
+    """The handle on the pin, strut or block that is driven, on the page.
+
+    Attributes
+    ----------
+    kind
+        An "angle" is measured at ``about``; a "length" from there; a "slide" along ``way`` from
+        there.
+    at, about
+        Where it is, and the place from which it is measured: traced places.
+    way
+        The direction of a slide.
+    factor
+        The length on the page of a unit.
+    """
+
+    kind: str
+    at: complex
+    about: complex
+    way: complex
+    factor: float
+
+
+@dataclass(frozen=True)
+class HandBoard:
+    """The page of a mechanism, with what moves as traced marks.
+
+    Attributes
+    ----------
+    mechanism
+        The mechanism.
+    live
+        The page, and what stands still on it.
+    traced
+        The traced sheet.
+    scales
+        The scale of each panel; that of a polygon is an input.
+    sketches
+        What moves in each panel.
+    labels
+        The labels of all panels.
+    """
+
+    mechanism: Mechanism
+    live: LiveBoard
+    traced: TracedSheet
+    scales: Mapping[str, Scale]
+    sketches: Mapping[str, Sketch]
+    labels: Sequence[Label]
+
+    @property
+    def grip(self) -> Grip | None:
+        """The handle; None where what is driven is not drawn.
+
+        In views it is at the end of the driven angle's arc, where that is seen in true size from
+        the right on.
+        """
+        sheet = self.traced.sheet
+        panel, driver = sheet.panels[0], sheet.driver
+        scale = self.scales[panel.name]
+        if panel.picture == "vectors":
+            return None
+        arc = held_arc(panel, driver)
+        if arc:
+            return Grip("angle", scale(tip_of(arc)), scale(arc.centre), 1.0 + 0j, scale.factor)
+        index = panel.find(driver.stroke)
+        shape = None if index is None else panel.strokes[index].shape
+        if isinstance(shape, Arrow):
+            kind = "angle" if driver.turns else "length"
+            return Grip(kind, scale(shape.end), scale(shape.start), 1.0 + 0j, scale.factor)
+        if not isinstance(shape, Block) or index is None:
+            return None
+        place = next(iter(self.mechanism.inputs))
+        way = self._way(panel.strokes[index].label)
+        position = self.traced.inputs[place]
+        return Grip("slide", scale(shape.at), scale(shape.at - position * way), way, scale.factor)
+
+    def _way(self, letter: str) -> complex:
+        """Return the direction in which a driven point moves, as a unit vector."""
+        place, rate, *_ = self.mechanism.inputs
+        at = float(self.traced.inputs[place])
+        moved = solve(self.mechanism, **{place: at, rate: 1.0})
+        return complex(moved.point(letter).velocity)
+
+    @property
+    def still(self) -> list[Item]:
+        """What stands still."""
+        return [item for picture in self.live.pictures.values() for item in picture.still.items]
+
+
+def hand_board(
+    mechanism: Mechanism, panels: Sequence[str], language: str, form: Format, lines: int
+) -> HandBoard:
+    """Return the board of a mechanism for all its poses.
+
+    Parameters
+    ----------
+    mechanism
+        The mechanism.
+    panels
+        The panels of its sheets.
+    language
+        Their language.
+    form
+        The shape of the page.
+    lines
+        How many lines there are for a caption.
+
+    Raises
+    ------
+    vad.errors.AssemblyError
+        If it closes nowhere.
+    """
+    inputs = poses_over_reach(mechanism)
+    sheets = list(_drawn(mechanism, inputs, panels, language))
+    if not sheets:
+        raise AssemblyError("with these lengths the links close nowhere")
+    poses = [sheet.panels[0] for _, sheet in sheets]
+    live = LiveBoard.over(sheets[0][1], form, lines, poses)
+    general = min(sheets, key=lambda each: _specials(live, each[1]))[0]
+    traced = traced_sheet(mechanism, general, panels, language)
+    scales: dict[str, Scale] = {}
+    sketches: dict[str, Sketch] = {}
+    labels: list[Label] = []
+    for half in traced.sheet.halves:
+        above = sketches.get(half.column)
+        setting = live.setting(traced.sheet, half, above.obstacles if above else None)
+        picture, named = live.pictures.get(half.name), NamedLabels(half.name)
+        if picture:
+            scales[half.name] = picture.scale
+            sketches[half.name] = picture.under_hand(setting, named)
+        else:
+            usual = calm_scale(_plain(half, sheets[0][1]), setting.room, None)
+            scales[half.name] = _as_input(traced, half.name, usual)
+            sketches[half.name] = Polygon(setting, scales[half.name]).under_hand(setting, named)
+        labels += named.found
+    return HandBoard(mechanism, live, traced, scales, sketches, labels)
+
+
+def poses_over_reach(mechanism: Mechanism) -> list[dict[str, float]]:
+    """Return the inputs of poses over the whole range of the driver, with rates that are not 0."""
+    place, *rates = mechanism.inputs
+    ranges = closing_range(mechanism)
+    found = []
+    for low, high in ranges:
+        count = max(2, _POSES // len(ranges))
+        shares = 0.5 - 0.5 * np.cos(np.linspace(_END, math.pi - _END, count))
+        if ranges == [_TURN]:
+            shares = (np.arange(count) + _ASIDE) / count
+        for share in shares.tolist():
+            usual = [mechanism.inputs[rate] for rate in rates]
+            size = max(map(abs, usual)) or 1.0
+            moving = [rate or size * part for rate, part in zip(usual, _RATES, strict=True)]
+            moving[1] = usual[1] or moving[0] ** 2 * _RATES[1]
+            found.append(
+                {place: low + share * (high - low), **dict(zip(rates, moving, strict=True))}
+            )
+    return found
+
+
+def _drawn(
+    mechanism: Mechanism, inputs: Sequence[dict[str, float]], panels: Sequence[str], language: str
+) -> Iterator[tuple[dict[str, float], Sheet]]:
+    """Yield those of the poses that can be drawn, with their sheets."""
+    for given in inputs:
+        try:
+            yield given, draw(solve(mechanism, **given), panels, language)
+        except VadError:
+            continue
+
+
+def _specials(live: LiveBoard, sheet: Sheet) -> tuple[int, int]:
+    """Count what makes a pose special: vertices that coincide, and vectors on one line."""
+    vertices, on_a_line = 0, 0
+    for half in sheet.halves:
+        setting, labels = live.setting(sheet, half), NamedLabels(half.name)
+        picture = live.pictures.get(half.name)
+        if picture:
+            picture.under_hand(setting, labels)
+        else:
+            scale = calm_scale(half, setting.room, None)
+            sketch = Polygon(setting, scale).under_hand(setting, labels)
+            on_a_line += sum(each.lane != ALONE for each in place_vectors(sketch).values())
+        vertices += len(labels.found)
+    return -vertices, on_a_line
+
+
+def _plain(half: Panel, sheet: Sheet) -> Panel:
+    return sheet.panel(half.name)
+
+
+def _as_input(traced: TracedSheet, panel: str, scale: Scale) -> Scale:
+    """Return a scale whose origin and factor are inputs of the traced sheet."""
+    x, y, factor = (
+        traced.input(f"{panel} {name}", value)
+        for name, value in (
+            ("x", scale.origin.real),
+            ("y", scale.origin.imag),
+            ("scale", scale.factor),
+        )
+    )
+    return Scale(TracedVector(x, y), factor)
