@@ -352,7 +352,7 @@ def test_an_operation_is_the_same_on_floats_and_on_blocks(operation: str) -> Non
     text, _, on_floats, on_blocks, kind, _ = OPERATIONS[operation]
     out = np.empty(x.size, kind)
     with np.errstate(all="ignore"):
-        on_blocks(x, y, out=out)
+        on_blocks(x, y, out)
     written = function_of(
         ["x", "y"],
         [f"return {text.format('x', 'y')}"],

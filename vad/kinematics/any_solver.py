@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from vad.kinematics.linkage import Scalar
 from vad.kinematics.numbers import Number, direction, fold, positive
 from vad.kinematics.one_pose import Order, Steps, pose_function
-from vad.kinematics.program import Program
+from vad.kinematics.program import Program, needed
 from vad.kinematics.recording import Operand, Recorded, RecordedVector, Tape
 from vad.kinematics.state import Pose, Rates
 
@@ -316,12 +316,21 @@ class RecordedSolver:
         return sum_of_all == sum_of_all
 
     def numbers(self, order: int) -> list[Recorded]:
-        """Return all that an order finds."""
-        values = (self._evaluation.rates(order)[-1] if order else self._evaluation.pose).all()
-        given = {number.name for number in self.inputs}
-        found = {x.name: x for x in _parts(values) if isinstance(x, Recorded)}
-        return [number for name, number in found.items() if name not in given]
+        """Return what an order finds, but what one operation finds of the rest.
 
+        To do this operation again costs less than to keep its result.
+        """
+        values = (self._evaluation.rates(order)[-1] if order else self._evaluation.pose).all()
+        lower = (x for each in range(order) for x in self.numbers(each))
+        known = {number.name for number in (*self.inputs, *lower)}
+        found = {x.name: x for x in _parts(values) if isinstance(x, Recorded)}
+        kept = []
+        for number in needed(self.inputs, list(found.values())):  # each after its operands
+            names = [x.name for x in number.operands if isinstance(x, Recorded)]
+            if number.name in found and not known.issuperset(names):
+                kept.append(number)
+                known.add(number.name)
+        return kept
     def parts(self, result: Result) -> list[Operand]:
         """Return a result, or its x and y, or its x, y and z; no zero is negative."""
         if result[2] == "coriolis" and not self._solver.on_turning_link(result[1]):

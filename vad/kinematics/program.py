@@ -108,8 +108,14 @@ class Program:
         return self.outputs[: len(self.outputs) - self.columns]
 
     def arrays(self, size: int) -> list[Array]:
-        """Return new arrays for the outputs that are no columns of the table."""
-        return [np.empty(size, kind_of(x)) for x in self.kept]
+        """Return new arrays for the outputs that are no columns of the table.
+
+        All numbers are in one piece of memory: the system gives it in fewer and larger pages.
+        """
+        kinds = [*map(kind_of, self.kept)]
+        line = CACHE_LINE // np.dtype(float).itemsize
+        rows = iter(aligned(kinds.count(float) * (size + -size % line)).reshape(-1, size + -size % line))
+        return [next(rows)[:size] if kind is float else np.empty(size, kind) for kind in kinds]
 
     def play(
         self,
@@ -236,7 +242,7 @@ class Blocks:
         with np.errstate(all="ignore"):  # a result that does not exist is NaN
             cells = [*inputs, *self._constants, *singles]
             for operation, places, place in self._once:
-                OPERATIONS[operation].on_blocks(*[cells[i] for i in places], out=cells[place])
+                OPERATIONS[operation].on_blocks(*[cells[i] for i in places], cells[place])
             for start in range(0, size, BLOCK):
                 part = slice(start, min(start + BLOCK, size))
                 play(
@@ -250,14 +256,14 @@ class Blocks:
 
     def _play_block(self, *cells: Array | float) -> None:
         for operation, places, place in self._moves:
-            OPERATIONS[operation].on_blocks(*[cells[i] for i in places], out=cells[place])
+            OPERATIONS[operation].on_blocks(*[cells[i] for i in places], cells[place])
 
     @cached_property
     def _play_fast(self) -> Callable[..., None]:
         """A function that does what `_play_block` does, one line for each operation."""
         names = [f"c{place}" for place in range(self._first_row + len(self._kinds))]
         lines = [
-            f"{operation}({', '.join(names[i] for i in places)}, out={names[place]})"
+            f"{operation}({', '.join(names[i] for i in (*places, place))})"
             for operation, places, place in self._moves
         ]
         operations = {name: operation.on_blocks for name, operation in OPERATIONS.items()}

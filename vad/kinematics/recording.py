@@ -20,8 +20,9 @@ class Operation(NamedTuple):
     """One operation: its texts in two languages, and its functions for floats and for blocks.
 
     In JavaScript ``fold`` and ``copysign`` are those of ``vad/page/solver.js``.
-    A function for blocks writes to the array ``out``, which may be the array of an operand, unless
-    this is one of the operands that are ``kept``.  ``kind`` is the type of the result.
+    A function for blocks writes to the array that is its last argument: by place, because numpy
+    takes longer to find a name.  This may be the array of an operand, unless that is one of the
+    operands that are ``kept``.  ``kind`` is the type of the result.
     """
 
     text: str
@@ -53,10 +54,10 @@ def prepared(degrees: Any) -> Any:
 
 def _fold(degrees: Any, out: Any) -> None:
     degrees = prepared(degrees)
-    np.divide(degrees, 360.0, out=out)
-    np.rint(out, out=out)
-    np.multiply(out, 360.0, out=out)
-    np.subtract(degrees, out, out=out)
+    np.divide(degrees, 360.0, out)
+    np.rint(out, out)
+    np.multiply(out, 360.0, out)
+    np.subtract(degrees, out, out)
     if not (out.min() >= -180.0 and out.max() <= 180.0):  # a quotient was rounded onto one half
         beyond = np.abs(out) > 180.0
         out[beyond] -= np.copysign(360.0, out[beyond])
@@ -68,6 +69,10 @@ def _place(number: Any, out: Any) -> None:
 
 def _choose(place: Any, constants: Any, out: Any) -> None:
     constants.take(place, None, out, "clip")  # five times as fast as numpy.where
+
+
+def _minimum(x: Any, y: Any, out: Any) -> None:
+    np.minimum(x, y, out=out)  # this function of numpy wants the name
 
 
 def _either(condition: bool, rare: float, usual: float) -> float:
@@ -92,7 +97,7 @@ OPERATIONS = {
     "negative": Operation("-{}", "-{}", operator.neg, np.negative),
     "absolute": Operation("abs({})", "abs({})", abs, np.absolute),
     "copy": Operation("{}", "{}", float, _place),
-    "minimum": Operation("{0} if {0} < {1} else {1}", "{0}<{1}?{0}:{1}", min, np.minimum),
+    "minimum": Operation("{0} if {0} < {1} else {1}", "{0}<{1}?{0}:{1}", min, _minimum),
     "maximum": Operation(
         "{0} if {0} > {1} else {1}", "{0}>{1}?{0}:{1}", lambda x, y: x if x > y else y, np.fmax
     ),
