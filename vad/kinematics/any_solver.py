@@ -331,6 +331,7 @@ class RecordedSolver:
                 kept.append(number)
                 known.add(number.name)
         return kept
+
     def parts(self, result: Result) -> list[Operand]:
         """Return a result, or its x and y, or its x, y and z; no zero is negative."""
         if result[2] == "coriolis" and not self._solver.on_turning_link(result[1]):

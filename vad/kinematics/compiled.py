@@ -1,87 +1,122 @@
 """A recorded calculation as one loop in machine code, where llvmlite is installed.
 
-Each operation is written in the language of LLVM, whose optimizer makes a loop over vectors of it.
-That takes some thirtieths of a second: so little that nothing is kept between processes.  LLVM
-neither joins nor reorders operations on floats unless it is told to, so that the bits are the same.
+Each operation is written in the language of LLVM, for vectors of poses.  Nothing is left for LLVM's
+optimizer to do, and its translator takes a sixtieth of a second, less than it takes to load: so
+little that nothing is kept between processes.  It neither joins nor reorders operations on floats
+unless it is told to, so that the bits are the same.
 """
 
 from __future__ import annotations
 
-import contextlib
 import ctypes
+import os
 import struct
-from collections.abc import Callable, Sequence
+import sys
+import threading
+from collections import deque
+from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
+from contextvars import copy_context
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from vad.kinematics.program import LANES
 from vad.kinematics.recording import Operand, Recorded, kind_of, prepared
 
 Array = NDArray[Any]
 
+# From this number of poses on two threads share a sweep, because the loop leaves Python to others.
+SHARED = 100_000
+
+
+def _in_all_lanes(value: str) -> str:
+    return f"<{', '.join([value] * LANES)}>"
+
+
+def _constant(number: float) -> str:
+    """Return a vector that has all bits of a number in every lane."""
+    return _in_all_lanes(f"double 0x{struct.pack('>d', number).hex()}")
+
+
+# What the texts of the operations have in common: the types of vectors, and constants.
+_WORDS = {
+    "lanes": LANES,
+    "kind": f"v{LANES}f64",
+    "reals": f"<{LANES} x double>",
+    "truths": f"<{LANES} x i1>",
+    "half": _constant(0.5),
+    "three_halves": _constant(1.5),
+    "half_turn": _constant(180.0),
+    "turn": _constant(360.0),
+}
 # How each operation is written.  The arc tangent is missing: its last bit would not be numpy's.
 _TEXTS = {
     "fold": """
-        {out}.turns = fdiv double {0}, 360.0
-        {out}.whole = call double @llvm.rint.f64(double {out}.turns)
-        {out}.removed = fmul double {out}.whole, 360.0
-        {out}.rest = fsub double {0}, {out}.removed
-        {out}.size = call double @llvm.fabs.f64(double {out}.rest)
-        {out}.beyond = fcmp ogt double {out}.size, 180.0
-        {out}.turn = call double @llvm.copysign.f64(double 360.0, double {out}.rest)
-        {out}.back = fsub double {out}.rest, {out}.turn
-        {out} = select i1 {out}.beyond, double {out}.back, double {out}.rest""",
-    "add": "{out} = fadd double {0}, {1}",
-    "subtract": "{out} = fsub double {0}, {1}",
-    "multiply": "{out} = fmul double {0}, {1}",
-    "divide": "{out} = fdiv double {0}, {1}",
-    "negative": "{out} = fneg double {0}",
-    "absolute": "{out} = call double @llvm.fabs.f64(double {0})",
-    "copy": "{out} = fadd double {0}, -0.0",
+        {out}.turns = fdiv {reals} {0}, {turn}
+        {out}.whole = call {reals} @llvm.rint.{kind}({reals} {out}.turns)
+        {out}.removed = fmul {reals} {out}.whole, {turn}
+        {out}.rest = fsub {reals} {0}, {out}.removed
+        {out}.size = call {reals} @llvm.fabs.{kind}({reals} {out}.rest)
+        {out}.beyond = fcmp ogt {reals} {out}.size, {half_turn}
+        {out}.turn = call {reals} @llvm.copysign.{kind}({reals} {turn}, {reals} {out}.rest)
+        {out}.back = fsub {reals} {out}.rest, {out}.turn
+        {out} = select {truths} {out}.beyond, {reals} {out}.back, {reals} {out}.rest""",
+    "add": "{out} = fadd {reals} {0}, {1}",
+    "subtract": "{out} = fsub {reals} {0}, {1}",
+    "multiply": "{out} = fmul {reals} {0}, {1}",
+    "divide": "{out} = fdiv {reals} {0}, {1}",
+    "negative": "{out} = fneg {reals} {0}",
+    "absolute": "{out} = call {reals} @llvm.fabs.{kind}({reals} {0})",
+    "copy": "{out} = bitcast {reals} {0} to {reals}",
     "minimum": """
-        {out}.less = fcmp olt double {0}, {1}
-        {out} = select i1 {out}.less, double {0}, double {1}""",
+        {out}.less = fcmp olt {reals} {0}, {1}
+        {out} = select {truths} {out}.less, {reals} {0}, {reals} {1}""",
     "maximum": """
-        {out}.more = fcmp ogt double {0}, {1}
-        {out} = select i1 {out}.more, double {0}, double {1}""",
-    "sqrt": "{out} = call double @llvm.sqrt.f64(double {0})",
-    "copysign": "{out} = call double @llvm.copysign.f64(double {0}, double {1})",
-    "round": "{out} = call double @llvm.rint.f64(double {0})",
-    "place": "{out} = fadd double {0}, -0.0",
+        {out}.more = fcmp ogt {reals} {0}, {1}
+        {out} = select {truths} {out}.more, {reals} {0}, {reals} {1}""",
+    "sqrt": "{out} = call {reals} @llvm.sqrt.{kind}({reals} {0})",
+    "copysign": "{out} = call {reals} @llvm.copysign.{kind}({reals} {0}, {reals} {1})",
+    "round": "{out} = call {reals} @llvm.rint.{kind}({reals} {0})",
+    "place": "{out} = bitcast {reals} {0} to {reals}",
     "choose": """
-        {out}.low = fcmp olt double {0}, 0.5
-        {out}.high = fcmp ogt double {0}, 1.5
-        {out}.upper = select i1 {out}.high, double {1[2]}, double {1[1]}
-        {out} = select i1 {out}.low, double {1[0]}, double {out}.upper""",
-    "less": "{out} = fcmp olt double {0}, {1}",
-    "greater": "{out} = fcmp ogt double {0}, {1}",
-    "equal": "{out} = fcmp oeq double {0}, {1}",
-    "both": "{out} = and i1 {0}, {1}",
-    "either": "{out} = or i1 {0}, {1}",
-    "select": "{out} = select i1 {0}, double {1}, double {2}",
+        {out}.low = fcmp olt {reals} {0}, {half}
+        {out}.high = fcmp ogt {reals} {0}, {three_halves}
+        {out}.upper = select {truths} {out}.high, {reals} {1[2]}, {reals} {1[1]}
+        {out} = select {truths} {out}.low, {reals} {1[0]}, {reals} {out}.upper""",
+    "less": "{out} = fcmp olt {reals} {0}, {1}",
+    "greater": "{out} = fcmp ogt {reals} {0}, {1}",
+    "equal": "{out} = fcmp oeq {reals} {0}, {1}",
+    "both": "{out} = and {truths} {0}, {1}",
+    "either": "{out} = or {truths} {0}, {1}",
+    "select": "{out} = select {truths} {0}, {reals} {1}, {reals} {2}",
 }
 # The operands that are truth values; everywhere else a truth value counts as 0.0 or 1.0.
 _TRUTHS = {"both": (0, 1), "either": (0, 1), "select": (0,)}
 
+# The last vector begins where it ends with the last pose: some poses are calculated twice.
 _FRAME = """
 define void @program(i64 %poses, {arguments}) nounwind "prefer-vector-width"="512" {{
 begin:
-  %some = icmp sgt i64 %poses, 0
-  br i1 %some, label %loop, label %end
+  %last = sub nsw i64 %poses, {lanes}
+{before}
+  br label %loop
 loop:
-  %pose = phi i64 [0, %begin], [%next, %loop]
+  %count = phi i64 [0, %begin], [%next, %loop]
+  %beyond = icmp sgt i64 %count, %last
+  %pose = select i1 %beyond, i64 %last, i64 %count
 {lines}
-  %next = add nuw nsw i64 %pose, 1
+  %next = add nuw nsw i64 %count, {lanes}
   %more = icmp slt i64 %next, %poses
   br i1 %more, label %loop, label %end
 end:
   ret void
 }}
-declare double @llvm.fabs.f64(double)
-declare double @llvm.sqrt.f64(double)
-declare double @llvm.rint.f64(double)
-declare double @llvm.copysign.f64(double, double)
+declare {reals} @llvm.fabs.{kind}({reals})
+declare {reals} @llvm.sqrt.{kind}({reals})
+declare {reals} @llvm.rint.{kind}({reals})
+declare {reals} @llvm.copysign.{kind}({reals}, {reals})
 """
 
 
@@ -130,10 +165,48 @@ class Compiled:
             angles = prepared(given[place])
             given[place] = angles if angles.ndim else float(angles)
         places = [_address(x) for x in (*given, *outputs[: self._starts])]
-        for start in range(0, size, block):
-            part = slice(start, min(start + block, size))
-            self._loop(part.stop - start, *(at + start * step for at, step in places))
-            finish(part)
+        starts = deque(range(0, size, block))
+
+        def run(take: Callable[[], int]) -> None:
+            while starts:  # each round takes one of them
+                try:
+                    start = take()
+                except IndexError:  # the other thread has taken the last one
+                    return
+                part = slice(min(start, size - LANES), min(start + block, size))
+                at = (address + part.start * step for address, step in places)
+                self._loop(part.stop - part.start, *at)
+                finish(part)
+
+        if not _two_threads(size):
+            run(starts.popleft)
+            return
+        from concurrent.futures import ThreadPoolExecutor  # short sweeps do not need it
+
+        # One begins at the end: if both were at one page of new memory, the system would make it
+        # twice.  What numpy does not warn of is in the context.
+        with ThreadPoolExecutor(1) as pool:
+            helper = pool.submit(copy_context().run, run, starts.pop)
+            try:
+                run(starts.popleft)
+            finally:
+                starts.clear()  # if this thread is interrupted, the other one ends, too
+            helper.result()
+
+
+def _two_threads(poses: int) -> bool:
+    """Tell whether two threads are to share a sweep.
+
+    Not in a thread or a process that somebody has started beside others, such as those of Dask and
+    of a batch: together they use all processors already.
+    """
+    if poses < SHARED or threading.current_thread() is not threading.main_thread():
+        return False
+    processes = sys.modules.get("multiprocessing.process")
+    if processes and processes.parent_process():
+        return False
+    allowed = getattr(os, "sched_getaffinity", None)  # not on macOS and Windows
+    return (len(allowed(0)) if allowed else os.cpu_count() or 1) > 1
 
 
 def _address(value: Array | float) -> tuple[Any, int]:
@@ -168,40 +241,69 @@ def _loop(
     many: Sequence[bool],
 ) -> str:
     """Return a program as a function of the number of poses and of addresses, for LLVM."""
-    arguments, lines = [], []
+    arguments, before, lines = [], [], []
     for number, each in zip(inputs, many, strict=True):
         name = number.name
-        arguments.append(f"ptr noalias %all.{name}" if each else f"double %{name}")
+        arguments.append(f"ptr noalias %all.{name}" if each else f"double %one.{name}")
         if each:
-            lines += [_place(f"{name}.at", f"all.{name}", "double", "%pose")]
-            lines += [f"%{name} = load double, ptr %{name}.at"]
+            lines.append(f"%{name}.at = getelementptr inbounds double, ptr %all.{name}, i64 %pose")
+            lines.append(f"%{name} = load {_WORDS['reals']}, ptr %{name}.at, align 8")
+        else:
+            first = f"insertelement {_WORDS['reals']} poison, double %one.{name}, i32 0"
+            before.append(f"%{name}.first = {first}")
+            before.append(f"%{name} = {_shuffled(LANES, f'%{name}.first', 'poison', [0] * LANES)}")
     for step in steps:
         texts = [_operand(step, place) for place in range(len(step.operands))]
-        lines += _TEXTS[step.operation].format(*texts, out=f"%{step.name}").split("\n")
+        lines += _TEXTS[step.operation].format(*texts, out=f"%{step.name}", **_WORDS).split("\n")
         if kind_of(step) is bool:
-            lines.append(f"%{step.name}.real = uitofp i1 %{step.name} to double")
-    for place, number in enumerate(outputs):
-        out, column = f"out{place}", place - (len(outputs) - columns)
-        if column <= 0:
-            arguments.append(f"ptr noalias %{out}")
-        if column >= 0:
-            lines.append(f"%{out}.row = mul nuw nsw i64 %pose, {columns}")
-            lines.append(f"%{out}.cell = add nuw nsw i64 %{out}.row, {column}")
-            lines.append(_place(f"{out}.at", f"out{place - column}", "double", f"%{out}.cell"))
-        elif kind_of(number) is bool:
-            lines.append(_place(f"{out}.at", out, "i8", "%pose"))
-            lines.append(f"%{out}.byte = zext i1 %{number.name} to i8")
-            lines.append(f"store i8 %{out}.byte, ptr %{out}.at")
-            continue
-        else:
-            lines.append(_place(f"{out}.at", out, "double", "%pose"))
-        lines.append(f"store double {_real(number)}, ptr %{out}.at")
-    return _FRAME.format(arguments=", ".join(arguments), lines="\n".join(lines))
+            truth = f"{_WORDS['truths']} %{step.name}"
+            lines.append(f"%{step.name}.real = uitofp {truth} to {_WORDS['reals']}")
+    single = len(outputs) - columns
+    for place, number in enumerate(outputs[:single]):
+        out = f"%out{place}"
+        arguments.append(f"ptr noalias {out}")
+        kind, value = "double", _real(number)
+        if kind_of(number) is bool:
+            kind, value = "i8", f"{out}.bytes"
+            lines.append(f"{value} = zext {_WORDS['truths']} %{number.name} to <{LANES} x i8>")
+        lines.append(f"{out}.at = getelementptr inbounds {kind}, ptr {out}, i64 %pose")
+        lines.append(f"store <{LANES} x {kind}> {value}, ptr {out}.at, align 1")
+    if columns:
+        arguments.append("ptr noalias %table")
+        lines += _table_lines([_real(number) for number in outputs[single:]])
+    return _FRAME.format(
+        arguments=", ".join(arguments),
+        before="\n".join(before),
+        lines="\n".join(lines),
+        **_WORDS,
+    )
 
 
-def _place(name: str, start: str, kind: str, number: str) -> str:
-    """Return the line that names the address of an element."""
-    return f"%{name} = getelementptr inbounds {kind}, ptr %{start}, i64 {number}"
+def _table_lines(columns: list[str]) -> list[str]:
+    """Return the lines that write columns, which lie one behind the other, as rows of a table."""
+    lines, parts, width, count = [], columns, LANES, len(columns)
+    while len(parts) > 1:  # each round halves their number
+        parts = parts + ["poison"] * (len(parts) % 2)
+        joined = []
+        for one, other in zip(parts[::2], parts[1::2], strict=True):
+            joined.append(f"%joined{width}.{len(joined)}")
+            lines.append(f"{joined[-1]} = {_shuffled(width, one, other, range(2 * width))}")
+        parts, width = joined, 2 * width
+    rows = [column * LANES + lane for lane in range(LANES) for column in range(count)]
+    lines.append(f"%rows = {_shuffled(width, parts[0], 'poison', rows)}")
+    lines.append(f"%cell = mul nuw nsw i64 %pose, {count}")
+    lines.append("%row = getelementptr inbounds double, ptr %table, i64 %cell")
+    lines.append(f"store <{len(rows)} x double> %rows, ptr %row, align 8")
+    return lines
+
+
+def _shuffled(width: int, one: str, other: str, order: Iterable[int]) -> str:
+    """Return the operation that takes elements of two vectors in some order."""
+    places = [f"i32 {place}" for place in order]
+    kind = f"<{width} x double>"
+    return (
+        f"shufflevector {kind} {one}, {kind} {other}, <{len(places)} x i32> <{', '.join(places)}>"
+    )
 
 
 def _operand(step: Recorded, place: int) -> Any:
@@ -209,15 +311,19 @@ def _operand(step: Recorded, place: int) -> Any:
     if isinstance(operand, tuple):
         return [_real(number) for number in operand]
     if place in _TRUTHS.get(step.operation, ()):
-        return f"%{operand.name}" if isinstance(operand, Recorded) else str(bool(operand)).lower()
+        return (
+            f"%{operand.name}"
+            if isinstance(operand, Recorded)
+            else _in_all_lanes(f"i1 {operand:d}")
+        )
     return _real(operand)
 
 
 def _real(number: Operand) -> str:
-    """Return a number as a float: its name, or all its bits."""
+    """Return a number as a vector: its name, or all its bits in every lane."""
     if isinstance(number, Recorded):
         return f"%{number.name}.real" if kind_of(number) is bool else f"%{number.name}"
-    return f"0x{struct.pack('>d', number).hex().upper()}"
+    return _constant(number)
 
 
 def _engine(text: str) -> Any:
@@ -226,7 +332,7 @@ def _engine(text: str) -> Any:
 
     if llvm.llvm_version_info < (16,):
         raise RuntimeError("this version of LLVM wants a type of every address")
-    with contextlib.suppress(RuntimeError):  # later versions need no such call, and refuse it
+    with suppress(RuntimeError):  # later versions need no such call, and refuse it
         llvm.initialize()
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
@@ -235,10 +341,6 @@ def _engine(text: str) -> Any:
     )
     module = llvm.parse_assembly(text)
     module.data_layout = str(machine.target_data)
-    options = llvm.create_pipeline_tuning_options()
-    options.loop_vectorization = True
-    passes = llvm.create_pass_builder(machine, options)
-    passes.getModulePassManager().run(module, passes)
     engine = llvm.create_mcjit_compiler(module, machine)
     engine.finalize_object()
     return engine
