@@ -284,7 +284,7 @@ def _table_lines(columns: list[str]) -> list[str]:
     lines, parts, width, count = [], columns, LANES, len(columns)
     while len(parts) > 1:  # each round halves their number
         parts = parts + ["poison"] * (len(parts) % 2)
-        joined = []
+        joined: list[str] = []
         for one, other in zip(parts[::2], parts[1::2], strict=True):
             joined.append(f"%joined{width}.{len(joined)}")
             lines.append(f"{joined[-1]} = {_shuffled(width, one, other, range(2 * width))}")

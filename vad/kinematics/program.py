@@ -116,10 +116,8 @@ class Program:
         All numbers are in one piece of memory: the system gives it in fewer and larger pages.
         """
         kinds = [*map(kind_of, self.kept)]
-        line = CACHE_LINE // np.dtype(float).itemsize
-        rows = iter(
-            aligned(kinds.count(float) * (size + -size % line)).reshape(-1, size + -size % line)
-        )
+        count, width = kinds.count(float), size + -size % (CACHE_LINE // 8)
+        rows = iter(aligned(count * width).reshape(count, width))
         return [next(rows)[:size] if kind is float else np.empty(size, kind) for kind in kinds]
 
     def play(
