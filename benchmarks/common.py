@@ -21,7 +21,7 @@ from vad.methods.comparison import seconds
 ROOT = Path(__file__).parents[1]
 RESULTS = ROOT / "benchmarks" / "results"
 GALLERY = ROOT / "gallery"
-SOLVERS = ("numpy", "scipy", "mechanism", "pylinkage", "numba")
+SOLVERS = ("numpy", "llvmlite", "scipy", "mechanism", "pylinkage", "numba")
 # Told apart by colour-blind eyes too.
 BLUE, ORANGE, GREEN, PURPLE, BLACK = "#0072B2", "#D55E00", "#009E73", "#AA3377", "#000000"
 

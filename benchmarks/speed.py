@@ -2,7 +2,7 @@
 
 ``python -m benchmarks.speed`` prints the ratios and writes benchmarks/results/speed.csv.  Floor
 and poses are measured in turn, many times, and the best of each is taken.  Where llvmlite
-is installed, the compiled loops are measured too, once they are made.
+is installed, the compiled loops are measured too, once they are made, by one thread and by two.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import numpy as np
 
 import vad
 from benchmarks.common import RESULTS, four_functions, three, write_csv
-from vad.kinematics import program
+from vad.kinematics import compiled, program
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
 
@@ -38,11 +38,12 @@ READ = {
     "whitworth with ram": ("E", "lever.omega", "rod.alpha"),
 }
 MECHANISMS = {
-    **{name: kind() for name, kind in vad.MECHANISMS.items()},
+    **{name: kind() for name, kind in vad.MECHANISMS.items() if name in READ},
     "crank-slotted-lever with ram": vad.CrankSlottedLever(rod=120, ram_height=140),
     "whitworth with ram": vad.Whitworth(rod=200),
 }
-HEAD = ["mechanism", "position", "four results", "four results compiled", "one pose"]
+HEAD = ["mechanism", "position", "four read", "four swept", "by a compiled loop", "by two threads"]
+HEAD += ["one pose"]
 
 
 def reader(name: str) -> Callable[[vad.Motion], Any]:
@@ -65,6 +66,12 @@ def places(mechanism: Mechanism) -> np.ndarray:
     return np.random.default_rng(1).uniform(low, high, POSES)
 
 
+def swept(name: str) -> tuple[str, ...]:
+    """Return the names of the same results for a sweep."""
+    letter, *others = READ[name]
+    return (f"{letter}.position", *others, f"{letter}.acceleration")
+
+
 def ratios(name: str, mechanism: Mechanism) -> list[float]:
     """Return a pose's time in floors, for every column."""
     driven, rate, _ = mechanism.inputs
@@ -78,19 +85,22 @@ def ratios(name: str, mechanism: Mechanism) -> list[float]:
     def four() -> None:
         read(vad.solve(mechanism, **inputs))
 
+    def sweep() -> None:
+        vad.sweep(mechanism, swept(name), **inputs)
+
     def singles() -> None:
         for value in values[:SINGLES].tolist():
             read(vad.solve(mechanism, **{driven: value}))
 
     angles = np.deg2rad(np.random.default_rng(1).uniform(0.0, 360.0, POSES))
     program.OFTEN = math.inf
-    floor, *times = in_turn([lambda: four_functions(angles), position, four, singles])
-    compiled = math.nan
-    if importlib.util.find_spec("llvmlite"):
-        program.OFTEN = 0
-        other_floor, found = in_turn([lambda: four_functions(angles), four])
-        compiled = found / other_floor
-    return [times[0] / floor, times[1] / floor, compiled, times[2] * POSES / SINGLES / floor]
+    floor, *times = in_turn([lambda: four_functions(angles), position, four, sweep, singles])
+    *found, single = (time / floor for time in times)
+    for shared in (math.inf, 0):
+        program.OFTEN, compiled.SHARED = 0, shared
+        other_floor, time = in_turn([lambda: four_functions(angles), sweep])
+        found.append(time / other_floor if importlib.util.find_spec("llvmlite") else math.nan)
+    return [*found, single * POSES / SINGLES]
 
 
 def in_turn(calls: list[Callable[[], None]]) -> list[float]:
@@ -107,11 +117,11 @@ def in_turn(calls: list[Callable[[], None]]) -> list[float]:
 def main() -> None:
     """Measure, print and write."""
     rows = []
-    print(f"{HEAD[0]:30}" + "".join(f"{name:>24}" for name in HEAD[1:]))
+    print(f"{HEAD[0]:30}" + "".join(f"{name:>20}" for name in HEAD[1:]))
     for name, mechanism in MECHANISMS.items():
         found = [three(number) for number in ratios(name, mechanism)]
         rows.append([name, *found])
-        print(f"{name:30}" + "".join(f"{number:>24}" for number in found))
+        print(f"{name:30}" + "".join(f"{number:>20}" for number in found))
     write_csv(RESULTS / "speed.csv", HEAD, rows)
 
 

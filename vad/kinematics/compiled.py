@@ -27,8 +27,11 @@ from vad.kinematics.recording import Operand, Recorded, kind_of, prepared
 
 Array = NDArray[Any]
 
-# From this number of poses on two threads share a sweep, because the loop leaves Python to others.
-SHARED = 100_000
+# From this number of poses on two threads share a loop, because it leaves Python to others.  Where
+# the second processor is idle, the four results of a four-bar are swept in two thirds of the time.
+# A new thread and the waiting for each other take some tenths of a millisecond.
+SHARED = 250_000
+BLOCK = 32_768  # poses: the longer, the less the threads wait for each other
 
 
 def _in_all_lanes(value: str) -> str:
@@ -155,7 +158,6 @@ class Compiled:
         self,
         inputs: Sequence[Array | float],
         outputs: Sequence[Array],
-        block: int,
         finish: Callable[[slice], None],
     ) -> None:
         """Write the outputs, block by block; each block that is written is given to ``finish``."""
@@ -165,7 +167,7 @@ class Compiled:
             angles = prepared(given[place])
             given[place] = angles if angles.ndim else float(angles)
         places = [_address(x) for x in (*given, *outputs[: self._starts])]
-        starts = deque(range(0, size, block))
+        starts = deque(range(0, size, BLOCK))
 
         def run(take: Callable[[], int]) -> None:
             while starts:  # each round takes one of them
@@ -173,7 +175,7 @@ class Compiled:
                     start = take()
                 except IndexError:  # the other thread has taken the last one
                     return
-                part = slice(min(start, size - LANES), min(start + block, size))
+                part = slice(min(start, size - LANES), min(start + BLOCK, size))
                 at = (address + part.start * step for address, step in places)
                 self._loop(part.stop - part.start, *at)
                 finish(part)
@@ -181,17 +183,25 @@ class Compiled:
         if not _two_threads(size):
             run(starts.popleft)
             return
-        from concurrent.futures import ThreadPoolExecutor  # short sweeps do not need it
+        failed: list[BaseException] = []
+
+        def help_out() -> None:
+            try:
+                run(starts.pop)
+            except BaseException as error:  # it is raised by the thread that waits
+                failed.append(error)
 
         # One begins at the end: if both were at one page of new memory, the system would make it
         # twice.  What numpy does not warn of is in the context.
-        with ThreadPoolExecutor(1) as pool:
-            helper = pool.submit(copy_context().run, run, starts.pop)
-            try:
-                run(starts.popleft)
-            finally:
-                starts.clear()  # if this thread is interrupted, the other one ends, too
-            helper.result()
+        helper = threading.Thread(target=copy_context().run, args=(help_out,))
+        helper.start()
+        try:
+            run(starts.popleft)
+        finally:
+            starts.clear()  # if this thread is interrupted, the other one ends, too
+            helper.join()
+        if failed:
+            raise failed[0]
 
 
 def _two_threads(poses: int) -> bool:

@@ -137,7 +137,7 @@ class Program:
         if self._played > OFTEN and len(outputs[0]) >= LANES:
             loop = self._compiled_for(many)
             if loop:
-                loop.play(inputs, outputs, BLOCK, finish)
+                loop.play(inputs, outputs, finish)
                 return
         self._blocks_for(many).play(inputs, outputs, finish)
 
