@@ -84,8 +84,8 @@ def opened(
     assert not faults, faults
 
 
-def until(page: Page, holds: Callable[[], object], seconds: float = 10.0) -> None:
-    """Wait until ``holds()`` is true."""
+def until(page: Page, holds: Callable[[], object], seconds: float = 30.0) -> None:
+    """Wait until ``holds()`` is true, which may take long on a machine that has much to do."""
     end = time.monotonic() + seconds
     while not holds():
         assert time.monotonic() < end, f"not so within {seconds:g} s"

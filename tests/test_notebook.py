@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import base64
 import io
+import os
 import sys
+import time
 import webbrowser
 from dataclasses import replace
 from html import escape
@@ -18,8 +20,9 @@ from PIL import Image
 
 import vad
 from tests.browser import until
-from vad import notebook
+from vad import notebook, showing
 from vad.errors import ExportError, UsageError
+from vad.export.files import clear_unfinished
 from vad.strokes.description import describe, title
 
 SHEET = vad.draw(vad.solve(vad.SliderCrank()))
@@ -193,6 +196,47 @@ def test_show_without_a_browser_says_where_the_file_is(monkeypatch, tmp_path):
     with pytest.raises(ExportError, match="no browser can be started") as error:
         vad.show(SHEET)
     assert Path(error.value.hint.partition(": ")[2]).stat().st_size > 10_000
+
+
+def test_what_was_shown_is_removed_a_day_later(monkeypatch, tmp_path):
+    monkeypatch.setattr(webbrowser, "open", lambda _: True)
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    vad.show(SHEET)
+    (first,) = tmp_path.iterdir()
+    vad.show(SHEET)
+    assert first.exists()
+    os.utime(first, (time.time() - 90_000,) * 2)
+    vad.show(SHEET)
+    assert not first.exists()
+    assert len(list(tmp_path.iterdir())) == 2
+
+
+def test_what_cannot_be_saved_leaves_nothing(monkeypatch, tmp_path):
+    def full(*_):
+        raise OSError
+
+    monkeypatch.setattr(showing, "save", full)
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    with pytest.raises(OSError):
+        vad.show(SHEET)
+    assert not list(tmp_path.iterdir())
+
+
+def test_an_end_at_once_removes_the_film_of_a_cell(monkeypatch, tmp_path):
+    """As a second interrupt ends the kernel while the film is made."""
+    left: list[Path] = []
+
+    def interrupted(_, path):
+        path.write_bytes(b"half")
+        clear_unfinished()
+        left.extend(tmp_path.iterdir())
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(notebook, "save", interrupted)
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    with pytest.raises(KeyboardInterrupt):
+        notebook.bundle(TURN, {"text/html"})
+    assert left == []
 
 
 def test_what_cannot_be_shown():

@@ -9,18 +9,17 @@ from __future__ import annotations
 
 import io
 import sys
-import tempfile
 from base64 import b64encode
 from collections.abc import Callable, Container
 from dataclasses import replace
 from functools import cache
 from hashlib import sha256
 from html import escape
-from pathlib import Path
 from typing import Any
 
 from vad.displayed import Displayed
 from vad.export import picture_png, save
+from vad.export.files import temporary_folder
 from vad.lecture.lesson import SMALLEST, Lesson, Still
 from vad.lecture.turn import Turn
 from vad.page.document import document
@@ -130,7 +129,7 @@ def _small(turn: Turn) -> bytes:
     width, height = turn.size
     scale = min(1.0, max(_WIDTH / width, SMALLEST[1] / height))
     size = 2 * round(scale * width / 2), 2 * round(scale * height / 2)
-    with tempfile.TemporaryDirectory(prefix="vad-") as folder:
-        path = Path(folder, "turn.mp4")
+    with temporary_folder() as folder:
+        path = folder / "turn.mp4"
         save(replace(turn, size=size), path)
         return path.read_bytes()

@@ -7,18 +7,17 @@ hand.
 from __future__ import annotations
 
 import sys
-import tempfile
 import webbrowser
 from collections.abc import Sequence
 from contextlib import suppress
 from importlib import import_module
 from importlib.util import find_spec
-from pathlib import Path
 from threading import Event
 from typing import TYPE_CHECKING, Any
 
 from vad.errors import ExportError, InputError, UsageError, quoted
 from vad.export import FORMATS, save
+from vad.export.files import temporary_folder
 from vad.gui.messages import ExportQuestion
 from vad.gui.visit import NO_BROWSER, visited
 from vad.kinematics.motion import Motion
@@ -38,7 +37,8 @@ _SHOWN = (".html", ".mp4", ".svg")
 def show(thing: Thing | Mechanism) -> None:
     """Show a thing: in a notebook beneath the cell, elsewhere in the browser.
 
-    The browser opens a file in a temporary folder: a lesson and a sheet as a page, a turn as a
+    The browser opens a file in a temporary folder, which is removed when the next one is made a day
+    later: a lesson and a sheet as a page, a turn as a
     film, a step and several poses as a drawing.  A mechanism opens as in ``vad gui``, until it is
     interrupted; in a notebook it is that of `widget`.
 
@@ -65,8 +65,9 @@ def show(thing: Thing | Mechanism) -> None:
         _serve(_question(thing))
     else:
         extension = next(each for each in _SHOWN if each in FORMATS[type(thing)])
-        path = Path(tempfile.mkdtemp(prefix="vad-"), "shown" + extension)
-        save(thing, path)
+        with temporary_folder(stays=True) as folder:
+            path = folder / ("shown" + extension)
+            save(thing, path)
         if not webbrowser.open(path.as_uri()):
             raise ExportError(NO_BROWSER, hint=f"open this file in one: {path}")
 

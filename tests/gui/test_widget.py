@@ -57,6 +57,7 @@ def cell(browser, tmp_path_factory) -> Iterator[SimpleNamespace]:
         page.expose_function("python", python)
         page.expose_function("trait", lambda name: str(getattr(window, name)))
         page.goto(path.as_uri())
+        until(page, lambda: page.evaluate("typeof gone == 'function'"))
         yield SimpleNamespace(page=page, frame=page.frame_locator("iframe"))
 
 
@@ -127,6 +128,28 @@ def test_errors_are_answers(path, body, said):
     data, media, _ = answer(path, body)
     assert media == "application/json"
     assert said in json.loads(data)["error"]["message"]
+
+
+@pytest.mark.parametrize(
+    ("asked", "said"),
+    [
+        (None, "path: must be a text, got None"),
+        ([], "path: must be a text, got None"),
+        ({}, "path: must be a text, got None"),
+        ({"id": 7, "body": {}}, "path: must be a text, got None"),
+        ({"id": 7, "path": ["pose"]}, "path: must be a text, got ['pose']"),
+        ({"id": 7, "path": "pose"}, "the question must be an object, got None"),
+        ({"id": 7, "path": "lesson", "body": {}}, "mechanism: is missing"),
+    ],
+)
+def test_any_message_is_answered(asked, said):
+    window = vad.widget(vad.FourBar())
+    sent: list[tuple[dict, list[bytes]]] = []
+    window.send = lambda *answer: sent.append(answer)
+    window._handle_custom_msg(asked, [])
+    ((head, (data,)),) = sent
+    assert head == {"id": asked["id"] if asked else None, "media": "application/json", "name": ""}
+    assert json.loads(data)["error"]["message"] == said
 
 
 def test_show_of_a_mechanism_in_a_notebook_displays_the_window(monkeypatch):

@@ -118,7 +118,9 @@ def new_folder(path: str | os.PathLike[str], replaceable: Callable[[Path], bool]
 
 
 @contextmanager
-def temporary_folder(place: str | os.PathLike[str] | None = None) -> Iterator[Path]:
+def temporary_folder(
+    place: str | os.PathLike[str] | None = None, *, stays: bool = False
+) -> Iterator[Path]:
     """Yield an empty folder that its owner alone can read, and that is removed at the end.
 
     What a killed process has left is removed when the next one is made in the same place, a day
@@ -128,6 +130,9 @@ def temporary_folder(place: str | os.PathLike[str] | None = None) -> Iterator[Pa
     ----------
     place
         The folder in which it is made; None for that of temporary files.
+    stays
+        Whether it stays if the block ends without error, because another program reads what is in
+        it: then it is removed as if its process had been killed.
 
     Raises
     ------
@@ -145,14 +150,18 @@ def temporary_folder(place: str | os.PathLike[str] | None = None) -> Iterator[Pa
         around = Path(tempfile.gettempdir() if place is None else place)
         path = around / f"vad-{secrets.token_hex(4)}.tmp"
 
+    filled = False
+
     def clear() -> None:
-        shutil.rmtree(path, ignore_errors=True)
+        if not (stays and filled):
+            shutil.rmtree(path, ignore_errors=True)
 
     with cleared_up(clear):
         _remove_leftovers(around, _TEMPORARY, _DAY)
         with _explained(path):
             path.mkdir(mode=0o700)
         yield path
+        filled = True
 
 
 @contextmanager

@@ -8,6 +8,7 @@ makes JSON of an error.
 from __future__ import annotations
 
 import dataclasses
+import json
 import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
@@ -321,6 +322,11 @@ _CHECKS = {
     "fps": _fps,
     "speed": gate.number,
 }
+
+
+def as_json(data: Mapping[str, Any]) -> str:
+    """Return an answer as JSON."""
+    return json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
 
 
 def problem(error: VadError, fields: Collection[str] = ()) -> dict[str, Any]:

@@ -34,7 +34,15 @@ from vad.errors import ExportError, VadError
 from vad.gui.answers import FILMS, MEDIA, lesson, pose, saved
 from vad.gui.connections import Connection, InPieces, body_of
 from vad.gui.guard import HOSTS, Guard, PageKey, RefusalError, SecurityHeaders
-from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion, Question, problem, read
+from vad.gui.messages import (
+    ExportQuestion,
+    LessonQuestion,
+    PoseQuestion,
+    Question,
+    as_json,
+    problem,
+    read,
+)
 from vad.gui.window import window
 from vad.gui.work import ANSWER, ANSWERS, FILE, FILES, FILM, BusyError, Work
 from vad.words import all_languages
@@ -229,5 +237,4 @@ def _json(body: bytes) -> object:
 
 
 def _reply(data: dict[str, Any], status: int = 200) -> Response:
-    text = json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
-    return Response(text, status, media_type="application/json")
+    return Response(as_json(data), status, media_type="application/json")

@@ -6,14 +6,13 @@ of by HTTP, and are answered by the same functions.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from functools import partial
 from importlib.resources import files
 from threading import Event
 from typing import TYPE_CHECKING, Any
 
-from vad.errors import VadError, one_of
+from vad.errors import UsageError, VadError, one_of, quoted
 from vad.gui.answers import MEDIA, lesson, pose, saved
 from vad.gui.messages import (
     ExportQuestion,
@@ -21,6 +20,7 @@ from vad.gui.messages import (
     LessonQuestion,
     PoseQuestion,
     Question,
+    as_json,
     problem,
     read,
 )
@@ -56,18 +56,29 @@ def in_cell(start: ExportQuestion) -> AnyWidget:
             super().__init__(page=window(start, "", head), title=f"vad: {start.mechanism}")
             self.on_msg(self._answer)
 
-        def _answer(self, _: object, asked: dict[str, Any], __: object) -> None:
-            data, media, name = answer(asked["path"], asked["body"], start.kinds)
-            self.send({"id": asked["id"], "media": media, "name": name}, [data])
+        def _answer(self, _: object, asked: object, __: object) -> None:
+            self.send(*reply(asked, start.kinds))
 
     return Window()
 
 
-def answer(path: str, body: object, kinds: Kinds = MECHANISMS) -> tuple[bytes, str, str]:
+def reply(asked: object, kinds: Kinds = MECHANISMS) -> tuple[dict[str, Any], list[bytes]]:
+    """Return the message that answers a message of the page, and its bytes.
+
+    Anything may come, because whoever has the notebook's channel can write to it.
+    """
+    given = asked if isinstance(asked, dict) else {}
+    data, media, name = answer(given.get("path"), given.get("body"), kinds)
+    return {"id": given.get("id"), "media": media, "name": name}, [data]
+
+
+def answer(path: object, body: object, kinds: Kinds = MECHANISMS) -> tuple[bytes, str, str]:
     """Return what the server answers to the same question: bytes, their type, a file's name."""
-    kind, work = _ANSWERS.get(path, (ExportQuestion, None))
     fields: tuple[str, ...] = ()
     try:
+        if not isinstance(path, str):
+            raise UsageError(f"path: must be a text, got {quoted(path)}")
+        kind, work = _ANSWERS.get(path, (ExportQuestion, None))
         question: Any = read(kind, body, kinds)
         fields = question.fields
         if work is None:
@@ -77,4 +88,4 @@ def answer(path: str, body: object, kinds: Kinds = MECHANISMS) -> tuple[bytes, s
         found = _WORK.done_here(ANSWER, partial(work, question))
     except VadError as error:
         found = {"error": problem(error, fields)}
-    return json.dumps(found, ensure_ascii=False).encode(), "application/json", ""
+    return as_json(found).encode(), "application/json", ""
