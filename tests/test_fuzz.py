@@ -21,6 +21,7 @@ SHARES = {
     "sheets": 25,
     "batches": 60,
     "messages": 15,
+    "requests": 30,
     "titles": 2,
     "signals": 4,
 }

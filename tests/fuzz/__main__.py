@@ -37,6 +37,7 @@ ENTRANCES = {
     "sheets": 2.0,
     "batches": 1.0,
     "messages": 1.0,
+    "requests": 1.0,
     "titles": 0.5,
     "signals": 1.5,
 }

@@ -1,6 +1,6 @@
-"""Messages to the window's server that no page sends: an answer, or an error of one line.
+"""Messages to the window that no page sends: an answer, or an error of one line.
 
-A seed is a path, headers and a body.
+A seed is a path and a body for the server, or a message by the channel of a notebook.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from tests.fuzz.promise import broken
 from vad.gui.guard import PageKey
 from vad.gui.messages import ExportQuestion
 from vad.gui.server import application
+from vad.gui.widget import reply
 
 #: The most seconds that an answer may take.
 LONGEST = 60.0
@@ -26,6 +27,8 @@ LONGEST = 60.0
 PORT = 8765
 PATHS = ("/api/pose",) * 4 + ("/api/lesson",) * 2 + ("/api/export/svg", "/api/export/json")
 STRANGE = ("/", "/api/export/exe", "/api/export/../x", "/api/", "/api/pose/x", "/%00", "/api/pose?")
+#: Stands for a path: the message comes by the channel of a notebook.
+CELL = "cell"
 VALUES: tuple[Any, ...] = (
     *(None, True, 0, -1, 60, 1e-12, 1e7, 1e-150, 1e150, 1e199, 1e308, float("nan"), 10**400),
     *("", "60", "6 cm", "60 nan", "1e400", "x" * 3000, "\x00", "\ud800", "<b>", "open", "crossed"),
@@ -33,6 +36,7 @@ VALUES: tuple[Any, ...] = (
     {f"P{number}": ["coupler", number, 3] for number in range(400)},
     *([640, 360], [1e9, 1e9], ["velocity"] * 1000, {"velocity": [1, 2, 3]}, {"x": [0, 0, 0]}),
 )
+CELL_PATHS = ("pose", "lesson", "export/svg", "export/json", *STRANGE, *VALUES)
 FIELDS = (
     *(
         "mechanism",
@@ -65,6 +69,13 @@ def case(seed: int) -> tuple[str, bytes]:
     for _ in range(dice.choice((0, 1, 1, 1, 2, 4))):
         held = dice.choice([data, *(each for each in data.values() if isinstance(each, dict))])
         held[dice.choice(list(held) if held and dice.random() < 0.4 else FIELDS)] = _one(dice)
+    if dice.random() < 0.2:
+        asked = {"id": dice.choice((1, 1, *VALUES)), "path": dice.choice(CELL_PATHS), "body": data}
+        for _ in range(dice.choice((0, 0, 0, 1, 2))):
+            asked[dice.choice(list(asked))] = _one(dice)
+        if dice.random() < 0.1:
+            del asked[dice.choice(list(asked))]
+        return CELL, json.dumps(_one(dice) if dice.random() < 0.05 else asked).encode()
     body = json.dumps(data).encode()
     if dice.random() < 0.1:
         at = dice.randrange(len(body))
@@ -91,16 +102,24 @@ def fault(message: tuple[str, bytes], _: int = 0) -> str | None:
     """Send a message; return what the answer breaks, or None."""
     path, body = message
 
+    def asked_in_a_cell() -> None:
+        (_, (said,)) = reply(json.loads(body))
+        _check(json.loads(said) if said.startswith(b"{") else None)
+
     def asked() -> None:
         headers = {"content-type": "application/json"}
         answer = client().post(path, content=body, headers=headers)
         if answer.status_code >= 500 and answer.status_code != 503:
             raise AssertionError(f"{answer.status_code}: {answer.text[:300]}")
         if answer.status_code == 200 and "json" in answer.headers.get("content-type", ""):
-            said = answer.json()
-            line = said.get("error", "x") if isinstance(said, dict) else "x"
-            line = line.get("message", "x") if isinstance(line, dict) else line
-            if not isinstance(line, str) or not line.isprintable() or len(line) > 520:
-                raise AssertionError(f"is no line: {line!r}"[:600])
+            _check(answer.json())
 
-    return broken(asked, LONGEST)
+    return broken(asked_in_a_cell if path == CELL else asked, LONGEST)
+
+
+def _check(said: object) -> None:
+    """Raise if an answer has an error that is no line."""
+    line = said.get("error", "x") if isinstance(said, dict) else "x"
+    line = line.get("message", "x") if isinstance(line, dict) else line
+    if not isinstance(line, str) or not line.isprintable() or len(line) > 520:
+        raise AssertionError(f"is no line: {line!r}"[:600])

@@ -259,3 +259,13 @@ def test_two_clients_and_several_threads_have_the_same_answers(key):
         thread.join()
     assert len(all_answers[0]) == 20
     assert all(each == all_answers[0] for each in all_answers)
+
+
+def test_a_body_that_is_none_is_no_news(key):
+    """The server refuses it before the question is answered, which cannot be done any more."""
+    for cookie in ("", f"Cookie: {key.cookie}={key.token}\r\n"):
+        head = f"POST / HTTP/1.1\r\nHost: x\r\n{cookie}Transfer-Encoding: chunked\r\n\r\n"
+        with socket.create_connection(("127.0.0.1", key.port)) as line:
+            line.sendall(f"{head}no chunk\r\n".encode())
+            assert line.recv(1 << 16).startswith(b"HTTP/1.1 400 ")
+    assert answer(key)[0] == 200

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import asyncio
 
+from h11 import LocalProtocolError
 from starlette.requests import ClientDisconnect, Request
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from uvicorn.protocols.http.h11_impl import H11Protocol
@@ -49,7 +50,7 @@ class Connection(H11Protocol):
 
 
 class InPieces:
-    """Sends long answers in pieces, and gives up where nobody reads them."""
+    """Sends long answers in pieces, and gives up where nobody reads them or can be answered."""
 
     def __init__(self, app: ASGIApp) -> None:
         self._app = app
@@ -61,7 +62,7 @@ class InPieces:
             try:
                 async with asyncio.timeout(UNREAD):
                     await send(message)
-            except TimeoutError:
+            except (TimeoutError, LocalProtocolError):  # or what came next is no request
                 raise ClientDisconnect from None
 
         async def send_in_pieces(message: Message) -> None:
