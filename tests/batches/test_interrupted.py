@@ -89,3 +89,23 @@ def test_workers_end_after_the_main_process_was_killed(batch):
     time.sleep(0.5)  # until the workers work
     running.kill()
     assert ended(running) == (-9, "")
+
+
+def test_what_a_killed_batch_left_is_removed_by_the_next_one_a_day_later(batch):
+    """All processes were killed at once, so that nobody could clean up."""
+    running, folder = batch
+    out, temporary = folder / "out", folder / "temporary"
+    wait_for(running, out / "001-key.svg")
+    time.sleep(0.3)
+    os.killpg(running.pid, signal.SIGKILL)
+    assert ended(running) == (-9, "")
+    (out / ".vad-0123abcd.part").touch()  # as where a file was being written
+    assert list(temporary.iterdir()) != []
+    yesterday = (time.time() - 90_000,) * 2
+    for each in (*temporary.iterdir(), *out.glob(".vad-*")):
+        os.utime(each, yesterday)
+    again = [sys.executable, "-m", "vad", *running.args[3:]]
+    surroundings = {**os.environ, "PYTHONPATH": str(ROOT), "TMPDIR": str(temporary)}
+    assert subprocess.run(again, env=surroundings, check=False).returncode == 0
+    assert list(temporary.iterdir()) == []
+    assert list(folder.rglob(".vad-*")) == []

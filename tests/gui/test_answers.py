@@ -294,3 +294,32 @@ def test_the_mechanism_stays_in_its_panel_to_the_ends_of_its_reach(ask: Ask, nam
             place = {driven: low + share * (last - low)}
             x, y = ask("pose", name, parameters=parameters, inputs=place)["handle"]["at"]
             assert left < x < left + wide and top < y < top + high
+
+
+@pytest.mark.parametrize("path", ["pose", "lesson", "export/svg"])
+@pytest.mark.parametrize(
+    ("asked", "said"),
+    [
+        ('"parameters": {"crank": "60 nan"}', "crank: 'nan' is not a unit of length"),
+        ('"parameters": {"crank": "nan"}', "crank: must be a finite number, got nan"),
+        ('"inputs": {"angle": "60 nan"}', "angle: 'nan' is not a unit of angle"),
+        ('"length_unit": "nan"', "'nan' is not a unit of length"),
+        ('"length_unit": "inf"', "'inf' is not a unit of length"),
+        (f'"parameters": {{"crank": 1{"0" * 400}}}', "crank: must be a finite number"),
+        (f'"inputs": {{"omega": -1{"0" * 400}}}', "omega: must be a finite number"),
+        (f'"scales": {{"velocity": [0, 0, 1{"0" * 400}]}}', "scales: must be a finite number"),
+    ],
+)
+def test_no_number_and_no_unit_is_a_fault(client: TestClient, capfd, path, asked, said):
+    """Nor is anything printed on the terminal."""
+    body = f'{{"mechanism": "slider-crank", {asked}}}'
+    headers = {"content-type": "application/json"}
+    answer = client.post(f"/api/{path}", content=body.encode(), headers=headers)
+    if "scales" in asked and path == "export/svg":
+        said = "unknown field 'scales'"
+    assert answer.status_code in (200, 422)
+    message = answer.json()["error"]["message"]
+    assert said in message
+    assert message.isprintable()
+    assert len(message) < 200
+    assert capfd.readouterr() == ("", "")
