@@ -8,16 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields, replace
+from itertools import groupby
 from typing import Any
 
 from vad.kinematics.numbers import vector
 from vad.kinematics.reach import closing_range
 from vad.kinematics.traced import Traced, plain
-from vad.page.ink import Inker
+from vad.lecture.moment import drawing
+from vad.page.ink import Inker, when
 from vad.page.solver import script
 from vad.painting.svg_elements import number
 from vad.plan.hand_board import HandBoard, Label
-from vad.plan.items import Item, in_painting_order
+from vad.plan.items import FOREVER, Item, in_painting_order
 from vad.plan.labels.vertices import text_at
 from vad.plan.marks import Bow, Disc, Lettering, Outline, Polygon, Polyline
 from vad.plan.pictures.skeleton import GRIP
@@ -84,14 +86,21 @@ def hand(board: HandBoard, sheet: Sheet, inker: Inker) -> Hand:
     moves: list[list[Any]] = []
     moving = [item for sketch in board.sketches.values() for item in sketch.items]
     regions = [panel.name for panel in traced.sheet.panels]
+    begun = Begun(sheet)
     for region in regions:
         shown = [item for item in (*board.still, *moving) if item.region == region]
-        layers[region] = _layer(in_painting_order(shown, regions), inker, outputs, moves)
+        layers[region] = "".join(
+            f"<g{begun.of(*named)}>{_layer(items, inker, outputs, moves)}</g>"
+            for named, items in groupby(
+                in_painting_order(shown, regions), key=lambda item: _named(item.stroke, region)
+            )
+        )
     labels = []
     for label in board.labels:
         column = traced.sheet.panel(label.panel).column
         element = inker.mark(text_at(label.runs, label.runs, 0j, label.size, label.role, label.row))
-        layers[column] += f'<g class="label">{element}</g>'
+        since = begun.of(label.panel, label.stroke)
+        layers[column] += f'<g class="label"{since}>{element}</g>'
         labels.append([regions.index(column), *_wish(label, outputs)])
     blocks = [
         [regions.index(sketch.setting.panel.column), *outputs.listed((start, end)), round(half, 5)]
@@ -102,7 +111,8 @@ def hand(board: HandBoard, sheet: Sheet, inker: Inker) -> Hand:
     if grip:
         radius = number(GRIP * inker.frame[0])
         place = f'cx="0" cy="0" r="{radius}" data-vad-grip'
-        layers[regions[0]] += f'</g><g class="grip"><circle class="ring" {place}/>'
+        since = begun.of(regions[0], traced.sheet.driver.stroke)
+        layers[regions[0]] += f'</g><g class="grip"{since}><circle class="ring" {place}/>'
     data = {
         "inputs": list(traced.inputs),
         "start": _start(board, sheet),
@@ -125,6 +135,34 @@ def hand(board: HandBoard, sheet: Sheet, inker: Inker) -> Hand:
     program = traced.program(outputs.numbers)
     data["size"] = len(outputs.numbers)
     return Hand(layers, script(program, len(traced.inputs) - 3), data)
+
+
+class Begun:
+    """The beats of the lesson of a sheet in which its strokes are begun."""
+
+    def __init__(self, sheet: Sheet) -> None:
+        self._beats: dict[tuple[str, str], int] = {}
+        self._last: dict[str, int] = {}
+        halves = ((panel, half) for panel in sheet.panels for half in panel.halves)
+        strokes = ((panel, half, stroke) for panel, half in halves for stroke in half.strokes)
+        for number, (panel, half, stroke) in enumerate(strokes):
+            self._beats[half.name, stroke.name] = drawing(number)
+            self._last[panel.name] = self._last[half.name] = drawing(number)
+
+    def of(self, panel: str, stroke: str) -> str:
+        """Return the attribute of what is seen from a stroke on.
+
+        A stroke that the lesson has not, as for a vector without a length, comes with the last one
+        of its panel; without a name it is there from the start.
+        """
+        since = self._beats.get((panel, stroke), self._last.get(panel, 0)) if stroke else 0
+        return when([(since, FOREVER)])
+
+
+def _named(stroke: str, region: str) -> tuple[str, str]:
+    """Return the panel and the name of a stroke's full name; both for what belongs to none."""
+    panel, _, name = stroke.rpartition(":")
+    return panel or region, name
 
 
 def _layer(items: Iterable[Item], inker: Inker, outputs: Outputs, moves: list[list[Any]]) -> str:

@@ -59,6 +59,8 @@ class Label:
     ----------
     panel, name
         The panel in which it stands, and what tells it from others there.
+    stroke
+        The stroke with which it comes.
     runs, size, role, row
         Its text and how that looks.
     wide, high
@@ -77,6 +79,7 @@ class Label:
 
     panel: str
     name: str
+    stroke: str
     runs: Runs
     size: float
     role: str
@@ -104,16 +107,17 @@ class NamedLabels:
             wanted = wish(vertex, vertices, radius, near)
             again = sum(other.label == vertex.label for other in vertices[:number])
             name = f"{vertex.label} {again}" if again else vertex.label  # in another view
-            self._note(name, symbols(vertex.label), LETTER, vertex.at, wanted.first, near, radius)
+            stroke = sketch.setting.panel.strokes[vertex.since].name
+            text, way = symbols(vertex.label), wanted.first
+            self._note(name, stroke, text, LETTER, vertex.at, way, near, radius)
 
     def angle(self, sketch: Sketch, index: int, arc: Bow) -> None:
         """Note the value of an angle."""
         stroke = sketch.setting.panel.strokes[index]
         way = _ray(arc.start + 0.5 * arc.sweep)
         at = arc.centre + arc.radius * way
-        self._note(
-            f"angle {stroke.name}", roman(stroke.label), VALUE, at, way, VALUE_NEAR, role="value"
-        )
+        name, text = stroke.name, roman(stroke.label)
+        self._note(f"angle {name}", name, text, VALUE, at, way, VALUE_NEAR, role="value")
 
     def vector(self, sketch: Sketch, index: int, name: str) -> None:
         """Note the name of a vector, which stands beside its middle."""
@@ -123,11 +127,13 @@ class NamedLabels:
         across = 1j * complex(end - start) / (abs(complex(end - start)) or 1.0)
         row = sketch.setting.row(stroke.link)
         middle = (start + end) / 2
-        self._note(name, symbols(name), SMALL_SIZE, middle, across, GAPS, role="tag", row=row)
+        text = symbols(name)
+        self._note(name, stroke.name, text, SMALL_SIZE, middle, across, GAPS, role="tag", row=row)
 
     def _note(
         self,
         name: str,
+        stroke: str,
         runs: Runs,
         size: float,
         at: complex,
@@ -138,8 +144,9 @@ class NamedLabels:
         row: int | None = None,
     ) -> None:
         ink = ink_size(runs, size)
+        looks = runs, size, role, row
         self.found.append(
-            Label(self.panel, name, runs, size, role, row, *ink, at, radius, near, complex(way))
+            Label(self.panel, name, stroke, *looks, *ink, at, radius, near, complex(way))
         )
 
 
