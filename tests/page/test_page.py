@@ -59,7 +59,7 @@ def test_it_asks_for_nothing_and_runs_one_script() -> None:
     assert f"script-src 'sha256-{proof}';" in policy
 
 
-TABLES = ("PLAYER", "SPOKEN", "WINDOW")
+TABLES = ("PLAYER", "HAND", "SPOKEN", "WINDOW")
 
 
 @pytest.mark.parametrize("code", languages())

@@ -145,9 +145,9 @@ class Begun:
         self._last: dict[str, int] = {}
         halves = ((panel, half) for panel in sheet.panels for half in panel.halves)
         strokes = ((panel, half, stroke) for panel, half in halves for stroke in half.strokes)
-        for number, (panel, half, stroke) in enumerate(strokes):
-            self._beats[half.name, stroke.name] = drawing(number)
-            self._last[panel.name] = self._last[half.name] = drawing(number)
+        for index, (panel, half, stroke) in enumerate(strokes):
+            self._beats[half.name, stroke.name] = drawing(index)
+            self._last[panel.name] = self._last[half.name] = drawing(index)
 
     def of(self, panel: str, stroke: str) -> str:
         """Return the attribute of what is seen from a stroke on.
