@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from vad.mechanisms.spherical_four_bar import SphericalFourBar
     from vad.mechanisms.whitworth import Whitworth
     from vad.showing import show, widget
+    from vad.statics.forces import Forces, forces
     from vad.strokes.draw import draw
     from vad.strokes.multiples import Multiples, multiples
     from vad.strokes.sheet import Sheet
@@ -61,6 +62,7 @@ __all__ = [
     "DoubleSlider",
     "EllipticalTrammel",
     "ExportError",
+    "Forces",
     "FourBar",
     "GateActuator",
     "HookeJoint",
@@ -83,6 +85,7 @@ __all__ = [
     "animate",
     "batch",
     "draw",
+    "forces",
     "load",
     "mechanism",
     "multiples",
@@ -101,6 +104,8 @@ _HOMES = {
     "solve": "vad.kinematics.motion",
     "Motion": "vad.kinematics.motion",
     "Motions": "vad.kinematics.motion",
+    "forces": "vad.statics.forces",
+    "Forces": "vad.statics.forces",
     "draw": "vad.strokes.draw",
     "Sheet": "vad.strokes.sheet",
     "multiples": "vad.strokes.multiples",

@@ -19,6 +19,8 @@ from vad.errors import InputError, UsageError, quoted
 SHORTEST, LONGEST = 1e-200, 1e200
 #: The largest rate of a driver: squares of rates times lengths stay in the range of doubles.
 FASTEST = 1e60
+#: The largest force, couple, mass or moment of inertia: products with lengths are doubles, too.
+LARGEST_LOAD = 1e60
 #: The ends of what the longest vector of a drawing may have: so its scale is a double, too.
 SMALLEST_DRAWN, LARGEST_DRAWN = 1e-250, 1e250
 #: The most things in a list of names: more than there are names of anything.

@@ -27,6 +27,11 @@ _SCENE = {
     "velocity": "{}/s",
     "acceleration": "{}/s^2",
     "number": "",
+    "force": "N",
+    "couple": "N*m",
+    "mass": "kg",
+    "inertia": "kg*m^2",
+    "gravity": "m/s^2",
 }
 # What a quantity is called in a sentence, and a few of its units.
 _WORDS = {
@@ -38,9 +43,17 @@ _WORDS = {
     "velocity": ("a unit of velocity", "mm/s, m/s, ft/min"),
     "acceleration": ("a unit of acceleration", "mm/s^2, m/s^2, ft/s^2"),
     "number": ("a unit of length or angle", "mm, cm, m, in, deg"),
+    "force": ("a unit of force", "N, kN, lbf"),
+    "couple": ("a unit of moment", "N m, kN m, lbf in, lbf ft"),
+    "mass": ("a unit of mass", "kg, g, t, lb"),
+    "inertia": ("a unit of moment of inertia", "kg m^2, kg cm^2, lb in^2"),
+    "gravity": ("a unit of acceleration", "m/s^2, ft/s^2"),
 }
 #: The usual units of length.
 LENGTH_UNITS = ("mm", "cm", "m", "km", "in", "ft", "yd")
+_METRES = {
+    "mm": 0.001, "cm": 0.01, "m": 1.0, "km": 1000.0, "in": 0.0254, "ft": 0.3048, "yd": 0.9144,
+}  # fmt: skip
 
 # Not pint's own table: here a radian is no mere number, so that "2 Hz" is not taken for 2 rad/s,
 # nor "50 percent" for half a radian.
@@ -63,6 +76,14 @@ minute = 60 * second = min
 hour = 60 * minute = h
 rpm = turn / minute
 rps = turn / second
+gram = [mass] = g
+tonne = 1000 * kilogram = t
+pound = 0.45359237 * kilogram = lb
+slug = pound_force * second ** 2 / foot
+newton = kilogram * metre / second ** 2 = N
+pound_force = 4.4482216152605 * newton = lbf
+kilogram_force = 9.80665 * newton = kgf
+ounce_force = pound_force / 16 = ozf
 """.strip().splitlines()
 
 #: Longer texts are refused, because the time to read one grows with the square of its length.
@@ -164,6 +185,23 @@ def _example(text: str, quantity: str) -> str:
     if re.search(r"\d,\d", text):
         return "with a point, as in 1.5"
     return f"write 60 or '60 {_WORDS[quantity][1].split(',')[0]}'"
+
+
+@cache
+def metres_of(length_unit: str) -> float | None:
+    """Return how many metres a unit of length has; None for a word that is no unit.
+
+    Examples
+    --------
+    >>> metres_of("mm"), metres_of("ft"), metres_of("squares")
+    (0.001, 0.3048, None)
+    """
+    if length_unit in _METRES:
+        return _METRES[length_unit]
+    try:
+        return float(_factor(length_unit, "length", "m"))
+    except UsageError:
+        return None
 
 
 def check_length_unit(name: str) -> str:

@@ -255,6 +255,8 @@ class LinkEntry:
         Where the further points are; each follows from those before it.
     cylinder
         Whether the length varies.
+    rod
+        The name of a cylinder's rod; if it is empty, the program chooses one.
     """
 
     name: str
@@ -262,6 +264,7 @@ class LinkEntry:
     length: Expression | None
     rules: Mapping[str, Rule]
     cylinder: bool = False
+    rod: str = ""
 
     @property
     def points(self) -> tuple[str, ...]:

@@ -132,6 +132,7 @@ class _Linking:
             ground=ground,
             fixed={point: self.fixed[point] for point in self.fixed if point not in here},
             place=self.fixed[self.pivot],
+            rods={each.name: each.rod for each in self.description.links.values() if each.rod},
         )
 
     def _pivot(self) -> str:

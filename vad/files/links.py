@@ -73,11 +73,13 @@ class _LinkReader:
         """Return a link that is written with its distances."""
         pairs: dict[Pair, Any] = {}
         angles: dict[Angle, Any] = {}
-        side = 1
+        side, rod = 1, ""
         for key, number in value.items():
             points = letters(key)
             if key == "sense":
                 side = self._side(number)
+            elif key == "rod":
+                rod = self._rod(number)
             elif len(points) not in (2, 3) or len(set(points)) < len(points):
                 hint = "two letters are a distance, three an angle"
                 raise self.error(f"cannot read {quoted(key)}", hint)
@@ -93,7 +95,9 @@ class _LinkReader:
         if pairs[base] == VARIABLE:
             if len(pairs) + len(angles) > 1:
                 raise self.error("a cylinder has two points", "fix the others to its neighbours")
-            return LinkEntry(self.name, base, None, {}, cylinder=True)
+            return LinkEntry(self.name, base, None, {}, cylinder=True, rod=rod)
+        if rod:
+            raise self.error("rod: only a cylinder has one", f"{''.join(base)} = 'variable'")
         alone = len(pairs) == 1
         sizes = {pair: self._length(pair, number, alone) for pair, number in pairs.items()}
         return LinkEntry(self.name, base, sizes.pop(base), self._rules(base, sizes, angles, side))
@@ -103,6 +107,14 @@ class _LinkReader:
             hint = "write 'clockwise' or 'counter-clockwise'"
             raise self.error(f"sense: cannot read {quoted(word)}", hint)
         return -1 if word == "clockwise" else 1
+
+    def _rod(self, name: object) -> str:
+        if not isinstance(name, str) or not _NAME.fullmatch(name):
+            raise self.error(f"rod: must be one word, got {quoted(name)}", "as in rod = 'piston'")
+        others = self.numbers.source.table("links")
+        if name in others:
+            raise self.error(f"rod: a link is called {name} already")
+        return name
 
     def _length(self, pair: Pair, value: Any, alone: bool) -> Expression:
         if value == VARIABLE:

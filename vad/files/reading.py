@@ -219,7 +219,7 @@ def guides(
     for point, name in usual.items():
         others = [*usual.values(), *names.values(), *links]
         names[point] = f"{name}_{point.lower()}" if others.count(name) > 1 else name
-    taken = dict.fromkeys(links, "a link")
+    taken = {each.rod: "a rod" for each in links.values()} | dict.fromkeys(links, "a link")
     for point, name in names.items():
         if name in taken:
             message = f"{point}: {taken[name]} is called {name} already"

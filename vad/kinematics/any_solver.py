@@ -33,6 +33,9 @@ Result = tuple[str, str, str]
 # To record a program takes about as long as to solve so many poses without one.
 OFTEN = 50
 
+# The names of the driver's inputs.
+_DRIVER = ("place", "rate", "second_rate")
+
 # A loop that does not close misses by this at least, even if its gap is rounded to nothing.
 _LEAST_MISS = 1e-300
 
@@ -45,6 +48,10 @@ _ORDERS = {
     "velocity": 1,
     "acceleration": 2,
     "coriolis": 1,
+    # Forces, by what they need: the pose alone, the sense in which blocks slide, accelerations.
+    "static": 0,
+    "rubbing": 1,
+    "dynamic": 2,
 }
 
 
@@ -69,6 +76,8 @@ class AnySolver(ABC):
         Those of the links that turn about no fixed line: they have no angle.
     two_assemblies
         Whether it can be assembled in two ways.
+    further
+        The names of inputs beyond the driver's place and its two rates.
     """
 
     driver: Scalar
@@ -78,6 +87,7 @@ class AnySolver(ABC):
     joints: Set[str] = frozenset()
     bodies: Set[str] = frozenset()
     two_assemblies: bool
+    further: tuple[str, ...] = ()
 
     def __init__(self) -> None:
         self._asked: Counter[Result] = Counter()
@@ -116,6 +126,10 @@ class AnySolver(ABC):
 
         A rate that does not exist is NaN: at a dead centre.
         """
+
+    def evaluation(self, inputs: tuple[Number, ...]) -> Evaluation:
+        """Return what is to be found of one pose, or of recorded numbers."""
+        return Evaluation(self, inputs)
 
     @abstractmethod
     def evaluate(self, result: Result, evaluation: Evaluation) -> Number:
@@ -206,7 +220,7 @@ class Evaluation:
     solver
         The solver.
     inputs
-        The driver's angle in degrees or its length, and its two rates.
+        The driver's angle in degrees or its length, its two rates, and any further inputs.
     """
 
     def __init__(self, solver: AnySolver, inputs: tuple[Number, ...]) -> None:
@@ -264,17 +278,19 @@ class RecordedSolver:
     Attributes
     ----------
     inputs
-        The driver's place, its rate and its second rate.
+        The driver's place, its rate and its second rate, and any further inputs.
     """
 
     def __init__(self, solver: AnySolver) -> None:
         tape = Tape()
         self._solver = solver
-        self.inputs = tuple(map(tape.input, ("place", "rate", "second_rate")))
-        self._evaluation = Evaluation(solver, self.inputs)
+        self.inputs = tuple(map(tape.input, (*_DRIVER, *solver.further)))
+        self._evaluation = solver.evaluation(self.inputs)
         self._programs: dict[Any, Program] = {}
 
-    def program(self, results: tuple[Result, ...], known: int = 0, order: int = -1) -> Program:
+    def program(
+        self, results: tuple[Result, ...], known: int = 0, order: int = -1, apart: bool = False
+    ) -> Program:
         """Return the program that calculates results.
 
         Parameters
@@ -286,17 +302,21 @@ class RecordedSolver:
             whether the links close.
         order
             The highest order whose numbers are wanted, too: those that are not known are outputs.
+        apart
+            Whether each part of a result is an array of its own instead of a column.
         """
-        key = results, known, order
+        key = results, known, order, apart
         if key not in self._programs:
             highest = max([0, order, known - 1, *map(order_of, results)])
             inputs = [*self.inputs[: highest + 1]]
+            if results:
+                inputs += self.inputs[len(_DRIVER) :]
             inputs += [x for each in range(known) for x in self.numbers(each)]
             kept = [x for each in range(known, order + 1) for x in self.numbers(each)]
             if not known:
                 kept = [self.closes, *kept]
             parts = [x for result in results for x in self.parts(result)]
-            self._programs[key] = Program(inputs, [*kept, *parts], len(parts))
+            self._programs[key] = Program(inputs, [*kept, *parts], 0 if apart else len(parts))
         return self._programs[key]
 
     def pose(self, results: Iterable[Result]) -> tuple[Callable[..., Steps], dict[Result, int]]:

@@ -291,6 +291,24 @@ class Loop:
                 yield (-side if step.reverse else side), step
 
 
+class Rod(NamedTuple):
+    """The rod of a cylinder.
+
+    Attributes
+    ----------
+    name
+        Its name as a body.
+    point
+        Its outer end.
+    turn
+        The direction from there to the barrel, in the axes of the link.
+    """
+
+    name: str
+    point: str
+    turn: complex
+
+
 @dataclass(frozen=True, slots=True)
 class Linkage:
     """A mechanism for the solver and for the polygons: loops, a driver and fixed points.
@@ -311,6 +329,10 @@ class Linkage:
         Any further fixed points: where each is, as x + iy in the user's axes.
     place
         Where the pivot is, in the user's axes.
+    rods
+        The names of the rods of cylinders: by the name of a link that has the length of its own
+        slide, and that is the name of its barrel.  The rod of a link that is left out is called
+        ``<link>_rod``.
     """
 
     driver: Scalar
@@ -320,6 +342,7 @@ class Linkage:
     ground: tuple[str, float, float] | None = None
     fixed: Mapping[str, complex] = field(default_factory=dict, hash=False)
     place: complex = 0j
+    rods: Mapping[str, str] = field(default_factory=dict, hash=False)
     unknowns: tuple[tuple[Scalar, ...], ...] = field(init=False, default=())
 
     def __post_init__(self) -> None:
@@ -340,6 +363,20 @@ class Linkage:
         from vad.kinematics.checks import check  # it needs these classes
 
         check(self)
+
+    @property
+    def cylinders(self) -> dict[str, Rod]:
+        """The rods of links that have the length of their own slide, by the name of the link."""
+        steps = [step for loop in self.loops for _, step in loop.steps()]
+        bars = [step for step in steps if isinstance(step, Bar)]
+        found = {}
+        for slide in steps:
+            if isinstance(slide, Slide) and slide.along == slide.name:
+                ends = (bar for bar in bars if (bar.length, bar.tail) == (slide.name, slide.head))
+                point = next((bar.head for bar in ends), slide.head)
+                name = self.rods.get(slide.name, f"{slide.name}_rod")
+                found[slide.name] = Rod(name, point, -slide.turn)
+        return found
 
     @property
     def frame(self) -> float:

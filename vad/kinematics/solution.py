@@ -71,7 +71,7 @@ class Solution(Generic[Truth]):
     def _evaluation(self) -> Evaluation:
         """The solver's own calculation of one pose."""
         if self._evaluated is None:
-            self._evaluated = Evaluation(self.solver, self._values)
+            self._evaluated = self.solver.evaluation(self._values)
         return self._evaluated
 
     @property
@@ -220,6 +220,33 @@ class Solution(Generic[Truth]):
         if self._orders == 0 and 1 < np.size(place) < size:  # once for each place of the driver
             self._run((), 0, place.size, place.shape)
         return self._run(tuple(results), kept, size, self.shape)
+
+    def read_apart(self, results: Sequence[Result]) -> list[list[NDArray[np.float64]]]:
+        """Return new arrays of results, one for each of their parts, flat.
+
+        Many results are found so in half the time that a table of them takes, but each part of a
+        vector stands alone.  A result that does not exist is NaN in all its parts.
+        """
+        recorded, size = self.solver.recorded, math.prod(self.shape)
+        program = recorded.program(tuple(results), apart=True)
+        given = dict(zip((x.name for x in recorded.inputs), self._values, strict=True))
+        closes, *columns = program.arrays(size)
+        left = iter(columns)
+        found = [[next(left) for _ in recorded.parts(result)] for result in results]
+
+        def finish(part: slice) -> None:
+            close = closes[part]
+            if close.all() and all(math.isfinite(column[part].sum()) for column in columns):
+                return
+            for parts in found:
+                exists = close & np.logical_and.reduce([np.isfinite(x[part]) for x in parts])
+                for column in parts:
+                    column[part][~exists] = math.nan
+
+        with np.errstate(all="ignore"):
+            inputs = [_spread(given[x.name], self.shape) for x in program.inputs]
+            program.play(inputs, [closes, *columns], finish)
+        return found
 
     def _run(
         self, results: tuple[Result, ...], kept: int, size: int, shape: tuple[int, ...]

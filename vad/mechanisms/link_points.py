@@ -131,14 +131,19 @@ def marked(
     used = {name for step in steps for name in points_of(step.ends)}
     free = (letter for letter in ascii_uppercase if letter not in {*own, *used, *points})
     bars = []
+    rods = {rod.name: (each, rod) for each, rod in linkage.cylinders.items()}
     for name, (link, distance, angle) in points.items():
-        known = [each for each in links if each in turning]
+        known = [*(each for each in links if each in turning), *rods]
         if link not in known:
             wrong = unknown("link", link, known)
             raise InputError(f"point {name}: {wrong}", wrong.hint)
         if name in own:
             hint = f"free are {', '.join(islice(free, 5))} …"
             raise InputError(f"point {name}: the mechanism has a point {name} already", hint)
+        if link in rods:  # it is counted from the outer end of the rod, towards the barrel
+            barrel, rod = rods[link]
+            bars.append(Bar(rod.point + name, barrel, distance, turn=rod.turn * _turn(angle)))
+            continue
         tail = points_of(links[link])[0]
         bars.append(Bar(tail + name, link, distance, turn=_turn(angle)))
     moved = renamed(linkage, {name: next(free) for name in points if name in used})

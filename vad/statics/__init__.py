@@ -1,0 +1,1 @@
+"""Forces: what loads, weights and inertia ask of the joints and of the driver."""

@@ -1,0 +1,334 @@
+"""The verb `forces`: from a motion with loads and masses to the drive and all joint forces."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import cached_property, lru_cache
+from typing import Any, Generic, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vad.errors import InputError, UsageError, VadError, quoted, unknown
+from vad.kinematics.motion import Motion
+from vad.kinematics.numbers import Number, Real, Truth, Vector
+from vad.kinematics.results import plain
+from vad.kinematics.solution import Solution
+from vad.kinematics.solver import Solver
+from vad.statics.bodies import FRAME, Bodies
+from vad.statics.loads import Given, gravity_of
+from vad.statics.solver import Acting, StaticSolver
+from vad.statics.turn import Turning
+from vad.units import metres_of, read
+
+
+def forces(
+    motion: Motion[Real, Vector, Truth],
+    loads: Iterable[Mapping[str, Any]] = (),
+    masses: Mapping[str, Any] | None = None,
+    gravity: Any = None,
+    friction: Mapping[str, Any] | None = None,
+) -> Forces[Real, Vector, Truth]:
+    """Find what loads, weights and inertia ask of the joints and of the driver.
+
+    Nothing is computed yet: each force is found when it is asked for.
+
+    Parameters
+    ----------
+    motion
+        One pose or many, of a mechanism in the plane.
+    loads
+        Each is a force in newtons at a point, ``{"at": "E", "on": "rocker", "force": 80,
+        "angle": 150}``, or a couple in newton metres, ``{"on": "rocker", "couple": -6}``,
+        counter-clockwise.  Numbers may be arrays that broadcast with the motion, and texts with a
+        unit, ``"80 lbf"``.  ``on`` may be left out where one body alone has the point; where
+        something slides there, it is the slide.  A load may have a ``name``.
+    masses
+        By the name of a body: a mass in kg, at the point of the slide or the first point of the
+        link; or ``{"mass": 2, "at": "G", "inertia": 0.01}`` with the moment of inertia about that
+        point in kg·m², or a ``radius`` of gyration in the unit of lengths.
+    gravity
+        In m/s², along -y, or as x and y; without it weights are neglected.
+    friction
+        Coefficients by the names of slides.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For a mechanism in space, and for what acts nowhere or is no number.
+
+    Examples
+    --------
+    The slider-crank of a textbook (S. S. Rattan, Theory of Machines, ex. 12.1): 2 kN on the piston.
+
+    >>> import vad
+    >>> motion = vad.solve(vad.SliderCrank(crank=100, rod=450), angle=120)
+    >>> found = vad.forces(motion, [{"at": "C", "force": "2 kN", "angle": 180}])
+    >>> round(found.drive, 2), round(found.force("frame", "slider").imag, 2)
+    (-153.59, 392.23)
+    """
+    if not isinstance(motion, Motion):
+        raise InputError(
+            f"motion: must be a motion, got {quoted(motion)}",
+            "as in vad.forces(vad.solve(vad.FourBar()), loads)",
+        )
+    mechanism, plane = motion.mechanism, motion.solver
+    if not isinstance(plane, Solver):
+        raise InputError(
+            f"forces: {mechanism.name} moves in space, and forces are found in the plane",
+            "draw its velocity and acceleration; a mechanism in the plane is slider-crank",
+        )
+    bodies = bodies_of(plane)
+    given = Given(bodies, mechanism.links, mechanism.slides, mechanism.length_unit)
+    given.loads(loads)
+    given.masses({} if masses is None else masses, gravity_of(gravity))
+    given.friction({} if friction is None else friction)
+    metres = metres_of(mechanism.length_unit) or 1.0
+    solver = _solver(plane, tuple(given.acting), tuple(given.rough), metres)
+    numbers = {name: given.numbers[name] for name in solver.further}
+    return Forces(motion, solver, numbers)
+
+
+@lru_cache(maxsize=64)
+def bodies_of(plane: Solver) -> Bodies:
+    """Return the bodies of a linkage; they are found once."""
+    return Bodies(plane)
+
+
+@lru_cache(maxsize=64)
+def _solver(
+    plane: Solver, acting: tuple[Acting, ...], rough: tuple[str, ...], metres: float
+) -> StaticSolver:
+    return StaticSolver(plane, bodies_of(plane), acting, rough, metres)
+
+
+class JointForce(NamedTuple):
+    """The force in a joint: of body ``one`` on body ``other``, at a point, as x + iy in newtons."""
+
+    one: str
+    other: str
+    point: str
+    force: Any
+
+
+class Forces(Solution[Truth], Generic[Real, Vector, Truth]):
+    """The forces in a motion; made by `forces`.
+
+    Forces are in newtons, as complex numbers x + iy; couples in newton metres, counter-clockwise;
+    where the unit of length is none, in newtons times that unit.  Those of many poses are arrays,
+    NaN where the links do not close, at a dead centre, and where friction leaves no equilibrium.
+
+    Attributes
+    ----------
+    motion
+        The motion.
+    """
+
+    solver: StaticSolver
+
+    def __init__(
+        self,
+        motion: Motion[Real, Vector, Truth],
+        solver: StaticSolver,
+        numbers: dict[str, Number],
+    ) -> None:
+        self.motion = motion
+        super().__init__(motion.mechanism, solver, {**motion.inputs, **numbers})
+
+    @property
+    def bodies(self) -> Bodies:
+        """The bodies, their joints, and the dyads in which the forces are found."""
+        return self.solver.tree
+
+    @property
+    def acting(self) -> tuple[Acting, ...]:
+        """All that acts: loads, weights, inertia forces and couples; `acts` gives their values."""
+        return self.solver.acting
+
+    def acts(self, number: int) -> Any:
+        """Return what acts: a force in newtons, or a couple in newton metres."""
+        return self._of("acting", str(number))
+
+    @property
+    def drive(self) -> Real:
+        """What must act on the driver: in N·m counter-clockwise, or in N along the driven slide.
+
+        That on the rod of a driven cylinder acts on its barrel, too, the other way.
+        """
+        drive: Real = self._of("drive")
+        return drive
+
+    def force(self, one: str, other: str) -> Vector:
+        """Return the force of the first body on the second one, through all their joints.
+
+        The frame is the body ``"frame"``.  The force of a line on a block is square to the line:
+        its friction is not in it, nor is the force that drives it.
+
+        Raises
+        ------
+        vad.errors.UsageError
+            For two bodies without a joint.
+        """
+        total: Any = None
+        for number in range(len(self.bodies.joints)):
+            pair = self._pair(number)
+            if {one, other} == {*pair}:
+                found = self._of("reaction", str(number))
+                found = found if pair == (one, other) else -found
+                total = found if total is None else total + found
+        if total is None:
+            for name in (one, other):
+                if not isinstance(name, str) or name not in (FRAME, *self.bodies.bodies):
+                    raise unknown("body", name, [FRAME, *self.bodies.bodies])
+            pairs = (self._pair(number) for number in range(len(self.bodies.joints)))
+            beside = [b if a == one else a for a, b in pairs if one in (a, b)]
+            message = f"force: {one} and {other} have no joint"
+            raise UsageError(message, f"{one} has one with {' and with '.join(beside)}")
+        force: Vector = total + 0.0
+        return force
+
+    @property
+    def joints(self) -> tuple[JointForce, ...]:
+        """The force in each joint, in the order of drawing: the last dyad first."""
+        return tuple(
+            JointForce(*self._pair(number), joint.point, self._of("reaction", str(number)))
+            for number, joint in enumerate(self.bodies.joints)
+        )
+
+    @property
+    def friction(self) -> tuple[JointForce, ...]:
+        """The friction in each slide that has some: the force of its line on its block."""
+        return tuple(
+            JointForce(joint.one, joint.other, joint.point, self._of("rubbing", joint.slide.name))
+            for joint in self.bodies.joints
+            if joint.slide and joint.slide.name in self.solver.rough
+        )
+
+    def _pair(self, number: int) -> tuple[str, str]:
+        """Return the two bodies of a joint: the force is that of the first on the second."""
+        joint = self.bodies.joints[number]
+        child = next((b for b in self.bodies.bodies.values() if b.joint == joint), None)
+        return (child.parent, child.name) if child else (joint.one, joint.other)
+
+    @property
+    def shaking_force(self) -> Vector:
+        """The force that the frame feels in all: loads, weights and inertia forces together."""
+        force: Vector = self._of("shaking", "force")
+        return force
+
+    @property
+    def shaking_moment(self) -> Real:
+        """The moment of all that acts about the driver's pivot: what the frame feels in all.
+
+        The reaction of the drive's couple on the frame is part of it.
+        """
+        moment: Real = self._of("shaking", "moment")
+        return moment
+
+    @property
+    def power(self) -> tuple[Real, Real]:
+        """The sum of the powers of the drive and of all that acts, in W, and that of their sizes.
+
+        The first is zero but for rounding: this checks drive and loads by the motion alone.
+        """
+        return self._of("power", "sum"), self._of("power", "sizes")
+
+    @property
+    def mean_drive(self) -> Any:
+        """The mean of the drive over a turn of the driver, which the last axis must hold."""
+        return self._turning().mean
+
+    @property
+    def fluctuation(self) -> Any:
+        """The greatest excess energy in a turn, in J: of the drive beyond its mean."""
+        return self._turning().fluctuation
+
+    def flywheel(self, ratio: float, speed: float | str) -> Any:
+        """Return the moment of inertia, in kg·m², with which the speed fluctuates by a ratio.
+
+        Parameters
+        ----------
+        ratio
+            The coefficient of fluctuation: the difference of the greatest and the least speed,
+            over the mean.
+        speed
+            The mean speed in rad/s, or as text with its unit: "500 rpm".
+        """
+        value = read(speed, "omega") if isinstance(speed, str) else speed
+        return self._turning().flywheel(ratio, value)
+
+    def _turning(self) -> Turning:
+        name, place = next(iter(self.inputs.items()))
+        if name != "angle" or not np.ndim(place):
+            raise InputError(
+                "forces: a turn needs an array of angles of the driver",
+                "as in vad.solve(mechanism, angle=numpy.linspace(0, 360, 361))",
+            )
+        return Turning(np.broadcast_to(place, self.shape), np.asarray(self.drive))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the forces as ``vad solve --json`` has them under ``forces``."""
+        rubbing = {"friction": _listed(self.friction)} if self.solver.rough else {}
+        return {
+            "drive": plain(self.drive),
+            "joints": _listed(self.joints),
+            **rubbing,
+            "shaking": {"force": plain(self.shaking_force), "moment": plain(self.shaking_moment)},
+            "loads": [self._acting(number) for number in range(len(self.acting))],
+        }
+
+    def _acting(self, number: int) -> dict[str, Any]:
+        kind, body, point, _, name = self.acting[number]
+        value = plain(self.acts(number))
+        found: dict[str, Any] = {"name": name} if name else {}
+        found |= {"kind": kind, "on": body}
+        return found | ({"at": point, "force": value} if point else {"couple": value})
+
+    def _of(self, kind: str, name: str = "") -> Any:
+        stage = self.solver.stage
+        if kind == "power" and stage == "static":
+            stage = "rubbing"
+        if kind in ("acting", "shaking"):
+            stage = "dynamic" if self.solver.stage == "dynamic" else "static"
+        if self.many and kind in ("drive", "reaction", "rubbing"):
+            parts = self._all_at_once[kind, name]
+            value = np.empty(parts[0].shape, float if len(parts) == 1 else complex)
+            value.real = parts[0]
+            if len(parts) > 1:
+                value.imag = parts[1]
+            return value.reshape(self.shape)
+        return self.read((kind, name, stage))
+
+    @cached_property
+    def _all_at_once(self) -> dict[tuple[str, str], list[NDArray[np.float64]]]:
+        """What holds many poses: one force costs little less than all of them."""
+        names = [("drive", ""), *(("rubbing", slide) for slide in self.solver.rough)]
+        names += [("reaction", str(number)) for number in range(len(self.bodies.joints))]
+        found = self.read_apart([(*name, self.solver.stage) for name in names])
+        return dict(zip(names, found, strict=True))
+
+    def dead_centre(self) -> VadError:  # type: ignore[override]
+        """Return why forces of a single pose do not exist."""
+        if self.solver.is_dead(self.pose) or not self.solver.rough:
+            return super().dead_centre()
+        slides = self.velocity.sliding
+        for slide in self.solver.rough:
+            if slides[slide] == 0.0:
+                return InputError(
+                    f"friction: the {slide} stands still, so that its friction has no direction",
+                    "with a speed, or at another place, it has one",
+                )
+        names = ", ".join(f"{self.inputs[number]:g}" for number in self.solver.rough.values())
+        jammed = " and ".join(f"the {slide}" for slide in self.solver.rough)
+        verb = "jams" if len(self.solver.rough) == 1 else "jam"
+        return InputError(
+            f"{jammed} {verb}: friction {names} leaves no equilibrium",
+            "with less friction it moves",
+        )
+
+
+def _listed(joints: Iterable[JointForce]) -> list[dict[str, Any]]:
+    return [
+        {"of": one, "on": other, "at": point, "force": plain(force)}
+        for one, other, point, force in joints
+    ]
