@@ -2,7 +2,8 @@
 
 ``python -m benchmarks.speed`` prints the ratios and writes benchmarks/results/speed.csv.  Floor
 and poses are measured in turn, many times, and the best of each is taken.  Where llvmlite
-is installed, the compiled loops are measured too, once they are made, by one thread and by two.
+is installed, the compiled loops are measured too, once they are made.  One thread does all, but in
+the columns for two.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ import numpy as np
 
 import vad
 from benchmarks.common import RESULTS, four_functions, three, write_csv
-from vad.kinematics import compiled, program
+from vad.kinematics import program, threads
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
 
@@ -42,8 +43,8 @@ MECHANISMS = {
     "crank-slotted-lever with ram": vad.CrankSlottedLever(rod=120, ram_height=140),
     "whitworth with ram": vad.Whitworth(rod=200),
 }
-HEAD = ["mechanism", "position", "four read", "four swept", "by a compiled loop", "by two threads"]
-HEAD += ["one pose"]
+HEAD = ["mechanism", "position", "four read", "four swept", "by two threads", "compiled"]
+HEAD += ["compiled, by two threads", "one pose"]
 
 
 def reader(name: str) -> Callable[[vad.Motion], Any]:
@@ -92,15 +93,24 @@ def ratios(name: str, mechanism: Mechanism) -> list[float]:
         for value in values[:SINGLES].tolist():
             read(vad.solve(mechanism, **{driven: value}))
 
+    def by_two() -> None:
+        threads.SHARED = 0
+        sweep()
+        threads.SHARED = math.inf
+
     angles = np.deg2rad(np.random.default_rng(1).uniform(0.0, 360.0, POSES))
-    program.OFTEN = math.inf
-    floor, *times = in_turn([lambda: four_functions(angles), position, four, sweep, singles])
-    *found, single = (time / floor for time in times)
-    for shared in (math.inf, 0):
-        program.OFTEN, compiled.SHARED = 0, shared
-        other_floor, time = in_turn([lambda: four_functions(angles), sweep])
-        found.append(time / other_floor if importlib.util.find_spec("llvmlite") else math.nan)
-    return [*found, single * POSES / SINGLES]
+    threads.SHARED = program.OFTEN = math.inf
+    floor, *times, single = in_turn(
+        [lambda: four_functions(angles), position, four, sweep, by_two, singles]
+    )
+    found = [time / floor for time in times]
+    if importlib.util.find_spec("llvmlite"):
+        program.OFTEN = 0
+        floor_beside, *times = in_turn([lambda: four_functions(angles), sweep, by_two])
+        found += [time / floor_beside for time in times]
+    else:
+        found += [math.nan, math.nan]
+    return [*found, single * POSES / SINGLES / floor]
 
 
 def in_turn(calls: list[Callable[[], None]]) -> list[float]:
@@ -117,11 +127,11 @@ def in_turn(calls: list[Callable[[], None]]) -> list[float]:
 def main() -> None:
     """Measure, print and write."""
     rows = []
-    print(f"{HEAD[0]:30}" + "".join(f"{name:>20}" for name in HEAD[1:]))
+    print(f"{HEAD[0]:30}" + "".join(f"{name:>26}" for name in HEAD[1:]))
     for name, mechanism in MECHANISMS.items():
         found = [three(number) for number in ratios(name, mechanism)]
         rows.append([name, *found])
-        print(f"{name:30}" + "".join(f"{number:>20}" for number in found))
+        print(f"{name:30}" + "".join(f"{number:>26}" for number in found))
     write_csv(RESULTS / "speed.csv", HEAD, rows)
 
 

@@ -5,15 +5,10 @@ from __future__ import annotations
 import importlib.util
 import json
 import math
-import multiprocessing
 import operator
 import sys
-import threading
-import time
-import warnings
 from collections import Counter
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -25,7 +20,7 @@ import vad
 from tests.invariants.test_motion import defaults, factors, optional
 from tests.kinds import PLANE
 from vad.batches.sweep import _result
-from vad.kinematics import any_solver, compiled, program
+from vad.kinematics import any_solver, program
 from vad.kinematics.any_solver import Evaluation, Result, order_of
 from vad.kinematics.program import Blocks, Program
 from vad.kinematics.recording import OPERATIONS, Tape, function_of, key_of, lines_of
@@ -161,70 +156,6 @@ def test_a_compiled_loop_gives_the_same_bits(mechanism: Any, kind: str, monkeypa
     loops = [loop for each in programs for loop in each._compiled.values()]
     assert len(loops) >= 4
     assert all(loops)
-
-
-LENGTHS = [1, 15, 16, 17, 31, 8193, 32_767, 32_769, 120_001]
-
-
-@llvmlite
-@pytest.mark.parametrize("several", [False, True], ids=["one thread", "two threads"])
-def test_a_compiled_loop_of_any_length(several: bool, monkeypatch: Any) -> None:
-    """With poses that do not close, and a table wider than a vector."""
-    monkeypatch.setattr(compiled, "_two_threads", lambda poses: several)
-    mechanism = vad.FourBar(100.0, 80.0, 60.0, 50.0)
-    names = ["C.position", "coupler.alpha", "rocker.omega", "C.acceleration", "B.velocity"]
-    names += ["B.position", "rocker.alpha", "coupler.omega", "C.velocity", "B.acceleration"]
-    angles = np.random.default_rng(2).uniform(0.0, 360.0, max(LENGTHS))
-    wanted = vad.sweep(mechanism, names, angle=angles)
-    assert 0 < np.isnan(wanted["rocker.omega"]).sum() < angles.size
-    monkeypatch.setattr(program, "OFTEN", 0)
-    for size in LENGTHS:
-        found = vad.sweep(mechanism, names, angle=angles[:size])
-        assert found.tobytes() == wanted[:size].tobytes(), size
-
-
-@llvmlite
-def test_two_threads_are_quiet_and_end(monkeypatch: Any) -> None:
-    """A sum that overflows is no warning in either of them, and what one meets is raised."""
-    monkeypatch.setattr(compiled, "_two_threads", lambda poses: True)
-    monkeypatch.setattr(program, "OFTEN", 0)
-    before = threading.enumerate()
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        swept = vad.sweep(
-            vad.FourBar(100e197, 40e197, 120e197, 80e197),
-            ["C.position", "C.acceleration"],
-            angle=np.linspace(0.0, 360.0, 100_000),
-            omega=1e60,
-        )
-    assert np.isfinite(swept["C.position"]).all()
-    assert np.isnan(swept["C.acceleration"]).all()
-
-    def fail(part: slice) -> None:
-        if threading.current_thread() is not threading.main_thread():
-            raise MemoryError
-        time.sleep(0.001)
-
-    tape = Tape()
-    x = tape.input("x")
-    with pytest.raises(MemoryError):
-        Program([x], [x * x]).play([np.ones(100_000)], [np.empty(100_000)], fail)
-    assert threading.enumerate() == before
-
-
-def test_threads_are_not_started_beside_others(monkeypatch: Any) -> None:
-    """Those of Dask and the processes of a batch use all processors already."""
-    monkeypatch.setattr(compiled.os, "sched_getaffinity", lambda _: {0, 1}, raising=False)
-    many = compiled.SHARED
-    with ThreadPoolExecutor(1) as pool:
-        assert compiled._two_threads(many)
-        assert not compiled._two_threads(many - 1)
-        assert not pool.submit(compiled._two_threads, many).result()
-    monkeypatch.setattr("multiprocessing.process.parent_process", multiprocessing.current_process)
-    assert not compiled._two_threads(many)
-    monkeypatch.undo()
-    monkeypatch.setattr(compiled.os, "sched_getaffinity", lambda _: {1}, raising=False)
-    assert not compiled._two_threads(many)
 
 
 def test_without_a_compiler_numpy_calculates(monkeypatch: Any) -> None:

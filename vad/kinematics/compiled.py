@@ -9,14 +9,9 @@ unless it is told to, so that the bits are the same.
 from __future__ import annotations
 
 import ctypes
-import os
 import struct
-import sys
-import threading
-from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
-from contextvars import copy_context
 from typing import Any
 
 import numpy as np
@@ -24,14 +19,9 @@ from numpy.typing import NDArray
 
 from vad.kinematics.program import LANES
 from vad.kinematics.recording import Operand, Recorded, kind_of, prepared
+from vad.kinematics.threads import BLOCK, in_blocks
 
 Array = NDArray[Any]
-
-# From this number of poses on two threads share a loop, because it leaves Python to others.  Where
-# the second processor is idle, the four results of a four-bar are swept in two thirds of the time.
-# A new thread and the waiting for each other take some tenths of a millisecond.
-SHARED = 250_000
-BLOCK = 32_768  # poses: the longer, the less the threads wait for each other
 
 
 def _in_all_lanes(value: str) -> str:
@@ -167,56 +157,13 @@ class Compiled:
             angles = prepared(given[place])
             given[place] = angles if angles.ndim else float(angles)
         places = [_address(x) for x in (*given, *outputs[: self._starts])]
-        starts = deque(range(0, size, BLOCK))
 
-        def run(take: Callable[[], int]) -> None:
-            while starts:  # each round takes one of them
-                try:
-                    start = take()
-                except IndexError:  # the other thread has taken the last one
-                    return
-                part = slice(min(start, size - LANES), min(start + BLOCK, size))
-                at = (address + part.start * step for address, step in places)
-                self._loop(part.stop - part.start, *at)
-                finish(part)
+        def work(part: slice) -> None:
+            start = min(part.start, size - LANES)
+            self._loop(part.stop - start, *(at + start * step for at, step in places))
+            finish(slice(start, part.stop))
 
-        if not _two_threads(size):
-            run(starts.popleft)
-            return
-        failed: list[BaseException] = []
-
-        def help_out() -> None:
-            try:
-                run(starts.pop)
-            except BaseException as error:  # it is raised by the thread that waits
-                failed.append(error)
-
-        # One begins at the end: if both were at one page of new memory, the system would make it
-        # twice.  What numpy does not warn of is in the context.
-        helper = threading.Thread(target=copy_context().run, args=(help_out,))
-        helper.start()
-        try:
-            run(starts.popleft)
-        finally:
-            starts.clear()  # if this thread is interrupted, the other one ends, too
-            helper.join()
-        if failed:
-            raise failed[0]
-
-
-def _two_threads(poses: int) -> bool:
-    """Tell whether two threads are to share a sweep.
-
-    Not in a thread or a process that somebody has started beside others, such as those of Dask and
-    of a batch: together they use all processors already.
-    """
-    if poses < SHARED or threading.current_thread() is not threading.main_thread():
-        return False
-    processes = sys.modules.get("multiprocessing.process")
-    if processes and processes.parent_process():
-        return False
-    allowed = getattr(os, "sched_getaffinity", None)  # not on macOS and Windows
-    return (len(allowed(0)) if allowed else os.cpu_count() or 1) > 1
+        in_blocks(size, BLOCK, lambda _: work)
 
 
 def _address(value: Array | float) -> tuple[Any, int]:

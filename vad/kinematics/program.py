@@ -24,6 +24,7 @@ from vad.kinematics.recording import (
     key_of,
     kind_of,
 )
+from vad.kinematics.threads import Work, in_blocks
 
 if TYPE_CHECKING:
     from vad.kinematics.compiled import Compiled
@@ -240,14 +241,12 @@ class Blocks:
         """Write the outputs, block by block; each block that is written is given to ``finish``."""
         size = len(outputs[0])
         play = self._play_fast if size > LONG else self._play_block
-        rows = [aligned(min(size, BLOCK), kind) for kind in self._kinds]
         singles: list[Array] = [np.empty((), kind) for kind in self._singles]
-        with np.errstate(all="ignore"):  # a result that does not exist is NaN
-            cells = [*inputs, *self._constants, *singles]
-            for operation, places, place in self._once:
-                OPERATIONS[operation].on_blocks(*[cells[i] for i in places], cells[place])
-            for start in range(0, size, BLOCK):
-                part = slice(start, min(start + BLOCK, size))
+
+        def thread(block: int) -> Work:
+            rows = [aligned(block, kind) for kind in self._kinds]
+
+            def work(part: slice) -> None:
                 play(
                     *(x[part] if isinstance(x, np.ndarray) else x for x in inputs),
                     *self._constants,
@@ -256,6 +255,14 @@ class Blocks:
                     *(row[: part.stop - part.start] for row in rows),
                 )
                 finish(part)
+
+            return work
+
+        with np.errstate(all="ignore"):  # a result that does not exist is NaN
+            cells = [*inputs, *self._constants, *singles]
+            for operation, places, place in self._once:
+                OPERATIONS[operation].on_blocks(*[cells[i] for i in places], cells[place])
+            in_blocks(size, BLOCK, thread)
 
     def _play_block(self, *cells: Array | float) -> None:
         for operation, places, place in self._moves:
