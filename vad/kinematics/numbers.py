@@ -8,7 +8,7 @@ for bit.  Therefore products of two vectors are written out, and no branch depen
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -43,6 +43,11 @@ _SERIES = tuple((-1) ** k / math.factorial(2 * k + 1) for k in range(10, 0, -1))
 def is_array(value: Number) -> bool:
     """Tell whether ``value`` stands for many poses."""
     return isinstance(value, np.ndarray)
+
+
+def traced(values: Iterable[Number]) -> bool:
+    """Tell whether any of some numbers is a recorded or a traced one."""
+    return any(isinstance(value, Symbol) for value in values)
 
 
 def fold(degrees: Number) -> Number:
@@ -146,12 +151,28 @@ def direction(degrees: Number, least: float = 0.0) -> Number:
     return vector(sine(90.0 - size), copysign(height, degrees))
 
 
+def ray(degrees: Number) -> Number:
+    """Return the unit vector at any angle.
+
+    Examples
+    --------
+    >>> ray(450.0)
+    1j
+    """
+    return direction(fold(degrees))
+
+
 def vector(x: Number, y: Number) -> Number:
     """Return the plane vector with the coordinates ``x`` and ``y``."""
     for part in (x, y):
         if isinstance(part, Symbol):
             return part.vector(x, y)
     return complex(x, y)
+
+
+def plane(x: Number, y: Number) -> Number:
+    """Return plane vectors with the coordinates ``x`` and ``y``, which may be arrays."""
+    return x + 1j * y if is_array(x) or is_array(y) else vector(x, y)
 
 
 def across(unit: Number) -> Number:

@@ -17,6 +17,7 @@ from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Linkage
 from vad.kinematics.numbers import Number, Truth, is_array
 from vad.kinematics.reach import closing_range
+from vad.kinematics.recording import Symbol
 from vad.kinematics.results import place_unit
 from vad.kinematics.solver import Solver, solver_of
 from vad.kinematics.state import Pose, Rates
@@ -197,8 +198,9 @@ class Solution(Generic[Truth]):
             raise self.dead_centre()
         if any(x - x != 0 for x in parts):
             raise InputError("the result leaves the range of double precision")
-        # No zero is negative.
-        found = np.array(parts) + 0.0 if len(parts) == _AXES else value + 0.0
+        # No zero is negative.  Of traced numbers an array of floats would keep the values alone.
+        kind = object if isinstance(parts[0], Symbol) else float
+        found = np.array(parts, kind) + 0.0 if len(parts) == _AXES else value + 0.0
         self._found[result] = found
         return found.copy() if len(parts) == _AXES else found
 

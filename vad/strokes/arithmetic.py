@@ -14,6 +14,7 @@ from decimal import Context, Decimal
 from functools import cache, reduce
 from typing import TYPE_CHECKING, Literal
 
+from vad.kinematics.recording import Symbol
 from vad.strokes.notation import Notation, key
 from vad.written import GIVEN, MEASURED, plain
 
@@ -54,8 +55,12 @@ class Figure:
     scale: str = ""
 
     def __post_init__(self) -> None:
-        """Make the number one that JSON can hold: Python's own, and never a negative zero."""
-        self.value = float(self.value) + 0.0
+        """Make the number one that JSON can hold: Python's own, and never a negative zero.
+
+        A traced number stays traced: some lengths and angles are drawn as they are said.
+        """
+        if not isinstance(self.value, Symbol):
+            self.value = float(self.value) + 0.0
 
 
 #: A ``hypotenuse`` is the root of the sum of the squares of its operands, the legs.  A ``leg`` is

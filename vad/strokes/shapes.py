@@ -6,9 +6,10 @@ the panel's own unit, x to the right and y up.
 
 from __future__ import annotations
 
-import cmath
 import math
 from dataclasses import dataclass
+
+from vad.kinematics.numbers import ray
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,7 +138,7 @@ class Ellipse:
 
     def at(self, degrees: float) -> complex:
         """Return the point at an angle."""
-        turn = cmath.rect(1.0, math.radians(degrees))
+        turn = ray(degrees)
         return self.centre + turn.real * self.first + turn.imag * self.second
 
     @property

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from vad.kinematics.numbers import Number, degrees_of, fold
+from vad.kinematics.numbers import Number, degrees_of, fold, vector
 from vad.kinematics.space.numbers import (
     Vector3,
     added,
@@ -91,13 +91,13 @@ class InstantAxis:
     @property
     def delta(self) -> float:
         """The angle δ between both planes of one pose, in degrees."""
-        return degrees_of(complex(real(self.cosine), real(self.sine)))
+        return degrees_of(vector(real(self.cosine), real(self.sine)))
 
     @property
     def tau(self) -> float:
         """The arc τ from A to I, towards D, of one pose, in degrees within ±180."""
         x, y = self._place
-        return fold(degrees_of(complex(real(x), real(y))))
+        return fold(degrees_of(vector(real(x), real(y))))
 
     @property
     def height(self) -> Number:

@@ -141,9 +141,15 @@ def over(a: Vector3, divisor: Number) -> Vector3:
     return a[0] / divisor, a[1] / divisor, a[2] / divisor
 
 
+def norm(a: Vector3) -> Number:
+    """Return the length of a vector; it may be of arrays."""
+    square = dot(a, a)
+    return square**0.5 if numbers.is_array(square) else numbers.sqrt(square)
+
+
 def unit(a: Vector3) -> Vector3:
-    """Return the unit vector along a vector of floats or arrays."""
-    return over(a, dot(a, a) ** 0.5)
+    """Return the unit vector along a vector; it may be of arrays."""
+    return over(a, norm(a))
 
 
 def carried(arm: Vector3, *spins: Vector3) -> Vector3:

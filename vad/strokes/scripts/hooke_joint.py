@@ -4,18 +4,17 @@ P and Q, the pins of the yokes, are on a sphere of radius 1 about O.  Its polygo
 spherical four-bar whose axes are the shafts and the arms of the cross.
 """
 
-import cmath
 import math
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
-
+from vad.kinematics.numbers import ray, select_vector, wrap
 from vad.kinematics.space.numbers import added, over, scaled
 from vad.strokes.diagram import POSITION, VELOCITY, Drawing, Order, Spot
 from vad.strokes.sentences import Sentence, Text
 from vad.strokes.sheet import Arc, Arrow, Cell, Curve, Dot, Ellipse, Line, Term
+from vad.strokes.space.bars import magnitude
 from vad.strokes.space.body_polygons import RELATIVE, TURNED, BodyScript, Names
 from vad.strokes.space.speeds import speeds
 from vad.strokes.space.view import View, through
@@ -51,7 +50,7 @@ class Script(BodyScript):
         if order is POSITION:
             values = {f"ψ_{x}": _swing(pin.angle) for x, pin in (("P", p), ("Q", q))}
         elif order is VELOCITY:
-            size = np.linalg.norm(self.motion.link("cross").omega, axis=-1)
+            size = magnitude(self.motion.link("cross").omega)
             values = {"ω₃₂": p.omega, "ω₃₄": q.omega, "ω₃": size}
         else:
             values = dict(zip((RELATIVE[2], TURNED), self.bodies.relative(order), strict=True))
@@ -84,7 +83,7 @@ class Script(BodyScript):
         shafts, theta, at = self.given("shaft_angle"), self.angle("driven"), self.spots()
         tilt, o, p, q, t = math.radians(shafts.value), PLAN.at, at["P"], at["Q"], at["T"]
         low = {letter: at[f"{letter}.plan"] for letter in "PQT"}
-        away, circle = 1j * cmath.exp(1j * tilt), Ellipse(0j, 1.0 + 0j, 1j, 90.0)
+        away, circle = 1j * ray(shafts.value), Ellipse(0j, 1.0 + 0j, 1j, 90.0)
         ellipse = replace(circle, first=complex(math.cos(tilt)))
         ways = {"2": ("driving", -1j), "4": ("driven", away)}
         for shaft, (link, way) in ways.items():
@@ -103,7 +102,7 @@ class Script(BodyScript):
         construction("OQ.line", Line(0j, q / abs(q), q, "OP"), "OQ", "cross")
         crossing("Q.found", Dot(q), "Q", "driven", "Q")
         bar("OQ.arm", Arrow(-q, q, "", "Q"), "arm", "cross")
-        turned = Curve((q, 1j * cmath.exp(1j * math.radians(theta.value))))
+        turned = Curve((q, 1j * ray(theta.value)))
         construction("Q.turned", turned, "turned", "driven")
         found = {"reveals": ("driven",), "theta": "θ₄", "value": theta, "ratio": self._ratio()}
         self.arc("Q.angle", "theta 4", 0j, DRIVEN, theta, "driven", "θ₄", 90.0, **found)
@@ -122,8 +121,9 @@ class Script(BodyScript):
             fork = [rim.at(degrees + by) for by in (-FORK, 0.0, FORK)]
             both = Curve((*fork, *(-z for z in fork)), breaks=(3,))
             bar(f"{shaft}.fork", both, "fork", link, shaft=shaft)
-        start, one = (p, "P") if self.place("Q")[0] >= 0.0 else (-p, "P" + PRIME)
-        end, other = (-q, "Q" + PRIME) if self.place("P")[0] >= 0.0 else (q, "Q")
+        back, ahead = self.place("Q")[0] < 0.0, self.place("P")[0] < 0.0
+        start, one = select_vector(back, -p, p), "P" + PRIME if back else "P"
+        end, other = select_vector(ahead, q, -q), "Q" if ahead else "Q" + PRIME
         across = Line(start, (end - start) / abs(end - start), end)
         construction("PQ.line", across, "PQ", "cross", one=one, other=other)
         crossing("T.found", Dot(t), "T", label="T")
@@ -145,4 +145,4 @@ class Script(BodyScript):
 
 def _swing(angle: Any) -> Any:
     """Return by how many degrees the cross swings, within ±180."""
-    return (angle + 180.0) % 360.0 - 180.0
+    return wrap(angle)

@@ -4,8 +4,6 @@ The two views along the axes stand one above the other, for both have the common
 page.  The third view, in which its polygons are drawn, stands to the right.
 """
 
-import cmath
-import math
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
@@ -13,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from vad.kinematics.numbers import fold
+from vad.kinematics.numbers import fold, ray
 from vad.kinematics.space.numbers import difference, dot
 from vad.strokes.arithmetic import Figure, leg
 from vad.strokes.diagram import POSITION, Drawing, Order, Spot
@@ -35,7 +33,7 @@ SAMPLES = 181
 class Script(BarScript):
     """The drawings of the ball-jointed four-bar."""
 
-    topic, tilt = "balls", cmath.exp(1j * math.radians(115.0))
+    topic, tilt = "balls", ray(115.0)
 
     @property
     def front(self) -> View:

@@ -3,11 +3,11 @@
 The view is fixed; star and rose stand above all that the mechanism reaches in a turn.
 """
 
-import math
 from collections.abc import Mapping
 from functools import cached_property, lru_cache
 from typing import Any
 
+from vad.kinematics.numbers import copysign
 from vad.kinematics.space.instant_axis import Z
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing, Spot
@@ -106,18 +106,18 @@ class Script(SlidingScript):
             result(f"{x}.slide", Curve((at[start], at[end])), f"slides {x}", row, f"s_{x}", **slid)
             if abs(at[f"s_{x}"]) <= NOTHING * reach:
                 self.leave_out()
-        begin = at["B"] + math.copysign(SHAFT * reach, -at["s_B"] + 0.0) * at["b"]
+        begin = at["B"] + copysign(SHAFT * reach, -at["s_B"] + 0.0) * at["b"]
         coupler = Curve((begin, at["coupler B"], at["C"]))
         bar("BC.coupler", coupler, "coupler", "axis", size=length("coupler"))
         result("C.sleeve", Block(at["C"], _way(at["c"])), "C sleeve", "axis")
-        begin = at["C"] + math.copysign(SHAFT * reach, at["s_C"] + 0.0) * at["c"]
-        end = at["D"] + math.copysign(SHAFT * reach, -at["s_D"] + 0.0) * at["d"]
+        begin = at["C"] + copysign(SHAFT * reach, at["s_C"] + 0.0) * at["c"]
+        end = at["D"] + copysign(SHAFT * reach, -at["s_D"] + 0.0) * at["d"]
         rocker = Curve((begin, at["rocker C"], at["rocker D"], end))
         sizes = {"size": length("rocker"), "theta": self.angle("rocker")}
         bar("DC.rocker", rocker, "rocker", "rocker", reveals=("rocker",), **sizes)
         crossing("C.found", Dot(at["C"]), "C", "axis", "C")
         construction("I.axis", axis("H", "i"), "screw", "axis", "I")
-        height = Figure(float(self.bodies.height), unit)
+        height = Figure(self.bodies.height, unit)
         crossing("H.found", Dot(at["H"]), "H", label="H", reveals=("axis",), height=height)
         of_star = self.note(star + (NOTE - 0.8j * RAY) * reach, "star")
         of_rose = self.note(rose - NOTE * reach, "rose")

@@ -6,7 +6,7 @@ The sphere has the radius 1; its outline is the great circle of the frame, on wh
 from collections.abc import Mapping
 from typing import Any
 
-from vad.kinematics.numbers import fold
+from vad.kinematics.numbers import fold, minimum, select
 from vad.strokes.diagram import Drawing, Spot
 from vad.strokes.sheet import Curve, Dot
 from vad.strokes.space.body_polygons import BodyScript, Names
@@ -65,7 +65,8 @@ class Script(BodyScript):
         bar("BC.arc", view.arc(b, c), "coupler", "B", **turns)
         bar("DC.arc", view.arc(d, c), "rocker", "rocker")
         self._rose("D", "DC", "rocker", label="θ₄", symbol="θ₄", angle=self.angle("rocker"))
-        begin = self.bodies.arc(b) if self.bodies.arc(b) > 0.0 else min(0.0, self.bodies.arc(c))
+        from_b, from_c = self.bodies.arc(b), self.bodies.arc(c)
+        begin = select(from_b > 0.0, from_b, minimum(0.0, from_c))
         great = view.circle(ORIGIN, i, self.bodies.axis.j, begin, -begin)
         construction("BC.circle", great, "great circle", "B")
         crossing("I.found", Dot(at["I"]), "I", label="I")

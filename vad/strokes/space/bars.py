@@ -7,7 +7,6 @@ the component of a vector perpendicular to the paper where it matters.
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import Any
@@ -20,6 +19,7 @@ from vad.kinematics.space.numbers import (
     cross,
     difference,
     dot,
+    norm,
     scaled,
     unit,
 )
@@ -83,7 +83,7 @@ class BarScript(Script):
     def turning(self, link: str, order: Order) -> Any:
         """Return ω or α of a link; for the coupler its magnitude, without the idle spin."""
         value = getattr(self.motion.link(link), order.rate)
-        return _size(value) if link == "coupler" else value
+        return magnitude(value) if link == "coupler" else value
 
     def length(self, name: str) -> Figure:
         """Return the length of a bar; one with few digits counts as given."""
@@ -99,7 +99,7 @@ class BarScript(Script):
         if order is not VELOCITY or key == "crank":
             return (turning,)
         c, b = (self.motion.point(letter).velocity for letter in "CB")
-        speed = _size(c - b if key == "coupler" else c)
+        speed = magnitude(c - b if key == "coupler" else c)
         return turning, Cell("v", speed, self.unit(order))
 
     # --- the polygon --------------------------------------------------------------------------
@@ -144,8 +144,12 @@ class BarScript(Script):
         tail, head = (self.at[letter] for letter in BARS[link])
         bar = difference(head, tail)
         if link != "coupler":
-            return complex(-(self.motion.link(link).omega ** 2) * self.true.way(bar))
-        return complex(-self.tilt * self._relative_speed**2 / math.sqrt(dot(bar, bar)))
+            omega = self.motion.link(link).omega
+            seen: complex = self.true.way(bar) * -(omega * omega)
+            return seen
+        speed = self._relative_speed
+        normal: complex = (speed * speed / norm(bar)) * -self.tilt
+        return normal
 
     def _relative(self, order: Order) -> Vector3:
         return difference(self.place("C", order), self.place("B", order))
@@ -153,11 +157,13 @@ class BarScript(Script):
     @property
     def _relative_speed(self) -> float:
         relative = self._relative(VELOCITY)
-        return math.sqrt(dot(relative, relative))
+        speed: float = norm(relative)
+        return speed
 
     def _off(self, order: Order) -> float:
         """Return the difference of the heights of b and c above the paper."""
-        return float(abs(dot(self._relative(order), self.true.toward)))
+        off: float = abs(dot(self._relative(order), self.true.toward))
+        return off
 
     # --- what is said of it -------------------------------------------------------------------
 
@@ -198,7 +204,7 @@ class BarScript(Script):
     ) -> partial[Any]:
         """Say what a power of a rate times the length of a bar is, and its projection."""
         ends, unit = BARS[link], self.unit(ACCELERATION if power == 2 else order)
-        size, rate = self.length(link), abs(float(self.turning(link, order)))
+        size, rate = self.length(link), abs(self.turning(link, order))
         return partial(
             self.scene.say,
             f"{self.topic} {phrase}",
@@ -230,7 +236,7 @@ class BarScript(Script):
     def _found(self, link: str, order: Order, length: float) -> partial[Any]:
         """Measure a vector, and say which rate of its body follows from it."""
         unit, turning = self.unit(order), self.turning(link, order)
-        rate, size = abs(float(turning)), replace(self.length(link), scale=unit, power=-1)
+        rate, size = abs(turning), replace(self.length(link), scale=unit, power=-1)
         parts: dict[str, Any] = {"symbol": self._symbol(link, order), "unit": Unit(unit)}
         parts |= {"value": Figure(length, unit), "rate": Figure(rate, order.unit), "size": size}
         phrase = f"{self.topic} {link} {order.panel}"
@@ -242,10 +248,10 @@ class BarScript(Script):
         return partial(self.scene.say, phrase, *steps, whole=whole, off=off, **parts)
 
 
-def _size(vector: Any) -> Any:
-    """Return the length of a vector: a number, or an array of them."""
-    size = np.linalg.norm(vector, axis=-1)
-    return size if size.ndim else float(size)
+def magnitude(vector: Any) -> Any:
+    """Return the length of a vector x, y, z: a number, or an array of them."""
+    x, y, z = np.moveaxis(vector, -1, 0)
+    return norm((x, y, z))
 
 
 def _way(vector: complex) -> complex:

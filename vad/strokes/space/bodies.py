@@ -8,13 +8,11 @@ of dual numbers are rotations, and the dual parts are translations.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
 
-import numpy as np
-
+from vad.kinematics.numbers import bearing, plane
 from vad.kinematics.space.instant_axis import AxisVelocity, InstantAxis, Turns, Z
 from vad.kinematics.space.numbers import Vector3, dot, dual, real
 from vad.kinematics.space.solver import AxesSolver, reals
@@ -62,7 +60,7 @@ class Bodies:
 
     def arc(self, axis: Vector3) -> float:
         """Return the angle from I to an axis of the coupler's plane, in degrees, of one pose."""
-        return math.degrees(math.atan2(dot(axis, self.axis.j), dot(axis, self.axis.i)))
+        return bearing(plane(dot(axis, self.axis.i), dot(axis, self.axis.j)))
 
     def turns(self, order: Order) -> tuple[Any, Turns]:
         """Return ω or α of the driver, and about the other axes."""
@@ -134,7 +132,7 @@ class Bodies:
         if not self.motion.many:
             return self.screw.height
         way = self.seen(self.axis.i)
-        return np.imag(self.sliding(VELOCITY)["a₄"] * np.conj(way)) / self.relative(VELOCITY)[0]
+        return (self.sliding(VELOCITY)["a₄"] * way.conjugate()).imag / self.relative(VELOCITY)[0]
 
     def of_a(self, order: Order) -> tuple[Any, Any]:
         """Return the motion of A as a point of 4 against 2, along I and across, in one pose."""
@@ -153,10 +151,11 @@ class Bodies:
         d, i, prime = self.seen(self.axis.d), self.seen(self.axis.i), PRIME * (order.number - 1)
         z = self.turns(order)[1].at_d * self.ground * 1j * d
         end = z + slid * d
-        places = {"a": 0j, "d": 0j, "y": np.imag(end * np.conj(i)) * 1j * i, "z": z}
+        places = {"a": 0j, "d": 0j, "y": (end * i.conjugate()).imag * (1j * i), "z": z}
         return {**{letter + prime: at for letter, at in places.items()}, f"a{prime}₄": end}
 
     @cached_property
     def ground(self) -> float:
         """AD, the distance of d from A."""
-        return float(self.motion.mechanism.parameters()["ground"])
+        ground: float = self.motion.mechanism.parameters()["ground"]
+        return ground

@@ -9,13 +9,13 @@ construction lines.
 
 from __future__ import annotations
 
-import math
 from abc import abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from typing import Any, ClassVar
 
+from vad.kinematics.numbers import bearing, plane
 from vad.kinematics.space.instant_axis import Z
 from vad.kinematics.space.numbers import dot, real
 from vad.strokes.arithmetic import Figure, product
@@ -171,7 +171,7 @@ class BodyPolygon:
         bodies, axis = self.bodies, self.bodies.axis
         side = bodies.side(self.order)
         arms = tuple(centre + bodies.laid(arm, side) for arm in (axis.b, axis.c))
-        turn = math.degrees(math.atan2(axis.j[0], side * dot(axis.j, axis.m)))
+        turn = bearing(plane(side * dot(axis.j, axis.m), axis.j[0]))
         rim = Ellipse(centre, bodies.seen(axis.i), bodies.seen(axis.j))
         shape = Fold(centre, bodies.seen(axis.i), turn, arms, rim)
         said = self.scene.say(f"{self.names.topic} fold")
@@ -230,7 +230,7 @@ class BodyPolygon:
         self, phrase: str, ends: str, value: float, symbol: str = "", given: bool = False
     ) -> Callable[..., Sentence]:
         parts: dict[str, SentencePart] = {"symbol": symbol or self._symbol(ends)}
-        parts |= {"value": Figure(float(value), self.unit, given), "unit": Unit(self.unit)}
+        parts |= {"value": Figure(value, self.unit, given), "unit": Unit(self.unit)}
         if given:
             parts["axis"] = self.names.axes[ends]
         return partial(self.scene.say, phrase, **parts)
@@ -255,9 +255,9 @@ class BodyPolygon:
             f"{self.names.topic} turned {plane}",
             product("value", "omega", "tau"),
             symbol=RELATIVE[1],
-            value=Figure(abs(float(value)), self.unit),
-            omega=Figure(abs(float(real(self.bodies.pace.omega))), VELOCITY.unit),
-            tau=Figure(abs(float(real(pace))), VELOCITY.unit),
+            value=Figure(abs(value), self.unit),
+            omega=Figure(abs(real(self.bodies.pace.omega)), VELOCITY.unit),
+            tau=Figure(abs(real(pace)), VELOCITY.unit),
             unit=Unit(self.unit),
         )
 

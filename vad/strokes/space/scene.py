@@ -6,8 +6,6 @@ and draws the views and the polygons.
 
 from __future__ import annotations
 
-import cmath
-import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -19,6 +17,7 @@ import numpy as np
 
 from vad.errors import UsageError
 from vad.kinematics.linkage import Scalar
+from vad.kinematics.numbers import ray
 from vad.kinematics.space.instant_axis import Z
 from vad.kinematics.space.numbers import Vector3
 from vad.strokes.arithmetic import Calculation, Figure
@@ -214,7 +213,7 @@ class Script(ABC):
     def spots(self) -> dict[str, complex]:
         """Return where lettered points are in the views of one pose, as ``C`` or ``C.top``."""
         return {
-            f"{letter}.{view}" if view else letter: complex(at)
+            f"{letter}.{view}" if view else letter: at
             for (letter, view, _), at in self.tracks(POSITION).items()
         }
 
@@ -275,7 +274,7 @@ class Script(ABC):
         """
         (rim, reference, arm, arc), (around, zero, true, between) = names, phrases
         radius, length, inner = sizes
-        end = at + radius * cmath.exp(1j * math.radians(angle.value))
+        end = at + ray(angle.value) * radius
         kinds: tuple[Kind, Kind] = ("construction", "result") if label else ("known", "known")
         reveals = (link,) if label else ()
         label, parts = label or self.degrees(angle), {**parts, "angle": angle}
@@ -364,7 +363,7 @@ class Script(ABC):
         if isinstance(of, str):
             joints = self.motion.solver.joints
             of = (self.motion.joint(of) if of in joints else self.motion.link(of)).angle
-        return Figure(float(of), "°")
+        return Figure(of, "°")
 
     def degrees(self, angle: Figure) -> Text:
         """Write an angle beside its arc."""

@@ -84,7 +84,7 @@ def _motion_of_a(script: Script, bodies: Bodies, order: Order) -> Drawing:
 
     def found(letter: str, value: float, symbol: str) -> dict[str, Callable[..., Sentence]]:
         line = partial(say, f"spatial along {letter} {panel}", axis="O" + letter)
-        figure = Figure(float(value), unit)
+        figure = Figure(value, unit)
         return {
             "line": line,
             "result": partial(
@@ -194,7 +194,7 @@ def _about_i(script: Script, bodies: Bodies, order: Order) -> Callable[..., Sent
     omega, sliding = (part(bodies.pace.omega) for part in (real, dual))
     tau, rising = (part(bodies.pace.tau) for part in (real, dual))
     unit = order.unit_of(script.scene.unit)
-    parts: dict[str, SentencePart] = {"value": Figure(abs(float(bodies.of_a(order)[1])), unit)}
+    parts: dict[str, SentencePart] = {"value": Figure(abs(bodies.of_a(order)[1]), unit)}
     parts["unit"] = Unit(unit)
     if order is VELOCITY:
         parts |= {
@@ -206,5 +206,5 @@ def _about_i(script: Script, bodies: Bodies, order: Order) -> Callable[..., Sent
         )
     sums = bodies.relative(ACCELERATION)[0] * bodies.height, omega * rising, sliding * tau
     sign = 1.0 if sum(sums) >= 0.0 else -1.0
-    parts["sum"] = Terms(tuple(Figure(sign * float(each), unit) for each in sums))
+    parts["sum"] = Terms(tuple(Figure(sign * each, unit) for each in sums))
     return partial(script.scene.say, "spatial about I acceleration", total("value", "sum"), **parts)

@@ -6,13 +6,12 @@ on the page, and shapes of strokes.
 
 from __future__ import annotations
 
-import cmath
 import math
 from dataclasses import dataclass, field
 from typing import Any
 
-from vad.kinematics.numbers import bearing
-from vad.kinematics.space.numbers import Vector3, cross, difference, dot, over, scaled
+from vad.kinematics.numbers import bearing, fold, minimum, not_below, plane, positive, ray, traced
+from vad.kinematics.space.numbers import Vector3, cross, difference, dot, over, root, scaled
 from vad.strokes.sheet import Arc, Curve, Ellipse
 
 ORIGIN: Vector3 = (0.0, 0.0, 0.0)
@@ -52,19 +51,19 @@ class View:
 
         The axis of A is turned from the right by -90° and by the ``bisector``, half of the arc AD.
         """
-        turn = cmath.rect(1.0, math.radians(-90.0 - bisector))
+        turn = ray(-90.0 - bisector)
         return cls((0.0, 0.0, 1.0), (0.0, -1.0, 0.0), turn=turn)
 
     @classmethod
     def from_above(cls, azimuth: float, elevation: float) -> View:
         """Return a pictorial view: z points up, and it is seen from so many degrees about z."""
-        east, high = (cmath.rect(1.0, math.radians(angle)) for angle in (azimuth, elevation))
+        east, high = ray(azimuth), ray(elevation)
         up = -high.imag * east.real, -high.imag * east.imag, high.real
         return cls((-east.imag, east.real, 0.0), up)
 
     def way(self, vector: Vector3) -> Any:
         """Return the projection of a vector."""
-        return self.turn * (dot(vector, self.right) + 1j * dot(vector, self.up))
+        return plane(dot(vector, self.right), dot(vector, self.up)) * self.turn
 
     def point(self, place: Vector3) -> Any:
         """Return the projection of a point."""
@@ -82,30 +81,30 @@ class View:
 
         What lies behind the origin of space is far: a sphere about the origin hides it.
         """
-        low, high = sorted((start, start + sweep))
-        depths = [float(dot(each, self.toward)) for each in (centre, first, second)]
-        nearest = math.degrees(math.atan2(depths[2], depths[1]))
-        rise = max(math.hypot(depths[1], depths[2]), LEVEL**2)
-        level = (depths[0] + LEVEL) / rise
-        ahead = math.degrees(math.acos(min(max(-level, -1.0), 1.0)))
-        begin = low + (nearest + ahead - low) % 360.0
+        low, high = (start, start + sweep) if sweep > 0.0 else (start + sweep, start)
+        depths = [dot(each, self.toward) for each in (centre, first, second)]
+        way = plane(depths[1], depths[2])
+        rise = not_below(LEVEL**2, root(dot((*depths[1:], 0.0), (*depths[1:], 0.0))))
+        level = not_below(-1.0, minimum(-(depths[0] + LEVEL) / rise, 1.0))
+        ahead = bearing(plane(level, root(1.0 - level * level)))
+        begin = low + positive(fold(bearing(way) + ahead - low))
         turns = ((begin + by, begin + by + 360.0 - 2.0 * ahead) for by in (-360.0, 0.0))
-        stretches = ((max(low, begun), min(high, ended)) for begun, ended in turns)
-        far = tuple(each for each in stretches if each[1] - each[0] > SHORT)
-        seen = (complex(self.way(first)), complex(self.way(second)))
-        return Ellipse(complex(self.point(centre)), *seen, start, sweep, far)
+        # A traced arc keeps stretches without a length: they have one in other poses.
+        stretches = ((not_below(low, begun), minimum(high, ended)) for begun, ended in turns)
+        far = tuple(each for each in stretches if each[1] - each[0] > SHORT or traced(each))
+        return Ellipse(self.point(centre), self.way(first), self.way(second), start, sweep, far)
 
     def arc(self, start: Vector3, end: Vector3) -> Ellipse:
         """Return the shorter arc of the great circle between two points of the unit sphere."""
         cosine = dot(start, end)
         across = difference(end, scaled(cosine, start))
-        sine = math.sqrt(dot(across, across))
-        whole = math.degrees(math.atan2(sine, cosine))
+        sine = root(dot(across, across))
+        whole = bearing(plane(cosine, sine))
         return self.circle(ORIGIN, start, over(across, sine), 0.0, whole)
 
     def edge(self, axis: Vector3, degrees: float) -> Curve:
         """Return a circle about an axis in the paper, at an angle: its projection is a line."""
-        turn, seen = cmath.rect(1.0, math.radians(degrees)), complex(self.way(axis))
+        turn, seen = ray(degrees), self.way(axis)
         return Curve((seen * turn, seen * turn.conjugate()))
 
     def about(self, axis: Vector3, point: Vector3, half: float) -> Ellipse:
