@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 import vad
-from tests.kinds import SPACE
 from vad.errors import VadError
 from vad.kinematics.reach import closing_range
 from vad.kinematics.traced import Traced, plain
@@ -31,6 +30,8 @@ KINDS: dict[str, Any] = {**vad.MECHANISMS, **dict(sorted(EXAMPLES.items()))}
 POSES = 30
 #: Pixels of a page 720 high.
 CLOSE = 0.05
+#: Degrees.
+EMPTY = 1e-4
 #: These take a free place beside what moves, which is another one in another pose.
 CHOSEN = ("speed", "tag")
 
@@ -69,6 +70,19 @@ def numbers(value: Any, name: tuple[Any, ...]) -> Iterator[tuple[tuple[Any, ...]
             yield from numbers(getattr(value, each.name), (*name, each.name))
 
 
+def seen(found: dict[tuple[Any, ...], float]) -> dict[tuple[Any, ...], float]:
+    """Return the coordinates without stretches of curves that have no length in this pose.
+
+    The marks after such a stretch have one number less.
+    """
+    empty = {key[:5] for key, value in found.items() if key[-1] == "sweep" and abs(value) < EMPTY}
+    return {
+        (*key[:4], key[4] - sum((*key[:4], n) in empty for n in range(key[4])), *key[5:]): value
+        for key, value in found.items()
+        if key[:5] not in empty
+    }
+
+
 def posed(board: HandBoard, inputs: dict[str, float]) -> dict[str, Sketch]:
     """Return the sketches of a pose that is drawn with ordinary numbers."""
     panels = [panel.name for panel in board.traced.sheet.panels]
@@ -84,7 +98,7 @@ def posed(board: HandBoard, inputs: dict[str, float]) -> dict[str, Sketch]:
 
 
 @pytest.mark.exhaustive
-@pytest.mark.parametrize("name", [name for name in KINDS if name not in SPACE])
+@pytest.mark.parametrize("name", KINDS)
 def test_one_traced_board_is_the_board_of_every_pose(name: str) -> None:
     board = board_of(name)
     found = coordinates(dict(board.sketches))
@@ -107,15 +121,16 @@ def test_one_traced_board_is_the_board_of_every_pose(name: str) -> None:
     drawn = 0
     for number, pose in enumerate(poses):
         try:
-            wanted = coordinates(posed(board, pose))
+            wanted = seen(coordinates(posed(board, pose)))
         except VadError:
             continue
         drawn += 1
-        assert wanted.keys() <= found.keys()
+        own = seen({key: float(column[number]) for key, column in table.items()})
+        assert wanted.keys() <= own.keys()
         for key, value in wanted.items():
             if key[3] == "angle" and key[-1] == "radius":
                 continue  # an arc is smaller where its room ends
-            assert abs(table[key][number] - value) * 720.0 <= CLOSE, (key, pose)
+            assert abs(own[key] - value) * 720.0 <= CLOSE, (key, pose)
     assert drawn > POSES / 2
 
 

@@ -18,6 +18,7 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any, Protocol
 
+from vad.kinematics.numbers import ray, traced, vector
 from vad.plan.lettering.runs import Runs
 
 SMALLEST = 0.05  # of a dot, as it begins to swell
@@ -128,8 +129,11 @@ class Bow:
     def line(self, step: float = 8.0) -> list[complex]:
         """Return points along the arc, ``step`` degrees apart at most: to keep clear of it."""
         count = max(2, math.ceil(abs(self.sweep) / step) + 1)
-        angles = (math.radians(self.start + self.sweep * i / (count - 1)) for i in range(count))
-        return [self.centre + self._seen(cmath.rect(self.radius, angle)) for angle in angles]
+        angles = (self.start + self.sweep * i / (count - 1) for i in range(count))
+        if traced((self.start, self.sweep, self.radius)):
+            return [self.centre + self._seen(ray(angle) * self.radius) for angle in angles]
+        spokes = (cmath.rect(self.radius, math.radians(angle)) for angle in angles)
+        return [self.centre + self._seen(spoke) for spoke in spokes]
 
     def curve(self) -> list[complex]:
         """Return the points of cubic Bézier curves, accurate to 1e-4 of the radius."""
@@ -231,7 +235,8 @@ class Mark:
 def squeezed(way: complex, axis: complex, factor: float) -> complex:
     """Return a vector a ``factor`` as long across an axis, a unit vector."""
     parts = way * axis.conjugate()
-    return axis * complex(parts.real, factor * parts.imag)
+    across: complex = vector(parts.real, factor * parts.imag)
+    return across * axis
 
 
 def line(

@@ -138,7 +138,7 @@ class Ellipse:
 
     def at(self, degrees: float) -> complex:
         """Return the point at an angle."""
-        turn = ray(degrees)
+        turn: complex = ray(degrees)
         return self.centre + turn.real * self.first + turn.imag * self.second
 
     @property

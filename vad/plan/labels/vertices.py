@@ -34,6 +34,8 @@ from vad.strokes.sheet import Arrow, Block, Dot, Panel, Plate, Stroke
 
 LETTER = 0.040
 COINCIDENT = 0.012
+#: Two ways to one point lead to places that differ by rounding alone.
+SAME = 1e-6
 #: The number of letters in one line, and the distance of lines.
 IN_LINE = 4
 LEADING = 1.15 * LETTER
@@ -135,7 +137,8 @@ def find_vertices(panel: Panel, scale: Scale) -> list[Vertex]:
 def vertices_by_letter(panel: Panel, scale: Scale) -> list[Vertex]:
     """Return the vertices of ``panel`` by their letters alone, wherever they are in this pose.
 
-    Letters share a vertex if they have one place in every pose: at a pole, or under a block.
+    Letters share a vertex if they have one place in every pose: at a pole, or under a block.  In
+    another view a letter has another vertex.
     """
     shared = [set(each.letters) for each in panel.coincident if each.reason != "zero"]
     found: list[Vertex] = []
@@ -143,20 +146,23 @@ def vertices_by_letter(panel: Panel, scale: Scale) -> list[Vertex]:
         for letters, point in _named(stroke):
             names = {letter.strip() for letter in letters.split(",") if letter.strip()}
             alike = names.union(*(each for each in shared if each & names))
-            spot = next((each for each in found if each.letters.keys() & alike), None)
             if not names:
                 continue
+            at = scale(point_of(stroke.shape, point))
+            own = (each for each in found if each.letters.keys() & alike)
+            spot = next((each for each in own if abs(each.at - at) < SAME), None)
             if spot is None:
-                at = scale(point_of(stroke.shape, point))
                 spot = Vertex({at: Anchor.of(stroke.name, point)}, {})
                 found.append(spot)
             for letter in letters.split(","):
                 spot.letters.setdefault(letter.strip(), index)
         if isinstance(stroke.shape, Arrow):
             way = direction_of(scale(stroke.shape.start), scale(stroke.shape.end))
-            for letter, ahead in ((stroke.shape.tail, way), (stroke.shape.head, -way)):
+            ends = (stroke.shape.tail, "start", way), (stroke.shape.head, "end", -way)
+            for letter, end, ahead in ends:
+                at = scale(point_of(stroke.shape, end))
                 for spot in found:
-                    if letter in spot.letters:
+                    if letter in spot.letters and abs(spot.at - at) < SAME:
                         spot.ways.append(ahead)
     return found
 

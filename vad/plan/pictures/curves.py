@@ -5,13 +5,14 @@ Strokes become marks that grow along themselves, and obstacles.
 
 from __future__ import annotations
 
-import cmath
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TypeGuard
 
+from vad.kinematics.numbers import bearing as bearing_of
+from vad.kinematics.numbers import minimum, not_below, ray, select, select_vector, traced
 from vad.plan.anchors import Anchor, Area, Chains, Hung, Solved, Term
 from vad.plan.geometry import SHORTEST
 from vad.plan.items import FOREVER, Level, Span
@@ -49,16 +50,25 @@ class PlacedCurve:
     def marks(self, near: str, far: str, row: int | None, grows: bool = True) -> list[Mark]:
         """Return the curve in two roles, far parts first; it grows from its first point on."""
         marks: list[Mark] = []
-        cuts = {min(max(share, 0.0), 1.0) for stretch in self.far for share in stretch}
-        for start, end in pairwise(sorted({0.0, 1.0} | cuts)):
-            behind = any(low <= start and end <= high for low, high in self.far)
+        moves = traced(share for stretch in self.far for share in stretch)
+        for start, end, behind in self._stretches():
             part = self.part(start, end)
-            if part.length > SHORTEST:
+            if moves or (start < end and part.length > SHORTEST):
                 growth = Trimming(((start, 0.0), (end, 1.0))) if grows else None
                 hangs = Stretch(self.stroke, start, end)
                 mark = Mark(part, far if behind else near, row, growth, hangs=hangs)
                 marks.insert(0 if behind else len(marks), mark)
         return marks
+
+    def _stretches(self) -> Iterator[tuple[float, float, bool]]:
+        """Yield stretches from share to share, and whether each lies behind."""
+        at = 0.0
+        for low, high in self.far:
+            begin, end = (minimum(not_below(0.0, share), 1.0) for share in (low, high))
+            yield at, begin, False
+            yield begin, end, True
+            at = end
+        yield at, 1.0, False
 
     def whole(self, role: str, row: int | None) -> Mark:
         """Return all that is drawn of it, which does not grow."""
@@ -119,11 +129,9 @@ def curve_of(scale: Scale, shape: Curve | Ellipse | Arrow, stroke: str = "") -> 
     if isinstance(shape, Arrow):
         shape = Curve((shape.start, shape.end))
     if isinstance(shape, Ellipse):
-        shares = (
-            sorted((angle - shape.start) / shape.sweep for angle in stretch)
-            for stretch in shape.far
-        )
-        return PlacedCurve(stroke, bow_of(scale, shape), tuple((low, high) for low, high in shares))
+        shares = (((angle - shape.start) / shape.sweep for angle in ends) for ends in shape.far)
+        far = sorted((minimum(one, other), not_below(one, other)) for one, other in shares)
+        return PlacedCurve(stroke, bow_of(scale, shape), tuple(far))
     points, ends = list(map(scale, shape.points)), (0, *shape.breaks, len(shape.points))
     pieces = tuple(tuple(points[first:last]) for first, last in pairwise(ends))
     return PlacedCurve(stroke, Polyline(pieces), ((0.0, 1.0),) if shape.far else ())
@@ -134,13 +142,14 @@ def bow_of(scale: Scale, shape: Ellipse) -> Bow:
     # One phasor turns with the angle and one against it; along the axis they coincide.
     ahead, back = (0.5 * scale.factor * (shape.first + turn * shape.second) for turn in (-1j, 1j))
     start, sweep = shape.start, shape.sweep
-    if abs(ahead) < abs(back):  # it is seen from below
-        ahead, back, start, sweep = back, ahead, -start, -sweep
-    start += math.degrees(cmath.phase(ahead))
+    below = abs(ahead) < abs(back)  # it is seen from there
+    ahead, back = select_vector(below, back, ahead), select_vector(below, ahead, back)
+    start, sweep = select(below, -start, start), select(below, -sweep, sweep)
+    start = start + bearing_of(ahead)
     centre, radius = scale(shape.centre), abs(ahead) + abs(back)
     if abs(back) < SHORTEST * radius:
         return Bow(centre, radius, start, sweep)
-    axis = cmath.rect(1.0, (cmath.phase(ahead) + cmath.phase(back)) / 2)
+    axis = ray((bearing_of(ahead) + bearing_of(back)) / 2)
     return Bow(centre, radius, start, sweep, axis, (abs(ahead) - abs(back)) / radius)
 
 

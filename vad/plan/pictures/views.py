@@ -7,7 +7,6 @@ of the mechanism projects them.  Near parts of a curve are solid, far ones dashe
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -15,12 +14,20 @@ from functools import cached_property
 
 import numpy as np
 
+from vad.kinematics.numbers import ray
 from vad.plan.anchors import SWELLING, Anchor, Hung, Term, on_page
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.labels.choices import PLACED, LabelChoice
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import APART, CLEARANCE, Placed
-from vad.plan.labels.vertices import SMALL_SIZE, Vertex, add_tag, find_vertices, text_at
+from vad.plan.labels.vertices import (
+    SMALL_SIZE,
+    Vertex,
+    add_tag,
+    find_vertices,
+    text_at,
+    vertices_by_letter,
+)
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import Runs
 from vad.plan.lettering.wrapping import wrap
@@ -173,19 +180,21 @@ class Views:
         """Return what moves, in one pose; its obstacles hold what stands still, too."""
         return self._moving(panel, self.still)
 
-    def _moving(self, panel: Panel, still: Sketch) -> Sketch:
+    def _moving(self, panel: Panel, still: Sketch, alone: bool = False) -> Sketch:
+        """Return what moves in one pose; ``alone`` gives each letter a joint of its own."""
         strokes = tuple(s for s in panel.strokes if s.name not in self._unmoved and lasts(s))
         setting = replace(self._setting, panel=replace(panel, strokes=strokes))
         obstacles = Obstacles(setting.room, list(still.obstacles.lines))
         sketch = Sketch(setting, self.scale, obstacles, finished=True)
         for index in range(len(strokes)):
             add_stroke(sketch, index)
-        add_pins(sketch, find_vertices(setting.panel, self.scale))
+        vertices = vertices_by_letter if alone else find_vertices
+        add_pins(sketch, vertices(setting.panel, self.scale))
         return sketch
 
     def under_hand(self, setting: Setting, labels: LabelChoice) -> Sketch:
         """Return what moves, in one pose that a hand has set, with all that is written about it."""
-        panel, sketch = setting.panel, self.pose(setting.panel)
+        panel, sketch = setting.panel, self._moving(setting.panel, self.still, alone=True)
         sketch.setting = setting
         vars(sketch).pop("solved", None)
         moving = [i for i, s in enumerate(panel.strokes) if s.name not in self._unmoved]
@@ -196,7 +205,7 @@ class Views:
         held = held_arc(panel, setting.sheet.driver)
         if held:
             sketch.obstacles.disc(self.scale(tip_of(held)), GRIP)
-        labels.vertices(sketch, find_vertices(panel, self.scale), RADIUS, NEAR)
+        labels.vertices(sketch, vertices_by_letter(panel, self.scale), RADIUS, NEAR)
         add_angles(sketch, arcs, labels)
         return sketch
 
@@ -415,4 +424,5 @@ def held_arc(panel: Panel, driver: Driver) -> Arc | None:
 
 def tip_of(arc: Arc) -> complex:
     """Return where an arc ends."""
-    return arc.centre + cmath.rect(arc.radius, math.radians(arc.start + arc.sweep))
+    tip: complex = arc.centre + ray(arc.start + arc.sweep) * arc.radius
+    return tip

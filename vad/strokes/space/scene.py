@@ -362,7 +362,8 @@ class Script(ABC):
         """Return an angle that is found: of a link or joint, or in degrees."""
         if isinstance(of, str):
             joints = self.motion.solver.joints
-            of = (self.motion.joint(of) if of in joints else self.motion.link(of)).angle
+            part: Any = self.motion.joint(of) if of in joints else self.motion.link(of)
+            return Figure(part.angle, "°")
         return Figure(of, "°")
 
     def degrees(self, angle: Figure) -> Text:
