@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import vad
-from tests.fuzz.promise import broken
+from tests.fuzz.promise import broken, check_numbers
 from vad.files.examples import example_names, example_path
 from vad.kinematics.reach import closing_range
 from vad.plan.board import plan
@@ -83,5 +83,7 @@ def _drawn(drawn: Case) -> None:
             if drawn.way == "picture":
                 vad.save(sheet, Path(folder) / "a.svg")
                 vad.save(sheet, Path(folder) / "a.png", size=(320, 180))
+                check_numbers(Path(folder) / "a.svg")
             elif drawn.way == "turn":
                 vad.save(vad.turn(mechanism), Path(folder) / "a.svg")
+                check_numbers(Path(folder) / "a.svg")

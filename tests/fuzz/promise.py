@@ -6,17 +6,20 @@ same one of a seed; ``fault(input, seed)``, which says what it breaks; and `run`
 
 from __future__ import annotations
 
+import re
 import resource
 import signal
 import traceback
 import warnings
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from vad.errors import VadError
 
 #: The most bytes of memory that a run may take.
 MOST_MEMORY = 4 * 2**30
+_NO_NUMBER = re.compile(r"[^<>]{0,99}(?<![\w.])-?(?:nan|inf)(?!\w)")
 
 
 class _TooLongError(BaseException):
@@ -55,6 +58,13 @@ def broken(work: Callable[[], object], longest: float) -> str | None:
         signal.setitimer(signal.ITIMER_PROF, 0.0)
         signal.signal(signal.SIGPROF, before)
     return None
+
+
+def check_numbers(picture: Path) -> None:
+    """Raise if a picture in SVG has a number that is none."""
+    found = _NO_NUMBER.search(picture.read_text("utf-8"))
+    if found:
+        raise AssertionError(f"draws {found[0]}")
 
 
 def run(

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import vad
-from tests.fuzz.promise import broken
+from tests.fuzz.promise import broken, check_numbers
 from vad.export import sheet_json
 
 #: The most seconds that a sheet may take from its text to its picture.
@@ -90,5 +90,6 @@ def fault(text: str, _: int = 0) -> str | None:
             raise AssertionError("comes back as another sheet")
         with tempfile.TemporaryDirectory() as folder:
             vad.save(sheet, Path(folder) / "a.svg")
+            check_numbers(Path(folder) / "a.svg")
 
     return broken(tried, LONGEST)

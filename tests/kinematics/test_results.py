@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 import vad
 from vad.files.examples import example_path
+from vad.kinematics.program import needed
 
 
 @pytest.mark.parametrize(
@@ -60,3 +63,16 @@ def test_every_column_has_its_unit(mechanism, heads):
     blocks = vad.solve(mechanism).table().split("\n\n")[1:]
     found = [" | ".join(block.splitlines()[0].split("  ")).split(" | ") for block in blocks]
     assert [" | ".join(cell.strip() for cell in head if cell.strip()) for head in found] == heads
+
+
+def test_what_an_order_finds_is_looked_for_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However many results are read one after the other."""
+    looked: list[int] = []
+
+    def counted(*given: Any) -> Any:
+        looked.append(1)
+        return needed(*given)
+
+    monkeypatch.setattr("vad.kinematics.any_solver.needed", counted)
+    vad.solve(vad.FourBar(ground=101.25), angle=[30.0, 60.0]).to_dict()
+    assert len(looked) == 3  # of positions, velocities and accelerations

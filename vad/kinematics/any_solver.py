@@ -287,6 +287,7 @@ class RecordedSolver:
         self.inputs = tuple(map(tape.input, (*_DRIVER, *solver.further)))
         self._evaluation = solver.evaluation(self.inputs)
         self._programs: dict[Any, Program] = {}
+        self._numbers: dict[int, list[Recorded]] = {}
 
     def program(
         self, results: tuple[Result, ...], known: int = 0, order: int = -1, apart: bool = False
@@ -340,6 +341,8 @@ class RecordedSolver:
 
         To do this operation again costs less than to keep its result.
         """
+        if order in self._numbers:  # every program asks again
+            return self._numbers[order]
         values = (self._evaluation.rates(order)[-1] if order else self._evaluation.pose).all()
         lower = (x for each in range(order) for x in self.numbers(each))
         known = {number.name for number in (*self.inputs, *lower)}
@@ -350,6 +353,7 @@ class RecordedSolver:
             if number.name in found and not known.issuperset(names):
                 kept.append(number)
                 known.add(number.name)
+        self._numbers[order] = kept
         return kept
 
     def parts(self, result: Result) -> list[Operand]:
