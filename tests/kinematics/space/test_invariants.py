@@ -204,9 +204,12 @@ def test_bennett_never_slides(angle: float) -> None:
         assembly="crossed" if angle < 180.0 else "open",
     )  # fmt: skip
     motion = vad.solve(bennett, angle=angle, omega=-4.0, alpha=7.0)
+    # At 173°, next to the dead centre, an ε in one length would make 20 times as much.
     for name in motion.slides:
         slide = motion.slide(name)
-        assert max(map(abs, (slide.position, slide.velocity, slide.acceleration))) < 1e-9
+        assert abs(slide.position) < 1e-12
+        assert abs(slide.velocity) < 1e-10
+        assert abs(slide.acceleration) < 3e-9
 
 
 @pytest.mark.parametrize(

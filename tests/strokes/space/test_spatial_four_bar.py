@@ -187,8 +187,8 @@ def test_the_view_shows_the_loop(angle: float):
 def test_i_is_where_the_planes_of_frame_and_coupler_meet(angle: float):
     here, panel = motion(angle), sheet(angle).panel("position")
     start, end = curve(panel, "star.I")
-    axes = here.solver.on_sphere(here.pose)
-    b, c = (np.array([float(part.real) for part in axis]) for axis in (axes.b, axes.c))
+    axes = here.solver.moving_axes(here.pose)
+    b, c = (np.array([float(part.real) for part in axis]) for axis in axes)
     way = (end - start) / abs(end - start) * cmath.exp(1j * (math.pi / 2 + TWIST / 2))
     i = np.array([0.0, -way.imag, way.real])
     assert np.linalg.det([b, c, i]) == pytest.approx(0.0, abs=1e-9)

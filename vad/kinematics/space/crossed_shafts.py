@@ -17,7 +17,7 @@ from typing import NamedTuple
 from vad.kinematics.numbers import Number, direction, fold, sqrt, vector
 from vad.kinematics.space.instant_axis import Turns
 from vad.kinematics.space.linkages import CrossedShafts
-from vad.kinematics.space.numbers import Vector3, carried
+from vad.kinematics.space.numbers import Vector3, circling, tilted
 from vad.kinematics.space.solver import AxesSolver, PoseInSpace
 from vad.kinematics.state import Pose, Rates
 
@@ -25,14 +25,14 @@ from vad.kinematics.state import Pose, Rates
 class UniversalPose(NamedTuple):
     """A position as (cosine, sine): both shafts, and the swings ψ at P and Q.
 
-    ``size`` is N, the sine of the angle between the arm OQ and the driving shaft's.
+    ``square`` is N², where N is the sine of the angle between the arm OQ and the driving shaft's.
     """
 
     driving: tuple[Number, Number]
     driven: tuple[Number, Number]
     swing_p: tuple[Number, Number]
     swing_q: tuple[Number, Number]
-    size: Number
+    square: Number
 
 
 class Universal:
@@ -41,21 +41,21 @@ class Universal:
     def __init__(self, shafts: CrossedShafts) -> None:
         along = direction(fold(shafts.shaft_angle))
         self.cosine, self.sine = along.real, along.imag
-        #: The direction of the driven shaft; the driving one is z.
-        self.d: Vector3 = (0.0, -self.sine, self.cosine)
+        self._twice = 2.0 * (self.sine * self.sine)
 
     def pose(self, angle: Number) -> UniversalPose:
         """Return the position for a folded angle of the driving shaft."""
         u = direction(angle)
         across = self.cosine * u.real
-        size = sqrt(u.imag * u.imag + across * across)
+        square = u.imag * u.imag + across * across
+        size = sqrt(square)
         driven = across / size, u.imag / size
         swing_p = self.cosine / size, self.sine * driven[1]
-        return UniversalPose((u.real, u.imag), driven, swing_p, (size, self.sine * u.real), size)
+        return UniversalPose((u.real, u.imag), driven, swing_p, (size, self.sine * u.real), square)
 
     def velocity(self, pose: UniversalPose, omega: Number) -> Turns:
         """Return ω₄ = ω₂ cos β/N² and how the cross swings about its arms."""
-        driven = omega * (self.cosine / (pose.size * pose.size))
+        driven = omega * (self.cosine / pose.square)
         return Turns(driven, driven * pose.swing_q[1], omega * pose.swing_p[1])
 
     def acceleration(
@@ -63,24 +63,14 @@ class Universal:
     ) -> Turns:
         """Return α₄ = α₂ cos β/N² - ω₂² cos β sin²β sin 2θ₂/N⁴, and the swings' derivatives."""
         x, y = pose.driving
-        square = pose.size * pose.size
-        turned = self.cosine * (self.sine * self.sine) * (2.0 * y * x) / (square * square)
-        driven = alpha * (self.cosine / square) - omega * omega * turned
+        both = turns.at_d * omega
+        turned = both * (self._twice * (y * x))
+        driven = (alpha * self.cosine - turned) / pose.square
         return Turns(
             driven,
-            driven * pose.swing_q[1] - turns.at_d * omega * (self.sine * y),
-            alpha * pose.swing_p[1] + omega * turns.at_d * (self.sine * pose.driven[0]),
+            driven * pose.swing_q[1] - both * (self.sine * y),
+            alpha * pose.swing_p[1] + both * (self.sine * pose.driven[0]),
         )
-
-    def p(self, pose: UniversalPose) -> Vector3:
-        """Return the arm OP of length 1."""
-        x, y = pose.driving
-        return y, -1.0 * x, 0.0
-
-    def q(self, pose: UniversalPose) -> Vector3:
-        """Return the arm OQ of length 1."""
-        x, y = pose.driven
-        return x, self.cosine * y, self.sine * y
 
 
 class UniversalSolver(AxesSolver):
@@ -119,22 +109,39 @@ class UniversalSolver(AxesSolver):
         units = found.driving, found.driven, found.swing_p, found.swing_q
         names = ("driving", *self.turning)
         unit = {name: vector(*parts) for name, parts in zip(names, units, strict=True)}
-        return PoseInSpace(unit, {}, [found.size], found=found)
+        return PoseInSpace(unit, {}, [found.swing_q[0]], found=found)
 
     @property
     def coupler_sine(self) -> Number:
         """The sine of the angle between the arms of the cross."""
         return 1.0
 
+    @property
+    def crank_sine(self) -> float:
+        """The sine of the angle between the driving shaft and the arm OP."""
+        return 1.0
+
+    def along_a(self, pose: Pose, rates: tuple[Rates, ...]) -> tuple[Number, ...]:
+        """Return the parts along the driving shaft of ω and of α of the cross: the shaft's own."""
+        return tuple(each.turning["driving"] for each in rates)
+
+    @property
+    def axis_d(self) -> Vector3:
+        """The direction of the driven shaft; the driving one is z."""
+        return 0.0, -self.closure.sine, self.closure.cosine
+
     def moving_axes(self, pose: Pose) -> tuple[Vector3, Vector3]:
         """Return the arms OP and OQ of the cross."""
-        arms: UniversalPose = self.found(pose)
-        return self.closure.p(arms), self.closure.q(arms)
+        return self.point("P", pose, ()), self.point("Q", pose, ())
 
     def point(self, letter: str, pose: Pose, rates: tuple[Rates, ...]) -> Vector3:
         """Return a pin's position, its velocity (one order in ``rates``) or acceleration."""
         if letter == "O":
             return 0.0, 0.0, 0.0
-        p, q = self.moving_axes(pose)
-        pin, shaft = (p, "driving") if letter == "P" else (q, "driven")
-        return carried(pin, *self.spins(shaft, pose, rates))
+        turns: UniversalPose = self.found(pose)
+        if letter == "P":
+            x, y = turns.driving
+            return *circling(y, -x, [each.turning["driving"] for each in rates]), 0.0
+        x, y = turns.driven
+        pin = *circling(x, y, [each.turning["driven"] for each in rates]), 0.0
+        return tilted(pin, self.closure.cosine, self.closure.sine)

@@ -43,6 +43,10 @@ class FourAxes:
 
     def solver(self, side: float) -> SpaceSolver:
         """Return its solver; ``side`` is -1.0 for the crossed assembly."""
+        if self.slides:
+            from vad.kinematics.space.spatial import SpatialSolver
+
+            return SpatialSolver(self, side)
         from vad.kinematics.space.sphere import SphereSolver
 
         return SphereSolver(self, side)

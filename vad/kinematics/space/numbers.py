@@ -7,7 +7,7 @@ numbers, holds for axes in space: its real part turns, its dual part slides.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -89,12 +89,10 @@ def dual(value: Number) -> Number:
 
 
 def numbers_in(value: Any) -> Iterator[Number]:
-    """Yield all numbers of nested tuples, of a dual number both parts."""
+    """Yield all numbers of nested tuples."""
     if isinstance(value, tuple):
         for each in value:
             yield from numbers_in(each)
-    elif isinstance(value, Dual):
-        yield from (value.real, value.dual)
     else:
         yield value
 
@@ -111,11 +109,6 @@ def cross(a: Vector3, b: Vector3) -> Vector3:
         a[2] * b[0] - a[0] * b[2],
         a[0] * b[1] - a[1] * b[0],
     )
-
-
-def triple(a: Vector3, b: Vector3, c: Vector3) -> Number:
-    """Return the volume [a b c] = a · (b × c)."""
-    return dot(a, cross(b, c))
 
 
 def scaled(factor: Number, a: Vector3) -> Vector3:
@@ -150,6 +143,35 @@ def norm(a: Vector3) -> Number:
 def unit(a: Vector3) -> Vector3:
     """Return the unit vector along a vector; it may be of arrays."""
     return over(a, norm(a))
+
+
+def circling(x: Number, y: Number, rates: Sequence[Number]) -> tuple[Number, Number]:
+    """Return the vector x, y in the plane; if it turns, its derivative of the order of the rates.
+
+    Examples
+    --------
+    >>> circling(3.0, 1.0, [2.0]), circling(3.0, 1.0, [2.0, 5.0])
+    ((-2.0, 6.0), (-17.0, 11.0))
+    """
+    if not rates:
+        return x, y
+    omega, *alpha = rates
+    if not alpha:
+        return -omega * y, omega * x
+    square = omega * omega
+    return -alpha[0] * y - square * x, alpha[0] * x - square * y
+
+
+def tilted(a: Vector3, cosine: Number, sine: Number) -> Vector3:
+    """Return a vector turned about the axis x.
+
+    Examples
+    --------
+    >>> tilted((1.0, 2.0, 3.0), 0.0, 1.0)
+    (1.0, -3.0, 2.0)
+    """
+    x, y, z = a
+    return x, cosine * y - sine * z, sine * y + cosine * z
 
 
 def carried(arm: Vector3, *spins: Vector3) -> Vector3:

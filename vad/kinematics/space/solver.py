@@ -20,8 +20,8 @@ from vad.kinematics.any_solver import AnySolver, Evaluation, Result, order_of
 from vad.kinematics.closed_forms import OpenLoopError
 from vad.kinematics.linkage import Scalar
 from vad.kinematics.numbers import Number, degrees_of, fold, positive
-from vad.kinematics.space.instant_axis import AxisVelocity, InstantAxis, Turns, Z
-from vad.kinematics.space.numbers import Dual, Vector3, added, cross, dual, numbers_in, real, scaled
+from vad.kinematics.space.instant_axis import AxisVelocity, InstantAxis, Turns
+from vad.kinematics.space.numbers import Dual, Vector3, numbers_in, real, scaled
 from vad.kinematics.state import Pose, Rates
 
 
@@ -109,8 +109,8 @@ class SpaceSolver(AnySolver):
         """Return a point's position, its velocity (one order in ``rates``) or acceleration."""
 
     @abstractmethod
-    def spins(self, body: str, pose: Pose, rates: tuple[Rates, ...]) -> tuple[Vector3, ...]:
-        """Return ω, and with two orders α, of a body."""
+    def spins(self, pose: Pose, rates: tuple[Rates, ...]) -> tuple[Vector3, ...]:
+        """Return ω, and with two orders α, of the body that turns about no fixed line."""
 
     def evaluate(self, result: Result, evaluation: Evaluation) -> Number:
         """Return a result, of a point, an axis or a free body as x, y, z; NaN if undetermined.
@@ -127,11 +127,7 @@ class SpaceSolver(AnySolver):
         if kind == "slide":
             return (rates[-1].sliding if order else pose.length)[name] * self.scale
         if order:
-            return (
-                self.spins(name, pose, rates)[-1]
-                if name in self.bodies
-                else rates[-1].turning[name]
-            )
+            return self.spins(pose, rates)[-1] if name in self.bodies else rates[-1].turning[name]
         if name in self.bodies:
             raise UsageError(
                 f"{name}: has no angle, for it turns about no fixed line", "its omega is a vector"
@@ -147,9 +143,6 @@ class SpaceSolver(AnySolver):
 
 class Closure(Protocol):
     """A closed form of four axes, whose pose is of a kind of its own."""
-
-    #: The direction of the axis d; that of a is z.
-    d: Vector3
 
     def velocity(self, pose: Any, omega: Number) -> Turns:
         """Return how everything turns if the driver turns at ω."""
@@ -186,25 +179,27 @@ class AxesSolver(SpaceSolver):
         """Solve for the driver's rate, of the order after those in ``lower``."""
         driver = self.driver.name
         if lower:
-            omega, turns = lower[0].turning[driver], self.turns(lower[0])
+            omega, turns = lower[0].turning[driver], self.turning_of(lower[0])
             found = self.closure.acceleration(self.found(pose), omega, turns, value)
         else:
             found = self.closure.velocity(self.found(pose), value)
-        turning = dict(zip(self.turning, map(real, found), strict=True))
-        sliding = dict(zip(self.sliding, map(dual, found), strict=False))
-        return Rates({driver: value, **turning}, sliding)
+        return Rates({driver: value, **dict(zip(self.turning, found, strict=True))}, {})
+
+    def turning_of(self, rates: Rates) -> Turns:
+        """Return the rates at which everything turns about the axes D, B and C."""
+        return Turns(*(rates.turning[name] for name in self.turning))
 
     def turns(self, rates: Rates) -> Turns:
         """Return rates about the axes D, B and C: dual numbers where something slides."""
-        turning = [rates.turning[name] for name in self.turning]
         if not self.sliding:
-            return Turns(*turning)
-        return Turns(*map(Dual, turning, (rates.sliding[name] for name in self.sliding)))
+            return self.turning_of(rates)
+        sliding = (rates.sliding[name] for name in self.sliding)
+        return Turns(*map(Dual, self.turning_of(rates), sliding))
 
     def axis(self, pose: Pose) -> InstantAxis:
         """Return the instant axis of the driven body against the driver."""
         b, c = self.moving_axes(pose)
-        return InstantAxis(b, c, self.closure.d, self.coupler_sine)
+        return InstantAxis(b, c, self.axis_d, self.coupler_sine)
 
     def axis_velocity(self, pose: Pose, velocity: Rates) -> AxisVelocity:
         """Return how fast the driven body turns about it, and how fast it moves itself."""
@@ -217,9 +212,14 @@ class AxesSolver(SpaceSolver):
         return self.axis(pose).relative(crank, self.turns(acceleration))[0]
 
     @property
+    @abstractmethod
+    def axis_d(self) -> Vector3:
+        """The axis d."""
+
+    @property
     def d(self) -> Vector3:
         """The unit vector along the fixed axis of the driven body; that of the driver is z."""
-        return reals(self.closure.d)
+        return reals(self.axis_d)
 
     def axis_of(self, letter: str, pose: Pose) -> Vector3:
         """Return the unit vector along an axis that moves: at B, at C, or the instant axis I."""
@@ -228,21 +228,27 @@ class AxesSolver(SpaceSolver):
         b, c = self.moving_axes(pose)
         return reals(b if letter == "B" else c)
 
-    def spins(self, body: str, pose: Pose, rates: tuple[Rates, ...]) -> tuple[Vector3, ...]:
-        """Return ω, and with two orders α, of a body."""
+    @property
+    @abstractmethod
+    def crank_sine(self) -> float:
+        """The sine of the arc from a to b."""
+
+    @abstractmethod
+    def along_a(self, pose: Pose, rates: tuple[Rates, ...]) -> tuple[Number, ...]:
+        """Return the parts along a of ω, and with two orders of α, of the body between."""
+
+    def spins(self, pose: Pose, rates: tuple[Rates, ...]) -> tuple[Vector3, ...]:
+        """Return ω₂a + ω₃₂b, and with two orders α₂a + α₃₂b + ω₂a × ω₃₂b."""
         driver, about_b = self.driver.name, self.turning[1]
-        if body not in self.bodies:
-            axis = Z if body == driver else self.d
-            return tuple(scaled(each.turning[body], axis) for each in rates)
-        axis = reals(self.moving_axes(pose)[0])
-        found = [
-            added(scaled(each.turning[driver], Z), scaled(each.turning[about_b], axis))
-            for each in rates
-        ]
-        if len(rates) > 1:
-            first = rates[0].turning
-            found[1] = added(found[1], scaled(first[driver] * first[about_b], cross(Z, axis)))
-        return tuple(found)
+        crank, along = pose.unit[driver], self.along_a(pose, rates)
+        swung = [self.crank_sine * each.turning[about_b] for each in rates]
+        omega = swung[0] * crank.imag, -swung[0] * crank.real, along[0]
+        if len(rates) == 1:
+            return (omega,)
+        onward = rates[0].turning[driver] * swung[0]
+        x = swung[1] * crank.imag + onward * crank.real
+        y = onward * crank.imag - swung[1] * crank.real
+        return omega, (x, y, along[1])
 
 
 def reals(a: Vector3) -> Vector3:

@@ -2,7 +2,7 @@
 
 The axes a, b, c, d at A, B, C, D enclose the arcs ground (ad), crank (ab), coupler (bc) and rocker
 (dc).  With half chords for lengths the triangle over the diagonal BD is that of the plane, Heron's
-factors and all.  Over dual numbers the same lines solve the spatial four-bar (see `dual`).
+factors and all.  Rates are quotients of sines: nothing is subtracted, and nothing cancels.
 """
 
 from __future__ import annotations
@@ -16,235 +16,283 @@ from numpy.typing import NDArray
 
 from vad.kinematics.any_solver import round_the_turn
 from vad.kinematics.closed_forms import root_of_factors
-from vad.kinematics.numbers import Number, direction, fold, select, vector
-from vad.kinematics.space.instant_axis import Turns, Z
-from vad.kinematics.space.linkages import DualAngle, FourAxes
-from vad.kinematics.space.numbers import (
-    Dual,
-    Vector3,
-    added,
-    carried,
-    cross,
-    dot,
-    dual,
+from vad.kinematics.numbers import (
+    Number,
+    choose,
+    copysign,
+    direction,
     nonzero,
-    real,
-    root,
-    scaled,
-    triple,
+    sqrt,
+    vector,
 )
-from vad.kinematics.space.solver import AxesSolver, PoseInSpace, reals
+from vad.kinematics.space.instant_axis import Turns, Z
+from vad.kinematics.space.linkages import FourAxes
+from vad.kinematics.space.numbers import Vector3, circling, tilted
+from vad.kinematics.space.solver import AxesSolver, PoseInSpace
 from vad.kinematics.state import Pose, Rates
 
-_ORIGIN: Vector3 = (0.0, 0.0, 0.0)
+#: An arc that is shorter than another one by this factor counts as short.
+SHORT = 0.5
+#: A direction in a plane: cosine and sine.
+Turn = tuple[Number, Number]
+ORIGIN: Vector3 = (0.0, 0.0, 0.0)
 
 
 class SpherePose(NamedTuple):
     """Where everything is.
 
-    The axes are unit vectors in the frame that has z along a and x across a and d.  ``turns`` are
-    the angles at the joints as (cosine, sine): the rocker's at D, the coupler's at B and C.
-    ``volume`` is [c b d], which vanishes at a dead centre.
+    The axes are unit vectors in the frame that has z along a and x across a and d.  All turns are
+    (cosine, sine): the crank's at A, the rocker's at D, the coupler's at B and C.  ``volume`` is
+    [c b d], which vanishes at a dead centre.
     """
 
-    b: Vector3
-    c: Vector3
-    rocker: tuple[Number, Number]
-    at_b: tuple[Number, Number]
-    at_c: tuple[Number, Number]
+    crank: Turn
+    rocker: Turn
+    at_b: Turn
+    at_c: Turn
     volume: Number
 
 
 class Sphere:
-    """The closure of four axes; ``side`` is +1 where C lies to the left of the arc from B to D."""
+    """The closure of four axes; ``side`` is +1 where C lies to the left of the arc from B to D.
+
+    Attributes
+    ----------
+    sines, cosines
+        Those of ground, crank, coupler and rocker.
+    short_ground, short_crank
+        Whether the ground is short against the crank, and whether the crank is against the coupler.
+        Then rocker and crank, or coupler and frame, turn almost as one.
+    """
 
     def __init__(self, side: float, axes: FourAxes) -> None:
         self.side = side
-        arcs = axes.ground, axes.crank, axes.coupler, axes.rocker
-        #: Whether anything slides: then all numbers are dual.
-        self.in_space = axes.slides
+        self._arcs = [arc.angle for arc in (axes.ground, axes.crank, axes.coupler, axes.rocker)]
 
-        def half(one: int, two: int, three: int, four: int) -> Number:
-            return self._sine(arcs, (one, two, three, four), 0.5)
+        def half(*signs: int) -> float:
+            return self._direction(*(0.5 * sign for sign in signs)).imag
 
-        # The known parts of Heron's factors, where the crank points away from D and towards it.
-        self._far = half(1, -1, 1, 1) * half(-1, 1, 1, 1), half(1, -1, 1, -1) * half(1, -1, -1, 1)
-        self._near = half(1, 1, 1, 1) * half(-1, -1, 1, 1), half(1, 1, 1, -1) * half(1, 1, -1, 1)
-        self._apart, self._close = half(1, -1, 0, 0), half(1, 1, 0, 0)
-        self.sines = tuple(self._sine(arcs, unit) for unit in _UNITS)
-        self.cosines = tuple(self._cosine(arcs, unit) for unit in _UNITS)
-        self._product = self.sines[0] * self.sines[1]
-        self._difference = self._sine(arcs, (1, -1, 0, 0))
-        self._sum = self._sine(arcs, (1, 1, 0, 0))
-        self._feet = (
-            self._cosine(arcs, (0, 0, 1, 1), 0.5) * self._cosine(arcs, (0, 0, 1, -1), 0.5),
-            half(0, 0, 1, 1) * half(0, 0, 1, -1),
+        units = [self._direction(*(float(i == k) for i in range(4))) for k in range(4)]
+        self.sines, self.cosines = [u.imag for u in units], [u.real for u in units]
+        ground, crank, coupler, rocker = self.sines
+        self.short_ground = abs(ground) < SHORT * abs(crank)
+        self.short_crank = abs(crank) < SHORT * abs(coupler)
+        self._product = 0.5 * ground * crank
+        # What is known of each pose, where the crank points away from D and where it points to it:
+        # half the sine and cosine of the diagonal BD, squared, and Heron's factors.
+        near, far = self._direction(0.5, -0.5, 0, 0), self._direction(0.5, 0.5, 0, 0)
+        self._sine = _both(far.imag * far.imag, near.imag * near.imag)
+        self._cosine = _both(far.real * far.real, near.real * near.real)
+        self._below = _both(
+            half(1, 1, 1, 1) * half(-1, -1, 1, 1), half(1, -1, 1, 1) * half(-1, 1, 1, 1)
         )
-        self._spreads = half(0, 0, 1, 1), half(0, 0, 1, -1)
-        self._at_rocker = half(0, 0, 2, -1) * half(0, 0, 0, 1), half(0, 0, 0, 1)
-        self._across = self._cosine(arcs, (1, 1, 0, 0), 0.5)
-        zero = 0.0 * self._product
-        self.a: Vector3 = (zero, zero, 1.0 + zero)
-        self.d: Vector3 = (zero, -self.sines[0], self.cosines[0])
+        self._above = _both(
+            half(1, 1, 1, -1) * half(1, 1, -1, 1), half(1, -1, 1, -1) * half(1, -1, -1, 1)
+        )
+        together, apart = half(0, 0, 1, 1), half(0, 0, 1, -1)
+        self._spreads = together, apart
+        self._scales = 2.0 * together * together, 2.0 * apart * apart
+        # The projections of the diagonal on ground and crank, and of rocker and coupler on it.
+        total, difference = half(2, 2, 0, 0), half(2, -2, 0, 0)
+        self._on_ground = _both(total, difference), self.cosines[0] * crank
+        self._on_crank = _both(total, -difference), self.cosines[1] * ground
+        # Of α at C: what stands beside cos φ_A, and beside the square of what that misses of ±1.
+        both = coupler * rocker
+        self._bent = {at: 4.0 * (self._below[at] / both) * (self._above[at] / both) for at in _ENDS}
+        self._rest = (self._below[-1] - self._above[1]) / both * (2.0 * self._product / both)
+        self._of_rocker = self._foot(3, 2)
+        self._of_coupler = self._foot(2, 3)
 
-    def _sine(
-        self, arcs: tuple[DualAngle, ...], signs: tuple[int, ...], share: float = 1.0
-    ) -> Number:
-        """Return the sine of a sum of arcs, which is rounded once."""
-        return self._part(arcs, signs, share)[1]
+    def _direction(self, *signs: float) -> complex:
+        """Return cosine and sine of a sum of arcs.
 
-    def _cosine(
-        self, arcs: tuple[DualAngle, ...], signs: tuple[int, ...], share: float = 1.0
-    ) -> Number:
-        return self._part(arcs, signs, share)[0]
+        Half turns are taken off before the sum is rounded: thus a small sine keeps its digits.
+        """
+        terms = [sign * arc for sign, arc in zip(signs, self._arcs, strict=True)]
+        turns = round(math.fsum(terms) / 180.0)
+        found: complex = direction(math.fsum([*terms, -180.0 * turns]))
+        return -found if turns % 2 else found
 
-    def _part(
-        self, arcs: tuple[DualAngle, ...], signs: tuple[int, ...], share: float
-    ) -> tuple[Number, Number]:
-        pairs = list(zip(signs, arcs, strict=True))
-        unit = direction(fold(share * math.fsum(sign * arc.angle for sign, arc in pairs)))
-        if not self.in_space:
-            return unit.real, unit.imag
-        length = share * math.fsum(sign * arc.length for sign, arc in pairs)
-        return Dual(unit.real, -unit.imag * length), Dual(unit.imag, unit.real * length)
+    def _foot(self, arc: int, other: int) -> tuple[bool, float, float]:
+        """Return what is known of the foot of an arc on the diagonal, for each pose.
+
+        An arc of more than 90° is seen from the opposite end of its axis: there it is short.
+        """
+        signs = [0.0] * 4
+        signs[arc] = 0.5
+        own = self._direction(*signs)
+        if abs(own.imag) < abs(own.real):
+            signs[arc], signs[other] = -0.5, 1.0
+            return False, self._direction(*signs).imag * own.imag, own.imag * own.imag
+        signs[other] = 1.0
+        return True, -self._direction(*signs).real * own.real, -own.real * own.real
 
     def pose(self, angle: Number) -> SpherePose:
         """Return the position for a folded angle of the crank; NaN where the arcs do not close."""
-        u, w = direction(angle), direction(0.5 * angle)
-        away = u.real > 0.0
-        small = select(away, w.imag * w.imag, w.real * w.real)
-        signed = self._product * select(away, -small, small)
-        below = _where(away, self._far[0], self._near[0]) + signed
-        above = _where(away, self._far[1], self._near[1]) - signed
-        h = self._apart * self._apart + self._product * (w.imag * w.imag)
-        g = self._across * self._across + self._product * (w.real * w.real)
-        volume = (2.0 * self.side) * self._root(below, above, h)
-        sine, cosine = self.sines[1], self.cosines[1]
-        b: Vector3 = (sine * u.imag, -sine * u.real, cosine)
-        d = self.d
-        c = added(
-            scaled(self._feet[0] / nonzero(2.0 * g), added(b, d)),
-            scaled(self._feet[1] / nonzero(2.0 * h), added(d, scaled(-1.0, b))),
-            scaled(volume / nonzero(4.0 * h * g), cross(b, d)),
-        )
+        u = direction(angle)
+        nearest, short = _end(u.real, u.imag)
+        turned = nearest * short
+        grown = self._product * turned
+        below, above = choose(nearest, self._below) - grown, choose(nearest, self._above) + grown
+        sine, cosine = choose(nearest, self._sine) + grown, choose(nearest, self._cosine) - grown
+        both = self.sines[2] * self.sines[3]
+        height = self.side * root_of_factors(below, above, both, *self._scales)
+
+        def along(constants: tuple[dict[int, float], float]) -> Number:
+            return choose(nearest, constants[0]) + constants[1] * turned
+
+        def foot(constants: tuple[bool, float, float]) -> Number:
+            opposite, product, square = constants
+            return ((below if opposite else above) - product) + (cosine - sine) * square
+
+        at_ground, at_crank = self.sines[1] * u.imag, -self.sines[0] * u.imag
         return SpherePose(
-            b,
-            c,
-            self._rocker(u, away, small, above, g - h, volume),
-            *self._joints(u, b, c, below - above, volume),
-            volume,
+            (u.real, u.imag),
+            _joined(along(self._on_ground), at_ground, height, foot(self._of_rocker)),
+            _joined(along(self._on_crank), at_crank, -height, foot(self._of_coupler)),
+            ((below - above) / both, -2.0 * height / both),
+            2.0 * height,
         )
 
-    def _root(self, below: Number, above: Number, h: Number) -> Number:
-        """Return √(below·above), NaN where the arcs do not close."""
-        together, apart = (real(sine) * real(sine) for sine in self._spreads)
-        value = root_of_factors(
-            real(below),
-            real(above),
-            real(self.sines[2]) * real(self.sines[3]),
-            together + real(h),
-            real(h) + apart,
+    def velocity(self, pose: SpherePose, omega: Number) -> Turns:
+        """Return the rates of ω₂a + ω₃₂b = ω₄d + ω₃₄c.
+
+        ω₄ sin α₄ sin φ_C = ω₂ sin α₂ sin φ_B, ω₃₂ sin α₃ sin φ_C = ω₂ sin α₁ sin φ_D and
+        ω₃₄ sin α₃ sin α₄ sin φ_C = ω₂ sin α₁ sin α₂ sin φ_A.
+        """
+        over = omega / nonzero(pose.at_c[1])
+        at_d, at_b, at_c = self._ratios
+        return Turns(
+            at_d * pose.at_b[1] * over, at_b * pose.rocker[1] * over, at_c * pose.crank[1] * over
         )
-        if not self.in_space:
-            return value
-        change = real(below) * dual(above) + dual(below) * real(above)
-        return Dual(value, change / nonzero(2.0 * value))
+
+    @property
+    def _ratios(self) -> tuple[float, float, float]:
+        ground, crank, coupler, rocker = self.sines
+        return crank / rocker, ground / coupler, (crank / coupler) * (ground / rocker)
+
+    def acceleration(self, pose: SpherePose, omega: Number, turns: Turns, alpha: Number) -> Turns:
+        """Return the derivatives of these three products."""
+        sine, cosine = nonzero(pose.at_c[1]), pose.at_c[0]
+        of_d, of_b, _ = self._ratios
+
+        def rate(ratio: float, turn: Turn, changed: Number, known: Number) -> Number:
+            grown = alpha * turn[1] + omega * changed * turn[0]
+            return (ratio * grown - known * turns.at_c * cosine) / sine
+
+        at_c = self._at_c(pose, omega, alpha)
+        if self.short_ground:
+            at_d = self._beside_crank(pose, omega, turns, alpha, at_c)
+        else:
+            at_d = rate(of_d, pose.at_b, turns.at_b, turns.at_d)
+        if self.short_crank:
+            known = Turns(at_d, math.nan, at_c)
+            at_b = self.along_b_rate(pose, omega, turns, alpha, known) - self.cosines[1] * alpha
+        else:
+            at_b = rate(of_b, pose.rocker, turns.at_d, turns.at_b)
+        return Turns(at_d, at_b, at_c)
+
+    def _at_c(self, pose: SpherePose, omega: Number, alpha: Number) -> Number:
+        """Return α₃₄, the derivative of the third product.
+
+        From cos φ_C = p cos φ_A + q follows what stands beside ω₂² / sin²φ_C: no difference of
+        almost equal numbers where p is nearly 1 and q nearly 0, as in a parallelogram.
+        """
+        cosine, sine = pose.crank
+        nearest, short = _end(cosine, sine)
+        over = omega / nonzero(pose.at_c[1])
+        bent = choose(nearest, self._bent) * cosine - self._rest * (short * short)
+        return self._ratios[2] * (alpha * sine + over * over * bent) / nonzero(pose.at_c[1])
+
+    def _beside_crank(
+        self, pose: SpherePose, omega: Number, turns: Turns, alpha: Number, at_c: Number
+    ) -> Number:
+        """Return α₄ of a rocker that turns almost with the crank.
+
+        It is the derivative of (ω₄ cos α₁ - ω₂) sin α₂ = ω₄ sin α₁ cos α₂ cos φ_A +
+        ω₃₄ sin α₃ cos φ_B, in which all terms are small.
+        """
+        ground, crank, coupler, _ = self.sines
+        share, other = ground * self.cosines[1] / crank, coupler / crank
+        swung = at_c * pose.at_b[0] - turns.at_c * turns.at_b * pose.at_b[1]
+        known = alpha + other * swung - share * (omega * turns.at_d) * pose.crank[1]
+        return known / (self.cosines[0] - share * pose.crank[0])
+
+    def along_b(self, pose: SpherePose, omega: Number, turns: Turns) -> Number:
+        """Return the part of the coupler's ω along b, ω₃₂ + ω₂ cos α₂.
+
+        With a short crank it is a difference of almost equal numbers: then it follows from the
+        velocities of C, square to the arc BC: ω₄ sin α₄ cos φ_C is ω₂ sin α₂ cos φ_B cos α₃ and
+        that part times sin α₃.
+        """
+        if not self.short_crank:
+            return turns.at_b + self.cosines[1] * omega
+        _, crank, coupler, rocker = self.sines
+        onward = (crank * self.cosines[2] / coupler) * pose.at_b[0]
+        return (rocker / coupler) * turns.at_d * pose.at_c[0] - onward * omega
+
+    def along_b_rate(
+        self, pose: SpherePose, omega: Number, turns: Turns, alpha: Number, rates: Turns
+    ) -> Number:
+        """Return the derivative of that, the part of the coupler's α along b."""
+        if not self.short_crank:
+            return rates.at_b + self.cosines[1] * alpha
+        _, crank, coupler, rocker = self.sines
+        at_c, at_b = pose.at_c, pose.at_b
+        own = rates.at_d * at_c[0] - turns.at_d * turns.at_c * at_c[1]
+        other = alpha * at_b[0] - omega * turns.at_b * at_b[1]
+        return (rocker / coupler) * own - (crank * self.cosines[2] / coupler) * other
 
     def miss(self, angle: float) -> float:
         """Return by how much one pose fails to close, in degrees of arc."""
-        w = direction(0.5 * angle)
-        apart, product = real(self._apart), real(self._product)
-        h = math.sqrt(apart * apart + product * (w.imag * w.imag))
+        w, product = direction(0.5 * angle), 2.0 * self._product
+        h = math.sqrt(self._sine[1] + product * (w.imag * w.imag))
         diagonal, together, least = (
-            2.0 * math.degrees(math.asin(min(1.0, abs(x)))) for x in (h, *map(real, self._spreads))
+            2.0 * math.degrees(math.asin(min(1.0, abs(x)))) for x in (h, *self._spreads)
         )
         return max(diagonal - together, least - diagonal)
 
     def limits(self) -> list[float]:
         """Return the crank's angles in degrees at which coupler and rocker are in line."""
         found = []
-        (below, above), (near_below, near_above) = self._far, self._near
-        for half_sine, half_cosine in ((below, -near_below), (-above, near_above)):
-            if real(half_sine) >= 0.0 and real(half_cosine) >= 0.0:
-                sine, cosine = math.sqrt(real(half_sine)), math.sqrt(real(half_cosine))
-                angle = 2.0 * math.degrees(math.atan2(sine, cosine))
+        for half_sine, half_cosine in (
+            (self._below[1], -self._below[-1]),
+            (-self._above[1], self._above[-1]),
+        ):
+            if half_sine >= 0.0 and half_cosine >= 0.0:
+                angle = 2.0 * math.degrees(math.atan2(math.sqrt(half_sine), math.sqrt(half_cosine)))
                 found += [angle, -angle]
         return found
 
-    def _rocker(
-        self,
-        u: Number,
-        away: Number,
-        small: Number,
-        above: Number,
-        cosine: Number,
-        volume: Number,
-    ) -> tuple[Number, Number]:
-        """Return the rocker's direction, which loses no digit if the rocker is short."""
-        product, half = self._at_rocker
-        foot = 2.0 * (above - product) + 2.0 * cosine * (half * half)
-        x = self.sines[1] * u.imag
-        rest = 2.0 * self.cosines[0] * self.sines[1] * small
-        y = _where(away, self._difference + rest, self._sum - rest)
-        return _unit(x * volume - y * foot, x * foot + y * volume)
 
-    def _joints(
-        self, u: Number, b: Vector3, c: Vector3, along: Number, volume: Number
-    ) -> tuple[tuple[Number, Number], tuple[Number, Number]]:
-        """Return the coupler's turns against the crank at B, and against the rocker at C."""
-        sine, cosine = self.sines[1], self.cosines[1]
-        onward: Vector3 = (cosine * u.imag, -cosine * u.real, -sine)
-        left = c[0] * u.real + c[1] * u.imag
-        return _unit(dot(c, onward), left), _unit(along, -volume)
-
-    def velocity(self, pose: SpherePose, omega: Number) -> Turns:
-        """Return the rates of ω₂a + ω₃₂b = ω₄d + ω₃₄c, one determinant for all."""
-        return self._solved(pose, scaled(omega, self.a))
-
-    def acceleration(self, pose: SpherePose, omega: Number, turns: Turns, alpha: Number) -> Turns:
-        """Return the rates of α₂a + ω₂×ω₃₂ + α₃₂b = α₄d + ω₄×ω₃₄ + α₃₄c."""
-        known = added(
-            scaled(alpha, self.a),
-            scaled(omega * turns.at_b, cross(self.a, pose.b)),
-            scaled(-1.0 * turns.at_d * turns.at_c, cross(self.d, pose.c)),
-        )
-        return self._solved(pose, known)
-
-    def _solved(self, pose: SpherePose, known: Vector3) -> Turns:
-        """Return x, y, z with known + y·b = x·d + z·c (Cramer)."""
-        b, c, d, volume = pose.b, pose.c, self.d, nonzero(pose.volume)
-        return Turns(
-            -1.0 * triple(known, b, c) / volume,
-            -1.0 * triple(known, d, c) / volume,
-            triple(known, b, d) / volume,
-        )
+#: The ends of the range of a cosine, and what does not occur between them.
+_ENDS = -1, 0, 1
 
 
-_UNITS = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))
+def _both(negative: float, positive: float) -> dict[int, float]:
+    """Return constants to choose from by the sign of the cosine of the crank's angle."""
+    return {-1: negative, 0: positive, 1: positive}
 
 
-def _where(condition: Number, one: Number, other: Number) -> Number:
-    """Choose between numbers that may be dual."""
-    if not (isinstance(one, Dual) or isinstance(other, Dual)):
-        return select(condition, one, other)
-    return Dual(
-        select(condition, real(one), real(other)), select(condition, dual(one), dual(other))
-    )
+def _end(cosine: Number, sine: Number) -> tuple[Number, Number]:
+    """Return the sign of a cosine, and how much it misses of ±1."""
+    return copysign(1.0, cosine), sine * sine / (1.0 + abs(cosine))
 
 
-def _unit(x: Number, y: Number) -> tuple[Number, Number]:
-    """Return the direction of a vector in the plane, by its parts."""
-    size = nonzero(root(x * x + y * y))
-    return x / size, y / size
+def _joined(x: Number, y: Number, height: Number, foot: Number) -> Turn:
+    """Return the sum of two angles at one end of the diagonal, by their cosines and sines."""
+    cosine, sine = y * height - x * foot, y * foot + x * height
+    size = nonzero(sqrt(cosine * cosine + sine * sine))
+    return cosine / size, sine / size
 
 
 class SphereSolver(AxesSolver):
-    """The closure of four axes.
+    """The closure of four axes through one point.
 
     Parameters
     ----------
     axes
-        Their angles and distances.
+        Their angles.
     side
         +1.0 for the open assembly, -1.0 for the crossed one.
 
@@ -252,22 +300,17 @@ class SphereSolver(AxesSolver):
     ----------
     closure
         The closed form.
-    slides
-        Those of the spatial four-bar; none on the sphere.
     """
 
     links: Set[str] = frozenset({"crank", "coupler", "rocker"})
     joints: Set[str] = frozenset("BC")
     bodies: Set[str] = frozenset({"coupler"})
     turning = "rocker", "B", "C"
+    points = "ABCDI"
 
     def __init__(self, axes: FourAxes, side: float) -> None:
         super().__init__(axes.driver)
-        self.axes = axes
         self.closure: Sphere = Sphere(side, axes)
-        self.sliding = ("slide_d", "slide_b", "slide_c") if axes.slides else ()
-        self.slides = frozenset(self.sliding)
-        self.points = "ABCD" if axes.slides else "ABCDI"
 
     def limits(self) -> NDArray[np.float64]:
         """Return the angles at which coupler and rocker are in line."""
@@ -279,72 +322,71 @@ class SphereSolver(AxesSolver):
 
     def why_dead(self, pose: Pose) -> str:
         """Say why the rates do not exist at a dead centre."""
-        if self.slides:
-            return "dead centre: the axes at B, C and D are parallel to one plane"
         return "dead centre: B, C and D lie on one great circle"
 
     def closed(self, angle: Number) -> PoseInSpace:
         """Return the position for a folded angle of the crank."""
         found = self.closure.pose(angle)
-        turns = found.rocker, found.at_b, found.at_c
-        unit = {
-            name: vector(real(x), real(y)) for name, (x, y) in zip(self.turning, turns, strict=True)
-        }
-        length = {
-            name: real(x) * dual(y) - real(y) * dual(x)
-            for name, (x, y) in zip(self.sliding, turns, strict=False)
-        }
-        unit["crank"] = direction(angle)
-        return PoseInSpace(unit, length, [real(found.volume)], found=found)
+        names = "crank", *self.turning
+        unit = {name: vector(*turn) for name, turn in zip(names, found, strict=False)}
+        return PoseInSpace(unit, {}, [found.volume], found=found)
 
     def on_sphere(self, pose: Pose) -> SpherePose:
-        """Return the axes of a pose: of the spatial four-bar in dual numbers."""
-        axes: SpherePose = self.found(pose)
-        return axes
+        """Return the turns of a pose."""
+        turns: SpherePose = self.found(pose)
+        return turns
 
     @property
     def coupler_sine(self) -> Number:
         """The sine of the arc from b to c."""
         return self.closure.sines[2]
 
+    @property
+    def crank_sine(self) -> float:
+        """The sine of the arc from a to b."""
+        return self.closure.sines[1]
+
+    def along_a(self, pose: Pose, rates: tuple[Rates, ...]) -> tuple[Number, ...]:
+        """Return the parts along a of ω, and with two orders of α, of the coupler."""
+        cosine, turning = self.closure.cosines[1], self.turning[1]
+        if not self.closure.short_crank:
+            return tuple(x.turning["crank"] + cosine * x.turning[turning] for x in rates)
+        square = self.crank_sine * self.crank_sine
+        parts = zip(rates, self.along_b(pose, rates), strict=True)
+        return tuple(square * each.turning["crank"] + cosine * along for each, along in parts)
+
+    def along_b(self, pose: Pose, rates: tuple[Rates, ...]) -> tuple[Number, ...]:
+        """Return the parts along b of ω, and with two orders of α, of the coupler."""
+        turns, crank = self.on_sphere(pose), [each.turning["crank"] for each in rates]
+        others = [self.turning_of(each) for each in rates]
+        omega = self.closure.along_b(turns, crank[0], others[0])
+        if len(rates) == 1:
+            return (omega,)
+        first, second = others
+        return omega, self.closure.along_b_rate(turns, crank[0], first, crank[1], second)
+
+    @property
+    def axis_d(self) -> Vector3:
+        """The axis d, across which x points: a unit vector."""
+        return 0.0, -self.closure.sines[0], self.closure.cosines[0]
+
     def moving_axes(self, pose: Pose) -> tuple[Vector3, Vector3]:
         """Return b and c."""
-        axes = self.on_sphere(pose)
-        return axes.b, axes.c
+        return self._axis("B", pose, ()), self._axis("C", pose, ())
+
+    def _axis(self, letter: str, pose: Pose, rates: tuple[Rates, ...]) -> Vector3:
+        """Return b or c, its velocity or its acceleration: they turn about a and d."""
+        sines, cosines, turns = self.closure.sines, self.closure.cosines, self.on_sphere(pose)
+        (x, y), body = (turns.crank, "crank") if letter == "B" else (turns.rocker, "rocker")
+        size, level = sines[1 if letter == "B" else 3], cosines[1 if letter == "B" else 3]
+        turning = [each.turning[body] for each in rates]
+        axis = *circling(size * y, -size * x, turning), 0.0 if rates else level
+        return axis if letter == "B" else tilted(axis, cosines[0], sines[0])
 
     def point(self, letter: str, pose: Pose, rates: tuple[Rates, ...]) -> Vector3:
         """Return a point's position, its velocity (one order in ``rates``) or acceleration."""
-        if self.slides:
-            return self._foot(letter, pose, rates)
-        axes = self.on_sphere(pose)
         if letter == "I":
-            return self.axis(pose).motion(*self.spins("coupler", pose, rates))
+            return self.axis(pose).motion(*(self.spins(pose, rates) if rates else ()))
         if letter in "AD":
-            return _ORIGIN if rates else (Z if letter == "A" else self.d)
-        axis, body = (axes.b, "crank") if letter == "B" else (axes.c, "rocker")
-        return carried(axis, *self.spins(body, pose, rates))
-
-    def _foot(self, letter: str, pose: Pose, rates: tuple[Rates, ...]) -> Vector3:
-        """Return where a common normal meets its axis, of B the crank's and of C the coupler's."""
-        if letter == "A":
-            return _ORIGIN
-        if letter == "D":
-            return _ORIGIN if rates else (self.axes.ground.length, 0.0, 0.0)
-        crank = pose.unit["crank"]
-        foot = scaled(self.axes.crank.length, (crank.real, crank.imag, 0.0))
-        turning = self.spins("crank", pose, rates)
-        if letter == "B":
-            return carried(foot, *turning)
-        axes = self.on_sphere(pose)
-        b, c = reals(axes.b), reals(axes.c)
-        slid = [pose.length["slide_b"], *(each.sliding["slide_b"] for each in rates)]
-        normal = scaled(self.axes.coupler.length / real(self.closure.sines[2]), cross(b, c))
-        total = added(
-            carried(added(foot, scaled(slid[0], b)), *turning),
-            carried(normal, *self.spins("coupler", pose, rates)),
-        )
-        if rates:
-            total = added(total, scaled(slid[-1], b))
-        if len(rates) > 1:
-            total = added(total, scaled(2.0 * slid[1], carried(b, turning[0])))
-        return total
+            return ORIGIN if rates else (Z if letter == "A" else self.d)
+        return self._axis(letter, pose, rates)
