@@ -57,7 +57,7 @@ class Traced(float, Symbol):
 
     def __mul__(self, other: Any) -> Any:
         if isinstance(other, complex):
-            return TracedVector(self * other.real, self * other.imag)
+            return TracedVector(_product(self, other.real), _product(self, other.imag))
         return _both(self, other, float.__mul__, lambda x, y: x * y)
 
     __rmul__ = __mul__
@@ -191,7 +191,7 @@ class TracedVector(complex):
         x, y = self.real, self.imag
         if isinstance(other, complex):
             a, b = other.real, other.imag
-            return TracedVector(x * a - y * b, x * b + y * a)
+            return TracedVector(_product(x, a) - _product(y, b), _product(x, b) + _product(y, a))
         return TracedVector(x * other, y * other)
 
     __rmul__ = __mul__
@@ -213,6 +213,12 @@ class TracedVector(complex):
 
     def __eq__(self, other: object) -> bool:
         return complex.__eq__(self, other) is True
+
+
+def _product(number: Any, factor: Any) -> Any:
+    """Return a product, of which nothing is remembered where a constant factor is zero."""
+    constant = not isinstance(factor, Traced) and factor == 0.0
+    return 0.0 if constant else number * factor
 
 
 def plain(value: Any) -> Any:

@@ -17,6 +17,7 @@ from string import Template
 
 from vad.lecture.lesson import Lesson
 from vad.page.parts import Parts, parts
+from vad.page.solver import solver_script
 from vad.page.themed import themes, variables
 from vad.strokes.description import title
 from vad.style import load_style
@@ -31,13 +32,15 @@ _START = (
 )
 #: The scripts of a page that is turned, those first that others use.
 _HAND = ("solver.js", "labels.js", "picture.js", "hand.js")
-_TURNED = "window.vad=turn(root,{program},data.hand);"
+_TURNED = "window.vad=turn(root,solver(data.program),data.hand);"
 
 
 @cache
 def asset(name: str) -> str:
     """Return a file of the page, ``player.html``, ``.css`` or ``.js``, without its comments."""
     text = (files(__package__) / name).read_text("utf-8")
+    if name == "solver.js":
+        text = solver_script(text)
     text = re.sub(r"^\s*(//[^\n]*\n\s*)*|/\*.*?\*/\s*", "", text, flags=re.MULTILINE | re.DOTALL)
     return re.sub(r"(?<=[:;{},])\s+|\s+(?=[{}])", "", text) if name.endswith(".css") else text
 
@@ -58,7 +61,8 @@ def document(lesson: Lesson, start: int = 0) -> str:
     if made.hand:
         data["hand"] = made.hand.data
         parts_of_script[:0] = map(asset, _HAND)
-        parts_of_script.append(_TURNED.replace("{program}", made.hand.program))
+        data["program"] = made.hand.program
+        parts_of_script.append(_TURNED)
     script = "\n".join(parts_of_script) + "\n"
     proof = b64encode(sha256(script.encode()).digest()).decode()
     policy = (

@@ -16,7 +16,7 @@ from vad.kinematics.reach import closing_range
 from vad.kinematics.traced import Traced, plain
 from vad.lecture.moment import drawing
 from vad.page.ink import Inker, when
-from vad.page.solver import script
+from vad.page.solver import solver_data
 from vad.painting.svg_elements import number
 from vad.plan.hand_board import HandBoard, Label
 from vad.plan.items import FOREVER, Item, in_painting_order
@@ -35,13 +35,13 @@ class Hand:
     layers
         What is drawn in each panel while it is turned, as SVG.
     program
-        The text of the function of `vad.page.solver.script`.
+        The data of `vad.page.solver.solver_data`.
     data
         For ``hand.js``: see there.
     """
 
     layers: Mapping[str, str]
-    program: str
+    program: Mapping[str, Any]
     data: Mapping[str, Any]
 
 
@@ -134,7 +134,7 @@ def hand(board: HandBoard, sheet: Sheet, inker: Inker) -> Hand:
     }
     program = traced.program(outputs.numbers)
     data["size"] = len(outputs.numbers)
-    return Hand(layers, script(program, len(traced.inputs) - 3), data)
+    return Hand(layers, solver_data(program, len(traced.inputs) - 3), data)
 
 
 class Begun:
