@@ -15,7 +15,7 @@ import vad
 from benchmarks.common import RESULTS, four_functions, three, write_csv
 from benchmarks.speed import POSES, in_turn
 from tests.kinematics.hand_built import BUILT, HandBuilt
-from vad.kinematics import program
+from vad.kinematics import program, threads
 from vad.mechanisms import Mechanism
 
 #: The link that is found last.
@@ -31,7 +31,7 @@ def last_alpha(mechanism: Mechanism | HandBuilt, link: str) -> Callable[[], obje
 
 def main() -> None:
     """Measure, print and write."""
-    program.OFTEN = math.inf
+    program.OFTEN = threads.SHARED = math.inf
     built = {name: HandBuilt(BUILT[name]()) for name in LAST}
     angles = np.deg2rad(np.random.default_rng(1).uniform(0.0, 360.0, POSES))
     calls = [lambda: four_functions(angles), last_alpha(vad.FourBar(), "rocker")]
