@@ -110,6 +110,21 @@ def test_what_one_thread_meets_ends_both(here: bool, monkeypatch: Any) -> None:
     assert len(blocks) < 10
 
 
+def test_where_no_thread_may_start_one_does_all(monkeypatch: Any) -> None:
+    def refuse(_: threading.Thread) -> None:
+        raise RuntimeError("can't start new thread")
+
+    monkeypatch.setattr(threads, "two_threads", lambda _: True)
+    monkeypatch.setattr(threading.Thread, "start", refuse)
+    times = np.zeros(100_000, int)
+
+    def work(part: slice) -> None:
+        times[part] += 1
+
+    in_blocks(times.size, 10_000, lambda _: work)
+    assert (times == 1).all()
+
+
 def test_no_thread_is_started_beside_others(monkeypatch: Any) -> None:
     """Those of Dask and the processes of a batch use all processors already."""
     monkeypatch.setattr(threads.os, "sched_getaffinity", lambda _: {0, 1}, raising=False)

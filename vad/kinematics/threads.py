@@ -11,6 +11,7 @@ import sys
 import threading
 from collections import deque
 from collections.abc import Callable
+from contextlib import suppress
 from contextvars import copy_context
 
 # From this number of poses on two threads share them.  Where a second processor is idle, they take
@@ -61,12 +62,14 @@ def in_blocks(poses: int, block: int, thread: Callable[[int], Work]) -> None:
     # One begins at the end: if both were at one page of new memory, the system would make it twice.
     # What numpy does not warn of is in the context.
     helper = threading.Thread(target=copy_context().run, args=(help_out,))
-    helper.start()
+    with suppress(RuntimeError):  # where no more threads may start, this one does all
+        helper.start()
     try:
         run(thread(size), starts.popleft)
     finally:
         starts.clear()  # if this thread is interrupted, the other one ends, too
-        helper.join()
+        if helper.is_alive():
+            helper.join()
     if failed:
         raise failed[0]
 
