@@ -22,6 +22,7 @@ from tests.kinds import PLANE
 from vad.batches.sweep import _result
 from vad.kinematics import any_solver, program
 from vad.kinematics.any_solver import Evaluation, Result, order_of
+from vad.kinematics.compiled import compiled
 from vad.kinematics.program import Blocks, Program
 from vad.kinematics.recording import OPERATIONS, Tape, function_of, key_of, lines_of
 from vad.kinematics.solver import Solver, guide_of, solver_of
@@ -143,12 +144,14 @@ def test_a_compiled_loop_gives_the_same_bits(mechanism: Any, kind: str, monkeypa
     last = mechanism.letters[-1]
     letter = last if last in vad.solve(mechanism).points else "C"
     asked = [("point", letter, quantity) for quantity in ("position", "velocity", "acceleration")]
+    turning = [x for x in vad.solve(mechanism).links if x not in solver_of(mechanism).bodies]
+    asked += [("link", link, "angle") for link in turning[-2:]]
     wanted = [vad.solve(mechanism, **inputs).read(result) for result in asked]
     monkeypatch.setattr(program, "OFTEN", 0)
     found = vad.solve(mechanism, **inputs)
     for result, values in zip(asked, wanted, strict=True):
         assert found.read(result).tobytes() == values.tobytes()
-    names = [f"{letter}.{quantity}" for _, _, quantity in asked]
+    names = [f"{part}.{quantity}" for _, part, quantity in asked]
     swept = vad.sweep(mechanism, names, **inputs)
     for name, values in zip(names, wanted, strict=True):
         assert swept[name].tobytes() == values.tobytes()
@@ -361,6 +364,20 @@ def test_an_operation_is_the_same_on_floats_and_on_blocks(operation: str) -> Non
         assert bits(written(a, b)) == bits(on_floats(a, b)) == bits(found)
 
 
+@pytest.mark.parametrize("operation", ["minimum", "maximum"])
+@pytest.mark.parametrize("size", [1, 2, 9, 33])
+@pytest.mark.parametrize("pair", [(0.0, -0.0), (-0.0, 0.0)])
+def test_of_two_zeros_it_is_the_same_everywhere(operation: str, size: int, pair: Any) -> None:
+    one, other = pair
+    form = OPERATIONS[operation]
+    wanted = function_of(["x", "y"], [f"return {form.text.format('x', 'y')}"])(one, other)
+    assert repr(form.on_floats(one, other)) == repr(wanted)
+    for y in (np.full(size, other), np.array(other)):
+        found = np.full(size, one)
+        form.on_blocks(found, y, found)
+        assert set(map(repr, found.tolist())) == {repr(wanted)}
+
+
 @st.composite
 def programs(draw: Any) -> Program:
     """Draw a program in which any operation may follow any other one."""
@@ -391,6 +408,30 @@ def test_blocks_play_any_program_as_one_pose_does(program: Program, x: float, y:
     Blocks(program, [True, False]).play([np.array([x, -x, y]), y], list(found))
     for number, place in enumerate((x, -x, y)):
         assert list(map(bits, found[:, number])) == list(map(bits, alone(program, place, y)))
+
+
+@llvmlite
+@settings(max_examples=40, deadline=None)
+@given(program=programs(), x=st.floats(-1e4, 1e4), y=st.sampled_from([0.0, -0.0, 180.0, 2.5]))
+def test_a_compiled_loop_plays_any_program_as_blocks_do(
+    program: Program, x: float, y: float
+) -> None:
+    """With outputs in arrays of their own, and with the last of them in a table."""
+    for columns in (0, 3):
+        parts = program.inputs, program.steps, program.outputs, columns
+        loop = compiled(*parts, [True, False])
+        if not loop:  # it folds what it has calculated itself
+            return
+        wanted, found = (np.empty((len(program.outputs), 17)) for _ in range(2))
+        table = np.empty((17, columns))
+        places = np.array([x, -x, y, *range(14)])
+        Blocks(program, [True, False]).play([places, y], list(wanted))
+        single = len(program.outputs) - columns
+        loop.play([places, y], [*found[:single], *table.T], lambda _: None)
+        found[single:] = table.T
+        assert np.where(found == found, found, math.nan).tobytes() == (
+            np.where(wanted == wanted, wanted, math.nan).tobytes()
+        )
 
 
 def test_constants_that_are_equal_are_told_apart() -> None:

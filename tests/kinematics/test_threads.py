@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import math
 import multiprocessing
+import os
 import threading
 import time
 import warnings
@@ -44,7 +45,7 @@ def several(request: Any, monkeypatch: Any) -> bool:
 def test_sweeps_of_any_length(often: float, several: bool, monkeypatch: Any) -> None:
     """With poses that do not close, and a table wider than a vector."""
     mechanism = vad.FourBar(100.0, 80.0, 60.0, 50.0)
-    names = ["C.position", "coupler.alpha", "rocker.omega", "C.acceleration", "B.velocity"]
+    names = ["C.position", "coupler.alpha", "rocker.omega", "C.acceleration", "rocker.angle"]
     names += ["B.position", "rocker.alpha", "coupler.omega", "C.velocity", "B.acceleration"]
     angles = np.random.default_rng(2).uniform(0.0, 360.0, max(LENGTHS))
     with monkeypatch.context() as alone:
@@ -127,7 +128,7 @@ def test_where_no_thread_may_start_one_does_all(monkeypatch: Any) -> None:
 
 def test_no_thread_is_started_beside_others(monkeypatch: Any) -> None:
     """Those of Dask and the processes of a batch use all processors already."""
-    monkeypatch.setattr(threads.os, "sched_getaffinity", lambda _: {0, 1}, raising=False)
+    monkeypatch.setattr(os, "sched_getaffinity", lambda _: {0, 1}, raising=False)
     many = threads.SHARED
     with ThreadPoolExecutor(1) as pool:
         assert threads.two_threads(many)
@@ -136,5 +137,5 @@ def test_no_thread_is_started_beside_others(monkeypatch: Any) -> None:
     with monkeypatch.context() as child:
         child.setattr("multiprocessing.process.parent_process", multiprocessing.current_process)
         assert not threads.two_threads(many)
-    monkeypatch.setattr(threads.os, "sched_getaffinity", lambda _: {1}, raising=False)
+    monkeypatch.setattr(os, "sched_getaffinity", lambda _: {1}, raising=False)
     assert not threads.two_threads(many)

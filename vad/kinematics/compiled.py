@@ -9,6 +9,7 @@ unless it is told to, so that the bits are the same.
 from __future__ import annotations
 
 import ctypes
+import math
 import struct
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
@@ -17,9 +18,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.kinematics.program import LANES
-from vad.kinematics.recording import Operand, Recorded, kind_of, prepared
-from vad.kinematics.threads import BLOCK, in_blocks
+from vad.kinematics.program import LANES, Blocks, Program
+from vad.kinematics.recording import Operand, Recorded, key_of, kind_of, prepared
+from vad.kinematics.threads import BLOCK, Work, in_blocks
 
 Array = NDArray[Any]
 
@@ -45,6 +46,7 @@ _WORDS = {
     "turn": _constant(360.0),
 }
 # How each operation is written.  The arc tangent is missing: its last bit would not be numpy's.
+# numpy finds it, and what follows from it, of each block.
 _TEXTS = {
     "fold": """
         {out}.turns = fdiv {reals} {0}, {turn}
@@ -135,12 +137,24 @@ class Compiled:
         many: Sequence[bool],
     ) -> None:
         names = [number.name for number in inputs]
-        self._folded = [names.index(x.operands[0].name) for x in steps if x.operation == "fold"]
+        late = _late(steps)
+        self._folded = [names.index(x.name) for x in _folded(steps, late)]
+        between = _between(steps, late)
+        single = len(outputs) - columns
+        self._late = [place for place, x in enumerate(outputs) if key_of(x) in late]
+        self._early = [place for place in range(single) if place not in self._late]
         # A table has one address, that of its first column.
-        self._starts = len(outputs) - columns + min(columns, 1)
+        self._table = slice(single, single + min(columns, 1))
+        self._between = [kind_of(x) for x in between]
+        self._after = Blocks(
+            Program(between, [outputs[place] for place in self._late]), [True] * len(between)
+        )
+        found = [outputs[place] for place in self._early] + between
         kinds = [ctypes.c_void_p if each else ctypes.c_double for each in many]
-        kinds += [ctypes.c_void_p] * self._starts
-        self._engine = _engine(_loop(inputs, steps, outputs, columns, many))  # keeps the code
+        kinds += [ctypes.c_void_p] * (len(found) + min(columns, 1))
+        found += [math.nan if key_of(x) in late else x for x in outputs[single:]]
+        steps = [step for step in steps if step.name not in late]
+        self._engine = _engine(_loop(inputs, steps, found, columns, many))  # keeps the code
         address = self._engine.get_function_address("program")
         self._loop = ctypes.CFUNCTYPE(None, ctypes.c_int64, *kinds)(address)
 
@@ -156,14 +170,49 @@ class Compiled:
         for place in self._folded:
             angles = prepared(given[place])
             given[place] = angles if angles.ndim else float(angles)
-        places = [_address(x) for x in (*given, *outputs[: self._starts])]
+        early = [_address(x) for x in (*given, *(outputs[place] for place in self._early))]
+        table = [_address(x) for x in outputs[self._table]]
+        late = [outputs[place] for place in self._late]
 
-        def work(part: slice) -> None:
-            start = min(part.start, size - LANES)
-            self._loop(part.stop - start, *(at + start * step for at, step in places))
-            finish(slice(start, part.stop))
+        def thread(block: int) -> Work:
+            rows: list[Array] = [np.empty(block, kind) for kind in self._between]
+            places = [*early, *((row.ctypes.data, 0) for row in rows), *table]
 
-        in_blocks(size, BLOCK, lambda _: work)
+            def work(part: slice) -> None:
+                start = min(part.start, size - LANES)
+                part = slice(start, part.stop)
+                count = part.stop - start
+                at = (at + start * step if step else at for at, step in places)  # -0.0 + 0 is 0.0
+                self._loop(count, *at)
+                if late:
+                    self._after.play([row[:count] for row in rows], [out[part] for out in late])
+                finish(part)
+
+            return work
+
+        in_blocks(size, BLOCK, thread)
+
+
+def _late(steps: Sequence[Recorded]) -> set[str]:
+    """Return the names of the arc tangents and of all that follows from them."""
+    late: set[str] = set()
+    for step in steps:
+        if step.operation == "arctan2" or not late.isdisjoint(map(key_of, step.operands)):
+            late.add(step.name)
+    return late
+
+
+def _folded(steps: Sequence[Recorded], late: set[str]) -> list[Recorded]:
+    """Return the numbers that the loop folds."""
+    early = (step for step in steps if step.name not in late)
+    return [step.operands[0] for step in early if step.operation == "fold"]
+
+
+def _between(steps: Sequence[Recorded], late: set[str]) -> list[Recorded]:
+    """Return the numbers that are no late ones, but operands of these."""
+    operands = [x for step in steps if step.name in late for x in step.operands]
+    found = {x.name: x for x in operands if isinstance(x, Recorded) and x.name not in late}
+    return list(found.values())
 
 
 def _address(value: Array | float) -> tuple[Any, int]:
@@ -181,8 +230,10 @@ def compiled(
     many: Sequence[bool],
 ) -> Compiled | None:
     """Return the loop of a program; None without llvmlite, or if it cannot be written for LLVM."""
-    folded = [step.operands[0] for step in steps if step.operation == "fold"]
-    if any(step.operation not in _TEXTS for step in steps) or any(x.operation for x in folded):
+    late = _late(steps)
+    written = all(step.name in late or step.operation in _TEXTS for step in steps)
+    whole = any(kind_of(x) is np.intp for x in _between(steps, late))
+    if not written or whole or any(x.operation for x in _folded(steps, late)):
         return None
     try:
         return Compiled(inputs, steps, outputs, columns, many)

@@ -75,6 +75,13 @@ def _minimum(x: Any, y: Any, out: Any) -> None:
     np.minimum(x, y, out=out)  # this function of numpy wants the name
 
 
+def _maximum(x: Any, y: Any, out: Any) -> None:
+    equal = np.equal(x, y)
+    np.fmax(x, y, out)
+    if np.count_nonzero(equal):  # of 0.0 and -0.0 it takes either, by their place in the array
+        np.copyto(out, y, where=equal)
+
+
 def _either(condition: bool, rare: float, usual: float) -> float:
     return rare if condition else usual
 
@@ -97,9 +104,18 @@ OPERATIONS = {
     "negative": Operation("-{}", "-{}", operator.neg, np.negative),
     "absolute": Operation("abs({})", "abs({})", abs, np.absolute),
     "copy": Operation("{}", "{}", float, _place),
-    "minimum": Operation("{0} if {0} < {1} else {1}", "{0}<{1}?{0}:{1}", min, _minimum),
+    "minimum": Operation(
+        "{0} if {0} < {1} else {1}",
+        "{0}<{1}?{0}:{1}",
+        lambda x, y: y if y <= x else x,
+        _minimum,
+    ),
     "maximum": Operation(
-        "{0} if {0} > {1} else {1}", "{0}>{1}?{0}:{1}", lambda x, y: x if x > y else y, np.fmax
+        "{0} if {0} > {1} else {1}",
+        "{0}>{1}?{0}:{1}",
+        lambda x, y: x if x > y else y,
+        _maximum,
+        kept=(1,),
     ),
     "sqrt": Operation("sqrt({})", "sqrt({})", math.sqrt, np.sqrt),
     "copysign": Operation("copysign({}, {})", "copysign({},{})", math.copysign, np.copysign),
