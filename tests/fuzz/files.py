@@ -30,7 +30,7 @@ LONGEST = 20.0
 
 #: The share of the poses whose page is planned, which costs more than all the rest together; the
 #: entrance of drawings plans all of its pages.
-PLANNED = 0.2
+PLANNED = 0.1
 
 EXAMPLES = tuple(example_path(name).read_text("utf-8") for name in example_names())
 NUMBERS = (

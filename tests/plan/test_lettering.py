@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from threading import Thread
+
 import pytest
 
 import vad
@@ -9,7 +11,7 @@ from vad.files.examples import example_path
 from vad.painting.shapes import outline
 from vad.plan.format import screen
 from vad.plan.layout import lay_out
-from vad.plan.lettering.glyphs import fitted, typeset, width
+from vad.plan.lettering.glyphs import _font, fitted, typeset, width
 from vad.plan.lettering.runs import Run, roman, said, symbols
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Lettering
@@ -135,3 +137,13 @@ def test_shrinking_to_fit_stops_at_the_least_size():
     runs = roman("crank and slotted lever")
     assert fitted(runs, 40.0, 30.0, 1e6) == 40.0
     assert fitted(runs, 40.0, 30.0, 1.0) == 30.0
+
+
+def test_a_letter_keeps_its_outline_while_another_thread_sets_letters():
+    font = _font("roman")
+    font.load_char(ord("I"))
+    before = [each.tolist() for each in font.get_path()]
+    thread = Thread(target=lambda: _font("roman").load_char(ord("W")))
+    thread.start()
+    thread.join()
+    assert [each.tolist() for each in font.get_path()] == before

@@ -245,11 +245,12 @@ class Evaluation:
 
     def rates(self, orders: int) -> tuple[Rates, ...]:
         """Return the rates of the first ``orders`` orders; a rate that does not exist is NaN."""
+        found = self._found  # another thread may find the same
         # Each round finds one order more, of three.
-        while len(self._found) < orders:
-            value = self.inputs[len(self._found) + 1]
-            self._found = *self._found, self.solver.rates(self.pose, self._found, value)
-        return self._found[:orders]
+        while len(found) < orders:
+            value = self.inputs[len(found) + 1]
+            self._found = found = *found, self.solver.rates(self.pose, found, value)
+        return found[:orders]
 
     @property
     def driver_angle(self) -> Number:

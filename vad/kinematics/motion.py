@@ -61,9 +61,10 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
     -490.028085
     """
     global _latest  # noqa: PLW0603  # only what can be made again
-    if mechanism is not _latest.mechanism:
-        _latest = _prepared(mechanism)
-    _, solver, defaults, largest, kind = _latest
+    latest = _latest  # another thread may put its own there
+    if mechanism is not latest.mechanism:
+        latest = _latest = _prepared(mechanism)
+    _, solver, defaults, largest, kind = latest
     # An input that is left out has the mechanism's own default, which is never refused.
     given = defaults.copy()
     for name, value in inputs.items():

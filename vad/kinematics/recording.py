@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable, Mapping, Sequence
+from itertools import count
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -160,10 +161,11 @@ Operand = Any
 
 
 class Tape:
-    """The record of a solver, with each operation once."""
+    """The record of a solver, with each operation once, though several threads write on it."""
 
     def __init__(self) -> None:
         self._numbers: dict[tuple[str, ...], Recorded] = {}
+        self._count = count()
 
     def input(self, name: str) -> Recorded:
         """Return an input with a name: a recorded number that no operation makes."""
@@ -174,10 +176,11 @@ class Tape:
         if not any(isinstance(operand, Recorded) for operand in operands):
             return OPERATIONS[operation].on_floats(*operands)
         key = (operation, *map(key_of, operands))
-        if key not in self._numbers:
-            name = f"t{len(self._numbers)}"
-            self._numbers[key] = Recorded(self, name, operation, operands)
-        return self._numbers[key]
+        found = self._numbers.get(key)
+        if found is None:
+            new = Recorded(self, f"t{next(self._count)}", operation, operands)
+            found = self._numbers.setdefault(key, new)
+        return found
 
 
 class Symbol:

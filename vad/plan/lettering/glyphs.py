@@ -7,6 +7,7 @@ matplotlib: it has the glyphs of the fonts.
 from __future__ import annotations
 
 import os
+import threading
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Any
@@ -93,13 +94,19 @@ def font_file(face: Face) -> str:
     return os.path.join(matplotlib.get_data_path(), "fonts", "ttf", FILES[face])
 
 
-@lru_cache(maxsize=4)
+_of_thread = threading.local()
+
+
 def _font(face: Face) -> Any:
+    """Return the font of a face; each thread has its own, which holds the letter loaded last."""
     from matplotlib.ft2font import FT2Font
 
-    font = FT2Font(font_file(face))
-    font.set_size(_EM, 72)
-    return font
+    fonts: dict[Face, Any] = _of_thread.__dict__
+    if face not in fonts:
+        font = FT2Font(font_file(face))
+        font.set_size(_EM, 72)
+        fonts[face] = font
+    return fonts[face]
 
 
 @lru_cache(maxsize=1024)
