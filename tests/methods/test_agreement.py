@@ -12,9 +12,18 @@ import vad
 from tests.kinds import PLANE
 from tests.kinematics.hand_built import BUILT, HandBuilt
 from tests.oracle import reference
-from vad.kinematics.linkage import Bar, angle_of
-from vad.methods import METHODS, finite_differences, high_precision, newton, problem_of
+from vad.kinematics.linkage import Bar, angle_of, length_of
+from vad.methods import (
+    METHODS,
+    construction,
+    finite_differences,
+    high_precision,
+    loop_closure,
+    newton,
+    problem_of,
+)
 from vad.methods.comparison import compare, largest_error
+from vad.methods.problem import LoopEquation, LoopVector
 
 pytestmark = pytest.mark.exhaustive
 
@@ -181,3 +190,14 @@ def test_a_slot_beside_its_pivot_is_refused() -> None:
     loop = replace(linkage.loops[0], second=(Bar("DQ", "cylinder", "cylinder", offset=20j),))
     with pytest.raises(vad.InputError, match=r"^cylinder: to be compared, its slot must pass"):
         problem_of(HandBuilt(replace(linkage, loops=(loop,))), {})
+
+
+@pytest.mark.parametrize("pivot", [-1e10, 1e10])
+@pytest.mark.parametrize("method", [construction, loop_closure])
+def test_a_lever_whose_slope_is_too_small_for_a_double(method, pivot):
+    lever, block = angle_of("lever"), length_of("block")
+    vectors = LoopVector(-1, 100.0, angle_of("crank")), LoopVector(1, block, lever)
+    equation = LoopEquation(complex(pivot), vectors, (lever, block))
+    found = method.position(equation, {angle_of("crank"): 1e-320}, 1)
+    assert math.remainder(found[lever], math.pi) == 0.0
+    assert abs(found[block]) == abs(pivot - 100.0)

@@ -16,6 +16,7 @@ from vad.methods.problem import (
     LoopEquation,
     LoopVector,
     Problem,
+    heading,
     loop_by_loop,
     polar,
 )
@@ -67,17 +68,17 @@ def position(equation: LoopEquation, values: ByScalar, side: int) -> dict[Scalar
     own, *others = equation.carriers
     here, there = tips[own.sign], tips[-own.sign]
     if not others:  # length and angle of one vector: join the two tips
-        return {own.length: abs(there - here), own.angle: cmath.phase(there - here)}
+        return {own.length: abs(there - here), own.angle: heading(there - here)}
     (other,) = others
     if other.angle in equation.unknowns:
         radii = (abs(polar(v, {**values, v.angle: 0.0})[0]) for v in (own, other))
         point = two_circles(here, next(radii), there, next(radii), side)
-        return {own.angle: cmath.phase(point - here), other.angle: cmath.phase(point - there)}
+        return {own.angle: heading(point - here), other.angle: heading(point - there)}
     guide = _guide(other, values) * -own.sign * other.sign
     if own.angle in equation.unknowns:
         radius = abs(polar(own, {**values, own.angle: 0.0})[0])
         point = circle_and_line(here, radius, there, guide, side)
-        return {own.angle: cmath.phase(point - here), other.length: measured(there, point, guide)}
+        return {own.angle: heading(point - here), other.length: measured(there, point, guide)}
     along = _guide(own, values)
     point = two_lines(here, along, there, guide)
     return {own.length: measured(here, point, along), other.length: measured(there, point, guide)}

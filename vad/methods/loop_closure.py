@@ -9,7 +9,15 @@ from __future__ import annotations
 import cmath
 
 from vad.kinematics.linkage import Scalar
-from vad.methods.problem import ByScalar, Found, LoopEquation, Problem, loop_by_loop, polar
+from vad.methods.problem import (
+    ByScalar,
+    Found,
+    LoopEquation,
+    Problem,
+    heading,
+    loop_by_loop,
+    polar,
+)
 
 
 def solve(problem: Problem) -> Found:
@@ -39,7 +47,7 @@ def position(equation: LoopEquation, values: ByScalar, side: int) -> dict[Scalar
     one, *others = equation.carriers
     a, angle = polar(one, seen)
     if not others:  # a·length·z = -K
-        return {one.length: abs(known), one.angle: cmath.phase(-known / a)}
+        return {one.length: abs(known), one.angle: heading(-known / a)}
     (other,) = others
     b, direction = polar(other, seen)
     if other.angle in equation.unknowns:  # K + a·z + b·w = 0 and w·w̄ = 1
@@ -61,7 +69,7 @@ def _on_circle(z: complex) -> float:
     """Return the angle of a root, which lies on the unit circle if the loop closes."""
     if abs(abs(z) - 1) > 1e-6:
         raise ArithmeticError("the loop does not close")
-    return cmath.phase(z)
+    return heading(z)
 
 
 def rates(

@@ -198,6 +198,14 @@ def polar(vector: LoopVector, values: ByScalar) -> tuple[float, float]:
     )
 
 
+def heading(vector: complex) -> float:
+    """Return the direction of a vector in radians, within ±π.
+
+    `cmath.phase` fails where the slope of the vector underflows.
+    """
+    return math.atan2(vector.imag, vector.real)
+
+
 def side_of(equation: LoopEquation, values: ByScalar) -> int:
     """Return the side on which a loop closes; a parallelogram changes it at its change points."""
     if equation.side:
@@ -338,7 +346,7 @@ class _Reader:
             bar = replace(bar, length=-float(bar.length), turn=-bar.turn)
         if angle in unknowns:
             self._axes[bar.link] = bar.turn
-            self.zeros[angle] = cmath.phase(bar.turn)
+            self.zeros[angle] = heading(bar.turn)
         axis = self._axes.get(bar.link, 1.0 + 0j)
         turn = 1.0 + 0j if bar.turn == axis else bar.turn * axis.conjugate()
         if isinstance(bar.length, float):
@@ -359,7 +367,7 @@ class _Reader:
 
 
 def _degrees(vector: complex) -> float:
-    return math.degrees(cmath.phase(vector))
+    return math.degrees(heading(vector))
 
 
 def _fixed_points(linkage: Linkage) -> dict[str, _Place]:
