@@ -40,12 +40,8 @@ class ChainTruth(Truth):
     """
 
     def __init__(self, recipe: Recipe, bits: int) -> None:
-        degree = gmpy2.const_pi() / 180
         self._recipe, self._bits = recipe, bits
-        self._numbers = {
-            name: gmpy2.mpfr(value) * (degree if name in recipe.angles else 1)
-            for name, value in recipe.numbers.items()
-        }
+        self._numbers = recipe.given(gmpy2.mpfr)
         self.values = recipe.solve(self._numbers, STEPS[bits])
         place, rate, second = (self._numbers[name] for name in recipe.inputs)
         self.drive = Drive(1 if "angle" in recipe.inputs else place, rate, second)

@@ -186,7 +186,11 @@ def miss(truth: Truth, key: Key, found: Any) -> Any:
 
 
 def error(truth: Truth, key: Key, found: Any, least: bool = False) -> float:
-    """Return the error of a result in units of ε·κ, or of what κ is at ``least``."""
+    """Return the error of a result in units of ε·κ, or of what κ is at ``least``.
+
+    A result that is zero whatever the numbers are has κ = 0, and no digits of its own: it is a
+    difference of equals.  Its error is measured in ε of the largest result of its kind.
+    """
     off = miss(truth, key, found)
     largest = truth.largest[key[2]]
     noise = LAST_DIGIT * largest
@@ -197,7 +201,8 @@ def error(truth: Truth, key: Key, found: Any, least: bool = False) -> float:
         if abs(part(truth.values[key])) <= noise and size <= EPSILON**2 * largest:
             continue  # zero in exact numbers, and as good as that
         if not size <= noise:  # NaN is beyond any bound
-            scale = EPSILON * kappa(key, part)
+            condition = kappa(key, part)
+            scale = EPSILON * (condition if least or condition > noise else largest)
             sizes.append(float(size / scale) if scale and not gmpy2.is_nan(size) else math.inf)
     return max(sizes)
 

@@ -16,7 +16,7 @@ import numpy as np
 from mpmath import mp, mpf
 
 from tests.oracle import Key, Series, series
-from tests.precise import arg, expj
+from tests.precise import arg, expj, pi_like
 
 DIGITS = 40
 STEP = 1e-7  # of the differences for condition numbers
@@ -65,6 +65,9 @@ class Recipe:
     ----------
     numbers, angles
         The numbers of the mechanism and of its input, and the names of those in degrees.
+    turns
+        For some of these angles the unit vector that the program is given instead.  It is rounded,
+        and so it has a direction of its own.
     inputs
         The names of the driver's place, rate and second derivative.
     fixed
@@ -75,6 +78,7 @@ class Recipe:
 
     numbers: Mapping[str, float]
     angles: set[str]
+    turns: Mapping[str, complex]
     inputs: Sequence[str]
     fixed: Sequence[str]
     dyads: Sequence[Dyad]
@@ -83,9 +87,16 @@ class Recipe:
     def truth(self) -> dict[Key, Any]:
         """Return every quantity to many digits."""
         with mp.workdps(DIGITS):
-            numbers = {name: mpf(value) for name, value in self.numbers.items()}
-            radians = {name: numbers[name] * mp.pi / 180 for name in self.angles}
-            return self.solve(numbers | radians, steps=4)
+            return self.solve(self.given(mpf), steps=4)
+
+    def given(self, number: Callable[[float], Any]) -> dict[str, Any]:
+        """Return what the program is given, angles in radians, as numbers of some kind."""
+        found = {name: number(value) for name, value in self.numbers.items()}
+        for name in self.angles:
+            found[name] *= pi_like(found[name]) / 180
+        for name, unit in self.turns.items():
+            found[name] = arg(number(unit.real) + 1j * number(unit.imag))
+        return found
 
     def conditions(self) -> dict[Key, tuple[Any, Any]]:
         """Return |q| and |p·∂q/∂p| of every quantity, summed over all numbers, for x and y."""
@@ -166,7 +177,8 @@ def _quantities(world: World, turning: Mapping[str, str]) -> dict[Key, Any]:
     found: dict[Key, Any] = {}
     for name, vector in world.links.items():
         first, second = vector.c1 / vector.c0, 2 * vector.c2 / vector.c0
-        found["link", name, "angle"] = arg(vector.c0)
+        angle = arg(vector.c0)
+        found["link", name, "angle"] = angle % (2 * pi_like(angle))
         found["link", name, "omega"] = first.imag
         found["link", name, "alpha"] = (second - first * first).imag
     for kind, places in (("point", world.points), ("slide", world.slides)):

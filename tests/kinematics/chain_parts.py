@@ -25,6 +25,8 @@ class Parts:
     ----------
     numbers, angles
         The numbers of the mechanism and of its input, and the names of those in degrees.
+    turns
+        The unit vectors of some of these angles, as the program is given them.
     turning
         The link on which each slide slides that has a Coriolis component.
     """
@@ -35,6 +37,7 @@ class Parts:
         self.draw = draw
         self.numbers: dict[str, float] = {}
         self.angles: set[str] = set()
+        self.turns: dict[str, complex] = {}
         self.turning: dict[str, str] = {}
         self.dyads: list[Dyad] = []
         self._loops: list[Loop] = []
@@ -55,6 +58,11 @@ class Parts:
 
     def _angle(self, name: str) -> float:
         return self._number(name, self.draw.uniform(-180, 180), angle=True)
+
+    def _turn(self, name: str) -> complex:
+        """Return the unit vector of an angle that is drawn."""
+        self.turns[name] = turn(self._angle(name))
+        return self.turns[name]
 
     def _anywhere(self, near: complex = 0j) -> complex:
         return near + self.draw.length() * turn(self.draw.angle())
@@ -93,7 +101,7 @@ class Parts:
         """Give a link a point anywhere, and return how the oracle finds it."""
         head, length, angle = f"Y{link[1:]}", f"{link}y", f"{link}y_angle"
         size = self._number(length, self.draw.length())
-        way = turn(self._angle(angle))
+        way = self._turn(angle)
         base = self._bases[link][1]
         bar = Bar(tail + head, link, size, turn=way)
         self._images.append(bar)
@@ -108,7 +116,7 @@ class Parts:
     def _bar(self, link: str, tail: str, head: str, at: complex) -> tuple[Bar, Callable[..., Any]]:
         """Draw an unknown bar of a link that may lie at an angle to the link's own direction."""
         vector, length, angle = at - self._at[tail], f"{link}_length", f"{link}_lean"
-        lean = turn(self._angle(angle)) if self.draw.random() < 0.5 else 1.0 + 0j
+        lean = self._turn(angle) if self.draw.random() < 0.5 else 1.0 + 0j
         bar = Bar(tail + head, link, self._number(length, abs(vector)), turn=lean)
         self._bases[link] = tail, vector / abs(vector) / lean
         self._bodies[tail].add(link)
@@ -135,7 +143,7 @@ class Parts:
 
     def _slot(self, name: str, aside: bool = True) -> tuple[complex, complex, Callable[..., Any]]:
         """Draw how a slot lies on its link: its turn, its offset, and its vector of a length."""
-        lean = turn(self._angle(f"{name}_lean"))
+        lean = self._turn(f"{name}_lean")
         ahead = self._number(f"{name}_ahead", self.draw.sign() * self.draw.length())
         beside = (
             self._number(f"{name}_aside", self.draw.sign() * self.draw.length()) if aside else 0
@@ -174,6 +182,7 @@ class Parts:
         return Recipe(
             self.numbers,
             self.angles,
+            self.turns,
             list(self.inputs),
             list(self._fixed),
             self.dyads,

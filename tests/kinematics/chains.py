@@ -208,7 +208,7 @@ class Chain(Parts):
         pin = self._moving()
         foot = self._other(self._bodies[pin])
         link, name, under = f"u{k}", f"s{k}", f"Q{k}"
-        lean = turn(self._angle(f"{name}_lean"))
+        lean = self._turn(f"{name}_lean")
         gap = self._at[pin] - self._at[foot]
         ahead = self._number(f"{name}_ahead", self.draw.sign() * self.draw.length())
         beside = 0.0
