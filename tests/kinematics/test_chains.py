@@ -15,6 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import vad
+from benchmarks.errors.chains import chain_of
 from tests.kinematics.chains import KINDS, STARTS, Chain, errors
 from tests.kinematics.families import Draw, Wide
 from tests.kinematics.hand_built import BUILT, HandBuilt
@@ -60,6 +61,36 @@ def test_a_slide_between_links_that_turn_almost_as_one(seed: int) -> None:
 def test_the_end_of_a_cylinder_that_is_shorter_than_its_arm(seed: int) -> None:
     """It is near to the cylinder's own pivot, and far from that of the arm."""
     assert not beyond(seed)
+
+
+@pytest.mark.parametrize(
+    ("family", "seed"),
+    [
+        ("one decade", "p1.2427"),  # the roundings of five loops add up
+        ("one decade", "p1.8473"),  # a point near the origin, on a guide with a far zero
+        ("one decade", "p1.15993"),  # a slot in which the pin stands near the pivot
+        ("one decade", "p1.32064"),  # both ends on the crank, whose pins are on guides
+        ("one decade", "p1.41366"),  # the way to a point leads over its guide
+        ("one decade", "p2.18138"),  # one end on a link, the other in its slot
+        ("one decade", "p3.7003"),
+        ("four decades", "9001.1304"),
+        ("four decades", "9001.1790"),
+        ("four decades", "9001.3953"),
+        ("four decades", "9001.8054"),
+    ],
+)
+def test_chains_that_were_beyond_their_bounds(family: str, seed: str) -> None:
+    found = dict(errors(chain_of(family, seed)[1]))
+    assert not {key: size for key, size in found.items() if not size <= BOUNDS[key[2]]}
+
+
+def test_a_link_whose_pin_is_on_a_guide_that_hardly_moves() -> None:
+    """The bars that lead there turn fast, and their rates cancel; that of the slide is small."""
+    draw = Draw("one 20419")
+    kinds = [draw.choice(KINDS) for _ in range(draw.randint(3, 5))]
+    found = dict(errors(Chain(draw, draw.choice(STARTS), kinds)))
+    assert found["link", "w6", "omega"] < 1.0
+    assert found["point", "X6", "velocity"] < 1.0
 
 
 def beyond(seed: int) -> dict[Key, float]:

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import heapq
 import math
-from collections.abc import Callable, Iterator
-from typing import TypeGuard, cast
+from collections.abc import Callable, Iterable, Iterator
+from typing import TYPE_CHECKING, TypeGuard
 
 from vad.kinematics.linkage import Bar, Linkage, Slide, Step, angle_of, length_of, scalar_of
 from vad.kinematics.numbers import (
@@ -27,6 +27,9 @@ from vad.kinematics.numbers import (
     vector,
 )
 from vad.kinematics.state import MotionComponent, Pose, Rates
+
+if TYPE_CHECKING:
+    from vad.kinematics.refined import Refinement
 
 
 class ReferenceFrame:
@@ -56,6 +59,7 @@ class ReferenceFrame:
 
     def __init__(self, linkage: Linkage) -> None:
         self.linkage = linkage
+        self.refined: Refinement | None = None
         self.scale = _power_of_two(linkage)
         self.angle = fold(linkage.frame)
         self.turn = direction(self.angle)
@@ -117,8 +121,11 @@ class ReferenceFrame:
 
     def reach(self, bar: Bar, pose: Pose) -> tuple[Number, float]:
         """Return how far a bar that carries a slide reaches along its line, and beside it."""
-        offset = bar.offset / self.scale
-        return pose.length[str(bar.length)] + offset.real, offset.imag
+        offset, slide = bar.offset / self.scale, str(bar.length)
+        if offset.real and slide in pose.parts_of_length:
+            part, rest = pose.parts_of_length[slide]
+            return (part + offset.real) + rest, offset.imag
+        return pose.length[slide] + offset.real, offset.imag
 
     def unit(self, link: str, pose: Pose, turn: complex = 1.0 + 0j) -> Number:
         """Return the unit vector of a link, or that vector turned by ``turn``."""
@@ -144,6 +151,8 @@ class ReferenceFrame:
         That of a slide on a turning link is zero, because the link's bar has the length.
         """
         if isinstance(step, Bar):
+            if self.refined and step.link in pose.parts_of_unit:
+                return self.refined.displacement(step, pose).rounded
             unit = self.unit(step.link, pose, step.turn)
             if step.offset.imag:
                 return times(unit, vector(*self.reach(step, pose)))
@@ -155,6 +164,25 @@ class ReferenceFrame:
     def unknown_direction(self, step: Step, pose: Pose) -> Number:
         """Return the direction of an unknown component: across a bar, or along a slide."""
         return across(self.heading(step, pose)) if isinstance(step, Bar) else self.line(step, pose)
+
+    def motion(
+        self, steps: Iterable[tuple[int, Step]], pose: Pose, rates: tuple[Rates, ...]
+    ) -> Number:
+        """Return the sum of the known components of the motion of ``steps``, each with its sign."""
+        total: Number = 0j
+        for way, step in steps:
+            if isinstance(step, Bar) and step.link in pose.parts_of_unit:
+                vector, last = self.displacement(step, pose), rates[-1].turning.get(step.link)
+                if len(rates) > 1:
+                    omega = rates[0].turning[step.link]
+                    total = total - (way * (omega * omega)) * vector
+                if last is not None:
+                    total = total + (way * last) * across(vector)
+                continue
+            for _, along, amount in self.components(step, pose, rates):
+                if amount is not None:
+                    total = total + (way * amount) * along
+        return total
 
     def components(
         self, step: Step, pose: Pose, rates: tuple[Rates, ...]
@@ -274,11 +302,7 @@ class Routes:
 
     def rate(self, letter: str, pose: Pose, rates: tuple[Rates, ...]) -> Number:
         """Return the velocity (one order in ``rates``) or acceleration (two) of a point."""
-        total: Number = 0j
-        for way, step in self._motions[letter][1]:
-            for _, along, amount in self._frame.components(step, pose, rates):
-                total = total + (way * cast(Number, amount)) * along
-        return total
+        return self._frame.motion(self._motions[letter][1], pose, rates)
 
 
 def _place_costs(frame: ReferenceFrame, strut: float = 3.0) -> Costs:

@@ -154,6 +154,8 @@ class Slide(_Run):
 
 
 Step = Bar | Slide
+# A step, and +1 or -1: whether it is taken from tail to head, or counted negative.
+SignedStep = tuple[int, Step]
 
 
 def points_of(ends: str) -> tuple[str, str]:
@@ -382,15 +384,15 @@ class Linkage:
     def frame(self) -> float:
         """The direction of the x axis in which it is solved, in degrees.
 
-        It is that of the ground link.  Without a ground link, and if a slide is driven, it is that
-        of the other guide: then the angle between both guides is not a rounded difference.
+        It is that of the ground link.  Without a ground link, and if a slide is driven on a guide,
+        it is that of another guide: then the angle between both is not a rounded difference.
         """
         if self.ground:
             return self.ground[2]
         steps = [step for loop in self.loops for _, step in loop.steps()]
-        guides = [s for s in steps if isinstance(s, Slide) and length_of(s.name) != self.driver]
-        lines = [guide.along for guide in guides if isinstance(guide.along, float)]
-        return lines[0] if lines and self.driver.kind == "length" else 0.0
+        guides = [s for s in steps if isinstance(s, Slide) and isinstance(s.along, float)]
+        others = [float(guide.along) for guide in guides if length_of(guide.name) != self.driver]
+        return others[0] if len(others) < len(guides) and others else 0.0
 
 
 def parallel(one: float, other: float) -> bool:

@@ -9,26 +9,27 @@ round.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import replace
 
 from vad.errors import InputError
+from vad.kinematics.carrying import carrying
 from vad.kinematics.closed_forms import GroundedCrank, crossing
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import (
     Bar,
     Loop,
     Scalar,
+    SignedStep,
     Slide,
     Step,
     angle_of,
     length_of,
     scalar_of,
+    scalars_of,
 )
 from vad.kinematics.numbers import Number, nonzero, select, select_vector, times, turned
 from vad.kinematics.state import GROUND, Pose, Rates
-
-SignedStep = tuple[int, Step]
 
 
 class LoopSolver:
@@ -54,12 +55,15 @@ class LoopSolver:
         ordered = sorted(unknown.values(), key=lambda signed: isinstance(signed[1], Slide))
         (self.way, self.step), (self.other_way, self.other) = ordered
         self.known = [(way, s) for way, s in loop.steps() if scalar_of(s) not in unknown]
-        self._unknown_lengths = {s.name for s in (self.step, self.other) if isinstance(s, Slide)}
+        self.unknown_lengths = {s.name for s in (self.step, self.other) if isinstance(s, Slide)}
         starts = [chain[0].start for chain in (loop.first, loop.second)]
         self.offset = 0j if starts[0] == starts[1] else frame.between(*starts)
         for way, step in loop.steps():
             if isinstance(step, Slide) and not step.through_tail:
                 self.offset += way * frame.shift(step)
+        slides = [step for _, step in loop.steps() if isinstance(step, Slide)]
+        #: Whether its gap follows from coordinates: no line is laid through its tail instead.
+        self.exact = not any(slide.through_tail for slide in slides)
         pin = self._pin()
         #: The x axis in which the loop is closed, in the frame; the offset is along this axis.
         self.axis, self.offset = self.own_axes(bool(pin))
@@ -69,19 +73,19 @@ class LoopSolver:
             self.turns = {bar.link: bar.turn, GROUND: self.axis}
             turn = bar.turn * self.axis.conjugate()
             self.crank = GroundedCrank(self.offset, way * frame.size(bar), turn)
+        known, ground, view = self._carrying(unknown)
         #: The link from which rates are seen; None where that is the ground.
-        self.viewpoint = self._longest_side()
+        self.viewpoint = view or self._longest_side(known, ground)
         self.inverted = self.crank is not None and self.viewpoint is not None
-        ground = self.offset.real * frame.scale
-        self.ground = (1, Bar("".join(starts), GROUND, ground, turn=self.axis))
-        if self.offset.imag and self.viewpoint:
-            length = abs(self.offset)
-            turn = self.axis * (self.offset / length)
-            self.ground = (1, Bar("".join(starts), GROUND, length * frame.scale, turn=turn))
-        known = self.known
+        length = ground.real
+        turn = self.axis
+        if ground.imag and self.viewpoint:
+            length = abs(ground)
+            turn = self.axis * (ground / length)
+        self.ground = (1, Bar("".join(starts), GROUND, length * frame.scale, turn=turn))
         if self.viewpoint:
             seen = [step for step in known if scalar_of(step[1]) != angle_of(self.viewpoint)]
-            known = [self.ground, *seen] if self.offset else seen
+            known = [self.ground, *seen] if ground else seen
         #: The steps with known components: of the velocity, and of the acceleration.
         self.moving = known, [*known, *ordered]
         #: What links of equal length copy: in some poses they stand still or turn with the crank.
@@ -108,7 +112,24 @@ class LoopSolver:
             return 1.0 + 0j, self.offset
         return self.offset / size, complex(size)
 
-    def _longest_side(self) -> str | None:
+    def _carrying(
+        self, unknown: Collection[Scalar]
+    ) -> tuple[list[SignedStep], complex, str | None]:
+        """Return the steps whose known motion is that of the gap, and the part of the ground in it.
+
+        That part counts as seen from a link.  The link is said where it slides in these steps.
+        """
+        frame, fixed = self.frame, self.frame.fixed
+        found = None if self.crank else carrying(frame.linkage, self.loop, unknown, fixed)
+        if found is None:
+            return self.known, self.offset, None
+        way, view = found
+        slots = [(sign, step) for sign, step in self.known if scalars_of(step) & {*unknown}]
+        slides = any(isinstance(step, Slide) for _, step in way.steps)
+        ground = frame.between(*way.ground) if way.ground else 0j
+        return [*way.steps, *slots], ground, view if slides and view != GROUND else None
+
+    def _longest_side(self, known: list[SignedStep], ground: complex) -> str | None:
         """Return the link from which rates are best seen; None for the ground: kinematic inversion.
 
         It is the link with the longest side of the loop.  A crank that is longer than the ground
@@ -116,21 +137,21 @@ class LoopSolver:
         no large rates cancel.  The length of a slot counts as that of the bar that ends in it.
         """
         slides = [s for s in (self.step, self.other) if isinstance(s, Slide)]
-        bars = [bar for _, bar in self.known if isinstance(bar, Bar)]
+        bars = [bar for _, bar in known if isinstance(bar, Bar)]
         guided = any(isinstance(slide.along, float) for slide in slides)
-        if guided or len(bars) < len(self.known):
+        if guided or len(bars) < len(known):
             return None
         crank = self.crank
         if crank is not None:
             longer = crank.c.imag == 0.0 and abs(crank.c) < abs(crank.t)
             return self.frame.linkage.driver.name if longer else None
-        sides: dict[str, complex] = {GROUND: self.offset}
-        for way, bar in self.known:
+        sides: dict[str, complex] = {GROUND: ground}
+        for way, bar in known:
             assert isinstance(bar, Bar)
             if isinstance(bar.length, float):
                 side = way * self.frame.size(bar) * bar.turn
                 sides[bar.link] = sides.get(bar.link, 0j) + side
-            elif bar.length in self._unknown_lengths and isinstance(self.step, Bar):
+            elif bar.length in self.unknown_lengths and isinstance(self.step, Bar):
                 sides[bar.link] = self.frame.size(self.step)
             else:
                 return None
@@ -193,9 +214,11 @@ class LoopSolver:
         """Return the known part of the loop's sum, in its own axes."""
         if self.crank is not None:
             return self.crank.gap(self.pin(pose))
+        if self.frame.refined and self.exact:
+            return self.frame.refined.known(self, pose).rounded
         total: Number = self.offset
         for way, step in self.known:
-            if isinstance(step, Bar) and step.length in self._unknown_lengths:
+            if isinstance(step, Bar) and step.length in self.unknown_lengths:
                 if step.offset:  # the link is known: this leads to the zero of its slot
                     unit = self.frame.unit(step.link, pose, step.turn)
                     total = total + way * times(unit, step.offset / self.frame.scale)
@@ -231,12 +254,7 @@ class LoopSolver:
 
     def motion(self, steps: Iterable[SignedStep], pose: Pose, rates: tuple[Rates, ...]) -> Number:
         """Return the sum of the known components of the motion of ``steps``."""
-        total: Number = 0.0
-        for way, step in steps:
-            for _, direction, amount in self.frame.components(step, pose, rates):
-                if amount is not None:
-                    total = total + (way * amount) * direction
-        return total
+        return self.frame.motion(steps, pose, rates)
 
     def radius(self, bar: Bar, pose: Pose) -> Number:
         """Return the radius at which the head of an unknown bar turns about its tail."""

@@ -20,8 +20,17 @@ from vad.kinematics.closed_forms import (
     triangle_limits,
 )
 from vad.kinematics.frame import ReferenceFrame
-from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, length_of, scalar_of
-from vad.kinematics.loop import LoopSolver, SignedStep, equal_bars, equal_rod
+from vad.kinematics.linkage import (
+    Bar,
+    Loop,
+    Scalar,
+    SignedStep,
+    Slide,
+    Step,
+    length_of,
+    scalar_of,
+)
+from vad.kinematics.loop import LoopSolver, equal_bars, equal_rod
 from vad.kinematics.numbers import (
     Number,
     across,

@@ -31,6 +31,7 @@ from vad.kinematics.numbers import (
     times,
     turned,
 )
+from vad.kinematics.refined import Refinement, is_refined
 from vad.kinematics.state import GROUND, Pose, Rates
 
 if TYPE_CHECKING:
@@ -82,6 +83,10 @@ class Solver(AnySolver):
             loop_solver(self.frame, side, loop, unknowns)
             for loop, unknowns in zip(linkage.loops, linkage.unknowns, strict=True)
         ]
+        #: What makes places exact in a linkage of many loops.
+        self.refinement = self.frame.refined = (
+            Refinement(self.frame) if is_refined(linkage) else None
+        )
         self.two_assemblies = any(loop.two_ways for loop in self.loops)
 
     @cached_property
@@ -144,11 +149,15 @@ class Solver(AnySolver):
             pose.unit[driver.name] = direction(angle, LEAST_SINE)
         else:
             pose.length[driver.name] = value / self.frame.scale
+        if self.refinement and driver.kind == "angle":
+            self.refinement.begin(driver.name, pose)
         for loop in self.loops:
             loop.place(pose)
             sine = pose.sine[-1]
             if isinstance(sine, float) and math.isnan(sine):
                 raise OpenLoopError(loop.miss(pose))
+            if self.refinement:
+                self.refinement.improve(loop, pose)
         return pose
 
     def rates(self, pose: Pose, lower: tuple[Rates, ...], value: Number) -> Rates:
@@ -213,11 +222,11 @@ def _position(evaluation: Evaluation, letter: str, order: int) -> Number:
     plane = evaluation.solver.plane
     routes, frame = plane.routes, plane.frame
     guide, pin = routes.guide(letter), routes.pin(letter)
-    if guide:
-        return guide.origin + _sliding(evaluation, guide.name, order) * heading(guide)
     if pin:
         along = turned(evaluation.driver_direction, pin.turn) * float(pin.length)
         return frame.places[routes.route(letter)[0]] + along
+    if guide and not plane.refinement:
+        return guide.origin + _sliding(evaluation, guide.name, order) * heading(guide)
     usual, other = routes.route(letter), routes.over_strut(letter, evaluation.pose)
     if other is None:
         return _end(evaluation, usual)
@@ -227,8 +236,11 @@ def _position(evaluation: Evaluation, letter: str, order: int) -> Number:
 
 def _end(evaluation: Evaluation, route: Route) -> Number:
     """Return where a route ends."""
-    frame, start = evaluation.solver.plane.frame, route[0]
-    from_start = evaluation.solver.plane.routes.along(route, evaluation.pose)
+    plane, start = evaluation.solver.plane, route[0]
+    frame = plane.frame
+    if plane.refinement:
+        return plane.refinement.end(route, evaluation.pose) * frame.scale
+    from_start = plane.routes.along(route, evaluation.pose)
     if start in frame.places:
         return frame.places[start] + _outward(evaluation, from_start)
     return frame.linkage.place + _outward(evaluation, frame.fixed[start] + from_start)

@@ -43,12 +43,17 @@ class Pose:
     leaning
         The unit vectors of bars that end on a guide which is turned against the frame, in the axes
         of that guide.  An angle read from them has no rounding from turning there and back.
+    parts_of_unit, parts_of_length
+        A unit vector or a length as a part of few digits and a rest, where more digits of it are
+        known than a double holds.
     """
 
     unit: dict[str, Number]
     length: dict[str, Number]
     sine: list[Number]
     leaning: dict[str, Number] = field(default_factory=dict)
+    parts_of_unit: dict[str, tuple[Number, Number]] = field(default_factory=dict)
+    parts_of_length: dict[str, tuple[Number, Number]] = field(default_factory=dict)
 
     def all(self) -> list[Number]:
         """Return all that it holds."""
@@ -57,6 +62,8 @@ class Pose:
             *self.length.values(),
             *self.leaning.values(),
             *self.sine,
+            *(x for parts in self.parts_of_unit.values() for x in parts),
+            *(x for parts in self.parts_of_length.values() for x in parts),
         ]
 
 

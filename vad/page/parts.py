@@ -156,7 +156,7 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
 def turned_board(lesson: Lesson) -> HandBoard | None:
     """Return the board on which a lesson's mechanism is turned; None where it cannot be."""
     sheet = lesson.sheet
-    if not sheet.source:
+    if not sheet.source or any(panel.picture == "views" for panel in sheet.panels):
         return None
     names = [panel.name for panel in sheet.panels]
     return hand_board(sheet.source.mechanism, names, sheet.language, screen(SIZE), 1)

@@ -16,13 +16,14 @@ from vad.errors import InputError
 from vad.kinematics.linkage import (
     Bar,
     Scalar,
+    SignedStep,
     Slide,
     Step,
     angle_of,
     length_of,
     scalar_of,
 )
-from vad.kinematics.loop import LoopSolver, SignedStep
+from vad.kinematics.loop import LoopSolver
 from vad.kinematics.solver import Solver
 
 #: The name of the frame among the bodies.
