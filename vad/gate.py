@@ -121,7 +121,7 @@ def wrong_dimension(number: float, signed: bool) -> str | None:
     """
     if not signed and number <= 0.0:
         return f"must be positive, got {number:g}"
-    if abs(number) > LONGEST or (not signed and number < SHORTEST):
+    if (not signed and float(number) < SHORTEST) or abs(float(number)) > LONGEST:
         return f"must be between {SHORTEST:g} and {LONGEST:g}, got {number:g}"
     return None
 

@@ -16,7 +16,9 @@ from dataclasses import dataclass
 from vad import gate
 from vad.errors import InputError, quoted, unknown
 from vad.files.places import Place
+from vad.kinematics.elementary import arccosine, arcsine, arctangent, bearing, hypot, power, sqrt
 from vad.kinematics.numbers import direction, fold
+from vad.kinematics.symbol import as_float
 
 #: No length needs a longer text, which would only cost time.
 LONGEST = 200
@@ -26,21 +28,21 @@ _OPERATORS: dict[type[ast.AST], Callable[..., float]] = {
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,
     ast.Div: operator.truediv,
-    ast.Pow: math.pow,
+    ast.Pow: power,
     ast.UAdd: operator.pos,
     ast.USub: operator.neg,
 }
 _FUNCTIONS: dict[str, Callable[..., float]] = {
-    "sqrt": math.sqrt,
-    "hypot": math.hypot,
+    "sqrt": sqrt,
+    "hypot": hypot,
     "abs": abs,
-    "sin": lambda angle: float(direction(fold(angle)).imag),
-    "cos": lambda angle: float(direction(fold(angle)).real),
-    "tan": lambda angle: float(direction(fold(angle)).imag / direction(fold(angle)).real),
-    "asin": lambda ratio: math.degrees(math.asin(ratio)),
-    "acos": lambda ratio: math.degrees(math.acos(ratio)),
-    "atan": lambda ratio: math.degrees(math.atan(ratio)),
-    "atan2": lambda y, x: math.degrees(math.atan2(y, x)),
+    "sin": lambda angle: as_float(direction(fold(angle)).imag),
+    "cos": lambda angle: as_float(direction(fold(angle)).real),
+    "tan": lambda angle: as_float(direction(fold(angle)).imag / direction(fold(angle)).real),
+    "asin": arcsine,
+    "acos": arccosine,
+    "atan": arctangent,
+    "atan2": bearing,
 }
 _CONSTANTS = {"pi": math.pi}
 

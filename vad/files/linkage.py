@@ -31,7 +31,7 @@ from vad.files.description import (
 from vad.files.structure import Dyad
 from vad.files.tables import Source
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, Step, angle_of, length_of
-from vad.kinematics.numbers import direction, fold
+from vad.kinematics.numbers import bearing, direction, fold, sqrt, vector
 
 Steps = tuple[Step, ...]
 #: Names of the points of links under their blocks, unless the file uses them.
@@ -177,17 +177,17 @@ class _Linking:
         if isinstance(line.way, str):
             along = self.fixed[line.way] - self.fixed[str(line.through)]
             _apart(along, point, str(line.through), line.way)
-            angle = math.degrees(math.atan2(along.imag, along.real))
+            angle = bearing(along)
         else:
             angle = fold(line.way(values))
         if isinstance(line.through, Cartesian):
             tail = tail or self.pivot
-            zero = complex(line.through.x(values), line.through.y(values))
+            zero = vector(line.through.x(values), line.through.y(values))
         else:
             tail, zero = tail or line.through, self.fixed[line.through]
         aside = line.offset(values) if line.offset else 0.0
         through_tail = tail == line.through and aside == 0.0
-        origin = zero + 1j * aside * complex(direction(fold(angle)))
+        origin = zero + aside * 1j * direction(fold(angle))
         return Slide(tail + point, guide.slide, angle, origin, through_tail=through_tail)
 
     def _slot(self, guide: GuideEntry, held: str | None = None) -> tuple[Bar, Slide]:
@@ -203,7 +203,7 @@ class _Linking:
         start = held or line.pair[0]
         offset = (zero - at[start]) * turn.conjugate()
         if line.offset:
-            offset += 1j * line.offset(self.values)
+            offset += line.offset(self.values) * 1j
         under = self.under[guide.slide]
         bar = Bar(start + under, line.link, guide.slide, turn=turn, offset=offset)
         return bar, Slide(under + guide.point, guide.slide, line.link, turn=turn)
@@ -339,13 +339,13 @@ def fixed_points(description: Description, values: Values) -> dict[str, complex]
             turn = direction(fold(place.angle(values)))
             places[point] = places[place.start] + place.length(values) * turn
         else:
-            places[point] = complex(place.x(values), place.y(values))
+            places[point] = vector(place.x(values), place.y(values))
     return places
 
 
 def posed_points(description: Description, values: Values) -> dict[str, complex]:
     """Return the places of all points that the pose gives, fixed ones with them."""
-    pose = {p: complex(at.x(values), at.y(values)) for p, at in description.pose.items()}
+    pose = {p: vector(at.x(values), at.y(values)) for p, at in description.pose.items()}
     return pose | fixed_points(description, values)
 
 
@@ -365,12 +365,13 @@ def places_on(link: LinkEntry, description: Description, values: Values) -> dict
         axis = pose[head] - pose[tail]
         along = axis / _apart(axis, link.name, tail, head)
         return {p: (pose[p] - pose[tail]) * along.conjugate() for p in link.points} | {
-            head: complex(abs(axis))
+            head: vector(abs(axis), 0.0)
         }
-    places = {tail: 0j, head: complex(_positive(link, link.length, values))}
+    places = {tail: 0j, head: vector(_positive(link, link.length, values), 0.0)}
     for point, rule in link.rules.items():
         if isinstance(rule, Beyond):
-            places[point] = places[rule.start] + rule.sense * _positive(link, rule.length, values)
+            along = rule.sense * _positive(link, rule.length, values)
+            places[point] = places[rule.start] + vector(along, 0.0)
         elif isinstance(rule, Aside):
             line = places[rule.other] - places[rule.start]
             turn = direction(fold(rule.sense * rule.angle(values)))
@@ -404,7 +405,7 @@ def _apex(
         _apart(base, link.name, rule.first, rule.second),
     )
     factors = (a + b + c), (a + b - c), (c + a - b), (c - a + b)
-    if min(factors) < 0.0:
+    if any(factor < 0.0 for factor in factors):
         sides = " and ".join((f"{c:g}, {a:g}", f"{b:g}"))
         corners = f"{rule.first}{rule.second}{point}"
         longest = max(a, b, c)
@@ -412,6 +413,7 @@ def _apex(
             f"{link.name}: the triangle {corners} with sides {sides} does not close",
             hint=f"the longest side must be less than {a + b + c - longest:g}",
         )
-    height = math.sqrt(math.prod(factors)) / (2.0 * c)
+    height = sqrt(math.prod(factors)) / (2.0 * c)
     along = ((a - b) * (a + b) + c * c) / (2.0 * c)
-    return places[rule.first] + complex(along, rule.side * height) * (base / c)
+    corner: complex = vector(along, rule.side * height)
+    return places[rule.first] + corner * (base / c)

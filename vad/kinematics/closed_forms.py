@@ -22,6 +22,7 @@ from vad.kinematics.numbers import (
     choose,
     cross,
     dot,
+    exact,
     minimum,
     nearest,
     nonzero,
@@ -30,9 +31,11 @@ from vad.kinematics.numbers import (
     select,
     sqrt,
     times,
+    total,
     turned,
     vector,
 )
+from vad.kinematics.symbol import as_float
 
 # A sine or cosine is written as a distance from the nearest of these values.
 CENTRES = (-1, 0, 1)
@@ -88,7 +91,7 @@ class GroundedCrank:
 
     def gap(self, u: Number) -> Number:
         """Return the gap for the pin's unit vector ``u``."""
-        if self.c.real == 0.0:  # nothing cancels here, and a small cosine keeps its digits
+        if float(self.c.real) == 0.0:  # nothing cancels here, and a small cosine keeps its digits
             return self.t * u + self.c
         centre, short = nearest(u.real, u.imag)
         return self.gap_from(u, centre, short)
@@ -123,11 +126,16 @@ class TwoAngles:
         if crank is None or sizes is None:
             return
         self.crank, self.sizes = crank, sizes
-        (r, q), (c, t) = map(Fraction, sizes), map(Fraction, (crank.c.real, crank.t))
-        squares = {centre: c * c + t * t + 2 * centre * c * t for centre in CENTRES}
-        self._squares = {centre: float(square) for centre, square in squares.items()}
-        self._below = {at: float((r + q) ** 2 - square) for at, square in squares.items()}
-        self._above = {at: float(square - (r - q) ** 2) for at, square in squares.items()}
+        r, q, c, t = exact(*sizes, crank.c.real, crank.t)
+        self._squares, self._below, self._above = {}, {}, {}
+        for centre in CENTRES:  # |gap|² is (c ± t)² or c² + t²; each sum is rounded once
+            along, aside = centre * t, (1 - abs(centre)) * t * t
+            square = total(c, along) ** 2 + aside
+            below = total(r, q, -c, -along) * total(r, q, c, along) - aside
+            above = total(c, along, q, -r) * total(c, along, r, -q) + aside
+            self._squares[centre] = as_float(square)
+            self._below[centre] = as_float(below)
+            self._above[centre] = as_float(above)
 
     def over_crank(self, u: Number) -> Triangle:
         """Return the triangle over a grounded crank's gap."""
@@ -196,8 +204,8 @@ class AngleAndLength:
         self.crank = crank
         if self.crank is not None:
             h, t = self.crank.c.imag, self.crank.t
-            self._below = {k: math.fsum((r, -h, -k * t)) for k in CENTRES}
-            self._above = {k: math.fsum((r, h, k * t)) for k in CENTRES}
+            self._below = {k: total(r, -h, -k * t) for k in CENTRES}
+            self._above = {k: total(r, h, k * t) for k in CENTRES}
             self._heights = {k: h + k * t for k in CENTRES}
 
     def close(self, gap: Number, g: Number, u: Number) -> tuple[Number, Number, Number]:
@@ -276,8 +284,9 @@ class Strut:
         self.gap = gap
         self.q = q
         self.length = abs(gap)
-        self._short_bar = self.length > 2.0 * q
-        self.short_gap = q > 2.0 * self.length
+        # Which of the forms below rounds least; each of them is right.
+        self._short_bar = float(self.length) > 2.0 * float(q)
+        self.short_gap = float(q) > 2.0 * float(self.length)
         self._power = (q - self.length) * (q + self.length)
 
     def triangle(self, r: Number) -> Triangle:

@@ -77,19 +77,19 @@ class ReferenceFrame:
                 self.places.setdefault(slide.tail, slide.origin)
         self.fixed = {linkage.pivot: 0j}
         if linkage.ground:
-            self.fixed[linkage.ground[0]] = complex(linkage.ground[1] / self.scale)
+            self.fixed[linkage.ground[0]] = vector(linkage.ground[1] / self.scale, 0.0)
         for name in self.places:
             self.fixed.setdefault(name, self.between(linkage.pivot, name))
         self._lines = {
-            slide.name: direction(difference(fold(float(slide.along)), self.angle))
-            for slide in guides
+            slide.name: direction(difference(fold(slide.along), self.angle)) for slide in guides
         }
 
     def _is_ground(self, name: str) -> bool:
         return self.linkage.ground is not None and self.linkage.ground[0] == name
 
     def _inward(self, vector: complex) -> complex:
-        return complex(times(vector / self.scale, self.turn.conjugate()))
+        found: complex = times(vector / self.scale, self.turn.conjugate())
+        return found
 
     def between(self, tail: str, head: str) -> complex:
         """Return the vector from one fixed point to another; of given points it is rounded once."""
@@ -223,7 +223,8 @@ def _power_of_two(linkage: Linkage) -> float:
     sizes = [step.length for step in (*steps, *linkage.images) if isinstance(step, Bar)]
     sizes += [linkage.ground[1]] if linkage.ground else []
     sizes += [abs(point - linkage.place) for point in linkage.fixed.values()]
-    largest = max((abs(size) for size in sizes if isinstance(size, float)), default=1.0)
+    # It only has to be near them, so that the same unit serves a traced length.
+    largest = max((abs(float(size)) for size in sizes if isinstance(size, float)), default=1.0)
     return 2.0 ** math.frexp(largest)[1]
 
 
@@ -306,15 +307,18 @@ class Routes:
 
 
 def _place_costs(frame: ReferenceFrame, strut: float = 3.0) -> Costs:
-    """Let a route cost its length: a short one rounds least; say what a variable length costs."""
+    """Let a route cost its length: a short one rounds least; say what a variable length costs.
+
+    Every route is right, so that costs are floats.
+    """
 
     def cost(step: Step) -> float:
         if isinstance(step, Slide):
             return min(1.0, strut) if isinstance(step.along, str) else 1e-9
         # The point of a lever under its block is where the pin is, and better found by the pin.
-        return strut if isinstance(step.length, str) else abs(frame.size(step))
+        return strut if isinstance(step.length, str) else abs(float(frame.size(step)))
 
-    return {letter: abs(place) for letter, place in frame.fixed.items()}, cost
+    return {letter: float(abs(place)) for letter, place in frame.fixed.items()}, cost
 
 
 def _motion_costs(frame: ReferenceFrame) -> Costs:

@@ -19,6 +19,7 @@ from typing import NamedTuple
 
 from vad import gate
 from vad.errors import InputError, quoted
+from vad.kinematics.symbol import Symbol, as_complex
 
 # Lines at a smaller angle than this (in degrees) count as parallel: where they cross is so far away
 # that squares of the distance leave the range of double precision.
@@ -183,6 +184,8 @@ def _number(what: str, value: float | str) -> float | str:
     """Return a number as a float, and a name as it is."""
     if isinstance(value, str):
         return gate.line(what, value)
+    if isinstance(value, Symbol):
+        return value
     try:
         return gate.number(what, value)
     except InputError:
@@ -201,7 +204,7 @@ def check_place(what: str, place: complex) -> None:
     """Refuse a place that is not finite, or farther away than any length."""
     if not _is_finite(place):
         raise InputError(f"{what}: must be at a finite place, got {quoted(place)}")
-    farthest = max(abs(place.real), abs(place.imag))
+    farthest = max(abs(float(place.real)), abs(float(place.imag)))
     if farthest > gate.LONGEST:
         raise InputError(f"{what}: must be within ±{gate.LONGEST:g}, got {farthest:g}")
 
@@ -210,7 +213,7 @@ def _unit(what: str, value: complex) -> complex:
     """Return a unit vector as a complex number."""
     if not _is_finite(value) or not abs(math.hypot(value.real, value.imag) - 1.0) < 1e-9:
         raise InputError(f"{what}: must be a unit vector, got {quoted(value)}")
-    return complex(value)
+    return as_complex(value)
 
 
 def _is_finite(value: object) -> bool:

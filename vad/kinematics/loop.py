@@ -28,7 +28,7 @@ from vad.kinematics.linkage import (
     scalar_of,
     scalars_of,
 )
-from vad.kinematics.numbers import Number, nonzero, select, select_vector, times, turned
+from vad.kinematics.numbers import Number, nonzero, select, select_vector, times, turned, vector
 from vad.kinematics.state import GROUND, Pose, Rates
 
 
@@ -110,7 +110,7 @@ class LoopSolver:
         size = abs(self.offset)
         if not self.offset.imag:
             return 1.0 + 0j, self.offset
-        return self.offset / size, complex(size)
+        return self.offset / size, vector(size, 0.0)
 
     def _carrying(
         self, unknown: Collection[Scalar]
@@ -135,6 +135,7 @@ class LoopSolver:
         It is the link with the longest side of the loop.  A crank that is longer than the ground
         takes the other links round with it: seen from the crank only the short ground turns, and
         no large rates cancel.  The length of a slot counts as that of the bar that ends in it.
+        From any link they are right, so that lengths are compared as floats.
         """
         slides = [s for s in (self.step, self.other) if isinstance(s, Slide)]
         bars = [bar for _, bar in known if isinstance(bar, Bar)]
@@ -143,7 +144,7 @@ class LoopSolver:
             return None
         crank = self.crank
         if crank is not None:
-            longer = crank.c.imag == 0.0 and abs(crank.c) < abs(crank.t)
+            longer = float(crank.c.imag) == 0.0 and float(abs(crank.c)) < float(abs(crank.t))
             return self.frame.linkage.driver.name if longer else None
         sides: dict[str, complex] = {GROUND: ground}
         for way, bar in known:
@@ -155,7 +156,7 @@ class LoopSolver:
                 sides[bar.link] = self.frame.size(self.step)
             else:
                 return None
-        link = max(sides, key=lambda name: abs(sides[name]))
+        link = max(sides, key=lambda name: float(abs(sides[name])))
         return None if link == GROUND else link
 
     def check_ends(self) -> None:

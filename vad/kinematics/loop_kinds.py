@@ -87,8 +87,10 @@ class TwoAnglesLoop(LoopSolver):
             self.equal = equal_bars(
                 self.crank, self.turns, self.side, dict(zip(bars, sizes, strict=True))
             )
-        if self.crank and sizes and max(sizes) > max(abs(self.crank.c), abs(self.crank.t)):
-            self._see_from(self.step if sizes[0] > sizes[1] else self.other)
+        if self.crank and sizes:  # from any link the rates are right
+            one, other = map(float, sizes)
+            if max(one, other) > max(float(abs(self.crank.c)), abs(float(self.crank.t))):
+                self._see_from(self.step if one > other else self.other)
 
     def own_axes(self, grounded: bool) -> tuple[complex, complex]:
         """Put the x axis along the ground, if the crank's pin alone moves the gap."""
@@ -295,7 +297,7 @@ class AngleAndLengthLoop(LoopSolver):
         self._closure = AngleAndLength(self.side, crank, size, rounded)
         self._advance = frame.advance(self.other) if self.other.through_tail else 0.0
         if not self._moving:
-            frame.guides[self.step.link] = fold(float(self.other.along))
+            frame.guides[self.step.link] = fold(self.other.along)
             self._see_from_pin()
         if crank:
             self.equal = equal_rod(crank, self.turns, self.side, self.step, size, self.other.name)
@@ -311,7 +313,8 @@ class AngleAndLengthLoop(LoopSolver):
         ((_, arm), *more) = self.known
         if more or not isinstance(arm, Bar) or not isinstance(arm.length, float):
             return
-        ratio = frame.size(self.step) / frame.size(arm)
+        # Seen from the ground they are right, too.
+        ratio = float(frame.size(self.step) / frame.size(arm))
         if not 1.0 / _ALIKE_BARS < abs(ratio) < _ALIKE_BARS:
             return
         self.viewpoint, self._arm = arm.link, arm

@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vad.kinematics.recording import OPERATIONS, Symbol
+from vad.kinematics.recording import OPERATIONS
+from vad.kinematics.symbol import Symbol
 
 # A real or complex number, or a recorded one.
 Number = Any
@@ -234,8 +236,11 @@ def nearest(x: Number, other: Number) -> tuple[Number, Number]:
     return centre, centre * (other * other / (1.0 + abs(x))) - (1.0 - abs(centre)) * x
 
 
-def choose(centre: Number, constants: Mapping[int, float]) -> Number:
+def choose(centre: Number, constants: Mapping[int, Number]) -> Number:
     """Return the constant that belongs to -1, 0 or 1."""
+    if traced(constants.values()):
+        upper = select(centre > 0.0, constants[1], constants[0])
+        return select(centre < 0.0, constants[-1], upper)
     return _done(
         "choose", _done("place", centre + 1.0), (constants[-1], constants[0], constants[1])
     )
@@ -249,7 +254,7 @@ def degrees_of(value: Number, base: float = 0.0) -> Number:
     >>> degrees_of(-1j), degrees_of(complex(1, -1e-300)), degrees_of(1j, 45.0)
     (270.0, 0.0, 135.0)
     """
-    if abs(base) > 90.0:  # turn both by half a turn: a small angle is no difference of large ones
+    if abs(float(base)) > 90.0:  # turn both: a small angle is then no difference of large ones
         value, base = vector(-value.real, -value.imag), base - math.copysign(180.0, base)
     degrees = _done("arctan2", value.imag, value.real) * _DEGREE
     return positive(difference(degrees, -base) if base else degrees)
@@ -274,6 +279,31 @@ def positive(degrees: Number) -> Number:
     """Return an angle within ±360° as the same angle within [0, 360)."""
     raised = degrees + (degrees < 0.0) * 360.0
     return select(raised == 360.0, 0.0, raised)
+
+
+def exact(*numbers: Number) -> tuple[Number, ...]:
+    """Return floats as fractions, with which nothing is rounded; traced numbers as they are."""
+    if traced(numbers):
+        return numbers
+    return tuple(map(Fraction, numbers))
+
+
+def total(*terms: Number) -> Number:
+    """Return the sum of terms, rounded once: of floats, of fractions or of traced numbers.
+
+    That of traced numbers is the sum with the sum of what each addition loses (Ogita, Rump and
+    Oishi, 2005), which is rounded nearly once.
+    """
+    if not traced(terms):
+        return math.fsum(terms) if isinstance(terms[0], float) else sum(terms)
+    whole, lost = terms[0], 0.0
+    for term in terms[1:]:
+        if type(term) is float and not term:
+            continue
+        before, whole = whole, whole + term
+        part = whole - before
+        lost = lost + ((before - (whole - part)) + (term - part))
+    return whole + lost
 
 
 def _done(operation: str, *operands: Number) -> Number:

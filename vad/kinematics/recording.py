@@ -16,6 +16,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from vad.kinematics.symbol import Symbol
+
 
 class Operation(NamedTuple):
     """One operation: its texts in two languages, and its functions for floats and for blocks.
@@ -181,20 +183,6 @@ class Tape:
             new = Recorded(self, f"t{next(self._count)}", operation, operands)
             found = self._numbers.setdefault(key, new)
         return found
-
-
-class Symbol:
-    """A number that notes what is done with it."""
-
-    __slots__ = ()
-
-    def note(self, operation: str, *operands: Operand) -> Operand:
-        """Do an operation on numbers, of which this is one, and remember it."""
-        raise NotImplementedError
-
-    def vector(self, x: Operand, y: Operand) -> Any:
-        """Return the plane vector of two numbers, of which this is one."""
-        raise NotImplementedError
 
 
 class Recorded(Symbol):

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any, Generic
 import numpy as np
 
 from vad.kinematics.numbers import Number, Real, Vector
-from vad.kinematics.reach import travels
 from vad.units import scene_unit
 from vad.written import typed
 
@@ -116,7 +115,7 @@ class Slider(Generic[Real]):
     @property
     def travel(self) -> tuple[float, float]:
         """The least and the greatest position over all poses of the mechanism that close."""
-        return travels(self._motion.mechanism)[self._name]
+        return self._motion.travels[self._name]
 
     @property
     def coriolis(self) -> Real | None:

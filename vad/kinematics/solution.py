@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Generic
 
@@ -16,11 +17,11 @@ from vad.kinematics.closed_forms import OpenLoopError
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Linkage
 from vad.kinematics.numbers import Number, Truth, is_array
-from vad.kinematics.reach import closing_range
-from vad.kinematics.recording import Symbol
+from vad.kinematics.reach import closing_range, travels
 from vad.kinematics.results import place_unit
 from vad.kinematics.solver import Solver, solver_of
 from vad.kinematics.state import Pose, Rates
+from vad.kinematics.symbol import Symbol
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
@@ -89,6 +90,11 @@ class Solution(Generic[Truth]):
     def linkage(self) -> Linkage:
         """The loops of a mechanism in the plane."""
         return self.plane.linkage
+
+    @cached_property
+    def travels(self) -> Mapping[str, tuple[float, float]]:
+        """The least and the greatest position of every slide over all poses that close."""
+        return travels(self.mechanism)
 
     @property
     def assembly(self) -> str | dict[str, str] | None:

@@ -33,6 +33,7 @@ from vad.kinematics.numbers import (
 )
 from vad.kinematics.refined import Refinement, is_refined
 from vad.kinematics.state import GROUND, Pose, Rates
+from vad.kinematics.symbol import as_float
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
@@ -199,7 +200,8 @@ def guide_of(linkage: Linkage, slide: str) -> str | None:
 
 def heading(guide: Slide) -> complex:
     """Return the direction of a guide in the user's axes, without turning there and back."""
-    return complex(direction(fold(float(guide.along))))
+    along: complex = direction(fold(guide.along))
+    return along
 
 
 def _angle(evaluation: Evaluation, name: str, order: int) -> Number:
@@ -223,7 +225,7 @@ def _position(evaluation: Evaluation, letter: str, order: int) -> Number:
     routes, frame = plane.routes, plane.frame
     guide, pin = routes.guide(letter), routes.pin(letter)
     if pin:
-        along = turned(evaluation.driver_direction, pin.turn) * float(pin.length)
+        along = turned(evaluation.driver_direction, pin.turn) * as_float(pin.length)
         return frame.places[routes.route(letter)[0]] + along
     if guide and not plane.refinement:
         return guide.origin + _sliding(evaluation, guide.name, order) * heading(guide)

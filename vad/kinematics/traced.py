@@ -5,15 +5,57 @@ it decides by them, the value decides.  So a whole drawing can be traced: afterw
 how each of its coordinates follows from the inputs, and a `vad.kinematics.program.Program` finds
 it for any other pose.
 
-What makes an ordinary number of a traced one (``float()``, ``complex()``, a function of ``math``)
-takes it as a constant.
+What makes an ordinary number of a traced one (``float()``, ``complex()``, a function of ``math``, a
+power that is no product) takes it as a constant.  So code that only chooses the better of two right
+ways writes ``float()``.  Where code decides what is right, the record holds for numbers for which
+it would decide alike: each such decision is a `Guard`.
 """
 
 from __future__ import annotations
 
-from typing import Any
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any, NamedTuple
 
-from vad.kinematics.recording import OPERATIONS, Operand, Recorded, Symbol, Tape
+from vad.kinematics.recording import OPERATIONS, Operand, Recorded, Tape
+from vad.kinematics.symbol import Symbol
+
+
+class Guard(NamedTuple):
+    """A truth value by which code decided, and the value that it had."""
+
+    made: Recorded
+    value: bool
+
+
+class TracedTape(Tape):
+    """The record of traced numbers, with the guards of what was decided while it was watched."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._watched = False
+        self._guards: dict[str, Guard] = {}
+
+    @property
+    def guards(self) -> tuple[Guard, ...]:
+        """All guards so far, each once."""
+        return tuple(self._guards.values())
+
+    @contextmanager
+    def watched(self) -> Iterator[None]:
+        """Note within this block by what code decides."""
+        self._watched = True
+        try:
+            yield
+        finally:
+            self._watched = False
+
+    def decide(self, made: Recorded, value: bool) -> bool:
+        """Return a truth value by which code decides."""
+        if self._watched:
+            self._guards.setdefault(made.name, Guard(made, value))
+        return value
 
 
 class Traced(float, Symbol):
@@ -23,7 +65,7 @@ class Traced(float, Symbol):
     made: Operand
 
     @classmethod
-    def input(cls, tape: Tape, name: str, value: float) -> Traced:
+    def input(cls, tape: TracedTape, name: str, value: float) -> Traced:
         """Return an input with a name and a value."""
         return _traced(value, tape.input(name))
 
@@ -39,9 +81,9 @@ class Traced(float, Symbol):
         return TracedVector(x, y)
 
     @property
-    def tape(self) -> Tape:
+    def tape(self) -> TracedTape:
         """The record."""
-        tape: Tape = self.made.tape
+        tape: TracedTape = self.made.tape
         return tape
 
     def __add__(self, other: Any) -> Any:
@@ -58,6 +100,8 @@ class Traced(float, Symbol):
     def __mul__(self, other: Any) -> Any:
         if isinstance(other, complex):
             return TracedVector(_product(self, other.real), _product(self, other.imag))
+        if type(other) is int and not other:
+            return 0.0
         return _both(self, other, float.__mul__, lambda x, y: x * y)
 
     __rmul__ = __mul__
@@ -67,6 +111,11 @@ class Traced(float, Symbol):
 
     def __rtruediv__(self, other: Any) -> Any:
         return _both(self, other, float.__rtruediv__, lambda x, y: y / x)
+
+    def __pow__(self, other: Any, modulus: None = None) -> Any:
+        if type(other) is int and other > 0:
+            return math.prod([self] * other)
+        return float(self) ** other
 
     def __neg__(self) -> Any:
         return _traced(-float(self), -self.made)
@@ -83,13 +132,29 @@ class Traced(float, Symbol):
     def __gt__(self, other: Any) -> Any:
         return self.note("greater", self, other)
 
+    def __le__(self, other: Any) -> Any:
+        return (self < other) | (self == other)
+
+    def __ge__(self, other: Any) -> Any:
+        return (self > other) | (self == other)
+
     def __eq__(self, other: object) -> Any:
+        if isinstance(other, Traced) and other.made is self.made:
+            return float(self) == float(other)
         if isinstance(other, float | int):
             return self.note("equal", self, other)
-        return float(self) == other
+        return NotImplemented
 
-    #: It is equal to a float, but no cache may answer with what was calculated for that.
-    __hash__ = object.__hash__
+    def __ne__(self, other: object) -> bool:
+        same = self.__eq__(other)
+        return True if same is NotImplemented else not same
+
+    def __bool__(self) -> bool:
+        return self != 0.0
+
+    def __hash__(self) -> int:
+        """Return another hash than that of its value: no cache answers what it has for a float."""
+        return hash((id(self.tape), self.made.name))
 
     def conjugate(self) -> Any:
         """Return the number itself."""
@@ -120,13 +185,13 @@ class TracedTruth(Symbol):
         return Traced.note(self, operation, *operands)  # type: ignore[arg-type]
 
     @property
-    def tape(self) -> Tape:
+    def tape(self) -> TracedTape:
         """The record."""
-        tape: Tape = self.made.tape
+        tape: TracedTape = self.made.tape
         return tape
 
     def __bool__(self) -> bool:
-        return self.value
+        return self.tape.decide(self.made, self.value)
 
     def __and__(self, other: Any) -> Any:
         return (
@@ -206,19 +271,30 @@ class TracedVector(complex):
         return other * self.conjugate() / (self.real * self.real + self.imag * self.imag)
 
     def __abs__(self) -> Any:
+        if _is_zero(self.imag):
+            return abs(self.real)
         square = self.real * self.real + self.imag * self.imag
         return square.note("sqrt", square) if isinstance(square, Traced) else abs(complex(square))
 
-    __hash__ = object.__hash__
+    def __eq__(self, other: object) -> Any:
+        if isinstance(other, complex | float | int):
+            return (self.real == other.real) & (self.imag == other.imag)
+        return NotImplemented
 
-    def __eq__(self, other: object) -> bool:
-        return complex.__eq__(self, other) is True
+    def __ne__(self, other: object) -> bool:
+        same = self.__eq__(other)
+        return True if same is NotImplemented else not same
+
+    def __bool__(self) -> bool:
+        return self != 0.0
+
+    def __hash__(self) -> int:
+        return hash((self.real, self.imag))
 
 
 def _product(number: Any, factor: Any) -> Any:
     """Return a product, of which nothing is remembered where a constant factor is zero."""
-    constant = not isinstance(factor, Traced) and factor == 0.0
-    return 0.0 if constant else number * factor
+    return 0.0 if _is_zero(factor) else number * factor
 
 
 def plain(value: Any) -> Any:
@@ -249,6 +325,11 @@ def _traced(value: float, made: Operand) -> Any:
     new = Traced(value)
     new.made = made
     return new
+
+
+def _is_zero(number: Any) -> bool:
+    """Tell whether a number is an ordinary zero; nothing is decided by a traced one."""
+    return not isinstance(number, Traced) and bool(number == 0.0)
 
 
 def _both(one: Traced, other: Any, on_floats: Any, on_records: Any) -> Any:

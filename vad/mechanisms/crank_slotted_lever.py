@@ -70,7 +70,7 @@ def quick_return(
     arm = Bar("DC", "lever", tip)
     loops: tuple[Loop, ...] = (lever,)
     if rod is not None and ram_height is not None:
-        ram = Slide("DE", "ram", 0.0, origin=1j * ram_height, through_tail=level)
+        ram = Slide("DE", "ram", 0.0, origin=ram_height * 1j, through_tail=level)
         loops = (lever, Loop(first=(arm, Bar("CE", "rod", rod)), second=(ram,)))
     elif rod is not None:
         raise InputError("ram_height: is missing; a ram needs a rod and a ram_height", _HINT)

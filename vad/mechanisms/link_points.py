@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
-import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -126,6 +124,8 @@ def marked(
     """
     if not points:
         return linkage
+    from vad.kinematics.elementary import unit_at  # most mechanisms do not need it
+
     steps = [step for loop in linkage.loops for _, step in loop.steps()]
     turning = {step.link for step in (*steps, *linkage.images) if isinstance(step, Bar)}
     used = {name for step in steps for name in points_of(step.ends)}
@@ -142,16 +142,12 @@ def marked(
             raise InputError(f"point {name}: the mechanism has a point {name} already", hint)
         if link in rods:  # it is counted from the outer end of the rod, towards the barrel
             barrel, rod = rods[link]
-            bars.append(Bar(rod.point + name, barrel, distance, turn=rod.turn * _turn(angle)))
+            bars.append(Bar(rod.point + name, barrel, distance, turn=rod.turn * unit_at(angle)))
             continue
         tail = points_of(links[link])[0]
-        bars.append(Bar(tail + name, link, distance, turn=_turn(angle)))
+        bars.append(Bar(tail + name, link, distance, turn=unit_at(angle)))
     moved = renamed(linkage, {name: next(free) for name in points if name in used})
     return replace(moved, images=(*moved.images, *bars))
-
-
-def _turn(degrees: float) -> complex:
-    return cmath.rect(1.0, math.radians(math.remainder(degrees, 360.0)))
 
 
 def renamed(linkage: Linkage, names: Mapping[str, str]) -> Linkage:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from copy import copy
 from dataclasses import KW_ONLY, dataclass, field, fields
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
 
 from vad import gate
 from vad.errors import InputError, one_of, quoted
 from vad.kinematics.linkage import Linkage
-from vad.mechanisms.link_points import LinkPoints, link_points, marked
+from vad.mechanisms.link_points import LinkPoint, LinkPoints, link_points, marked
 
 if TYPE_CHECKING:
     from vad.kinematics.space.linkages import SpaceLinkage
@@ -24,6 +25,9 @@ LONGEST_UNIT = 60
 
 #: The quantities of parameters that are numbers; a plain number has no unit.
 NUMBERS = ("length", "angle", "number")
+
+#: The dimensions of a point on a link.
+_OF_POINTS = ("distance", "angle")
 
 #: The mechanism classes that are loaded, by the name that the command line knows.
 LOADED: dict[str, type[Mechanism]] = {}
@@ -160,7 +164,8 @@ class Mechanism:
         """Return its loops, with the points that are marked on its links."""
         linkage = self.linkage()
         if isinstance(linkage, Linkage):
-            return marked(linkage, link_points(self.points), self.links, {*self.letters})
+            points: Any = self.points  # as `link_points` returns them
+            return marked(linkage, points, self.links, {*self.letters})
         if self.points:
             name = next(iter(self.points))
             raise InputError(f"point {name}: points are marked on links in the plane alone")
@@ -174,6 +179,30 @@ class Mechanism:
             if parameter.metadata["quantity"] in NUMBERS
             and getattr(self, parameter.name) is not None
         }
+
+    def dimensions(self) -> dict[str, float]:
+        """Return all numbers that can be changed: its parameters, and ``D.distance``, ``D.angle``.
+
+        The latter are those of the points on its links.
+        """
+        found = self.parameters()
+        for name, (_, *numbers) in self.points.items():
+            found |= {f"{name}.{what}": x for what, x in zip(_OF_POINTS, numbers, strict=False)}
+        return found
+
+    def with_dimensions(self, values: Mapping[str, float]) -> Self:
+        """Return it with other dimensions, by name, which are not checked and may be traced."""
+        other = copy(self)
+        for parameter in fields(self):
+            if parameter.name in values:
+                object.__setattr__(other, parameter.name, values[parameter.name])
+        points = []
+        for name, (link, *numbers) in self.points.items():
+            named = zip(_OF_POINTS, numbers, strict=False)
+            new = (values.get(f"{name}.{what}", number) for what, number in named)
+            points.append((name, LinkPoint(link, *new)))
+        object.__setattr__(other, "points", LinkPoints(tuple(points)))
+        return other
 
 
 @dataclass(frozen=True)

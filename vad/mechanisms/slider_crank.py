@@ -27,6 +27,6 @@ class SliderCrank(Mechanism):
         """AB + BC = AD + DC, with D the guide's point next to A."""
         loop = Loop(
             first=(Bar("AB", "crank", self.crank), Bar("BC", "rod", self.rod)),
-            second=(Slide("DC", "slider", 0.0, origin=1j * self.offset),),
+            second=(Slide("DC", "slider", 0.0, origin=self.offset * 1j),),
         )
         return Linkage(angle_of("crank"), (loop,))

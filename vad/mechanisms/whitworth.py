@@ -1,8 +1,8 @@
 """The Whitworth quick return, with its optional ram."""
 
-import math
 from dataclasses import KW_ONLY, dataclass
 
+from vad.kinematics.elementary import sine
 from vad.kinematics.linkage import Linkage
 from vad.mechanisms.crank_slotted_lever import quick_return
 from vad.mechanisms.mechanism import Mechanism, angle, length
@@ -35,13 +35,6 @@ class Whitworth(Mechanism):
         height = self.ram_height
         level = self.rod is not None and height is None
         if level:
-            height = self.ground * _sine(self.ground_angle)
+            height = self.ground * sine(self.ground_angle)
         ground = (self.ground, self.ground_angle)
         return quick_return(self.crank, -self.arm, ground, self.rod, height, level)
-
-
-def _sine(degrees: float) -> float:
-    """Return the sine of an angle of any number of turns."""
-    folded = math.remainder(degrees, 360.0)
-    beyond = abs(folded) > 90.0
-    return math.sin(math.radians(math.copysign(180.0, folded) - folded if beyond else folded))

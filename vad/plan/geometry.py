@@ -6,7 +6,7 @@ import cmath
 import math
 from dataclasses import dataclass
 
-from vad.kinematics.recording import Symbol
+from vad.kinematics.symbol import is_symbolic
 
 SHORTEST = 1e-9  # less than this is no length
 
@@ -88,7 +88,7 @@ def direction_of(start: complex, end: complex) -> complex:
     way = end - start
     if abs(way) <= SHORTEST:
         return 0j
-    if isinstance(way.real, Symbol):  # it is traced
+    if is_symbolic(way):
         return way / abs(way)
     return cmath.rect(1.0, cmath.phase(way))
 

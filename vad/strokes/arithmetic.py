@@ -14,7 +14,7 @@ from decimal import Context, Decimal
 from functools import cache, reduce
 from typing import TYPE_CHECKING, Literal
 
-from vad.kinematics.recording import Symbol
+from vad.kinematics.symbol import Symbol
 from vad.strokes.notation import Notation, key
 from vad.written import GIVEN, MEASURED, plain
 

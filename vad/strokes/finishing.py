@@ -13,7 +13,7 @@ from operator import attrgetter, is_not
 from types import NoneType
 from typing import Any
 
-from vad.kinematics.recording import Symbol
+from vad.kinematics.symbol import Symbol, is_symbolic
 from vad.strokes.sentences import Text, Voice
 from vad.strokes.sheet import Cell, Equation, Panel, Row, Stroke, Term
 from vad.strokes.vector_equations import NOTHING
@@ -128,9 +128,9 @@ def _float(value: float) -> float:
 
 
 def _complex(value: complex) -> complex:
-    x, y = value.real, value.imag
-    if isinstance(x, Symbol) or isinstance(y, Symbol):
+    if is_symbolic(value):
         return value
+    x, y = value.real, value.imag
     if type(value) is complex and (x or copysign(1.0, x) > 0.0) and (y or copysign(1.0, y) > 0.0):
         return value
     return complex(x + 0.0, y + 0.0)

@@ -1,8 +1,8 @@
 """A sheet whose numbers know how they follow from its inputs.
 
 One pose is drawn with traced numbers (`vad.kinematics.traced`).  Each coordinate of its strokes and
-each value of its table is then an output of a program, which finds it for any other pose: a page
-plays this program while its reader turns the crank.
+each value of its table is then an output of a program, which finds it for any other pose, and for
+other dimensions: a page plays this program while its reader turns the crank.
 """
 
 from __future__ import annotations
@@ -13,11 +13,12 @@ from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.motion import Motion, MotionInSpace
 from vad.kinematics.program import Program
-from vad.kinematics.recording import Tape
-from vad.kinematics.solver import Solver, solver_of
-from vad.kinematics.traced import Traced, made_of
+from vad.kinematics.reach import travels
+from vad.kinematics.solver import Solver
+from vad.kinematics.traced import Guard, Traced, TracedTape, made_of
 from vad.strokes.draw import draw
 from vad.strokes.sheet import Sheet
+from vad.strokes.traced_dimensions import traced_dimensions, traced_motion
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
@@ -31,14 +32,20 @@ class TracedSheet:
     ----------
     sheet
         The sheet.  What is drawn of a mechanism and of its vectors is traced; of a lesson's
-        captions and of the tools of a construction the numbers of this one pose remain.
+        captions, of the tools of a construction and of how far a slide travels the numbers of this
+        one pose remain.
     inputs
-        The traced inputs, by name.
+        The traced inputs, by name: first those of the driver, then the dimensions.
+    tape
+        The record.
+    guards
+        The program is right for other dimensions if each of these decisions is made alike.
     """
 
     sheet: Sheet
     inputs: dict[str, Traced]
-    tape: Tape
+    tape: TracedTape
+    guards: tuple[Guard, ...] = ()
 
     def input(self, name: str, value: float) -> Traced:
         """Add an input, for what follows from the sheet and from something else."""
@@ -46,10 +53,14 @@ class TracedSheet:
         return self.inputs[name]
 
     def program(self, numbers: Iterable[float]) -> Program:
-        """Return the program from the inputs to some numbers of the sheet, in their order."""
+        """Return the program from the inputs to some numbers of the sheet, in their order.
+
+        The columns of its table are these numbers.  Before them come the truth values of the
+        guards.
+        """
         outputs = [made_of(number) for number in numbers]
         made: list[Any] = [given.made for given in self.inputs.values()]
-        return Program(made, outputs, len(outputs))
+        return Program(made, [*(guard.made for guard in self.guards), *outputs], len(outputs))
 
 
 def traced_sheet(
@@ -57,8 +68,9 @@ def traced_sheet(
     inputs: Mapping[str, float],
     panels: Sequence[str] | None = None,
     language: str = "en",
+    dimensions: Sequence[str] = (),
 ) -> TracedSheet:
-    """Return the sheet of a pose with numbers that follow from the motion of the driver.
+    """Return the sheet of a pose with numbers that follow from the driver and from dimensions.
 
     Parameters
     ----------
@@ -69,18 +81,26 @@ def traced_sheet(
         follow from it is not known: choose rates that are not.
     panels, language
         As for `vad.draw`.
+    dimensions
+        The names of those dimensions of a mechanism in the plane that are traced, of all that
+        ``mechanism.dimensions()`` has.  One of which the code of the mechanism makes a constant is
+        not among the inputs of what is returned.  In the sheet a dimension may differ from that of
+        the mechanism in its last digits.
 
     Raises
     ------
     vad.errors.VadError
         For a pose that cannot be drawn.
     """
-    tape = Tape()
-    given = {
-        name: Traced.input(tape, f"i{number}", value)
-        for number, (name, value) in enumerate(inputs.items())
-    }
-    # A solver of its own: the usual one answers from what it has calculated before.
-    solver: Any = solver_of.__wrapped__(mechanism)
+    traced = (
+        traced_dimensions(mechanism, inputs, dimensions)
+        if dimensions
+        else traced_motion(mechanism, inputs)
+    )
+    solver: Any = traced.solver
     kind = Motion if isinstance(solver, Solver) else MotionInSpace
-    return TracedSheet(draw(kind(mechanism, solver, dict(given)), panels, language), given, tape)
+    motion = kind(traced.mechanism, solver, dict(traced.inputs))
+    if solver.slides:
+        motion.travels = travels(mechanism)
+    given = {**traced.inputs, **traced.sizes}
+    return TracedSheet(draw(motion, panels, language), given, traced.tape, traced.guards)
