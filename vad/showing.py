@@ -104,15 +104,20 @@ def widget(
 
 
 def _question(thing: Mechanism | Motion, **options: Any) -> ExportQuestion:
+    from vad.gui.answers import check_start  # a drawing does not need it
+
     load_style(options.get("style", "paper"))
     Language(options.get("language", "en"))
     if isinstance(thing, Mechanism):
-        return ExportQuestion.of(thing, {}, **options)
-    if not isinstance(thing, Motion):
+        start = ExportQuestion.of(thing, {}, **options)
+    elif not isinstance(thing, Motion):
         raise UsageError(f"mechanism: must be a mechanism or one pose, got {quoted(thing)}")
-    if thing.many:
+    elif thing.many:
         raise InputError("mechanism: a window opens with one pose, got arrays of poses")
-    return ExportQuestion.of(thing.mechanism, thing.inputs, **options)
+    else:
+        start = ExportQuestion.of(thing.mechanism, thing.inputs, **options)
+    check_start(start)
+    return start
 
 
 def _serve(start: ExportQuestion) -> None:

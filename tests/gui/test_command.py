@@ -15,8 +15,10 @@ from pathlib import Path
 
 import pytest
 
+import vad
 from tests.test_imports import command, loaded
 from vad.cli.run import run
+from vad.errors import VadError
 
 ROOT = Path(__file__).parents[2]
 
@@ -127,3 +129,72 @@ def test_what_the_page_could_not_begin_with_is_refused(capsys, monkeypatch, word
 def test_a_wrong_port_is_said(capsys):
     assert run(["gui", "--port", "70000", "--no-browser"]) == 1
     assert capsys.readouterr().err.startswith("error: --port: 70000 cannot be had")
+
+
+#: Links in a row, each of which turns as the crank does; and points on a rod.
+ROWS = 12
+MANY_LINKS = """
+[fixed]
+A = [0, 0]
+{pivots}
+[links]
+crank = {{ AB = 40 }}
+{links}
+[driver]
+crank = {{ angle = 60, omega = 10 }}
+[assembly]
+{places}
+"""
+MANY_POINTS = """
+[fixed]
+A = [0, 0]
+D = [100, 0]
+[links]
+crank = {{ AB = 40 }}
+rod = {{ BC = 120, {rod} }}
+rocker = {{ DC = 80, {rocker} }}
+[driver]
+crank = {{ angle = 60, omega = 10 }}
+"""
+
+
+def many_links() -> str:
+    ends = ["B", *(f"C{number}" for number in range(ROWS))]
+    return MANY_LINKS.format(
+        pivots="\n".join(f"D{number} = [{100 * number + 100}, 0]" for number in range(ROWS)),
+        links="\n".join(
+            f"rod{number} = {{ {ends[number]}C{number} = 100 }}\n"
+            f"rocker{number} = {{ D{number}C{number} = 40 }}"
+            for number in range(ROWS)
+        ),
+        places="\n".join(f'C{number} = "parallel"' for number in range(ROWS)),
+    )
+
+
+def many_points() -> str:
+    rod, rocker = (
+        ", ".join(f"{start}{letter}{number} = {number + 10}" for number in range(60))
+        for start, letter in (("B", "P"), ("D", "Q"))
+    )
+    return MANY_POINTS.format(rod=rod, rocker=rocker)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (many_links(), "the page has no room for 3 panels with 25 rows of results"),
+        (many_points(), "points: a drawing has room for 100 on links, got 120"),
+    ],
+    ids=["links", "points"],
+)
+def test_a_file_that_no_page_has_room_for_is_refused(capsys, monkeypatch, tmp_path, text, said):
+    def never(*_: object) -> None:
+        raise AssertionError("a page is served")
+
+    monkeypatch.setattr("vad.gui.server.served", never)
+    path = tmp_path / "many.toml"
+    path.write_text(text)
+    assert run(["gui", str(path), "--no-browser"]) != 0
+    assert capsys.readouterr().err.startswith(f"error: {said}")
+    with pytest.raises(VadError, match=said):
+        vad.widget(vad.load(path)())

@@ -333,16 +333,15 @@ def gui(
     **options: Any,
 ) -> None:
     """Serve the page until the process is asked to stop; its address is the only line printed."""
+    from vad.gui.answers import check_start
     from vad.gui.messages import ExportQuestion
     from vad.gui.server import served
     from vad.gui.visit import visited
-    from vad.strokes.draw import chosen
 
-    # What the page could not begin with is refused here.
-    chosen(options.get("panels"), vad.solve(mechanism, **inputs))
     if "size" in options:
         check_size(options["size"])
     start = ExportQuestion.of(mechanism, inputs, **options)
+    check_start(start)
     with signals_held_back(), served(start, port) as key:
         click.echo(key.address)
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -19,7 +20,14 @@ import numpy as np
 import vad
 from vad.errors import AssemblyError, DeadCentreError, ExportError, VadError
 from vad.export.files import temporary_folder
-from vad.gui.messages import ExportQuestion, LessonQuestion, PoseQuestion, Scales, problem
+from vad.gui.messages import (
+    ExportQuestion,
+    LessonQuestion,
+    PoseQuestion,
+    Question,
+    Scales,
+    problem,
+)
 from vad.kinematics.motion import Motion
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
@@ -28,7 +36,7 @@ from vad.page.parts import RunWriter, measured_cells, parts, picture, scale_bar,
 from vad.page.themed import Inks
 from vad.painting.posed import SIZE
 from vad.painting.svg_text import Faces
-from vad.plan.board import plan
+from vad.plan.board import arrange, plan
 from vad.plan.format import Format, screen
 from vad.plan.live_board import LiveBoard
 from vad.plan.pictures.views import held_arc, tip_of
@@ -61,6 +69,23 @@ MEDIA = {
     "gif": "image/gif",
     "html": "text/html",
 }
+
+
+def check_start(question: Question) -> None:
+    """Refuse what no page could begin with: more than a drawing or a page has room for.
+
+    A pose that cannot be is none of that: the page says so, and has the fields to change it.
+
+    Raises
+    ------
+    vad.errors.UsageError, vad.errors.InputError
+        With what there is too much of.
+    """
+    mechanism, inputs = question.build()
+    motion = vad.solve(mechanism, **inputs)
+    panels = chosen(question.panels or None, motion)
+    with suppress(AssemblyError, DeadCentreError):
+        arrange(vad.draw(motion, panels, question.language), FORM, LINES)
 
 
 def pose(question: PoseQuestion) -> dict[str, Any]:
