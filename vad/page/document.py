@@ -17,6 +17,7 @@ from string import Template
 
 from vad.lecture.lesson import Lesson
 from vad.page.parts import Parts, parts
+from vad.page.shorter import shorter_script, shorter_style
 from vad.page.solver import solver_script
 from vad.page.themed import themes, variables
 from vad.strokes.description import title
@@ -28,21 +29,30 @@ _PRINTED = "paper"
 _START = (
     "const root=document.querySelector('.vad'),"
     "data=JSON.parse(document.getElementById('data').textContent);"
-    "mount(root,data);"
+    "const player=mount(root,data);"
 )
 #: The scripts of a page that is turned, those first that others use.
-_HAND = ("solver.js", "labels.js", "picture.js", "hand.js")
-_TURNED = "window.vad=turn(root,solver(data.program),data.hand);"
+_HAND = ("solver.js", "labels.js", "picture.js", "reach.js", "hand.js", "dock.js", "outside.js")
+_TURNED = (
+    "const body=driven(root,solver(data.program),data.hand),dock=docked(root,body,player);"
+    "window.vad=outside(root,body,dock,player);body.show();"
+)
 
 
 @cache
 def asset(name: str) -> str:
-    """Return a file of the page, ``player.html``, ``.css`` or ``.js``, without its comments."""
+    """Return a file of the page, ``player.html``, ``.css`` or ``.js``."""
     text = (files(__package__) / name).read_text("utf-8")
     if name == "solver.js":
         text = solver_script(text)
-    text = re.sub(r"^\s*(//[^\n]*\n\s*)*|/\*.*?\*/\s*", "", text, flags=re.MULTILINE | re.DOTALL)
-    return re.sub(r"(?<=[:;{},])\s+|\s+(?=[{}])", "", text) if name.endswith(".css") else text
+    return shorter_style(text) if name.endswith(".css") else text
+
+
+@cache
+def script(turned: bool) -> str:
+    """Return the script of a page, of one that is ``turned`` by hand or not."""
+    names = (*_HAND, "player.js") if turned else ("player.js",)
+    return shorter_script("\n".join([*map(asset, names), _START, _TURNED if turned else ""]))
 
 
 def document(lesson: Lesson, start: int = 0) -> str:
@@ -57,14 +67,11 @@ def document(lesson: Lesson, start: int = 0) -> str:
     """
     made = parts(lesson)
     data = {**made.data, "start": start}
-    parts_of_script = [asset("player.js"), _START]
+    text = script(bool(made.hand)) + "\n"
     if made.hand:
         data["hand"] = made.hand.data
-        parts_of_script[:0] = map(asset, _HAND)
         data["program"] = made.hand.program
-        parts_of_script.append(_TURNED)
-    script = "\n".join(parts_of_script) + "\n"
-    proof = b64encode(sha256(script.encode()).digest()).decode()
+    proof = b64encode(sha256(text.encode()).digest()).decode()
     policy = (
         "default-src 'none'; style-src 'unsafe-inline'; font-src data:; "
         f"script-src 'sha256-{proof}'; base-uri 'none'; form-action 'none'"
@@ -78,7 +85,7 @@ def document(lesson: Lesson, start: int = 0) -> str:
         f"{colours(lesson.style, len(lesson.sheet.rows))}{made.looks}"
         f"</style>\n</head>\n<body>\n{section(lesson, made)}"
         f'<script type="application/json" id="data">{_json(data)}</script>\n'
-        f'<script type="module">{script}</script>\n</body>\n</html>\n'
+        f'<script type="module">{text}</script>\n</body>\n</html>\n'
     )
 
 
@@ -88,13 +95,13 @@ def section(lesson: Lesson, made: Parts) -> str:
     code, titles = lesson.sheet.language, [panel.title for panel in lesson.sheet.panels]
     strokes = Language(code).page("PLAYER")["strokes"]
     return (
-        f'<main class="vad" data-theme="{lesson.style}" data-themes="{names}">\n'
-        f'<div class="board"><header>{made.head}</header>\n'
+        f'<main class="vad page" data-theme="{lesson.style}" data-themes="{names}">\n'
+        f'<div class="board" style="--h:{made.height}"><header>{made.head}</header>\n'
         f'<div class="panels">{made.panels}</div>\n'
         f'<div class="results">{made.table}</div>\n'
         f"{player(code, titles, made.chapters, len(lesson.steps), made.lines)}</div>\n"
-        f'<section class="steps"><h2>{escape(strokes)}</h2>\n'
-        f'<div class="lists">{made.steps}</div></section>\n</main>\n'
+        f'<aside class="rail"><section class="steps"><h2>{escape(strokes)}</h2>\n'
+        f'<div class="lists">{made.steps}</div></section></aside>\n</main>\n'
     )
 
 
@@ -102,7 +109,7 @@ def player(
     code: str, titles: Sequence[str], chapters: str = "", count: int = 0, lines: int = 1
 ) -> str:
     """Return caption, scrubber and buttons in a language, for panels with these titles."""
-    said = Language(code).page("PLAYER")
+    said = {**Language(code).page("HAND"), **Language(code).page("PLAYER")}
     return Template(asset("player.html")).substitute(
         {name.replace("-", "_"): escape(words) for name, words in said.items()},
         chapters=chapters,

@@ -1,80 +1,123 @@
-// The hand: what is driven is taken and turned, and the picture follows.
+// The hand: what is driven is moved, the picture follows, and stops where the links part.
 //
-// turn(root, solve, data) -> what a page offers as window.vad. The data has beside those of
-// picture.js the grip, which is dragged, and the ranges in which the links close.
+// driven(root, solve, data) -> the mechanism in the hand. The data has beside those of picture.js:
+//   grip         what is dragged, null where nothing can be
+//   ranges       the stretches in which the links close, with the page's dimensions
+//   closes       outputs that exist wherever they close
+//   rates        for each rate an output that exists wherever it does
+//   dimensions   of each its name, value, ends, unit and its place among the inputs
+// Listeners hear of every pose: on(listener).
 
-function turn(root, solve, data) {
-  const { state, out, paint, x, y, unit } = picture(root, solve, data);
-  const ring = root.querySelector("[data-vad-grip]"), listeners = new Set();
+function driven(root, solve, data) {
+  const view = picture(root, solve, data), { state, out } = view;
+  const turns = data.inputs[0] === "angle", listeners = [];
+  const full = (range) => turns && range[1] - range[0] >= 360;
+  const span = data.ranges.length ? data.ranges.at(-1)[1] - data.ranges[0][0] : 1;
+  const ends = turns ? [0, 360] : [data.ranges[0][0] - span, data.ranges.at(-1)[1] + span];
+  let ranges = trimmedTo(closes, data.ranges), range = ranges[0], known = key(data.start), wanted = 0;
 
+  function closes(place) {
+    solve(place, ...state.slice(1), out, 0);
+    return data.closes.every((at) => out[at] - out[at] === 0);
+  }
+
+  function key(values) {
+    return data.dimensions.map((each) => values[each[5]]).join();
+  }
+
+  // The stretches for the dimensions of now.
+  function search() {
+    const now = key(state);
+    if (now === known) return;
+    known = now;
+    ranges = now === key(data.start) ? trimmedTo(closes, data.ranges) : stretches(closes, ...ends, turns);
+  }
+
+  const atEnd = () => !full(range) && (state[0] <= range[0] || state[0] >= range[1]);
+
+  // Paints the state. At a limit rates have no value: they grow without end towards it.
   function show() {
-    paint();
-    if (!ring) return;
-    ring.setAttribute("cx", x(data.grip.at[0]).toFixed(2));
-    ring.setAttribute("cy", y(data.grip.at[1]).toFixed(2));
-  }
-
-  // The driver's place is kept where the links close.
-  function within(value) {
-    if (data.grip?.kind !== "angle") return held(value, 0);
-    for (const turns of [0, 360, -360]) {
-      const moved = value + turns;
-      if (data.ranges.some(([low, high]) => low <= moved && moved <= high)) return moved;
+    view.paint(atEnd() ? [state[0], NaN, NaN, ...state.slice(3)] : state);
+    const { grip } = data, ring = root.querySelector("[data-vad-grip]");
+    if (ring) {
+      ring.setAttribute("cx", view.x(grip.at[0]).toFixed(2));
+      ring.setAttribute("cy", view.y(grip.at[1]).toFixed(2));
     }
-    return held(value, 360);
+    for (const listener of listeners) listener();
   }
 
-  function held(value) {
-    const ends = data.ranges.flat(), inside = data.ranges.some(([low, high]) => low <= value && value <= high);
-    return inside ? value : ends.reduce((best, end) => Math.abs(end - value) < Math.abs(best - value) ? end : best);
-  }
-
-  function pose(given) {
-    for (const [name, value] of Object.entries(given)) {
-      const index = data.inputs.indexOf(name);
-      if (index >= 0) state[index] = index ? value : within(value);
+  // Sets the state; the driver goes to the nearest place that closes. False where there is none.
+  function set(values) {
+    const before = [...state];
+    state.splice(0, state.length, ...values);
+    search();
+    const found = ranges.length ? placed(ranges, state[0], turns) : null;
+    if (!found) {
+      state.splice(0, state.length, ...before);
+      search();
+      return false;
     }
-    root.classList.add("turned");
+    range = found.range;
+    state[0] = wanted = found.at;
     show();
-    for (const listener of listeners) listener(Object.fromEntries(data.inputs.map((name, i) => [name, state[i]])));
+    return true;
   }
 
-  // The pointer moves what is driven by as much as it moves itself.
-  if (ring) {
-    let from = null;
-    const svg = ring.ownerSVGElement;
-    const at = (event) => {
-      const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
-      return [point.x, point.y];
-    };
-    const measure = ([u, v]) => {
-      const { kind, about, way, factor } = data.grip, du = u - x(about[0]), dv = v - y(about[1]);
-      if (kind === "angle") return Math.atan2(-dv, du) * 180 / Math.PI;
-      return kind === "length" ? Math.hypot(du, dv) / factor / unit : (du * way[0] + dv * way[1]) / factor / unit;
-    };
-    ring.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
-    ring.addEventListener("pointerdown", (event) => {
-      ring.setPointerCapture(event.pointerId);
-      solve(...state, out, 2);
-      from = measure(at(event));
-      event.preventDefault();
-    });
-    ring.addEventListener("pointermove", (event) => {
-      if (from === null) return;
-      const now = measure(at(event));
-      let by = now - from;
-      if (data.grip.kind === "angle") by -= 360 * Math.round(by / 360);
-      from = now;
-      pose({ [data.inputs[0]]: state[0] + by });
-    });
-    for (const name of ["pointerup", "pointercancel"]) ring.addEventListener(name, () => (from = null));
+  // Moves the driver within its stretch; near a limit it may snap to it. What was wanted beyond the
+  // limit is not lost, so that a pointer that comes back meets what it left.
+  function move(by, snap = 0) {
+    wanted += by;
+    let at = full(range) ? wanted : clamp(wanted, ...range);
+    if (!full(range)) for (const end of range) if (Math.abs(at - end) < snap) at = end;
+    if (full(range)) at = wanted = within(at);
+    state[0] = at;
+    show();
   }
 
-  show();
+  const within = (degrees) => (degrees % 360 + (degrees % 360 < 0 ? 360 : 0));
+
   return {
-    pose,
-    get state() { return Object.fromEntries(data.inputs.map((name, i) => [name, state[i]])); },
-    back: () => { state.splice(0, state.length, ...data.start); root.classList.remove("turned"); },
-    addEventListener: (_, listener) => listeners.add(listener),
+    data, turns, ends, state, out, view, solve, closes, set, move, show,
+    on: (listener) => listeners.push(listener),
+    rest: () => { wanted = state[0]; },
+    get ranges() { return ranges; },
+    get range() { return range; },
+    get bounded() { return !full(range); },
+    get atEnd() { return atEnd(); },
+    get dead() { return data.rates.some((at) => out[at] - out[at] !== 0); },
+    get place() { return turns ? within(state[0]) : state[0]; },
   };
+}
+
+// The ring is dragged: what is driven moves by as much as the pointer. take() begins a gesture, and
+// gone() ends it.
+function dragged(root, body, take, gone) {
+  const { data, view } = body, ring = root.querySelector("[data-vad-grip]");
+  if (!ring) return;
+  const svg = ring.ownerSVGElement, { kind, about, way, factor } = data.grip;
+  let from = null;
+  const at = (event) => {
+    const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+    const du = point.x - view.x(about[0]), dv = point.y - view.y(about[1]);
+    if (kind === "angle") return Math.atan2(-dv, du) * 180 / Math.PI;
+    return (kind === "length" ? Math.hypot(du, dv) : du * way[0] + dv * way[1]) / factor / view.unit;
+  };
+  // A browser would else scroll the page with the finger, whatever touch-action says.
+  ring.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
+  ring.addEventListener("pointerdown", (event) => {
+    if (event.button) return;
+    ring.setPointerCapture(event.pointerId);
+    take();
+    body.rest();
+    from = at(event);
+    event.preventDefault();
+  });
+  ring.addEventListener("pointermove", (event) => {
+    if (from === null) return;
+    const now = at(event), by = now - from, snap = kind === "angle" ? 1 : (body.range[1] - body.range[0]) / 360;
+    from = now;
+    body.move(kind === "angle" ? by - 360 * Math.round(by / 360) : by, snap);
+  });
+  for (const name of ["pointerup", "pointercancel"])
+    ring.addEventListener(name, () => { if (from !== null) { from = null; gone(); } });
 }

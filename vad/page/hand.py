@@ -6,7 +6,7 @@ outputs of one program (`vad.page.solver`).  The script ``hand.js`` plays that p
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields, replace
 from itertools import groupby
 from typing import Any
@@ -16,14 +16,17 @@ from vad.kinematics.reach import closing_range
 from vad.kinematics.traced import Traced, plain
 from vad.lecture.moment import drawing
 from vad.page.ink import Inker, when
+from vad.page.solved import given, proofs, template
 from vad.page.solver import solver_data
 from vad.painting.svg_elements import number
 from vad.plan.hand_board import HandBoard, Label
 from vad.plan.items import FOREVER, Item, in_painting_order
 from vad.plan.labels.vertices import text_at
+from vad.plan.lettering.runs import Runs, symbols
 from vad.plan.marks import Bow, Disc, Lettering, Outline, Polygon, Polyline
 from vad.plan.pictures.skeleton import GRIP
 from vad.strokes.sheet import Sheet
+from vad.words import Language
 
 
 @dataclass(frozen=True)
@@ -69,7 +72,7 @@ class Outputs:
         return [each for z in places for each in self.place(z)]
 
 
-def hand(board: HandBoard, sheet: Sheet, inker: Inker) -> Hand:
+def hand(board: HandBoard, sheet: Sheet, inker: Inker, write: Callable[[Runs], str]) -> Hand:
     """Return a mechanism that is turned on the page of a sheet.
 
     Parameters
@@ -80,6 +83,8 @@ def hand(board: HandBoard, sheet: Sheet, inker: Inker) -> Hand:
         The sheet of the page: in its pose the mechanism stands first.
     inker
         The inker of the page.
+    write
+        The function that writes runs as HTML.
     """
     outputs, traced = Outputs(), board.traced
     layers: dict[str, str] = {}
@@ -132,6 +137,7 @@ def hand(board: HandBoard, sheet: Sheet, inker: Inker) -> Hand:
         "cells": _cells(board, sheet, outputs),
         "page": inker.frame,
     }
+    data |= _described(board, sheet, outputs, write)
     program = traced.program(outputs.numbers)
     data["size"] = len(outputs.numbers)
     return Hand(layers, solver_data(program, len(traced.inputs) - 3), data)
@@ -216,6 +222,41 @@ def _wish(label: Label, outputs: Outputs) -> list[Any]:
     return [label.name, half, outputs.place(label.at), near, way]
 
 
+def _described(
+    board: HandBoard, sheet: Sheet, outputs: Outputs, write: Callable[[Runs], str]
+) -> dict[str, Any]:
+    """Return what the page tells of the mechanism, and of what drives it."""
+    traced, code = board.traced, Language(sheet.language)
+    found = traced.motion.to_dict()
+    closes, rates = proofs(found)
+    place, *_ = names = list(board.mechanism.inputs)
+    cells = {cell.unit: cell for cell in given(sheet)}
+    kind, length = "slide", board.mechanism.length_unit
+    units = [length, f"{length}/s", f"{length}/s²"]
+    if place == "angle":
+        kind = "crank" if sheet.driver.row == "crank" else "link"
+        units = ["°", "rad/s", "rad/s²"]
+    said = {"crank": "turn-crank", "link": "turn-link", "slide": "move-slide"}
+    player = code.page("PLAYER")
+    return {
+        "own": [outputs.of(traced.inputs[name]) for name in names],
+        "closes": [outputs.of(each) for each in closes],
+        "rates": [outputs.of(each) for each in rates],
+        "solved": template(found, board.mechanism.parameters(), outputs.of),
+        "dimensions": [],
+        "turns": kind,
+        "turn": said[kind],
+        "symbols": [
+            write(symbols(cells[unit].symbol)) if unit in cells else name
+            for name, unit in zip(names, units, strict=True)
+        ],
+        "units": units,
+        "panels": [panel.title for panel in sheet.panels],
+        "point": code.point,
+        "words": {**code.page("HAND"), "play": player["play"], "pause": player["pause"]},
+    }
+
+
 def _start(board: HandBoard, sheet: Sheet) -> list[float]:
     """Return the inputs of the page's own pose."""
     given = dict(sheet.source.inputs) if sheet.source else {}
@@ -239,5 +280,12 @@ def _cells(board: HandBoard, sheet: Sheet, outputs: Outputs) -> list[list[Any]]:
                 unit = notation.unit(cell.unit)
                 factor = notation.scaled(1.0, cell.unit)
                 index = sheet.rows.index(own)
-                found.append([index, column, place, outputs.of(cell.value), factor, unit])
+                value = _as_given(cell.value, board) if cell.given else cell.value
+                found.append([index, column, place, outputs.of(value), factor, unit])
     return found
+
+
+def _as_given(value: float, board: HandBoard) -> float:
+    """Return the input of which a value is a copy, so that it has the input's output."""
+    inputs = (board.traced.inputs[name] for name in board.mechanism.inputs)
+    return next((each for each in inputs if float(each) == float(value)), value)

@@ -6,6 +6,7 @@ file, the live page and the notebook are made of the same parts, and played by t
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
@@ -44,6 +45,7 @@ from vad.words import Language
 from vad.written import with_unit
 
 PADDING = 0.25 * ENTRY  # after a symbol
+_FIRM = "\u00a0"
 _ITALIC = ("italic", "bolditalic")
 _SCRIPTS = {-1: "sub", 0: "", 1: "sup"}
 
@@ -62,6 +64,8 @@ class Parts:
         `vad.page.ink`) and ``words``.
     lines
         How many lines captions take.
+    height
+        The height of the board, without what is as high in every window, if it is 1280 wide.
     looks
         Rules of the classes in ``panels`` and ``table``.
     faces
@@ -75,6 +79,7 @@ class Parts:
     steps: str
     data: Mapping[str, Any]
     lines: int
+    height: int
     looks: str
     faces: Faces
     hand: Hand | None = None
@@ -106,7 +111,9 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
     board = board or _plan(lesson, turned)
     inker, words = Inker(board.form, Inks(style), faces), RunWriter(faces)
     listed = [_listed(lesson, step, words) for step in lesson.steps]
-    moved = hand(turned, sheet, inker) if turned else None
+    for said in Language(sheet.language).page("HAND").values() if turned else ():
+        words.of(roman(said))
+    moved = hand(turned, sheet, inker, words.of) if turned else None
     layers = moved.layers if moved else {}
     drawn = [
         panel_section(board, panel, inker, words, layers.get(panel.name, ""))
@@ -114,7 +121,9 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
     ]
     results = table(board, style.key, inker, words)
     title = words.of(roman(sheet.title), light=False, heavy=True)
-    items = words.of(roman(", ".join(item.replace(" ", "\u00a0") for item in parameters(sheet))))
+    items = ", ".join(
+        f"<span>{words.of(roman(item.replace(' ', _FIRM)))}</span>" for item in parameters(sheet)
+    )
     first = [board.sketches[panel.name].setting.first for panel in sheet.panels]
     counts = [sum(len(half.strokes) for half in panel.halves) for panel in sheet.panels]
     return Parts(
@@ -147,10 +156,37 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
             "words": Language(sheet.language).page("PLAYER"),
         },
         lines=len(board.page.captions),
+        height=_height(board),
         looks=inker.classes.sheet(),
         faces=faces,
         hand=moved,
     )
+
+
+def _height(board: Plan) -> int:
+    """Return how high a board is, by the measures of the style sheet, in pixels of 1280 across."""
+    unit, sheet = board.form.unit, board.sheet
+    titled = width(roman(sheet.title), 36 / unit) + width(
+        roman(", ".join(parameters(sheet))), 23 / unit
+    )
+    inside = board.page.right - min(p.drawing.left for p in board.page.panels.values())
+    head = (
+        82.8
+        if titled * 1.05 + 30 / unit < inside
+        else 28 + 43.2 + 27.6 * math.ceil(titled / inside)
+    )
+    panels = [
+        39.6 + place.drawing.height * unit + max(46.0, 12.0 + 31.0 * _foot_lines(board, panel))
+        for panel, place in zip(sheet.panels, board.page.panels.values(), strict=True)
+    ]
+    table = 3.0 + 28.8 * len(sheet.rows)
+    caption = 12.0 + 33.0 * max(2, len(board.page.captions))
+    return math.ceil(head + max(panels) + table + caption)
+
+
+def _foot_lines(board: Plan, panel: Panel) -> int:
+    foot = compose(panel, board.page.panels[panel.name].drawing.width)
+    return len(foot.lines) + bool(foot.remark)
 
 
 def turned_board(lesson: Lesson) -> HandBoard | None:

@@ -3,6 +3,7 @@
 // picture(root, solve, data) -> {state, out, paint, x, y}. The function solve is that of
 // vad/page/solver.py; data is that of vad/page/hand.py:
 //   inputs, start   the names of all inputs, and their values in the lesson's pose
+//   own             the outputs that are the driver's place and rates themselves
 //   size            how many outputs there are; numbers below are places among them
 //   moves           of each moving element: a letter and the places of its coordinates
 //   labels, blocks  what is to be placed, and the lines with half widths that it keeps clear of
@@ -47,8 +48,9 @@ function picture(root, solve, data) {
   }
 
   // Paints the pose of the state; what does not exist in it is hidden.
-  function paint() {
-    solve(...state, out, 2);
+  function paint(shown = state) {
+    solve(...shown, out, 2);
+    data.own.forEach((place, i) => (out[place] = state[i]));
     data.moves.forEach(([kind, ...parts], i) => {
       const attributes = kinds[kind](parts);
       for (const element of elements[i]) {

@@ -2,9 +2,10 @@
 // the number of complete strokes, the rest is the share of the next one. What is visible depends
 // on x alone: paint(x).
 //
-// mount(root, data) -> {load, seek, play, stop, dispose, x}. The root has the places that
-// vad/page/document.py writes; data is that of vad/page/parts.py. After each change the root gets
-// an event "vad:step" with x as its detail.
+// mount(root, data) -> {load, seek, play, stop, place, where, does, take, dispose, x}. The root has
+// the places that vad/page/document.py writes; data is that of vad/page/parts.py. After each change
+// the root gets an event "vad:step" with x as its detail. What buttons and keys do is in "does";
+// take(others) lets others answer in their stead, until take(null).
 
 const smooth = (t) => t * t * (3 - 2 * t);
 const ray = (degrees) => [Math.cos(degrees * Math.PI / 180), Math.sin(degrees * Math.PI / 180)];
@@ -93,17 +94,24 @@ export function mount(root, data, { address = true } = {}) {
   const all = (selector) => [...root.querySelectorAll(selector)];
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
   const over = new AbortController();
+  // Where it is wide, what stands beside the board is always open.
+  const wide = matchMedia("(min-width: 64rem) and (min-height: 35rem)"), rail = one(".rail") ?? one(".steps");
   const scrub = one(".scrub"), status = one("[role=status]"), speed = one(".speed");
   const caption = one(".caption p"), count = one(".count"), dialog = one("dialog");
   let lesson, x = 0, mode = "", goal = 0, rest = 0, beat, spoken;
-  let frame = 0, then = 0, timer = 0, letters = true, kept = 0;
+  let frame = 0, then = 0, timer = 0, letters = true, kept = 0, others = null;
 
   const strokes = () => lesson.times.length;
+  const length = (panel) => (lesson.first[panel + 1] ?? strokes()) - lesson.first[panel];
   const panelOf = (stroke) => Math.max(0, lesson.first.findLastIndex((first) => first <= stroke));
 
   function load(next, at = 0) {
     stop();
     lesson = { ...next, links: all(".steps a"), chapters: all(".chapters button"), pictures: all(".drawing svg"), panel: 0 };
+    near(1);
+    if (rail !== one(".steps")) lesson.pictures.forEach((picture, i) => lesson.panels.forEach(([, title], k) => {
+      if (i > 0 && k > 0 && k !== i) link(picture.closest(".panel").querySelector("h2"), k, title);
+    }));
     lesson.timed = all("[data-s], [data-b]").map((element) => [element, spans(element)]);
     lesson.growing = all("[data-g]").map((mark) =>
       [spans(mark.parentNode)[0][0], growing(mark, lesson.grow[mark.dataset.g])]);
@@ -135,7 +143,7 @@ export function mount(root, data, { address = true } = {}) {
     }
     for (const [since, show] of lesson.growing) if (since === was) show(1);
     lesson.pictures.forEach((picture, i) => {
-      const first = lesson.first[i], whole = (lesson.first[i + 1] ?? strokes()) - first;
+      const first = lesson.first[i], whole = length(i);
       const label = { panel: lesson.panels[i][1], done: clamp(done - first, 0, whole), count: whole };
       picture.setAttribute("aria-label", lesson.words.drawn.replace(/{(\w+)}/g, (_, key) => label[key]));
     });
@@ -146,12 +154,11 @@ export function mount(root, data, { address = true } = {}) {
     if (stroke === spoken) return;
     spoken = stroke;
     const panel = panelOf(stroke), words = lesson.spoken[stroke] ?? lesson.words.begin;
-    const moved = panel !== lesson.panel;
     lesson.panel = panel;
-    if (moved && getComputedStyle(one(".panels")).flexDirection === "column") reveal();
+    if (panel) near(panel);
     if (stroke < 0) caption.textContent = words;
     else caption.innerHTML = lesson.links[stroke].innerHTML;
-    const first = lesson.first[panel], whole = (lesson.first[panel + 1] ?? strokes()) - first;
+    const first = lesson.first[panel], whole = length(panel);
     count.textContent = stroke < 0 ? "" : `${stroke - first + 1} / ${whole}`;
     scrub.setAttribute("aria-valuetext", words);
     status.textContent = document.activeElement === scrub ? "" : words;
@@ -161,8 +168,18 @@ export function mount(root, data, { address = true } = {}) {
     if (address) timer = setTimeout(write, 250);
   }
 
-  function reveal() {
-    lesson.pictures[lesson.panel].closest(".panel").scrollIntoView({ block: "nearest" });
+  function link(heading, panel, title) {
+    const other = document.createElement("button");
+    Object.assign(other, { className: "other", textContent: title });
+    other.dataset.panel = panel;
+    heading.parentNode.insertBefore(other, heading.nextSibling);
+  }
+
+  // A narrow window shows the first panel and one other.
+  function near(panel) {
+    lesson.pictures.forEach((picture, i) => picture.closest(".panel").classList.toggle("far", i > 0 && i !== panel));
+    all(".results tr").forEach((row) => [...row.children].slice(1).forEach((cell, i) =>
+      cell.classList.toggle("far", i > 0 && i !== panel)));
   }
 
   function write() {
@@ -176,7 +193,7 @@ export function mount(root, data, { address = true } = {}) {
     if (!digits) return null;
     if (!panel) return +digits <= strokes() ? +digits : null;
     const index = lesson.panels.findIndex(([name]) => name === panel);
-    const whole = (lesson.first[index + 1] ?? strokes()) - lesson.first[index];
+    const whole = length(index);
     return index >= 0 && +digits >= 1 && +digits <= whole ? lesson.first[index] + +digits : null;
   }
 
@@ -231,13 +248,11 @@ export function mount(root, data, { address = true } = {}) {
     first: () => seek(0),
     last: () => seek(strokes()),
     back: () => seek(Math.ceil(x) - 1),
+    chapter: (to) => seek(to),
+    onward: () => does.forward(false),
     forward: (atOnce) => atOnce || mode === "step" ? seek(next()) : run("step", next()),
     play: () => mode === "play" ? stop() : play(),
-    strokes: () => {
-      const closed = one(".steps").classList.toggle("closed");
-      one("[data-do=strokes]").setAttribute("aria-expanded", !closed);
-      if (!closed) one(".steps").scrollIntoView({ block: "nearest", behavior: calm.matches ? "auto" : "smooth" });
-    },
+    strokes: () => unfold(rail.classList.contains("closed")),
     theme: () => {
       const themes = root.dataset.themes.split(" ");
       root.dataset.theme = themes.find((each) => each !== root.dataset.theme) ?? themes[0];
@@ -247,19 +262,27 @@ export function mount(root, data, { address = true } = {}) {
     close: () => dialog.close(),
   };
 
+  const act = (name, shift) => (others?.[name] ?? does[name])?.(shift);
+
+  function unfold(open) {
+    rail.classList.toggle("closed", !open);
+    one("[data-do=strokes]").setAttribute("aria-expanded", open);
+    if (open && rail === one(".steps")) rail.scrollIntoView({ block: "nearest", behavior: calm.matches ? "auto" : "smooth" });
+  }
+
   const KEYS = { ArrowRight: "forward", PageDown: "forward", ArrowLeft: "back", PageUp: "back", Home: "first", End: "last" };
-  const LETTERS = { " ": "play", k: "play", s: "strokes", t: "theme", f: "full", "?": "keys" };
+  const LETTERS = { " ": "play", k: "play", s: "strokes", t: "theme", f: "full", h: "hand", "?": "keys" };
 
   function key(event) {
     const target = event.composedPath()[0], name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if (event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey || dialog.open) return;
-    if (target !== scrub && target.closest?.("input, select, textarea, [contenteditable], [role=slider]")) return;
+    if (!target.matches?.(".scrub, .turner") && target.closest?.("input, select, textarea, [contenteditable], [role=slider]")) return;
     if ((name === " " || name === "Enter") && target.closest?.("button, a, summary")) return;
     const what = KEYS[name] ?? (name === " " || letters ? LETTERS[name] : undefined);
     const chapter = letters && /^[1-9]$/.test(name) ? lesson.first[name - 1] : undefined;
-    if (what && what === "forward") does.forward(event.shiftKey || target === scrub);
-    else if (what) does[what]();
-    else if (chapter !== undefined) seek(chapter);
+    if (others?.keys[name] && (letters || name.length > 1)) others.keys[name](event.shiftKey);
+    else if (what) act(what, event.shiftKey || target === scrub);
+    else if (chapter !== undefined) act("chapter", chapter);
     else if (letters && "+-−=".includes(name)) faster("+=".includes(name) ? 1 : -1);
     else return;
     event.preventDefault();
@@ -272,13 +295,13 @@ export function mount(root, data, { address = true } = {}) {
   function click(event) {
     const button = event.target.closest("button[data-do]"), chapter = event.target.closest("[data-x]");
     const link = event.target.closest(".steps a");
-    if (button) does[button.dataset.do](event.shiftKey);
-    else if (chapter) seek(+chapter.dataset.x);
+    if (button) act(button.dataset.do, event.shiftKey);
+    else if (chapter) act("chapter", +chapter.dataset.x);
+    else if (event.target.matches(".other")) near(+event.target.dataset.panel);
     else if (link && !event.ctrlKey && !event.metaKey && !event.shiftKey) {
       event.preventDefault();
       seek(lesson.links.indexOf(link) + 1);
-      reveal();
-    } else if (event.target.closest(".drawing") && getSelection().isCollapsed) does.forward(false);
+    } else if (event.target.closest(".drawing") && getSelection().isCollapsed) act("onward", false);
   }
 
   const on = (target, name, what) => target.addEventListener(name, what, { signal: over.signal });
@@ -294,10 +317,19 @@ export function mount(root, data, { address = true } = {}) {
   if (address) on(window, "hashchange", () => { const to = place(location.hash); if (to !== null) seek(to); });
 
   one(".control").hidden = false;
-  one(".steps").classList.add("closed");
+  unfold(wide.matches && rail !== one(".steps"));
+  on(wide, "change", () => unfold(wide.matches && rail !== one(".steps")));
   one("[data-do=full]").hidden = !document.fullscreenEnabled;
   one("[data-do=theme]").hidden = !root.dataset.themes?.includes(" ");
   load(data, data.start);
   if (address) seek(place(location.hash) ?? x);
-  return { load, seek, play, stop, dispose: () => { stop(); over.abort(); }, get x() { return x; } };
+  return {
+    load, seek, play, stop, place, does, on, speed, status,
+    take: (mode) => { stop(); others = mode; label(lesson.words.play); },
+    // The last stroke that is drawn: its panel, and its number there.
+    where: () => { const last = Math.max(0, Math.ceil(x) - 1), panel = panelOf(last); return [panel, last - lesson.first[panel] + 1]; },
+    strokes,
+    dispose: () => { stop(); over.abort(); },
+    get x() { return x; },
+  };
 }

@@ -38,6 +38,8 @@ class TracedSheet:
         The traced inputs, by name: first those of the driver, then the dimensions.
     tape
         The record.
+    motion
+        The motion that is drawn, whose results are traced, too.
     guards
         The program is right for other dimensions if each of these decisions is made alike.
     """
@@ -45,6 +47,7 @@ class TracedSheet:
     sheet: Sheet
     inputs: dict[str, Traced]
     tape: TracedTape
+    motion: Motion[Any, Any, Any]
     guards: tuple[Guard, ...] = ()
 
     def input(self, name: str, value: float) -> Traced:
@@ -103,4 +106,4 @@ def traced_sheet(
     if solver.slides:
         motion.travels = travels(mechanism)
     given = {**traced.inputs, **traced.sizes}
-    return TracedSheet(draw(motion, panels, language), given, traced.tape, traced.guards)
+    return TracedSheet(draw(motion, panels, language), given, traced.tape, motion, traced.guards)

@@ -1,0 +1,324 @@
+// The dock while a hand holds the mechanism: its track is the driver's way, its buttons are steps on
+// it, and its line says what happens.
+//
+// docked(root, body, player) -> {begin, commit, settle, enter, leave, say, number, read, fault, on}.
+// A gesture is what one undo takes back: begin() before it, commit() when it is over, settle() when
+// it is over unless more of it follows soon.
+
+const GLIDE = 300, REST = 700, TURN = 6, PAST = 100;
+
+// The largest of 1, 2, 5, 10 … that is not above a number.
+function round125(most) {
+  const ten = 10 ** Math.floor(Math.log10(most));
+  return (most >= 5 * ten ? 5 : most >= 2 * ten ? 2 : 1) * ten;
+}
+
+const filled = (words, gaps) => words.replace(/{(\w+)}/g, (_, gap) => gaps[gap]);
+
+function docked(root, body, player) {
+  const one = (selector) => root.querySelector(selector);
+  const { data, turns, state } = body, { words } = data, [unit] = data.units, [symbol] = data.symbols;
+  const calm = matchMedia("(prefers-reduced-motion: reduce)");
+  const track = one(".turner"), box = one(".said input"), text = one(".said p"), ticks = one(".ticks");
+  const back = one("[data-do=return]"), all = one("[data-do=all]"), { status } = player;
+  const [low, high] = turns ? [0, 360] : [data.ranges[0][0], data.ranges.at(-1)[1]];
+  const little = turns ? 1 : round125((high - low) / 100), far = turns ? 90 : (high - low) / 4;
+  const digits = turns ? 1 : Math.max(0, 1 - Math.floor(Math.log10(little)));
+  const listeners = [];
+  let held = false, kept = 0, past = [], future = [], before = null, frame = 0, timer = 0, way = 1, mishap = "", spoken = "";
+
+  // Numbers are written and read as the page's language does.
+  const number = (value, places = digits) => value.toFixed(places).replace("-", "−").replace(".", data.point);
+  const read = (typed) => {
+    const plain = typed.trim().replace(/[−–]/g, "-").replace(data.point, ".");
+    return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(plain) && Math.abs(+plain) <= 1e200 ? +plain : null;
+  };
+  const placed = () => turns ? `${number(body.place)}°` : `${number(body.place)} ${unit}`;
+  const share = (place) => (place - low) / (high - low);
+
+  // ---- what is seen and said ----
+
+  function span(kind, words) {
+    const made = document.createElement("span");
+    made.className = kind;
+    made.textContent = words;
+    return made;
+  }
+
+  function sentence() {
+    if (mishap) return [mishap, ""];
+    if (body.atEnd) return [filled(words.limit, { place: placed() }), ""];
+    if (body.dead) return [filled(words.dead, { place: placed() }), ""];
+    const [panel, step] = player.where(), whole = player.x >= player.strokes();
+    return [words[data.turn], whole ? "" : filled(words.shown, { panel: data.panels[panel], step })];
+  }
+
+  function say() {
+    const [said, more] = sentence(), now = `${said} ${more}`.trim();
+    text.replaceChildren(said, span("more", more && ` ${more}`));
+    root.classList.toggle("limited", body.atEnd || body.dead);
+    track.setAttribute("aria-valuetext", turns ? filled(words.degrees, { value: number(body.place) }) : placed());
+    if (body.atEnd && spoken !== now) speak();
+  }
+
+  function speak() {
+    spoken = text.textContent;
+    if (held) status.textContent = document.activeElement === track && !body.atEnd ? "" : `${spoken} ${placed()}`;
+  }
+
+  function shown() {
+    if (!held) return;
+    track.value = body.place;
+    track.style.setProperty("--share", share(body.place));
+    if (document.activeElement !== box) box.value = number(body.place);
+    say();
+    for (const listener of listeners) listener();
+  }
+
+  function fault(said) {
+    mishap = said;
+    say();
+    speak();
+  }
+
+  // The ticks of the track, the lesson's place, and where the links do not close.
+  function scale() {
+    const step = turns ? 15 : round125((high - low) / 20), named = turns ? 90 : 5 * step;
+    const at = (place) => `calc(9px + (100% - 18px) * ${share(place).toFixed(5)})`;
+    ticks.replaceChildren();
+    const add = (kind, place, words = "") => {
+      const tick = document.createElement(kind);
+      tick.style.left = at(place);
+      tick.textContent = words;
+      ticks.append(tick);
+      return tick;
+    };
+    // At most some hundred ticks: a step is at least a fiftieth of the way.
+    for (let n = Math.ceil(low / step); n * step <= high; n++) {
+      const label = Math.abs(n * step / named - Math.round(n * step / named)) < 1e-9;
+      add("i", n * step, label ? number(n * step, Math.max(0, -Math.floor(Math.log10(step)))) + (turns ? "°" : "") : "");
+    }
+    add("b", turns ? data.start[0] - 360 * Math.floor(data.start[0] / 360) : data.start[0]);
+    let from = low;
+    const gap = (to) => { if (to - from > 1e-6 * (high - low)) add("s", from).style.width = `calc((100% - 18px) * ${share(to) - share(from)})`; };
+    const open = body.ranges.flatMap(([a, b]) => turns && a < 0 ? [[0, b], [a + 360, 360]] : [[a, b]]).sort((a, b) => a[0] - b[0]);
+    for (const [a, b] of open) { gap(clamp(a, low, high)); from = Math.max(from, b); }
+    gap(high);
+  }
+
+  // ---- gestures ----
+
+  function begin() {
+    halt();
+    if (!held) enter();
+    clearTimeout(timer);
+    mishap = "";
+    before ??= [...state];
+  }
+
+  function commit() {
+    clearTimeout(timer);
+    if (before?.some((value, i) => value !== state[i])) {
+      past = [...past, before].slice(-PAST);
+      future = [];
+    }
+    before = null;
+    able();
+    timer = setTimeout(speak, REST);
+  }
+
+  function settle() {
+    clearTimeout(timer);
+    timer = setTimeout(() => { commit(); speak(); }, REST);
+  }
+
+  function able() {
+    one("[data-do=undo]").disabled = !past.length;
+    one("[data-do=redo]").disabled = !future.length;
+  }
+
+  function redone(from, to) {
+    halt();
+    if (before) commit();
+    if (!from.length) return;
+    to.push([...state]);
+    body.set(from.pop());
+    scale();
+    able();
+    timer = setTimeout(speak, REST);
+  }
+
+  function go(by) {
+    begin();
+    body.rest();
+    body.move(by);
+    settle();
+  }
+
+  // ---- the two modes ----
+
+  function enter() {
+    if (held) return;
+    held = true;
+    player.seek(Math.ceil(player.x));
+    kept = player.x;
+    player.take(acts);
+    if (!player.x || one(".grip.off")) player.seek(player.strokes());
+    root.classList.add("turned");
+    for (const [name, word] of Object.entries(RENAMED)) name_(name, words[word]);
+    one("[data-do=lesson]").setAttribute("aria-pressed", false);
+    one("[data-do=hand]").setAttribute("aria-pressed", true);
+    offer();
+    scale();
+    body.show();
+  }
+
+  const renamed = turns ? ["far-back", "little-back", "little-on", "far-on"] : ["more-back", "step-back", "step-on", "more-on"];
+  const RENAMED = Object.fromEntries(["first", "back", "forward", "last"].map((name, i) => [name, renamed[i]]));
+  const named = Object.fromEntries(Object.keys(RENAMED).map((name) => [name, one(`[data-do=${name}]`).title]));
+
+  function name_(name, said) {
+    for (const key of ["aria-label", "title"]) one(`[data-do=${name}]`).setAttribute(key, said);
+  }
+
+  function offer() {
+    const whole = kept >= player.strokes() || !kept, [panel, step] = player.where();
+    const hint = document.createElement("kbd");
+    hint.textContent = words["key-escape"];
+    const long = whole || player.x !== kept ? words["return-lesson"] : filled(words.return, { panel: data.panels[panel], step });
+    back.replaceChildren(span("long", long), span("short", words["return-short"]), " ", hint);
+    all.hidden = player.x >= player.strokes();
+  }
+
+  // What is driven glides to the lesson's pose, the shorter way.
+  function glide(then) {
+    const from = [...state], to = data.start;
+    let turn = to[0] - from[0];
+    if (turns && !body.bounded) turn -= 360 * Math.round(turn / 360);
+    const begun = performance.now(), still = calm.matches || from.every((value, i) => value === to[i]);
+    const step = (time) => {
+      const part = still ? 1 : clamp((time - begun) / GLIDE, 0, 1), soft = smooth(part);
+      body.set(part < 1 ? from.map((value, i) => value + soft * (i ? to[i] - value : turn)) : to);
+      if (part < 1) frame = requestAnimationFrame(step);
+      else then();
+    };
+    if (still) step(begun);
+    else frame = requestAnimationFrame(step);
+  }
+
+  function leave(atOnce) {
+    if (!held) return;
+    halt();
+    if (before) commit();
+    const over = () => {
+      held = false;
+      [past, future, mishap] = [[], [], ""];
+      clearTimeout(timer);
+      able();
+      root.classList.remove("turned", "limited");
+      for (const [cell, html] of written) cell.innerHTML = html;
+      for (const [name, said] of Object.entries(named)) name_(name, said);
+      one("[data-do=lesson]").setAttribute("aria-pressed", true);
+      one("[data-do=hand]").setAttribute("aria-pressed", false);
+      player.take(null);
+      player.seek(kept);
+      for (const listener of listeners) listener();
+    };
+    if (atOnce === true) { body.set(data.start); over(); }
+    else glide(over);
+  }
+
+  // What a hand overwrites.
+  const written = [...root.querySelectorAll(".cell, header p")].map((each) => [each, each.innerHTML]);
+
+  // ---- turning by itself ----
+
+  function halt() {
+    cancelAnimationFrame(frame);
+    if (root.classList.contains("turning")) {
+      root.classList.remove("turning");
+      one("[data-do=play]").classList.remove("on");
+      name_("play", words.play);
+      commit();
+    }
+  }
+
+  function play() {
+    if (root.classList.contains("turning")) return halt();
+    begin();
+    body.rest();
+    way = Math.sign(state[1]) || 1;
+    root.classList.add("turning");
+    one("[data-do=play]").classList.add("on");
+    name_("play", words.pause);
+    let then = performance.now();
+    const tick = (time) => {
+      // A page that was hidden goes on from where it stopped.
+      const by = way * clamp(time - then, 0, 250) / 1000 * player.speed.value / TURN * (turns ? 360 : 2 * (high - low));
+      then = time;
+      body.rest();
+      body.move(by);
+      if (body.atEnd) way = state[0] <= body.range[0] ? 1 : -1;
+      frame = requestAnimationFrame(tick);
+    };
+    frame = requestAnimationFrame(tick);
+  }
+
+  // ---- what answers in the lesson's stead ----
+
+  const acts = {
+    first: () => go(-far),
+    last: () => go(far),
+    back: (fine) => go(fine ? -little / 10 : -little),
+    forward: (fine) => go(fine ? little / 10 : little),
+    play,
+    onward: () => {},
+    chapter: (to) => { leave(true); player.seek(to); },
+    keys: {
+      PageUp: () => go(-15 * little),
+      PageDown: () => go(15 * little),
+      Escape: () => leave(),
+      h: () => leave(),
+    },
+  };
+  Object.assign(player.does, {
+    hand: enter,
+    lesson: () => leave(),
+    return: () => leave(),
+    all: () => { player.seek(player.strokes()); offer(); say(); back.focus(); },
+    undo: () => redone(past, future),
+    redo: () => redone(future, past),
+  });
+
+  player.on(document, "keydown", (event) => {
+    if (!held || !(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || event.target.matches?.("input:not([type=range])")) return;
+    redone(...(event.shiftKey ? [future, past] : [past, future]));
+    event.preventDefault();
+  });
+  player.on(track, "input", () => {
+    begin();
+    body.set([+track.value, ...state.slice(1)]);
+    settle();
+  });
+  player.on(box, "change", () => {
+    const value = read(box.value);
+    box.toggleAttribute("aria-invalid", value === null);
+    if (value === null) return fault(filled(words["no-number"], { name: symbol, value: box.value || "–" }));
+    begin();
+    body.set([value, ...state.slice(1)]);
+    box.value = number(body.place);
+    commit();
+  });
+  player.on(box, "keydown", (event) => { if (event.key === "Escape") { box.value = number(body.place); leave(); } });
+
+  Object.assign(track, { min: low, max: high });
+  track.setAttribute("aria-label", words[data.turns]);
+  one(".place span").innerHTML = symbol;
+  box.setAttribute("aria-label", words[data.turns]);
+  one(".place span:last-child").textContent = turns ? "°" : unit;
+  body.on(shown);
+  dragged(root, body, begin, commit);
+  for (const each of root.querySelectorAll(".switch, dl.own")) each.hidden = false;
+
+  return { begin, commit, settle, enter, leave, say, scale, number, read, fault, on: (listener) => listeners.push(listener), get held() { return held; } };
+}

@@ -1,0 +1,129 @@
+// A page for programs: what scripts on it ask of window.vad, and what a page around it sends.
+//
+// outside(root, body, dock, player) -> {solve, pose, step, back, state, addEventListener, …}. All
+// that comes from outside passes one gate, which answers with a sentence, and a hint where it has one.
+
+function outside(root, body, dock, player) {
+  const { data, turns, state } = body, { words } = data, own = new Float64Array(data.size);
+  const listeners = { pose: new Set(), step: new Set() };
+  const names = [...data.inputs.slice(0, data.own.length), ...data.dimensions.map(([name]) => name)];
+  const places = [...data.own.map((_, i) => i), ...data.dimensions.map((each) => each[5])];
+  const wrong = (said, hint) => hint ? { error: said, hint } : { error: said };
+  const quoted = (value) => { try { return String(JSON.stringify(value)).slice(0, 60); } catch { return typeof value; } };
+
+  // The state that is asked for, or what is wrong with it.
+  function gate(asked) {
+    if (asked === null || typeof asked !== "object" || Array.isArray(asked)) return wrong(words.request, "{angle: 40}");
+    const found = [...state];
+    for (const [name, value] of Object.entries(asked)) {
+      if (name === "assembly") {
+        if (quoted(value) !== JSON.stringify(data.solved.assembly)) return wrong(filled(words.assembly, { name: quoted(data.solved.assembly), value: quoted(value) }));
+        continue;
+      }
+      const index = names.indexOf(name);
+      if (index < 0) return wrong(filled(words.unknown, { name: name.slice(0, 60) }), filled(words.known, { names: names.join(", ") }));
+      if (typeof value !== "number" || !(Math.abs(value) <= 1e200)) return wrong(filled(words["no-number"], { name, value: typeof value === "number" ? value : quoted(value) }));
+      const dimension = data.dimensions[index - data.own.length];
+      if (dimension && dimension[2] > 0 && value <= 0) return wrong(filled(words.positive, { name, value }), value ? filled(words.try, { name, value: -value }) : "");
+      found[places[index]] = value;
+    }
+    return found;
+  }
+
+  const exists = (all) => all.every((at) => own[at] - own[at] === 0);
+
+  // Where the links close, in words, and a place near by that does.
+  function unclosed(values) {
+    const [name] = names, degree = turns ? "°" : ` ${data.units[0]}`, place = `${values[0]}${degree}`;
+    const closes = (at) => { body.solve(at, ...values.slice(1), own, 0); return exists(data.closes); };
+    const same = data.dimensions.every((each) => values[each[5]] === data.start[each[5]]);
+    const ranges = same ? data.ranges : stretches(closes, ...body.ends, turns);
+    if (!ranges.length) return wrong(filled(words["unclosed-nowhere"], { name, place }));
+    const written = ranges.map((ends) => ends.map((end) => `${+end.toPrecision(6)}${degree}`).join(" … ")).join(words.and);
+    const { range: [low, high], at } = placed(ranges, values[0], turns), inside = clamp(at, low + (high - low) / 50, high - (high - low) / 50);
+    return wrong(filled(words.unclosed, { name, place, ranges: written }), filled(words.try, { name, value: +inside.toPrecision(4) }));
+  }
+
+  // Fills a part of the results with numbers.
+  const read = (part) => typeof part === "number" ? own[part] + 0
+    : Array.isArray(part) ? part.map(read)
+    : Object.fromEntries(Object.entries(part).map(([name, each]) => [name, read(each)]));
+
+  // The results of a pose as "vad solve --json" has them; nothing on the page changes.
+  function solve(asked = {}) {
+    const values = gate(asked);
+    if (!Array.isArray(values)) return values;
+    body.solve(...values, own, 2);
+    if (!exists(data.closes)) return unclosed(values);
+    if (!exists(data.rates)) return wrong(filled(words.dead, { place: `${values[0]}${turns ? "°" : ` ${data.units[0]}`}` }));
+    const { solved } = data, found = {};
+    for (const [name, part] of Object.entries(solved))
+      if (name === "input") found.input = Object.fromEntries(part.map((each, i) => [each, values[i]]));
+      else if (name === "parameters") found.parameters = { ...part, ...Object.fromEntries(data.dimensions.filter(([each]) => each in part).map((each) => [each[0], values[each[5]]])) };
+      else found[name] = ["links", "joints", "points", "slides"].includes(name) ? read(part) : part;
+    return found;
+  }
+
+  const now = () => Object.fromEntries(names.map((name, i) => [name, i ? state[places[i]] : body.place]));
+
+  // Shows a pose, as if a hand had set it.
+  function pose(asked = {}) {
+    const values = gate(asked);
+    if (!Array.isArray(values)) return values;
+    body.solve(...values, own, 0);
+    if (!exists(data.closes)) return unclosed(values);
+    dock.begin();
+    body.set(values);
+    dock.commit();
+    return now();
+  }
+
+  // Goes to a step of the lesson: 7, or "velocity:4".
+  function step(to) {
+    const found = ["number", "string"].includes(typeof to) ? player.place(`#step=${to}`) : null;
+    if (found === null) return wrong(filled(words.step, { value: quoted(to) }), filled(words["steps-are"], { count: player.strokes() }));
+    dock.leave(true);
+    player.seek(found);
+    return found;
+  }
+
+  // ---- the page around this one ----
+
+  let due = 0, last = "";
+  const board = root.querySelector(".board");
+
+  function tell() {
+    due = 0;
+    const height = Math.ceil(board.getBoundingClientRect().height);
+    const news = { height, step: player.x, pose: dock.held ? now() : null }, text = JSON.stringify(news);
+    if (text !== last) parent.postMessage({ vad: news }, "*");
+    last = text;
+  }
+
+  const later = () => { if (parent !== window && !due) due = setTimeout(tell, 50); };
+
+  function heard({ data: message, source }) {
+    const asked = message?.vad;
+    if (parent === window || source !== parent || asked === null || typeof asked !== "object") return;
+    const answers = [];
+    if ("pose" in asked) answers.push(asked.pose === null ? dock.leave() : pose(asked.pose));
+    if ("step" in asked) answers.push(step(asked.step));
+    const fault = answers.find((answer) => answer?.error);
+    if (fault) parent.postMessage({ vad: fault }, "*");
+  }
+
+  const tellAll = (kind, news) => { for (const listener of listeners[kind]) listener(news); };
+  player.on(window, "message", heard);
+  body.on(() => { if (dock.held) tellAll("pose", now()); later(); });
+  player.on(root, "vad:step", (event) => { if (!dock.held) tellAll("step", event.detail); later(); });
+  dock.on(later);
+  new ResizeObserver(later).observe(board);
+
+  return {
+    solve, pose, step,
+    back: () => dock.leave(),
+    get state() { return now(); },
+    addEventListener: (kind, listener) => { if (typeof listener === "function") listeners[kind]?.add(listener); },
+    removeEventListener: (kind, listener) => listeners[kind]?.delete(listener),
+  };
+}
