@@ -120,7 +120,6 @@ def test_speed_and_theme_and_list(lesson: Page) -> None:
     expect(lesson.locator(".speed")).to_have_value("2")
     press(lesson, "-", "-")
     expect(lesson.locator(".speed")).to_have_value("1")
-    press(lesson, "s")
     expect(lesson.locator(".steps")).to_be_visible()
     lesson.locator('.steps a[href="#step=velocity:4"]').click()
     assert at(lesson) == FIRST[1] + 4
@@ -128,6 +127,8 @@ def test_speed_and_theme_and_list(lesson: Page) -> None:
     expect(lesson.locator(".steps a[aria-current]")).to_have_count(1)
     press(lesson, "s")
     expect(lesson.locator(".steps")).to_be_hidden()
+    press(lesson, "s")
+    expect(lesson.locator(".steps")).to_be_visible()
 
 
 def test_scrubbing_is_continuous_and_lets_go_at_a_stroke(lesson: Page) -> None:

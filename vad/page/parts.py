@@ -111,8 +111,8 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
     board = board or _plan(lesson, turned)
     inker, words = Inker(board.form, Inks(style), faces), RunWriter(faces)
     listed = [_listed(lesson, step, words) for step in lesson.steps]
-    for said in Language(sheet.language).page("HAND").values() if turned else ():
-        words.of(roman(said))
+    for phrase in Language(sheet.language).page("HAND").values() if turned else ():
+        words.of(roman(phrase))
     moved = hand(turned, sheet, inker, words.of) if turned else None
     layers = moved.layers if moved else {}
     drawn = [

@@ -24,17 +24,23 @@ _TOKEN = re.compile(
     re.VERBOSE | re.DOTALL,
 )
 _KEYWORDS = frozenset(
-    """async await break case catch class const continue default delete do else export extends false
-    finally for from function get if import in instanceof let new null of return set static super
-    switch this throw true try typeof undefined var void while yield""".split()
+    re.findall(
+        r"\w+",
+        """async await break case catch class const continue default delete do else export extends
+        false finally for from function get if import in instanceof let new null of return set
+        static super switch this throw true try typeof undefined var void while yield""",
+    )
 )
 #: What browsers give to scripts, as far as ours take it.
 _GLOBALS = frozenset(
-    """AbortController Array CustomEvent DOMPoint Float64Array Infinity JSON Map Math NaN Number
-    Object Promise ResizeObserver Set String TextDecoder Uint8Array addEventListener atob
-    cancelAnimationFrame clearTimeout console document getComputedStyle getSelection history
-    innerHeight innerWidth isNaN location matchMedia navigator parent performance
-    requestAnimationFrame setTimeout window""".split()
+    re.findall(
+        r"\w+",
+        """AbortController Array CustomEvent DOMPoint Float64Array Infinity JSON Map Math NaN Number
+        Object Promise ResizeObserver Set String TextDecoder Uint8Array addEventListener atob
+        cancelAnimationFrame clearTimeout console document getComputedStyle getSelection history
+        innerHeight innerWidth isNaN location matchMedia navigator parent performance
+        requestAnimationFrame setTimeout window""",
+    )
 )
 _GAP = re.compile(r"\$\{((?:[^{}`]|\{[^{}`]*\}|`(?:\\.|\$\{[^{}`]*\}|[^`\\])*`)*)\}")
 _Token = tuple[str, str]
