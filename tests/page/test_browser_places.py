@@ -92,7 +92,7 @@ def test_without_scripts_the_sheet_and_every_caption_stand(
 
 def test_in_a_sandbox_it_plays_too(browser: Browser, tmp_path: Path) -> None:
     inner = escape(page_of("slider-crank"))
-    frame = f'<iframe sandbox="allow-scripts" title="x" width="640" height="500" srcdoc="{inner}"></iframe>'
+    frame = f'<iframe sandbox="allow-scripts" width="640" height="500" srcdoc="{inner}"></iframe>'
     with opened(browser) as page:
         show(page, tmp_path, f"<!doctype html><meta charset=utf-8>{frame}")
         inside = page.frame_locator("iframe")

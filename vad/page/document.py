@@ -6,7 +6,6 @@ The HTML loads nothing: its security policy forbids every request.
 from __future__ import annotations
 
 import json
-import re
 from base64 import b64encode
 from collections.abc import Sequence
 from functools import cache

@@ -35,7 +35,8 @@ _KEYWORDS = frozenset(
 _GLOBALS = frozenset(
     re.findall(
         r"\w+",
-        """AbortController Array CustomEvent DOMPoint Float64Array Infinity JSON Map Math NaN Number
+        """AbortController Array CustomEvent DOMPoint Float64Array Infinity Int32Array JSON
+        Map Math NaN Number
         Object Promise ResizeObserver Set String TextDecoder Uint8Array addEventListener atob
         cancelAnimationFrame clearTimeout console document getComputedStyle getSelection history
         innerHeight innerWidth isNaN location matchMedia navigator parent performance
