@@ -2,8 +2,8 @@
 
 ``python -m benchmarks.speed`` prints the ratios and writes benchmarks/results/speed.csv.  Floor
 and poses are measured in turn, many times, and the best of each is taken.  Where llvmlite
-is installed, the compiled loops are measured too, once they are made.  One thread does all, but in
-the columns for two.
+is installed, the compiled loops are measured too, once they are made.  One thread does all: what a
+second one gains depends on what else the machine does.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
 
 POSES = 1_000_000
-SINGLES = 100
+SINGLES = 2000
 ROUNDS = 15
 #: What is read: of a four-bar C's position, the rocker's ω, the coupler's α, C's acceleration.
 READ = {
@@ -43,20 +43,22 @@ MECHANISMS = {
     "crank-slotted-lever with ram": vad.CrankSlottedLever(rod=120, ram_height=140),
     "whitworth with ram": vad.Whitworth(rod=200),
 }
-HEAD = ["mechanism", "position", "four read", "four swept", "by two threads", "compiled"]
-HEAD += ["compiled, by two threads", "one pose"]
+HEAD = ["mechanism", "position", "four read", "four swept", "four swept, compiled", "one pose"]
 
 
 def reader(name: str) -> Callable[[vad.Motion], Any]:
     """Return what reads a point's position and acceleration, and two results between."""
     letter, *others = READ[name]
+    links = MECHANISMS[name].links
+    parts = [other.split(".") for other in others]
+    asked = [("link" if part in links else "slide", part, quantity) for part, quantity in parts]
 
     def read(motion: Any) -> None:
-        motion.point(letter).position  # noqa: B018
-        for other in others:
-            part, quantity = other.split(".")
-            getattr((motion.link if part in motion.links else motion.slide)(part), quantity)
-        motion.point(letter).acceleration  # noqa: B018
+        point = motion.point(letter)
+        point.position  # noqa: B018
+        for kind, part, quantity in asked:
+            getattr(getattr(motion, kind)(part), quantity)
+        point.acceleration  # noqa: B018
 
     return read
 
@@ -93,24 +95,17 @@ def ratios(name: str, mechanism: Mechanism) -> list[float]:
         for value in values[:SINGLES].tolist():
             read(vad.solve(mechanism, **{driven: value}))
 
-    def by_two() -> None:
-        threads.SHARED = 0
-        sweep()
-        threads.SHARED = math.inf
-
     angles = np.deg2rad(np.random.default_rng(1).uniform(0.0, 360.0, POSES))
     threads.SHARED = program.OFTEN = math.inf
     floor, *times, single = in_turn(
-        [lambda: four_functions(angles), position, four, sweep, by_two, singles]
+        [lambda: four_functions(angles), position, four, sweep, singles]
     )
-    found = [time / floor for time in times]
+    compiled = math.nan
     if importlib.util.find_spec("llvmlite"):
         program.OFTEN = 0
-        floor_beside, *times = in_turn([lambda: four_functions(angles), sweep, by_two])
-        found += [time / floor_beside for time in times]
-    else:
-        found += [math.nan, math.nan]
-    return [*found, single * POSES / SINGLES / floor]
+        floor_beside, found = in_turn([lambda: four_functions(angles), sweep])
+        compiled = found / floor_beside
+    return [*(x / floor for x in times), compiled, single * POSES / SINGLES / floor]
 
 
 def in_turn(calls: list[Callable[[], None]]) -> list[float]:

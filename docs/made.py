@@ -28,11 +28,11 @@ described by [a file](../how-to/mechanism-file.md); below are those that ship wi
 _SPEED = """\
 ## A million poses
 
-Time divided by that of `sin`, `cos`, `sqrt` and `arctan2` of as many numbers: for a point's
-position; for four results (its position and acceleration and two rates; of a four-bar the rocker's
-ω and the coupler's α) that are read one after the other from a motion; for the same by `vad.sweep`,
-in one thread and in two; for that where it is compiled (`vad-diagrams[fast]`); and for the same
-four of one pose alone.
+Time divided by that of `sin`, `cos`, `sqrt` and `arctan2` of as many numbers, in one thread: for a
+point's position; for four results (its position and acceleration and two rates; of a four-bar the
+rocker's ω and the coupler's α) that are read one after the other from a motion; for the same by
+`vad.sweep`; for that where it is compiled (`vad-diagrams[fast]`); and for the same four of one pose
+alone.
 """
 _LARGEST = """\
 What `python -m benchmarks.errors --table` has found: random mechanisms, at least half of them where
