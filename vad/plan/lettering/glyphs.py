@@ -101,7 +101,7 @@ def _font(face: Face) -> Any:
     """Return the font of a face; each thread has its own, which holds the letter loaded last."""
     from matplotlib.ft2font import FT2Font
 
-    fonts: dict[Face, Any] = _of_thread.__dict__
+    fonts: dict[str, Any] = _of_thread.__dict__
     if face not in fonts:
         font = FT2Font(font_file(face))
         font.set_size(_EM, 72)
