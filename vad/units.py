@@ -32,6 +32,8 @@ _SCENE = {
     "mass": "kg",
     "inertia": "kg*m^2",
     "gravity": "m/s^2",
+    "direction": "deg",
+    "friction": "",
 }
 # What a quantity is called in a sentence, and a few of its units.
 _WORDS = {
@@ -48,7 +50,11 @@ _WORDS = {
     "mass": ("a unit of mass", "kg, g, t, lb"),
     "inertia": ("a unit of moment of inertia", "kg m^2, kg cm^2, lb in^2"),
     "gravity": ("a unit of acceleration", "m/s^2, ft/s^2"),
+    "direction": ("a unit of angle", "deg, rad, turn"),
+    "friction": ("a unit of friction, which has none", "0.1"),
 }
+#: The quantities of dimensions; a plain number has no unit.
+DIMENSIONS = ("length", "angle", "number")
 #: The usual units of length.
 LENGTH_UNITS = ("mm", "cm", "m", "km", "in", "ft", "yd")
 _METRES = {
@@ -100,8 +106,9 @@ def scene_unit(quantity: str, length_unit: str = "mm") -> str:
     Parameters
     ----------
     quantity
-        One of length, angle, omega, alpha, position, velocity and acceleration; or number, which
-        has no unit, and is read as a length or an angle where it is written with one.
+        One of length, angle, omega, alpha, position, velocity and acceleration; of force, couple,
+        mass, inertia, gravity, direction and friction; or number, which has no unit, and is read as
+        a length or an angle where it is written with one.
     length_unit
         The unit of the scene's lengths.
 
@@ -227,7 +234,7 @@ def _factor(unit: str, quantity: str, length_unit: str, written: str | None = No
     what, examples = _WORDS[quantity]
     name = quoted(unit if written is None else written)
     wrong = UsageError(f"{name} is not {what}", f"try {examples}")
-    if len(unit) > _LONGEST_UNIT or not _UNIT.fullmatch(unit):
+    if len(unit) > _LONGEST_UNIT or not _UNIT.fullmatch(unit) or quantity == "friction":
         raise wrong
     registry = _registry()
     targets = [scene_unit(quantity, length_unit)]

@@ -29,7 +29,7 @@ REFUSED = [
     ({"loads": [{"couple": 1}]}, "load 1: a couple needs a body"),
     ({"loads": [{"couple": 1, "at": "E"}]}, "load 1: a couple has no 'at'"),
     ({"loads": [{"couple": 1, "on": "ram"}]}, "load 1: ram does not turn: its guide takes"),
-    ({"masses": [2]}, "masses: must be masses by body"),
+    ({"masses": [2]}, "masses: must be numbers by name"),
     ({"masses": {"arm": 2}}, "masses: unknown body 'arm'"),
     ({"masses": {"lever": -2}}, "mass of lever: must not be negative, got -2"),
     ({"masses": {"lever": {"mass": 1, "at": "E"}}}, "mass of lever: E is no point of lever"),
@@ -42,7 +42,7 @@ REFUSED = [
     ),
     ({"gravity": "down"}, "gravity: 'down' is not a number"),
     ({"gravity": [1, 2, 3]}, "gravity: must be"),
-    ({"friction": 0.1}, "friction: must be numbers by slide"),
+    ({"friction": 0.1}, "friction: must be numbers by name"),
     ({"friction": {"lever": 0.1}}, "friction: unknown slide 'lever'"),
     ({"friction": {"ram": -0.1}}, "friction of ram: must not be negative"),
 ]

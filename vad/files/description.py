@@ -12,6 +12,7 @@ import math
 import operator
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from vad import gate
 from vad.errors import InputError, quoted, unknown
@@ -19,6 +20,9 @@ from vad.files.places import Place
 from vad.kinematics.elementary import arccosine, arcsine, arctangent, bearing, hypot, power, sqrt
 from vad.kinematics.numbers import direction, fold
 from vad.kinematics.symbol import as_float
+
+if TYPE_CHECKING:
+    from vad.files.burden import BurdenEntry
 
 #: No length needs a longer text, which would only cost time.
 LONGEST = 200
@@ -354,6 +358,8 @@ class Description:
     pose
         Places of points in one position, from which links that are written as letters get their
         shape.
+    burden
+        Loads, masses, gravity and friction.
     """
 
     title: str
@@ -366,6 +372,7 @@ class Description:
     driver: DriverEntry
     assembly: Mapping[str, Place]
     pose: Mapping[str, Cartesian]
+    burden: BurdenEntry
 
     @property
     def points(self) -> tuple[str, ...]:

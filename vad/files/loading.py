@@ -10,7 +10,7 @@ import copyreg
 import keyword
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, make_dataclass
 from functools import lru_cache
@@ -28,6 +28,8 @@ from vad.kinematics.linkage import Linkage
 from vad.kinematics.motion import solve
 from vad.kinematics.solver import solver_of
 from vad.mechanisms.mechanism import Mechanism, unit
+from vad.statics.burden import Burden
+from vad.statics.forces import forces_of
 
 FileTable = Mapping[str, Any]
 
@@ -64,6 +66,10 @@ def mechanism(
     assembly: FileTable | None = None,
     dimensions: FileTable | None = None,
     pose: FileTable | None = None,
+    loads: FileTable | None = None,
+    masses: FileTable | None = None,
+    friction: FileTable | None = None,
+    gravity: float | Sequence[float] | str | None = None,
     title: str = "Mechanism",
     unit: str = "mm",
     about: str = "",
@@ -73,8 +79,10 @@ def mechanism(
 
     Parameters
     ----------
-    fixed, links, guides, driver, assembly, dimensions, pose
+    fixed, links, guides, driver, assembly, dimensions, pose, loads, masses, friction
         The tables of a file, as dictionaries.
+    gravity
+        As in a file: a number along -y, or two.
     title, unit, about, source
         The words of a file.
 
@@ -102,8 +110,13 @@ def mechanism(
         "driver": driver,
         "assembly": assembly,
         "pose": pose,
+        "loads": loads,
+        "masses": masses,
+        "friction": friction,
     }
-    words = {"title": title, "unit": unit, "about": about, "source": source}
+    words: dict[str, Any] = {"title": title, "unit": unit, "about": about, "source": source}
+    if gravity is not None:
+        words["gravity"] = gravity
     tables = {name: table for name, table in given.items() if table is not None}
     return class_of(sorted_out(Source("", {"": words | tables})))
 
@@ -218,10 +231,18 @@ class WrittenMechanism(Mechanism, listed=False, metaclass=_WrittenType):
     def _assembly(cls, given: tuple[tuple[str, Place], ...]) -> Assembly:
         return cls.written.assembly(dict(given))
 
+    @property
+    def _values(self) -> dict[str, float]:
+        return {name: getattr(self, name) for name in self.written.description.parameters}
+
+    @property
+    def burden(self) -> Burden:
+        """What the file says that it has to bear, with the numbers of this mechanism."""
+        return self.written.description.burden.burden(self._values)
+
     def linkage(self) -> Linkage:
         """Return the loops, one for each dyad."""
-        written = self.written
-        values = {name: getattr(self, name) for name in written.description.parameters}
+        written, values = self.written, self._values
         assembly: Any = self.assembly
         chosen = self._assembly(tuple(assembly.items()))
         return linkage_of(written.description, written.dyads, values, chosen.sides, chosen.parallel)
@@ -273,7 +294,10 @@ def _unpacked(text: str) -> type[WrittenMechanism]:
     with source.at("", ""):
         usual = kind()
     with source.at("driver", description.driver.name):
-        solve(usual, **kind.inputs)  # checks them
+        motion = solve(usual, **kind.inputs)  # checks them
+    for (table, key), part in description.burden.parts(written.values).items():
+        with source.at(table, key):
+            forces_of(motion, part)
     return kind
 
 

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from vad.errors import InputError, VadError, quoted, unknown
+from vad.files.burden import read_burden
 from vad.files.description import (
     Cartesian,
     Description,
@@ -56,6 +57,7 @@ def describe(source: Source) -> Description:
     if not links:
         raise source.error("links", "", "there is no link", "as in crank = { AB = 60 }")
     bound = guides(numbers, fixed, links)
+    pose = _pose(numbers, fixed)
     description = Description(
         title=str(words.get("title", source.name.removesuffix(".toml"))),
         unit=unit,
@@ -66,7 +68,8 @@ def describe(source: Source) -> Description:
         guides=bound,
         driver=_driver(source, links, bound, unit),
         assembly=_assembly(source),
-        pose=_pose(numbers, fixed),
+        pose=pose,
+        burden=read_burden(numbers),
     )
     _check_points(source, description)
     return description

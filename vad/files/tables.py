@@ -25,11 +25,17 @@ from vad.errors import InputError, VadError, quoted, unknown
 from vad.files.description import Cartesian, Expression, Parameter
 from vad.files.examples import EXTENSION, example_names
 from vad.mechanisms.mechanism import Mechanism
+from vad.statics.tables import LONGEST_TABLE, table_of
 from vad.units import number_of
 
 #: What may stand in a file: single words, and tables.
 WORDS = ("title", "unit", "about", "source")
-TABLES = ("dimensions", "fixed", "links", "guides", "driver", "assembly", "pose")
+TABLES = (
+    *("dimensions", "fixed", "links", "guides", "driver", "assembly", "pose"),
+    *("loads", "masses", "friction"),
+)
+#: What stands beside the words, and is a number or two.
+GRAVITY = "gravity"
 #: A mechanism fits on a page; a longer file is probably the wrong one.
 LONGEST = 100_000
 #: The most entries of a table, such as [links], and of one entry: with the number of links, the
@@ -150,7 +156,28 @@ def read_file(path: str | os.PathLike[str]) -> Source:
     vad.errors.InputError
         For a file that cannot be read, is no TOML, or has a table that no mechanism has.
     """
-    return read_text(text_of(path), Path(path).name)
+    source = read_text(text_of(path), Path(path).name)
+    return with_tables(source, Path(gate.path("path", path)).parent)
+
+
+def with_tables(source: Source, folder: Path) -> Source:
+    """Return a source in which the tables of loads, which are files beside it, are numbers.
+
+    Raises
+    ------
+    vad.errors.InputError
+        With its line, for a table that cannot be read.
+    """
+    loads: dict[str, Any] = {}
+    for name, load in source.table("loads").items():
+        loads[name] = load
+        if isinstance(load, Mapping) and isinstance(load.get("table"), str):
+            with source.at("loads", name):
+                file = load["table"]
+                text = text_of(folder / gate.path("table", file), LONGEST_TABLE)
+                loads[name] = {**load, "table": table_of(text, os.path.basename(file))}
+    tables = {**source.tables, "loads": loads} if loads else source.tables
+    return Source(source.name, tables, source.lines)
 
 
 def text_of(path: object, longest: int = LONGEST) -> str:
@@ -245,10 +272,12 @@ def sorted_out(source: Source) -> Source:
         elif key in WORDS:
             with source.at("", key):
                 words[key] = gate.line(key, value)
+        elif key == GRAVITY:
+            words[key] = value
         elif key in TABLES:
             raise source.error("", key, f"{key}: must be a table", f"write [{key}]")
         else:
-            wrong = unknown("word", key, (*WORDS, *TABLES))
+            wrong = unknown("word", key, (*WORDS, GRAVITY, *TABLES))
             raise source.error("", key, str(wrong), wrong.hint)
     return Source(source.name, tables, source.lines)
 
@@ -295,7 +324,7 @@ def _parts(path: str) -> list[str]:
 
 #: Names that no parameter can have: those of inputs, and of what every mechanism has.
 RESERVED = {
-    *("angle", "omega", "alpha", "position", "velocity", "acceleration", "written"),
+    *("angle", "omega", "alpha", "position", "velocity", "acceleration", "written", GRAVITY),
     *Mechanism.__annotations__,
     *dir(Mechanism),
 }

@@ -12,6 +12,8 @@ from vad import gate
 from vad.errors import InputError, one_of, quoted
 from vad.kinematics.linkage import Linkage
 from vad.mechanisms.link_points import LinkPoint, LinkPoints, link_points, marked
+from vad.statics.burden import Burden
+from vad.units import DIMENSIONS
 
 if TYPE_CHECKING:
     from vad.kinematics.space.linkages import SpaceLinkage
@@ -23,8 +25,8 @@ NEAREST = 1e-30
 #: The most characters of a unit, which stands behind every number.
 LONGEST_UNIT = 60
 
-#: The quantities of parameters that are numbers; a plain number has no unit.
-NUMBERS = ("length", "angle", "number")
+#: The quantities of parameters that are numbers: dimensions, and those of loads and masses.
+NUMBERS = (*DIMENSIONS, "force", "couple", "direction", "mass", "inertia", "friction")
 
 #: The dimensions of a point on a link.
 _OF_POINTS = ("distance", "angle")
@@ -170,6 +172,11 @@ class Mechanism:
             name = next(iter(self.points))
             raise InputError(f"point {name}: points are marked on links in the plane alone")
         return linkage
+
+    @property
+    def burden(self) -> Burden:
+        """What it has to bear of its own: nothing, but for one from a file."""
+        return Burden()
 
     def parameters(self) -> dict[str, float]:
         """Return the numeric parameters that are set, by name."""

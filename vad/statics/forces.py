@@ -16,6 +16,7 @@ from vad.kinematics.results import plain
 from vad.kinematics.solution import Solution
 from vad.kinematics.solver import Solver
 from vad.statics.bodies import FRAME, Bodies
+from vad.statics.burden import Burden
 from vad.statics.loads import Given, gravity_of
 from vad.statics.solver import Acting, StaticSolver
 from vad.statics.turn import Turning
@@ -31,7 +32,8 @@ def forces(
 ) -> Forces[Real, Vector, Truth]:
     """Find what loads, weights and inertia ask of the joints and of the driver.
 
-    Nothing is computed yet: each force is found when it is asked for.
+    Nothing is computed yet: each force is found when it is asked for.  What the file of a mechanism
+    has of loads, masses, gravity and friction counts, too; what is given here comes to it.
 
     Parameters
     ----------
@@ -42,7 +44,9 @@ def forces(
         "angle": 150}``, or a couple in newton metres, ``{"on": "rocker", "couple": -6}``,
         counter-clockwise.  Numbers may be arrays that broadcast with the motion, and texts with a
         unit, ``"80 lbf"``.  ``on`` may be left out where one body alone has the point; where
-        something slides there, it is the slide.  A load may have a ``name``.
+        something slides there, it is the slide.  A load may have a ``name``.  In place of ``force``
+        or ``couple`` a load may have a ``table``: the places of the driver and the loads there.  A
+        load may be a text, too: ``"80 N @ 150 at E on rocker"``, ``"-6 N m on rocker"``.
     masses
         By the name of a body: a mass in kg, at the point of the slide or the first point of the
         link; or ``{"mass": 2, "at": "G", "inertia": 0.01}`` with the moment of inertia about that
@@ -72,21 +76,46 @@ def forces(
             f"motion: must be a motion, got {quoted(motion)}",
             "as in vad.forces(vad.solve(vad.FourBar()), loads)",
         )
+    more = Burden((), _by_name("masses", masses), gravity, _by_name("friction", friction))
+    whole = motion.mechanism.burden.beside(more)
+    return forces_of(motion, whole, loads)
+
+
+def forces_of(
+    motion: Motion[Real, Vector, Truth], burden: Burden, more: Iterable[Any] = ()
+) -> Forces[Real, Vector, Truth]:
+    """Return the forces of a burden alone, and of more loads.
+
+    Raises
+    ------
+    vad.errors.InputError
+        As for `forces`.
+    """
     mechanism, plane = motion.mechanism, motion.solver
     if not isinstance(plane, Solver):
         raise InputError(
             f"forces: {mechanism.name} moves in space, and forces are found in the plane",
             "draw its velocity and acceleration; a mechanism in the plane is slider-crank",
         )
-    bodies = bodies_of(plane)
-    given = Given(bodies, mechanism.links, mechanism.slides, mechanism.length_unit)
-    given.loads(loads)
-    given.masses({} if masses is None else masses, gravity_of(gravity))
-    given.friction({} if friction is None else friction)
+    bodies, place = bodies_of(plane), next(iter(motion.inputs.values()))
+    given = Given(bodies, mechanism.links, mechanism.slides, mechanism.length_unit, place)
+    given.loads(burden.loads)
+    given.loads(more)
+    given.masses(burden.masses, gravity_of(burden.gravity))
+    given.friction(burden.friction)
     metres = metres_of(mechanism.length_unit) or 1.0
     solver = _solver(plane, tuple(given.acting), tuple(given.rough), metres)
     numbers = {name: given.numbers[name] for name in solver.further}
     return Forces(motion, solver, numbers)
+
+
+def _by_name(what: str, given: Any) -> Mapping[str, Any]:
+    if given is None:
+        return {}
+    if not isinstance(given, Mapping):
+        as_in = '{"slider": 25}' if what == "masses" else '{"slider": 0.1}'
+        raise InputError(f"{what}: must be numbers by name, got {quoted(given)}", f"as in {as_in}")
+    return given
 
 
 @lru_cache(maxsize=64)

@@ -13,10 +13,13 @@ from vad.kinematics.linkage import points_of
 from vad.kinematics.motion import checked
 from vad.kinematics.numbers import Number
 from vad.statics.bodies import Bodies
+from vad.statics.burden import load_of
 from vad.statics.solver import Acting
+from vad.statics.tables import at_table, checked_table, unit_of
 from vad.units import metres_of, number_of
 
-_LOAD = ("name", "at", "on", "force", "angle", "couple")
+_LOAD = ("name", "at", "on", "force", "angle", "couple", "table", "unit")
+_SIZES = ("force", "couple", "table")
 _MASS = ("mass", "at", "inertia", "radius")
 _AS_LOAD = 'as in {"at": "E", "on": "rocker", "force": 80, "angle": 150}'
 _AS_MASS = 'as in {"coupler": {"mass": 2, "at": "G", "inertia": 0.01}}'
@@ -42,7 +45,12 @@ class Given:
     """
 
     def __init__(
-        self, bodies: Bodies, links: Mapping[str, str], slides: Mapping[str, str], unit: str
+        self,
+        bodies: Bodies,
+        links: Mapping[str, str],
+        slides: Mapping[str, str],
+        unit: str,
+        place: Number,
     ) -> None:
         self.bodies = bodies
         self.acting: list[Acting] = []
@@ -51,6 +59,7 @@ class Given:
         self._first = {name: points_of(ends) for name, ends in links.items()}
         self._slides = {bodies.rods.get(name, name): point for name, point in slides.items()}
         self._unit = unit
+        self._place = place
         self._order = {name: number for number, name in enumerate(bodies.bodies)}
 
     def loads(self, loads: Any) -> None:
@@ -58,32 +67,51 @@ class Given:
         if isinstance(loads, Mapping | str | bytes) or not isinstance(loads, Iterable):
             raise InputError(f"loads: must be a list of loads, got {quoted(loads)}", _AS_LOAD)
         for number, load in enumerate(gate.several("loads", loads, "a list of loads")):
-            self._load(f"load {number + 1}", load)
+            what = f"load {number + 1}"
+            self._load(what, load_of(load, what) if isinstance(load, str) else load)
 
     def _load(self, what: str, load: Any) -> None:
         what = _known(what, load, _LOAD, _AS_LOAD)
-        if ("force" in load) == ("couple" in load):
+        sizes = [word for word in _SIZES if word in load]
+        if len(sizes) != 1:
             raise InputError(f"{what}: must have a force or a couple", _AS_LOAD)
+        size = sizes[0]
+        kind = size if size != "table" else "force" if "at" in load else "couple"
         name = gate.line(what, load.get("name", ""))
-        if "couple" in load:
+        if "unit" in load and size != "table":
+            raise InputError(f"{what}: unit: is that of a table", f"as in '{size}': '2 kN'")
+        if size == "table":
+            number = self._over_place(what, load, kind)
+        else:
+            number = self._number(f"{what}: {kind}", load[kind], kind)
+        if kind == "couple":
             for word in ("at", "angle"):
                 if word in load:
                     raise InputError(f"{what}: a couple has no '{word}'", 'as in "on": "rocker"')
-            body = self._turning(what, load.get("on"))
-            number = self._number(f"{what}: couple", load["couple"], "couple")
-            self._add("couple", body, "", name, couple=number)
+            self._add("couple", self._turning(what, load.get("on")), "", name, couple=number)
             return
         body, point = self._site(what, load.get("at"), load.get("on"))
-        numbers = {
-            quantity: self._number(f"{what}: {quantity}", load.get(quantity, 0.0), quantity)
-            for quantity in ("force", "angle")
-        }
-        self._add("force", body, point, name, **numbers)
+        angle = self._number(f"{what}: angle", load.get("angle", 0.0), "direction")
+        self._add("force", body, point, name, force=number, angle=angle)
 
-    def masses(self, masses: Any, gravity: tuple[Number, Number] | None) -> None:
+    def _over_place(self, what: str, load: Mapping[str, Any], kind: str) -> Number:
+        """Return the load of a table at the place of the driver."""
+        columns = load["table"]
+        if not isinstance(columns, list | tuple | np.ndarray) or len(columns) != 2:
+            hint = "as in 'table': ([0, 180, 360], [0, 800, 0])"
+            raise InputError(
+                f"{what}: table: must be places and loads, got {quoted(columns)}", hint
+            )
+        table = checked_table(f"{what}: table", *columns)
+        factor = unit_of(f"{what}: unit", load["unit"], kind) if "unit" in load else 1.0
+        turns = self.bodies.linkage.driver.kind == "angle"
+        try:
+            return at_table(table, self._place, 360.0 if turns else None) * factor
+        except InputError as error:
+            raise InputError(f"{what}: {error}", error.hint) from None
+
+    def masses(self, masses: Mapping[str, Any], gravity: tuple[Number, Number] | None) -> None:
         """Add masses by the names of their bodies, with their weights if there is gravity."""
-        if not isinstance(masses, Mapping):
-            raise InputError(f"masses: must be masses by body, got {quoted(masses)}", _AS_MASS)
         metres = metres_of(self._unit)
         for body, mass in masses.items():
             what = f"mass of {body}"
@@ -128,11 +156,8 @@ class Given:
         if "inertia" in given or "radius" in given:
             self._add("spin", body, "", body, inertia=inertia)
 
-    def friction(self, friction: Any) -> None:
+    def friction(self, friction: Mapping[str, Any]) -> None:
         """Add coefficients of friction by the names of slides."""
-        if not isinstance(friction, Mapping):
-            hint = 'as in {"slider": 0.1}'
-            raise InputError(f"friction: must be numbers by slide, got {quoted(friction)}", hint)
         blocks = {joint.other: joint.slide for joint in self.bodies.joints if joint.slide}
         for body, value in friction.items():
             slide = blocks.get(body) if isinstance(body, str) else None

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from vad import gate
 from vad.errors import InputError, UsageError, one_of, quoted
-from vad.kinematics.linkage import points_of
+from vad.kinematics.linkage import Linkage, points_of
 from vad.kinematics.motion import Motion, solve
 from vad.kinematics.solver import Solver
 from vad.strokes.arithmetic import with_digits
@@ -29,6 +29,7 @@ from vad.strokes.sheet import (
     Source,
     driver_of,
 )
+from vad.units import DIMENSIONS
 from vad.words import Language
 
 if TYPE_CHECKING:
@@ -148,6 +149,8 @@ def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, 
         metadata = plain.__dataclass_fields__[name].metadata
         if name.endswith(_TWIST):
             continue  # it follows its length
+        if metadata["quantity"] not in DIMENSIONS:
+            continue  # it belongs to a load or a mass
         if metadata["quantity"] != "angle":
             shown.append(
                 (
@@ -163,7 +166,7 @@ def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, 
         if "between" in metadata or (value and not usual):
             shown.append((named(name, language), value, "°"))
     for name, (link, distance, *angle) in mechanism.points.items():
-        tail, head = points_of(mechanism.links[link])
+        tail, head = points_of(mechanism.links.get(link) or _rod_ends(mechanism, link))
         shown.append((tail + name, distance, unit))
         shown += [(head + tail + name, each, "°") for each in angle if each]
     if len(shown) > MOST:
@@ -171,6 +174,15 @@ def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, 
         shown = [each for each in shown if each[0] not in coordinates]
     found: tuple[tuple[str, float, str], ...] = canonical(tuple(shown[:MOST]))
     return found
+
+
+def _rod_ends(mechanism: Mechanism, rod: str) -> str:
+    """Return the points by which the rod of a cylinder is named: its outer end first."""
+    linkage = mechanism.marked()
+    assert isinstance(linkage, Linkage)
+    barrel, end = next((b, e) for b, e in linkage.cylinders.items() if e.name == rod)
+    other = next(point for point in points_of(mechanism.links[barrel]) if point != end.point)
+    return end.point + other
 
 
 def _largest(rows: list[Row], panels: tuple[Panel, ...]) -> dict[str, float]:
