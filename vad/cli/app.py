@@ -16,7 +16,7 @@ import vad
 from vad import __version__
 from vad.cli import check, compare, completion
 from vad.cli.groups import HelpfulCommand, MechanismGroup
-from vad.cli.options import flag, length_unit_of
+from vad.cli.options import burden_options, flag, length_unit_of, take_burden
 from vad.errors import InputError, unknown
 from vad.files.examples import example_names, example_path, example_title
 from vad.mechanisms import MECHANISMS, Mechanism, mechanism_named, mechanism_names
@@ -206,10 +206,19 @@ def print_example(name: str | None) -> None:
     click.echo(text.rstrip())
 
 
-def _solve(mechanism: Mechanism, inputs: dict[str, Any], as_json: bool = False) -> None:
-    """Print the numbers of one pose."""
+def _solve(
+    mechanism: Mechanism, inputs: dict[str, Any], as_json: bool = False, **given: Any
+) -> None:
+    """Print the numbers of one pose, and its forces if there is anything that makes some."""
+    burden = take_burden(mechanism, given)
     motion = vad.solve(mechanism, **inputs)
-    click.echo(json.dumps(motion.to_dict(), ensure_ascii=False) if as_json else motion.table())
+    found = motion.to_dict()
+    text = "" if as_json else motion.table()
+    if mechanism.burden.beside(burden):
+        forces = vad.forces(motion, *burden)
+        found |= {"forces": forces.to_dict()}
+        text = text and f"{text}\n\n{forces.table()}"
+    click.echo(json.dumps(found, ensure_ascii=False) if as_json else text)
 
 
 app.add_command(
@@ -217,7 +226,10 @@ app.add_command(
         "solve",
         "Print the numbers of one pose.",
         _solve,
-        [click.Option(["--json", "as_json"], is_flag=True, help="as JSON, with all digits")],
+        [
+            click.Option(["--json", "as_json"], is_flag=True, help="as JSON, with all digits"),
+            *burden_options(),
+        ],
     )
 )
 app.add_command(compare.command)

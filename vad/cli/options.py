@@ -24,6 +24,7 @@ from vad.files.examples import EXTENSION, example_names
 from vad.files.places import WORDS
 from vad.mechanisms import Mechanism, mechanism_named
 from vad.mechanisms.mechanism import NUMBERS
+from vad.statics.burden import Burden, burden_of
 from vad.units import LENGTH_UNITS, scene_unit
 from vad.written import typed
 
@@ -37,6 +38,15 @@ OWN = {
     *("help", "from", "to", "start", "stop", "point", "json", "as_json", "o", "output"),
     *("panels", "style", "language", "size", "paper", "blank", "at", "turn"),
     *("fps", "speed", "still", "loop", "subtitles", "steps", "port", "no_browser"),
+    *("load", "mass", "inertia", "gravity", "friction"),
+}
+#: The options that say what a mechanism has to bear: how each is written, and what it is.
+_BURDEN = {
+    "load": ("'FORCE @ ANGLE at POINT'", "a force, or a couple, as in '-6 N m on rocker'"),
+    "mass": ("'BODY MASS at POINT'", "a mass, as in 'coupler 2 kg at G'"),
+    "inertia": ("'BODY INERTIA'", "about the point of the mass, as in 'coupler 0.01 kg m^2'"),
+    "gravity": ("ACCELERATION", "along -y, as in 9.81 m/s^2; or x,y"),
+    "friction": ("'SLIDE NUMBER'", "in a slide, as in 'ram 0.1'"),
 }
 _INPUT_HELP = {
     "angle": "angle of the driven link",
@@ -201,6 +211,36 @@ def _callback(read: Callable[[Any, click.Context], Any]) -> Callback:
             raise UsageError(f"{param.opts[0]}: {error}", error.hint) from None
 
     return called
+
+
+def burden_options() -> list[click.Option]:
+    """Return the options of loads, masses, gravity and friction."""
+    return [
+        click.Option(
+            [flag(name), name],
+            multiple=name != "gravity",
+            metavar=metavar,
+            help=f"{text}  [none]" if name == "gravity" else f"{text}; may be given again  [none]",
+        )
+        for name, (metavar, text) in _BURDEN.items()
+    ]
+
+
+def take_burden(mechanism: Mechanism, given: dict[str, Any]) -> Burden:
+    """Take from ``given`` what a mechanism has to bear beside its own.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        For what cannot be read; for gravity without a mass, and friction without a load.
+    """
+    found = burden_of(**{name: given.pop(name) for name in _BURDEN if name in given})
+    whole = mechanism.burden.beside(found)
+    if found.gravity is not None and not whole.masses:
+        raise UsageError("--gravity: there is no mass", "as in --mass 'coupler 2 kg at G'")
+    if found.friction and not whole:
+        raise UsageError("--friction: there is no load", "as in --load '80 N @ 150 at E'")
+    return found
 
 
 def mechanism_options(kind: type[Mechanism], ranged: bool = False) -> list[click.Parameter]:

@@ -18,7 +18,15 @@ import click
 import vad
 from vad.cli import completion
 from vad.cli.groups import HelpfulCommand, MechanismGroup
-from vad.cli.options import NamedOption, path, places, several, size
+from vad.cli.options import (
+    NamedOption,
+    burden_options,
+    path,
+    places,
+    several,
+    size,
+    take_burden,
+)
 from vad.cli.process import (
     before_an_end_at_once,
     check_interrupt,
@@ -318,9 +326,10 @@ def sweep(mechanism: Mechanism, inputs: Inputs, output: str, **ends: Any) -> Non
     """Write the results over a range of the input, as a table or a plot."""
     from vad.export.sweep import save_sweep
 
+    burden = take_burden(mechanism, ends)
     driven = next(iter(mechanism.inputs))
     swept = sweep_places(mechanism, **ends)
-    save_sweep(vad.solve(mechanism, **{driven: swept}, **inputs), output)
+    save_sweep(vad.solve(mechanism, **{driven: swept}, **inputs), output, burden)
     say_written(output)
     note_change_points(mechanism, float(swept.min()), float(swept.max()))
 
@@ -437,6 +446,7 @@ VERBS: tuple[click.Command, ...] = (
         [
             _output(formats("sweep")),
             click.Option(["--steps"], type=int, help="number of poses, both ends included  [361]"),
+            *burden_options(),
         ],
         ranged=True,
     ),

@@ -19,10 +19,14 @@ from vad.export import formats
 from vad.export.files import new_file
 from vad.kinematics.motion import MotionInSpace, Motions
 from vad.kinematics.results import Joint
+from vad.statics.burden import Burden
+from vad.statics.forces import forces
 from vad.units import scene_unit
 
 #: The modules that write a sweep, by the extension of the file; each is imported when it is used.
 FORMATS = formats("sweep")
+#: Nothing that makes forces.
+NONE = Burden()
 _LINK = ("angle", "omega", "alpha")
 _SLIDE = _POINT = ("position", "velocity", "acceleration")
 # The range that is shown leaves out this share of the poses (in percent) at either end, if they
@@ -30,8 +34,10 @@ _SLIDE = _POINT = ("position", "velocity", "acceleration")
 _TAIL, _PEAK = 4.0, 6.0
 
 
-def save_sweep(motion: Motions, path: str | Path) -> None:
+def save_sweep(motion: Motions, path: str | Path, burden: Burden = NONE) -> None:
     """Write a motion over an array of inputs to a file, whose extension chooses the format.
+
+    With a ``burden``, its forces are columns, too.
 
     Raises
     ------
@@ -48,7 +54,7 @@ def save_sweep(motion: Motions, path: str | Path) -> None:
             f"a sweep cannot be saved as {quoted(str(path))}", hint=f"as {' or '.join(FORMATS)}"
         )
     with new_file(path) as stream:
-        import_module(FORMATS[kind]).write(motion, stream)
+        import_module(FORMATS[kind]).write(motion, stream, burden)
 
 
 def check_closes(anywhere: bool) -> None:
@@ -84,7 +90,7 @@ class Results:
     """A motion over the places of its driver.
 
     ``points`` are those marked on its links, ``bodies`` links in space that turn about no fixed
-    line.
+    line; ``forces`` the drive, and the force in each joint.
     """
 
     place: Column
@@ -93,6 +99,7 @@ class Results:
     points: tuple[Curves, ...] = ()
     joints: tuple[Curves, ...] = ()
     bodies: tuple[Curves, ...] = ()
+    forces: tuple[Curves, ...] = ()
 
     @property
     def turning(self) -> tuple[Curves, ...]:
@@ -102,7 +109,7 @@ class Results:
     @property
     def rows(self) -> tuple[Curves, ...]:
         """All of them."""
-        return (*self.turning, *self.bodies, *self.slides, *self.points)
+        return (*self.turning, *self.bodies, *self.slides, *self.points, *self.forces)
 
     @property
     def driver(self) -> Curves:
@@ -110,8 +117,8 @@ class Results:
         return next(row for row in (*self.links, *self.slides) if row.driven)
 
 
-def results_of(motion: Motions) -> Results:
-    """Return what is written of a motion: its input, links, joints, slides and marked points."""
+def results_of(motion: Motions, burden: Burden = NONE) -> Results:
+    """Return what is written of a motion: its input, links, joints, slides, points and forces."""
     unit, driver = motion.mechanism.length_unit, motion.solver.driver
     links = motion.mechanism.links
     slides = motion.mechanism.slides | links  # a link that grows slides between its own ends
@@ -143,7 +150,19 @@ def results_of(motion: Motions) -> Results:
         tuple(vectors(p, p, motion.point(p), _POINT) for p in motion.mechanism.points),
         tuple(row(f"joint {letter}", letter, joint, _LINK) for letter, joint in _joints(motion)),
         tuple(vectors(each, links[each], motion.link(each), _LINK[1:]) for each in bodies),
+        _forces(motion, burden) if motion.mechanism.burden.beside(burden) else (),
     )
+
+
+def _forces(motion: Motions, burden: Burden) -> tuple[Curves, ...]:
+    """Return the drive, and the force in each joint by axes."""
+    found = forces(motion, *burden)
+    drive = Column("", found.drive_unit, found.drive)
+    rows = [Curves("drive", "", False, (drive,))]
+    for one, other, point, force in found.joints:
+        columns = tuple(Column(axis, "N", values) for axis, values in _by_axis(force))
+        rows.append(Curves(f"{one}.{other}.force", point, False, columns))
+    return tuple(rows)
 
 
 def _joints(motion: Motions) -> Iterator[tuple[str, Joint[NDArray[np.float64]]]]:

@@ -15,8 +15,9 @@ import numpy as np
 import orjson
 from numpy.typing import NDArray
 
-from vad.export.sweep import Results, check_closes, results_of
+from vad.export.sweep import NONE, Results, check_closes, results_of
 from vad.kinematics.motion import Motions, solve
+from vad.statics.burden import Burden
 
 #: How many poses are a block: its arrays fit into a processor's cache.
 _BLOCK = 10_000
@@ -25,8 +26,8 @@ _ALIKE = 1e-4, 1e16
 _GAP = b"null"
 
 
-def write(motion: Motions, target: BinaryIO) -> None:
-    """Write the results of a motion; a cell is empty where there is none.
+def write(motion: Motions, target: BinaryIO, burden: Burden = NONE) -> None:
+    """Write the results of a motion, and its forces; a cell is empty where there is none.
 
     Raises
     ------
@@ -35,7 +36,7 @@ def write(motion: Motions, target: BinaryIO) -> None:
     """
     assembled = False
     for place, block in enumerate(_blocks(motion)):
-        results = results_of(block)
+        results = results_of(block, burden)
         if place == 0:
             target.write(_head(results).encode())
         columns = [column.values for row in results.rows for column in row.columns]
@@ -57,7 +58,9 @@ def _head(results: Results) -> str:
     place = results.place
     heads = [f"{place.quantity} [{place.unit}]"]
     for row in results.rows:
-        heads += [f"{row.name} {column.quantity} [{column.unit}]" for column in row.columns]
+        heads += [
+            f"{row.name} {column.quantity}".rstrip() + f" [{column.unit}]" for column in row.columns
+        ]
     return ",".join(heads) + "\n"
 
 

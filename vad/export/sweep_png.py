@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 import textwrap
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any, BinaryIO
 
 import matplotlib as mpl
@@ -20,6 +20,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, MultipleLocator, ScalarFormatter
 
 from vad.export.sweep import (
+    NONE,
     Column,
     Curves,
     Results,
@@ -33,13 +34,16 @@ from vad.kinematics.motion import Motions
 from vad.kinematics.solver import Solver
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import roman
+from vad.statics.burden import Burden
 from vad.strokes.scene import members_of
 from vad.style import Style, load_style
-from vad.units import scene_unit
+from vad.units import DIMENSIONS, scene_unit
 from vad.words import Language
 from vad.written import THIN_SPACE, WRITTEN_OUT, quantity, sign, typeset
 
 _SIZE, _DPI = (1600, 1200), 100
+#: By how much a picture with forces is wider: they are a further column.
+_WIDER = 1.5
 _SYMBOLS = {
     "angle": "$\\theta$",
     "omega": "$\\omega$",
@@ -61,8 +65,8 @@ _ENGLISH = Language("en")
 _GAP, _PITCH = 0.5, 1.15
 
 
-def write(motion: Motions, target: BinaryIO) -> None:
-    """Write the plot of a motion's results.
+def write(motion: Motions, target: BinaryIO, burden: Burden = NONE) -> None:
+    """Write the plot of a motion's results, and of its forces.
 
     Raises
     ------
@@ -70,11 +74,12 @@ def write(motion: Motions, target: BinaryIO) -> None:
         If none of the poses can be assembled.
     """
     check_closes(bool(np.any(motion.assembled)))
-    results, style = results_of(motion), load_style("paper")
+    results, style = results_of(motion, burden), load_style("paper")
     with mpl.rc_context():
         mpl.rcdefaults()  # the user's own settings are for the user's own plots
         mpl.rcParams.update(_settings(style))
-        figure = Figure((_SIZE[0] / _DPI, _SIZE[1] / _DPI), dpi=_DPI, facecolor=style.background)
+        width = _SIZE[0] * (_WIDER if results.forces else 1.0)
+        figure = Figure((width / _DPI, _SIZE[1] / _DPI), dpi=_DPI, facecolor=style.background)
         _head(figure, motion, style)
         _curves(figure, results, _symbols(motion, results), style)
         title = f"{motion.mechanism.title}: a sweep of its {results.place.quantity}"
@@ -110,6 +115,7 @@ def _head(figure: Figure, motion: Motions, style: Style) -> None:
     given = [
         (_ENGLISH.name(name), value, quantities[name])
         for name, value in mechanism.parameters().items()
+        if quantities[name] in DIMENSIONS
     ]
     given += [(f"{_SYMBOLS[name]} =", value, name) for name, value in rates]
     items = [
@@ -139,12 +145,15 @@ def _curves(figure: Figure, results: Results, symbols: Mapping[str, str], style:
         [row for row in group if not row.driven] for group in (results.turning, results.slides)
     ]
     drawn = [group for group in groups if group]
-    plots = figure.subplots(_ORDERS, len(drawn), sharex=True, squeeze=False)
-    names = [_plain(row) for row in drawn[-1]]
-    right = min(0.885, 0.98 - _NAME_GAP - max(_share(width(roman(name), _NAME)) for name in names))
-    figure.subplots_adjust(0.09, 0.085, right, 0.775, wspace=0.60, hspace=0.40)
+    loaded = _sizes(results)
+    plots = figure.subplots(_ORDERS, len(drawn) + bool(loaded), sharex=True, squeeze=False)
+    names = [name for name, _ in loaded[1:]] or [_plain(row) for row in drawn[-1]]
+    wider = _WIDER if loaded else 1.0
+    longest = max(_share(width(roman(name), _NAME)) for name in names)
+    right = min(0.885, 0.98 - (_NAME_GAP + longest) / wider)
+    figure.subplots_adjust(0.09 / wider, 0.085, right, 0.775, wspace=0.60, hspace=0.40)
     spin = largest([row.columns[1] for row in results.turning])
-    for group, column in zip(drawn, plots.T, strict=True):
+    for group, column in zip(drawn, plots.T, strict=False):
         size = largest([row.columns[0] for row in group])
         for order, plot in enumerate(column):
             curves = [unwrapped(row.columns[order]) for row in group]
@@ -164,6 +173,42 @@ def _curves(figure: Figure, results: Results, symbols: Mapping[str, str], style:
                     ends.append(Ending(_name(row), ink, y[known[-1]]))
             name_ends(plot, ends, _points(_NAME))
         _input_axis(column[-1], results)
+    if loaded:
+        _forces(plots.T[-1], results, loaded, style)
+
+
+def _sizes(results: Results) -> list[tuple[str, Column]]:
+    """Return the drive, and the size of the force in each joint, with their names."""
+    found = []
+    for row in results.forces:
+        one, _, other = row.name.removesuffix(".force").partition(".")
+        name = f"{_ENGLISH.name(one)} on {_ENGLISH.name(other)}" if other else row.name
+        value = row.columns[0].values
+        if len(row.columns) > 1:
+            value = np.hypot(value, row.columns[1].values)
+        found.append((name, replace(row.columns[0], values=value)))
+    return found
+
+
+def _forces(
+    plots: Sequence[Axes], results: Results, loaded: Sequence[tuple[str, Column]], style: Style
+) -> None:
+    """Draw the drive, and below it the sizes of the forces in the joints."""
+    symbols = "$T$" if results.place.quantity == "angle" else "$F$", "$F$"
+    for plot, symbol, rows in zip(plots, symbols, (loaded[:1], loaded[1:]), strict=False):
+        curves = [column for _, column in rows]
+        _dress(plot, curves, symbol, largest(curves), style)
+        ends = []
+        for place, (name, curve) in enumerate(rows):
+            ink, y = style.colour("row", place), curve.values
+            plot.plot(results.place.values, y, color=ink, linewidth=_points(0.0040))
+            known = np.flatnonzero(np.isfinite(y))
+            if known.size:
+                ends.append(Ending(name, ink, y[known[-1]]))
+        name_ends(plot, ends, _points(_NAME))
+    plots[-1].set_visible(False)
+    _input_axis(plots[1], results)
+    plots[1].tick_params(labelbottom=True)
 
 
 def _dress(plot: Axes, curves: Sequence[Column], symbol: str, scale: float, style: Style) -> None:

@@ -15,7 +15,7 @@ from vad.errors import InputError, quoted, unknown
 from vad.files.description import Expression, Values
 from vad.files.tables import Numbers
 from vad.statics.burden import Burden
-from vad.statics.tables import unit_of
+from vad.statics.tables import checked_table, unit_of
 
 _LOAD = ("at", "on", "force", "angle", "couple", "table", "unit")
 _MASS = ("mass", "at", "inertia", "radius")
@@ -105,8 +105,11 @@ def _load(numbers: Numbers, name: str, given: Any) -> dict[str, Any]:
         with numbers.source.at("loads", name):
             quantity = "force" if "at" in given else "couple"
             factor = unit_of(f"{name}: unit", given["unit"], quantity) if "unit" in given else 1.0
-        places, values = given["table"]
-        found["table"] = places, [factor * value for value in values]
+            columns = given["table"]
+            if not isinstance(columns, list | tuple) or len(columns) != 2:
+                raise InputError(f"{name}: table: must be places and loads, or a file beside this")
+            places, values = checked_table(f"{name}: table", *columns)
+        found["table"] = places, tuple(factor * value for value in values)
     else:
         help = f"the {kind} {name}"
         found[kind] = numbers.take("loads", name, name, given[kind], kind, signed=True, help=help)

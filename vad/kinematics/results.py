@@ -168,11 +168,11 @@ def table(data: dict[str, Any], mechanism: Mechanism) -> str:
     moving = [("", unit["length"]), ("v_", unit["velocity"]), ("a_", unit["acceleration"])]
     spinning = [(f"{name}_", unit[name]) for name in ("omega", "alpha")]
     blocks = [
-        _block(["link", *turning], lines),
-        _block(["body", *_by_axis(spinning, axes)], bodies),
-        _block(["joint", *turning], joints),
-        _block(["slide", *sliding], slides),
-        _block(["point", *_by_axis(moving, axes)], data["points"]),
+        block(["link", *turning], lines),
+        block(["body", *_by_axis(spinning, axes)], bodies),
+        block(["joint", *turning], joints),
+        block(["slide", *sliding], slides),
+        block(["point", *_by_axis(moving, axes)], data["points"]),
     ]
     return "\n\n".join([titled, *filter(None, blocks)])
 
@@ -181,7 +181,7 @@ def _by_axis(quantities: list[tuple[str, str]], axes: str) -> list[str]:
     return [f"{name}{axis}, {unit}" for name, unit in quantities for axis in axes]
 
 
-def _block(head: list[str], rows: dict[str, dict[str, Any]]) -> str:
+def block(head: list[str], rows: dict[str, dict[str, Any]]) -> str:
     """Return rows under a head, a vector's parts in columns of their own; nothing without rows."""
     cells = [
         [

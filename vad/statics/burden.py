@@ -7,7 +7,7 @@ a moment of inertia "coupler 0.01 kg m^2", friction "ram 0.1".
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -51,6 +51,10 @@ class Burden:
     masses: Mapping[str, Any] = field(default_factory=dict)
     gravity: Any = None
     friction: Mapping[str, Any] = field(default_factory=dict)
+
+    def __iter__(self) -> Iterator[Any]:
+        """Yield loads, masses, gravity and friction, as `vad.forces` takes them."""
+        return iter((self.loads, self.masses, self.gravity, self.friction))
 
     def __bool__(self) -> bool:
         """Tell whether there is anything that makes forces."""

@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from vad.errors import InputError, UsageError, VadError, quoted, unknown
 from vad.kinematics.motion import Motion
 from vad.kinematics.numbers import Number, Real, Truth, Vector
-from vad.kinematics.results import plain
 from vad.kinematics.solution import Solution
 from vad.kinematics.solver import Solver
 from vad.statics.bodies import FRAME, Bodies
 from vad.statics.burden import Burden
+from vad.statics.listing import listed, table
 from vad.statics.loads import Given, gravity_of
 from vad.statics.solver import Acting, StaticSolver
 from vad.statics.turn import Turning
@@ -297,21 +297,22 @@ class Forces(Solution[Truth], Generic[Real, Vector, Truth]):
 
     def to_dict(self) -> dict[str, Any]:
         """Return the forces as ``vad solve --json`` has them under ``forces``."""
-        rubbing = {"friction": _listed(self.friction)} if self.solver.rough else {}
-        return {
-            "drive": plain(self.drive),
-            "joints": _listed(self.joints),
-            **rubbing,
-            "shaking": {"force": plain(self.shaking_force), "moment": plain(self.shaking_moment)},
-            "loads": [self._acting(number) for number in range(len(self.acting))],
-        }
+        return listed(self)
 
-    def _acting(self, number: int) -> dict[str, Any]:
-        kind, body, point, _, name = self.acting[number]
-        value = plain(self.acts(number))
-        found: dict[str, Any] = {"name": name} if name else {}
-        found |= {"kind": kind, "on": body}
-        return found | ({"at": point, "force": value} if point else {"couple": value})
+    def table(self) -> str:
+        """Return the forces of one pose as a table in plain text, with units."""
+        return table(self.to_dict(), self.bodies.driver.name, self.drive_unit)
+
+    @property
+    def moment_unit(self) -> str:
+        """The unit of couples: that of newtons times metres, or times a length without metres."""
+        unit = self.mechanism.length_unit
+        return f"N {unit}" if metres_of(unit) is None else "N m"
+
+    @property
+    def drive_unit(self) -> str:
+        """The unit of the drive: that of a couple, or newtons for a driven slide."""
+        return self.moment_unit if self.solver.driver.kind == "angle" else "N"
 
     def _of(self, kind: str, name: str = "") -> Any:
         stage = self.solver.stage
@@ -354,10 +355,3 @@ class Forces(Solution[Truth], Generic[Real, Vector, Truth]):
             f"{jammed} {verb}: friction {names} leaves no equilibrium",
             "with less friction it moves",
         )
-
-
-def _listed(joints: Iterable[JointForce]) -> list[dict[str, Any]]:
-    return [
-        {"of": one, "on": other, "at": point, "force": plain(force)}
-        for one, other, point, force in joints
-    ]

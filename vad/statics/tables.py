@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -60,11 +59,14 @@ def table_of(text: str, name: str) -> Table:
     return checked_table(name, tuple(x for x, _ in rows), tuple(y for _, y in rows))
 
 
-def checked_table(name: str, places: Sequence[Any], values: Sequence[Any]) -> Table:
+def checked_table(name: str, places: Any, values: Any) -> Table:
     """Return a table whose numbers are finite, and whose places ascend."""
-    if len(places) != len(values) or len(places) < 2:
+    columns = [
+        each if isinstance(each, list | tuple | np.ndarray) else () for each in (places, values)
+    ]
+    if len(columns[0]) != len(columns[1]) or len(columns[0]) < 2:
         raise InputError(f"{name}: a table needs two rows or more", _HINT)
-    pairs = [[number_of(name, each, "number") for each in column] for column in (places, values)]
+    pairs = [[number_of(name, each, "number") for each in column] for column in columns]
     for before, after in zip(pairs[0], pairs[0][1:], strict=False):
         if not before < after:
             raise InputError(f"{name}: its places must ascend, but {after:g} follows {before:g}")
