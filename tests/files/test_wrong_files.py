@@ -46,7 +46,7 @@ def test_the_lesson_itself_is_right():
     ("old", "new", "line", "message", "hint"),
     [
         ("[links]", "[link]", 5, "unknown table 'link'", "did you mean 'links'?"),
-        (TITLE, '"x"\nrod = { AB = 3 }', 2, "unknown table 'rod'", "known"),
+        (TITLE, '"x"\ncrank = { AB = 3 }', 2, "unknown table 'crank'", "known"),
         ("title", "titel", 1, "unknown word 'titel'", "did you mean 'title'?"),
         (TITLE, "3", 1, "title: must be a line of text", None),
         (TITLE, '"x"\nunit = "kg"', 2, "unit: 'kg' is not a unit of length", "mm, cm"),

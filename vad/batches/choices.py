@@ -22,7 +22,7 @@ from vad.batches.job import Value
 from vad.errors import InputError, UsageError, VadError, quoted, unknown
 from vad.files.examples import example_names
 from vad.files.loading import class_of
-from vad.files.tables import read_text, text_of
+from vad.files.tables import Source, read_file
 from vad.mechanisms import Mechanism, mechanism_named
 from vad.mechanisms.mechanism import NUMBERS
 from vad.units import number_of
@@ -184,7 +184,9 @@ def _stepped(low: float, high: float, step: float) -> tuple[float, ...]:
 
 
 def text_beside(sheets: Path, mechanism: str) -> str | None:
-    """Return the text of a mechanism's file beside the sheets; None if ``mechanism`` is a name.
+    """Return a mechanism's file beside the sheets as one text; None if ``mechanism`` is a name.
+
+    The tables of its loads, which are files of their own, are in this text.
 
     Raises
     ------
@@ -192,7 +194,7 @@ def text_beside(sheets: Path, mechanism: str) -> str | None:
         If there is neither such a file nor such a mechanism.
     """
     if mechanism.lower().endswith(_FILE):
-        return text_of(sheets.parent / mechanism)
+        return read_file(sheets.parent / mechanism).packed()
     try:
         mechanism_named(mechanism)
     except UsageError as wrong:
@@ -207,7 +209,7 @@ def kind_of(mechanism: str, text: str | None) -> type[Mechanism]:
     """Return the class of a mechanism, made once in each process."""
     if text is None:
         return mechanism_named(mechanism)
-    return class_of(read_text(text, Path(mechanism).name))
+    return class_of(Source.unpacked(text))
 
 
 def offered(
