@@ -98,6 +98,7 @@ def test_solving_loads_nothing_of_what_draws():
         "files",
         "discovery",
         "gate",
+        "statics",
         "kinematics",
         "mechanisms",
         "units",
