@@ -98,7 +98,6 @@ def test_solving_loads_nothing_of_what_draws():
         "files",
         "discovery",
         "gate",
-        "statics",
         "kinematics",
         "mechanisms",
         "units",

@@ -214,7 +214,7 @@ def _solve(
     motion = vad.solve(mechanism, **inputs)
     found = motion.to_dict()
     text = "" if as_json else motion.table()
-    if mechanism.burden.beside(burden):
+    if burden is not None:
         forces = vad.forces(motion, *burden)
         found |= {"forces": forces.to_dict()}
         text = text and f"{text}\n\n{forces.table()}"

@@ -24,12 +24,12 @@ from vad.files.examples import EXTENSION, example_names
 from vad.files.places import WORDS
 from vad.mechanisms import Mechanism, mechanism_named
 from vad.mechanisms.mechanism import NUMBERS
-from vad.statics.burden import Burden, burden_of
 from vad.units import LENGTH_UNITS, scene_unit
 from vad.written import typed
 
 if TYPE_CHECKING:
     from vad.export import OwnOption
+    from vad.statics.burden import Burden
 
 #: A function that reads the word after an option.
 Callback = Callable[[click.Context, click.Parameter, Any], Any]
@@ -226,21 +226,26 @@ def burden_options() -> list[click.Option]:
     ]
 
 
-def take_burden(mechanism: Mechanism, given: dict[str, Any]) -> Burden:
-    """Take from ``given`` what a mechanism has to bear beside its own.
+def take_burden(mechanism: Mechanism, given: dict[str, Any]) -> Burden | None:
+    """Take from ``given`` what a mechanism has to bear beside its own; None if nothing loads it.
 
     Raises
     ------
     vad.errors.UsageError
         For what cannot be read; for gravity without a mass, and friction without a load.
     """
-    found = burden_of(**{name: given.pop(name) for name in _BURDEN if name in given})
-    whole = mechanism.burden.beside(found)
-    if found.gravity is not None and not whole.masses:
+    words = {name: given.pop(name) for name in _BURDEN if name in given}
+    if not words and mechanism.burden is None:
+        return None
+    from vad.statics.burden import burden_of, whole  # most commands need no forces
+
+    found = burden_of(**words)
+    both = whole(mechanism.burden, found)
+    if found.gravity is not None and not both.masses:
         raise UsageError("--gravity: there is no mass", "as in --mass 'coupler 2 kg at G'")
-    if found.friction and not whole:
+    if found.friction and not both:
         raise UsageError("--friction: there is no load", "as in --load '80 N @ 150 at E'")
-    return found
+    return found if both else None
 
 
 def mechanism_options(kind: type[Mechanism], ranged: bool = False) -> list[click.Parameter]:

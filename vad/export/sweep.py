@@ -25,8 +25,6 @@ from vad.units import scene_unit
 
 #: The modules that write a sweep, by the extension of the file; each is imported when it is used.
 FORMATS = formats("sweep")
-#: Nothing that makes forces.
-NONE = Burden()
 _LINK = ("angle", "omega", "alpha")
 _SLIDE = _POINT = ("position", "velocity", "acceleration")
 # The range that is shown leaves out this share of the poses (in percent) at either end, if they
@@ -34,10 +32,10 @@ _SLIDE = _POINT = ("position", "velocity", "acceleration")
 _TAIL, _PEAK = 4.0, 6.0
 
 
-def save_sweep(motion: Motions, path: str | Path, burden: Burden = NONE) -> None:
+def save_sweep(motion: Motions, path: str | Path, burden: Burden | None = None) -> None:
     """Write a motion over an array of inputs to a file, whose extension chooses the format.
 
-    With a ``burden``, its forces are columns, too.
+    With a ``burden``, the forces of all that the mechanism has to bear are columns, too.
 
     Raises
     ------
@@ -117,7 +115,7 @@ class Results:
         return next(row for row in (*self.links, *self.slides) if row.driven)
 
 
-def results_of(motion: Motions, burden: Burden = NONE) -> Results:
+def results_of(motion: Motions, burden: Burden | None = None) -> Results:
     """Return what is written of a motion: its input, links, joints, slides, points and forces."""
     unit, driver = motion.mechanism.length_unit, motion.solver.driver
     links = motion.mechanism.links
@@ -150,7 +148,7 @@ def results_of(motion: Motions, burden: Burden = NONE) -> Results:
         tuple(vectors(p, p, motion.point(p), _POINT) for p in motion.mechanism.points),
         tuple(row(f"joint {letter}", letter, joint, _LINK) for letter, joint in _joints(motion)),
         tuple(vectors(each, links[each], motion.link(each), _LINK[1:]) for each in bodies),
-        _forces(motion, burden) if motion.mechanism.burden.beside(burden) else (),
+        () if burden is None else _forces(motion, burden),
     )
 
 

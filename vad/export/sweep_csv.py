@@ -15,7 +15,7 @@ import numpy as np
 import orjson
 from numpy.typing import NDArray
 
-from vad.export.sweep import NONE, Results, check_closes, results_of
+from vad.export.sweep import Results, check_closes, results_of
 from vad.kinematics.motion import Motions, solve
 from vad.statics.burden import Burden
 
@@ -26,7 +26,7 @@ _ALIKE = 1e-4, 1e16
 _GAP = b"null"
 
 
-def write(motion: Motions, target: BinaryIO, burden: Burden = NONE) -> None:
+def write(motion: Motions, target: BinaryIO, burden: Burden | None = None) -> None:
     """Write the results of a motion, and its forces; a cell is empty where there is none.
 
     Raises

@@ -20,7 +20,6 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, MultipleLocator, ScalarFormatter
 
 from vad.export.sweep import (
-    NONE,
     Column,
     Curves,
     Results,
@@ -65,7 +64,7 @@ _ENGLISH = Language("en")
 _GAP, _PITCH = 0.5, 1.15
 
 
-def write(motion: Motions, target: BinaryIO, burden: Burden = NONE) -> None:
+def write(motion: Motions, target: BinaryIO, burden: Burden | None = None) -> None:
     """Write the plot of a motion's results, and of its forces.
 
     Raises

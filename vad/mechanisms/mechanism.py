@@ -12,11 +12,11 @@ from vad import gate
 from vad.errors import InputError, one_of, quoted
 from vad.kinematics.linkage import Linkage
 from vad.mechanisms.link_points import LinkPoint, LinkPoints, link_points, marked
-from vad.statics.burden import Burden
 from vad.units import DIMENSIONS
 
 if TYPE_CHECKING:
     from vad.kinematics.space.linkages import SpaceLinkage
+    from vad.statics.burden import Burden
 
 
 CRANK = {"angle": 60.0, "omega": 10.0, "alpha": 0.0}
@@ -174,9 +174,9 @@ class Mechanism:
         return linkage
 
     @property
-    def burden(self) -> Burden:
-        """What it has to bear of its own: nothing, but for one from a file."""
-        return Burden()
+    def burden(self) -> Burden | None:
+        """What it has to bear of its own: None, but for one from a file."""
+        return None
 
     def parameters(self) -> dict[str, float]:
         """Return the numeric parameters that are set, by name."""

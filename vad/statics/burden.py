@@ -75,6 +75,14 @@ class Burden:
         )
 
 
+NOTHING = Burden()
+
+
+def whole(own: Burden | None, more: Burden = NOTHING) -> Burden:
+    """Return what a mechanism has to bear of its own, and more beside it."""
+    return more if own is None else own.beside(more)
+
+
 def burden_of(
     load: Iterable[str] = (),
     mass: Iterable[str] = (),

@@ -15,7 +15,7 @@ from vad.kinematics.numbers import Number, Real, Truth, Vector
 from vad.kinematics.solution import Solution
 from vad.kinematics.solver import Solver
 from vad.statics.bodies import FRAME, Bodies
-from vad.statics.burden import Burden
+from vad.statics.burden import Burden, whole
 from vad.statics.listing import listed, table
 from vad.statics.loads import Given, gravity_of
 from vad.statics.solver import Acting, StaticSolver
@@ -77,8 +77,7 @@ def forces(
             "as in vad.forces(vad.solve(vad.FourBar()), loads)",
         )
     more = Burden((), _by_name("masses", masses), gravity, _by_name("friction", friction))
-    whole = motion.mechanism.burden.beside(more)
-    return forces_of(motion, whole, loads)
+    return forces_of(motion, whole(motion.mechanism.burden, more), loads)
 
 
 def forces_of(
