@@ -229,7 +229,7 @@ function docked(root, body, player) {
   }
 
   // What a hand overwrites.
-  const written = [...root.querySelectorAll(".cell, header p")].map((each) => [each, each.innerHTML]);
+  const written = [...root.querySelectorAll(".cell")].map((each) => [each, each.innerHTML]);
 
   // ---- turning by itself ----
 

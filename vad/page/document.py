@@ -31,9 +31,19 @@ _START = (
     "const player=mount(root,data);"
 )
 #: The scripts of a page that is turned, those first that others use.
-_HAND = ("solver.js", "labels.js", "picture.js", "reach.js", "hand.js", "dock.js", "outside.js")
+_HAND = (
+    "solver.js",
+    "labels.js",
+    "picture.js",
+    "reach.js",
+    "hand.js",
+    "dock.js",
+    "rail.js",
+    "outside.js",
+)
 _TURNED = (
     "const body=driven(root,solver(data.program),data.hand),dock=docked(root,body,player);"
+    "railed(root,body,dock);"
     "window.vad=outside(root,body,dock,player);body.show();"
 )
 
@@ -100,7 +110,8 @@ def section(lesson: Lesson, made: Parts) -> str:
         f'<div class="results">{made.table}</div>\n'
         f"{player(code, titles, made.chapters, len(lesson.steps), made.lines)}</div>\n"
         f'<aside class="rail"><section class="steps"><h2>{escape(strokes)}</h2>\n'
-        f'<div class="lists">{made.steps}</div></section></aside>\n</main>\n'
+        f'<div class="lists">{made.steps}</div></section>'
+        f'<div class="set"></div></aside>\n</main>\n'
     )
 
 

@@ -244,6 +244,7 @@ def _described(
         "rates": [outputs.of(each) for each in rates],
         "solved": template(found, board.mechanism.parameters(), outputs.of),
         "dimensions": [],
+        "sliders": True,
         "turns": kind,
         "turn": said[kind],
         "symbols": [

@@ -318,6 +318,7 @@ export function mount(root, data, { address = true } = {}) {
 
   one(".control").hidden = false;
   unfold(wide.matches && rail !== one(".steps"));
+  new ResizeObserver(() => root.style.setProperty("--dock", `${one(".control").offsetHeight}px`)).observe(one(".control"));
   on(wide, "change", () => unfold(wide.matches && rail !== one(".steps")));
   one("[data-do=full]").hidden = !document.fullscreenEnabled;
   one("[data-do=theme]").hidden = !root.dataset.themes?.includes(" ");

@@ -1,0 +1,132 @@
+// The rail while a hand holds the mechanism: sliders and boxes for its rates and its dimensions, and
+// what is shown.
+//
+// railed(root, body, dock): each row has a name, a box, a unit and a slider with a notch at the
+// lesson's value. What does not go is not done: the slider stops, and the dock says why.
+
+const SOME = 5, FOLDED = 4, TRIES = 12;
+
+function railed(root, body, dock) {
+  const { data, state } = body, { words } = data, rows = [];
+  const place = root.querySelector(".set"), items = [...root.querySelectorAll("header p span")].map((span) => [span, span.textContent]);
+  if (!place) return;
+
+  function element(kind, properties, ...inside) {
+    const made = Object.assign(document.createElement(kind), properties);
+    made.append(...inside);
+    return made;
+  }
+
+  const section = (title, ...inside) => {
+    const made = element("fieldset", {}, element("legend", { textContent: title }), ...inside);
+    place.append(made);
+    return made;
+  };
+
+  // A number with as many digits as a step of the slider tells.
+  const digits = (step) => Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  const tidy = (value, step) => +value.toPrecision(12) === +value.toFixed(digits(step)) ? value.toFixed(digits(step)).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "") : `${+value.toPrecision(6)}`;
+  const written = (text) => text.replace("-", "−").replace(".", data.point);
+
+  function row(name, html, index, [low, high], unit) {
+    const step = round125((high - low) / 200), start = data.start[index];
+    const slider = element("input", { type: "range", min: low, max: high, step: "any" });
+    const box = element("input", { inputMode: "decimal", autocomplete: "off" });
+    const label = element("span", { className: "name" });
+    label.innerHTML = html;
+    for (const each of [slider, box]) each.setAttribute("aria-label", `${label.textContent}, ${unit}`);
+    slider.style.setProperty("--notch", clamp((start - low) / (high - low), 0, 1));
+    const made = element("div", { className: "size" }, label, box, element("span", { className: "unit", textContent: unit }), slider);
+    const show = () => {
+      slider.value = state[index];
+      if (document.activeElement !== box) box.value = written(tidy(state[index], step));
+      slider.setAttribute("aria-valuetext", `${box.value} ${unit}`);
+    };
+    const change = (value) => {
+      dock.begin();
+      const said = reached(index, value);
+      dock.scale();
+      dock.settle();
+      show();
+      if (said) dock.fault(filled(words.guarded, { name: label.textContent, value: `${box.value} ${unit}` }));
+    };
+    const typed = () => {
+      const value = dock.read(box.value), wrong = value === null || (low > 0 && value <= 0);
+      box.toggleAttribute("aria-invalid", wrong);
+      if (!wrong) return change(value);
+      dock.begin();
+      dock.fault(filled(words[value === null ? "no-number" : "positive"], { name: label.textContent, value: box.value || "–" }));
+    };
+    slider.addEventListener("input", () => change(Math.round(slider.value / step) * step));
+    slider.addEventListener("change", dock.commit);
+    slider.addEventListener("dblclick", () => { change(start); dock.commit(); });
+    box.addEventListener("change", typed);
+    box.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape") return;
+      box.removeAttribute("aria-invalid");
+      box.blur();
+      show();
+      event.stopPropagation();
+    });
+    rows.push({ show, name, index, step, unit });
+    return made;
+  }
+
+  // Sets an input; where the links then close nowhere, or the picture does not hold, as near to it
+  // as it goes. True if that is not all the way.
+  function reached(index, value) {
+    const was = [...state], to = (share) => was.map((each, i) => i === index ? (share < 1 ? each + share * (value - each) : value) : each);
+    if (body.set(to(1))) return false;
+    let inside = 0, outside = 1;
+    for (let i = 0; i < TRIES; i++) {
+      const middle = (inside + outside) / 2;
+      if (body.set(to(middle))) inside = middle;
+      else outside = middle;
+    }
+    body.set(to(inside));
+    return true;
+  }
+
+  // The rates reach to both sides, as far as the lesson's own or a usual one.
+  const rates = data.own.slice(1).map((_, i) => {
+    const own = Math.abs(data.start[i + 1]), speed = Math.abs(data.start[1]);
+    return 2 * (own || (i && body.turns ? speed ** 2 / 2 : speed) || 10);
+  });
+  if (data.sliders) {
+    section(words.motion, ...rates.map((most, i) => row(data.inputs[i + 1], data.symbols[i + 1], i + 1, [-most, most], data.units[i + 1])));
+    const sizes = data.dimensions.map(([name, , low, high, unit, index]) => row(name, (data.names ?? {})[name] ?? name, index, [low, high], unit));
+    const first = sizes.length > SOME ? FOLDED : sizes.length;
+    if (sizes.length) {
+      const made = section(words.dimensions, ...sizes.slice(0, first));
+      if (first < sizes.length)
+        made.append(element("details", {}, element("summary", { textContent: filled(words.more, { count: sizes.length - first }) }), ...sizes.slice(first)));
+    }
+  }
+
+  // What is shown, each by a button.
+  const shows = section(words.show);
+  shows.className = "shows";
+  function showing(name, on, change) {
+    const button = element("button", { type: "button", textContent: name });
+    const press = (now) => { button.setAttribute("aria-pressed", now); change(now); };
+    button.addEventListener("click", () => press(button.getAttribute("aria-pressed") !== "true"));
+    shows.append(button);
+    press(on);
+  }
+  showing(words.names, true, (on) => root.classList.toggle("unlettered", !on));
+
+  // The line beside the title has the dimensions of now.
+  function follow() {
+    for (const each of rows) each.show();
+    for (const [span, text] of items) {
+      const own = rows.find(({ name, index }) => index >= data.own.length && text.startsWith(`${(data.names ?? {})[name] ?? name}\u00a0`));
+      if (own && dock.held && state[own.index] !== data.start[own.index])
+        span.textContent = `${(data.names ?? {})[own.name] ?? own.name}\u00a0${written(tidy(state[own.index], own.step))}${own.unit === "°" ? "" : "\u00a0"}${own.unit}`;
+      else if (span.textContent !== text) span.textContent = text;
+    }
+  }
+
+  dock.on(follow);
+  follow();
+  return showing;
+}
