@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import json
+import re
+import zlib
+from base64 import b64decode
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +38,12 @@ def lesson_of(name: str, code: str = "en", style: str = "paper", whole: bool = F
 def page_of(name: str, code: str = "en", style: str = "paper", whole: bool = False) -> str:
     """Return its page."""
     return document(lesson_of(name, code, style, whole))
+
+
+def bundle_of(html: str) -> tuple[str, dict[str, Any], list[str]]:
+    """Return what a page has packed: its script, its data, and what a hand moves in each panel."""
+    text = re.search(r'<script type="text/plain" id="data">(.*?)</script>', html).group(1)
+    return tuple(json.loads(zlib.decompress(b64decode(text), -zlib.MAX_WBITS)))
 
 
 #: The lesson that is played, how many strokes it has, and the first of each panel.

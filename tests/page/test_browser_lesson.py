@@ -8,7 +8,18 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from tests.browser import opened, until, violations
-from tests.page.lessons import FIRST, LESSON, STROKES, WORDS, at, page_of, press, scrub, show
+from tests.page.lessons import (
+    FIRST,
+    LESSON,
+    STROKES,
+    WORDS,
+    at,
+    bundle_of,
+    page_of,
+    press,
+    scrub,
+    show,
+)
 
 
 def test_it_opens_empty_and_in_its_own_type(lesson: Page) -> None:
@@ -32,7 +43,7 @@ def test_it_plays_without_a_net(lesson: Page) -> None:
 
 def test_every_stroke_by_keyboard_and_back(lesson: Page) -> None:
     captions = [step.stroke.caption for step in LESSON.steps]
-    spoken = lesson.evaluate("() => JSON.parse(document.getElementById('data').textContent).spoken")
+    spoken = bundle_of(page_of("slider-crank"))[1]["spoken"]
     for number in range(1, STROKES + 1):
         press(lesson, "Shift+ArrowRight" if number % 2 else "Shift+PageDown")
         assert at(lesson) == number

@@ -13,6 +13,7 @@ from hashlib import sha256
 from html import escape
 from importlib.resources import files
 from string import Template
+from zlib import DEFLATED, MAX_WBITS, compressobj
 
 from vad.lecture.lesson import Lesson
 from vad.page.parts import Parts, parts
@@ -25,9 +26,16 @@ from vad.words import Language
 
 #: The style of what is printed, if the page has it.
 _PRINTED = "paper"
+# A page unpacks its script and its data, and only then is more than a sheet and a list.
+_BEGIN = (
+    "const packed=JSON.parse(unpack(document.getElementById('data').textContent)),"
+    "script=document.createElement('script');"
+    "script.textContent=packed[0];document.body.append(script);"
+)
 _START = (
-    "const root=document.querySelector('.vad'),"
-    "data=JSON.parse(document.getElementById('data').textContent);"
+    "const root=document.querySelector('.vad'),data=packed[1];"
+    "const svgs=root.querySelectorAll('.drawing svg');"
+    "packed[2].forEach((layer,i)=>svgs[i].insertAdjacentHTML('beforeend',layer));"
     "const player=mount(root,data);"
 )
 #: The scripts of a page that is turned, those first that others use.
@@ -61,7 +69,20 @@ def asset(name: str) -> str:
 def script(turned: bool) -> str:
     """Return the script of a page, of one that is ``turned`` by hand or not."""
     names = (*_HAND, "player.js") if turned else ("player.js",)
-    return shorter_script("\n".join([*map(asset, names), _START, _TURNED if turned else ""]))
+    text = "\n".join([*map(asset, names), _START, _TURNED if turned else ""])
+    return '"use strict";{' + shorter_script(text.replace("export ", ""), ["packed"]) + "}"
+
+
+@cache
+def beginning() -> str:
+    """Return the script that unpacks the page's own."""
+    return '"use strict";' + shorter_script(asset("unpack.js") + _BEGIN, ["packed"])
+
+
+def packed(text: str) -> str:
+    """Return a text as ``unpack.js`` reads it."""
+    deflate = compressobj(9, DEFLATED, -MAX_WBITS)
+    return b64encode(deflate.compress(text.encode()) + deflate.flush()).decode()
 
 
 def document(lesson: Lesson, start: int = 0) -> str:
@@ -76,15 +97,18 @@ def document(lesson: Lesson, start: int = 0) -> str:
     """
     made = parts(lesson)
     data = {**made.data, "start": start}
-    text = script(bool(made.hand)) + "\n"
+    layers: Sequence[str] = ()
     if made.hand:
-        data["hand"] = made.hand.data
-        data["program"] = made.hand.program
-    proof = b64encode(sha256(text.encode()).digest()).decode()
+        data |= {"hand": made.hand.data, "program": made.hand.program}
+        layers = [made.hand.layers[panel.name] for panel in lesson.sheet.panels]
+    scripts = beginning(), script(bool(made.hand))
+    proofs = (b64encode(sha256(each.encode()).digest()).decode() for each in scripts)
+    allowed = " ".join(f"'sha256-{proof}'" for proof in proofs)
     policy = (
         "default-src 'none'; style-src 'unsafe-inline'; font-src data:; "
-        f"script-src 'sha256-{proof}'; base-uri 'none'; form-action 'none'"
+        f"script-src {allowed}; base-uri 'none'; form-action 'none'"
     )
+    bundle = packed(_json([scripts[1], data, layers]))
     return (
         f'<!DOCTYPE html>\n<html lang="{lesson.sheet.language}">\n<head>\n<meta charset="utf-8">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
@@ -93,8 +117,8 @@ def document(lesson: Lesson, start: int = 0) -> str:
         f"<style>\n{made.faces.rules()}{asset('player.css')}"
         f"{colours(lesson.style, len(lesson.sheet.rows))}{made.looks}"
         f"</style>\n</head>\n<body>\n{section(lesson, made)}"
-        f'<script type="application/json" id="data">{_json(data)}</script>\n'
-        f'<script type="module">{text}</script>\n</body>\n</html>\n'
+        f'<script type="text/plain" id="data">{bundle}</script>\n'
+        f"<script>{scripts[0]}</script>\n</body>\n</html>\n"
     )
 
 
@@ -140,5 +164,4 @@ def colours(name: str, rows: int) -> str:
 
 
 def _json(data: object) -> str:
-    """Return data as JSON that no browser takes for markup."""
-    return json.dumps(data, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":"))

@@ -36,7 +36,7 @@ class Hand:
     Attributes
     ----------
     layers
-        What is drawn in each panel while it is turned, as SVG.
+        What is drawn in each panel while it is turned, and the ring of the handle, as SVG.
     program
         The data of `vad.page.solver.solver_data`.
     data
@@ -112,12 +112,12 @@ def hand(board: HandBoard, sheet: Sheet, inker: Inker, write: Callable[[Runs], s
         for sketch in board.sketches.values()
         for start, end, half, _ in sketch.obstacles.lines
     ]
-    grip = board.grip
+    grip, ring = board.grip, ""
     if grip:
         radius = number(GRIP * inker.frame[0])
         place = f'cx="0" cy="0" r="{radius}" data-vad-grip'
         since = begun.of(regions[0], traced.sheet.driver.stroke)
-        layers[regions[0]] += f'</g><g class="grip"{since}><circle class="ring" {place}/>'
+        ring = f'<g class="grip"{since}><circle class="ring" {place}/></g>'
     data = {
         "inputs": list(traced.inputs),
         "start": _start(board, sheet),
@@ -137,6 +137,8 @@ def hand(board: HandBoard, sheet: Sheet, inker: Inker, write: Callable[[Runs], s
         "cells": _cells(board, sheet, outputs),
         "page": inker.frame,
     }
+    layers = {region: f'<g class="hand">{layer}</g>' for region, layer in layers.items()}
+    layers[regions[0]] += ring
     data |= _described(board, sheet, outputs, write)
     program = traced.program(outputs.numbers)
     data["size"] = len(outputs.numbers)

@@ -114,11 +114,7 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
     for phrase in Language(sheet.language).page("HAND").values() if turned else ():
         words.of(roman(phrase))
     moved = hand(turned, sheet, inker, words.of) if turned else None
-    layers = moved.layers if moved else {}
-    drawn = [
-        panel_section(board, panel, inker, words, layers.get(panel.name, ""))
-        for panel in sheet.panels
-    ]
+    drawn = [panel_section(board, panel, inker, words) for panel in sheet.panels]
     results = table(board, style.key, inker, words)
     title = words.of(roman(sheet.title), light=False, heavy=True)
     items = ", ".join(
@@ -206,17 +202,15 @@ def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, st
     return item, spoken(pieces, lesson.sheet.language)
 
 
-def panel_section(
-    board: Plan, panel: Panel, inker: Inker, words: RunWriter, layer: str = ""
-) -> str:
-    """Return a panel: its head, its drawing with the ``layer`` that a hand moves, its equations."""
+def panel_section(board: Plan, panel: Panel, inker: Inker, words: RunWriter) -> str:
+    """Return a panel: its head, its drawing, its equations."""
     begun = when([(drawing(board.sketches[panel.name].setting.first), FOREVER)])
     wide = board.page.panels[panel.name].drawing.width * board.form.unit
     name = words.of(roman(panel.title), light=False, heavy=True)
     return (
         f'<section class="panel" style="--w:{number(wide)}">'
         f'<div class="top"{begun}><h2>{name}</h2>{scale_bar(board, panel, words)}</div>'
-        f"{picture(board, panel, inker, layer)}"
+        f"{picture(board, panel, inker)}"
         f'<div class="foot"{begun}>{_foot(board, panel, inker, words)}</div></section>'
     )
 
@@ -234,7 +228,7 @@ def scale_bar(board: Plan, panel: Panel, words: RunWriter) -> str:
     )
 
 
-def picture(board: Plan, panel: Panel, inker: Inker, layer: str = "") -> str:
+def picture(board: Plan, panel: Panel, inker: Inker) -> str:
     """Return the drawing of a panel, with how far its ink reaches up and down."""
     area = board.page.panels[panel.name].drawing
     ink = reach(item for item in board.items if item.region == panel.name)
@@ -243,9 +237,7 @@ def picture(board: Plan, panel: Panel, inker: Inker, layer: str = "") -> str:
     return (
         f'<div class="drawing" style="--cut:{number(cut[0], 4)};--ink:{number(cut[1], 4)}">'
         f'<svg viewBox="{inker.view(area)}" role="img" aria-label="{escape(panel.title)}">'
-        f"{inker.drawing(board, panel.name)}"
-        + (f'<g class="hand">{layer}</g>' if layer else "")
-        + "</svg></div>"
+        f"{inker.drawing(board, panel.name)}</svg></div>"
     )
 
 
