@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 from vad import gate
 from vad.errors import InputError, quoted
-from vad.kinematics.symbol import Symbol, as_complex
+from vad.kinematics.symbol import Symbol, as_complex, as_float
 
 # Lines at a smaller angle than this (in degrees) count as parallel: where they cross is so far away
 # that squares of the distance leave the range of double precision.
@@ -394,7 +394,7 @@ class Linkage:
             return self.ground[2]
         steps = [step for loop in self.loops for _, step in loop.steps()]
         guides = [s for s in steps if isinstance(s, Slide) and isinstance(s.along, float)]
-        others = [float(guide.along) for guide in guides if length_of(guide.name) != self.driver]
+        others = [as_float(guide.along) for guide in guides if length_of(guide.name) != self.driver]
         return others[0] if len(others) < len(guides) and others else 0.0
 
 

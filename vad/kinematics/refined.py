@@ -15,7 +15,7 @@ SIAM J. Sci. Comput. 31 (2008), 189-224).  So every place is as exact as its num
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vad.kinematics.closed_forms import crossing
 from vad.kinematics.frame import ReferenceFrame, Route
@@ -24,6 +24,7 @@ from vad.kinematics.loop import LoopSolver
 from vad.kinematics.numbers import Number, across, cross, dot, nonzero, select, vector
 from vad.kinematics.precise import exact_direction
 from vad.kinematics.state import Pose
+from vad.kinematics.symbol import is_symbolic
 
 # Below so many loops too little adds up.
 LEAST_LOOPS = 3
@@ -78,9 +79,19 @@ _NOTHING = Sum(0j, 0j)
 def is_refined(linkage: Linkage) -> bool:
     """Tell whether a linkage has so many loops that its places need more digits.
 
-    One that is solved in the axes of its ground or of a guide is left as it is.
+    One that is solved in the axes of its ground or of a guide is left as it is, and so is one with
+    traced numbers, of which no fraction can be made.
     """
-    return len(linkage.loops) >= LEAST_LOOPS and not linkage.frame
+    return len(linkage.loops) >= LEAST_LOOPS and not (_is_traced(linkage) or linkage.frame)
+
+
+def _is_traced(linkage: Linkage) -> bool:
+    """Tell whether a linkage has a traced length, direction or place."""
+    numbers: list[Any] = [linkage.place, *linkage.fixed.values(), *(linkage.ground or ())[1:]]
+    for step in (*(step for loop in linkage.loops for _, step in loop.steps()), *linkage.images):
+        own = step.offset if isinstance(step, Bar) else step.origin
+        numbers += [step.length if isinstance(step, Bar) else step.along, step.turn, own]
+    return any(is_symbolic(number) for number in numbers if not isinstance(number, str))
 
 
 class Refinement:
