@@ -24,10 +24,10 @@ from vad.kinematics.recording import (
     key_of,
     kind_of,
 )
-from vad.kinematics.threads import Work, in_blocks
 
 if TYPE_CHECKING:
     from vad.kinematics.compiled import Compiled
+    from vad.kinematics.threads import Work
 
 Array = NDArray[Any]
 # An operation, the places of its operands, and the place of its result.
@@ -239,6 +239,8 @@ class Blocks:
         finish: Callable[[slice], None] = _nothing,
     ) -> None:
         """Write the outputs, block by block; each block that is written is given to ``finish``."""
+        from vad.kinematics.threads import in_blocks  # one pose does not need it
+
         size = len(outputs[0])
         play = self._play_fast if size > LONG else self._play_block
         singles: list[Array] = [np.empty((), kind) for kind in self._singles]
