@@ -69,6 +69,13 @@ POSES = {
         '"angle": 184.07143528060703, "omega": -0.11121687602445285, "alpha": 0.0, '
         '"assembly": "crossed"}',
     ),
+    "twists that are almost right angles": (
+        SPATIAL,
+        '{"ground": 7.999999999997948, "crank": 0.1, "coupler": 3.999999999837715, '
+        '"rocker": -2.0, "ground_twist": 90.0, "crank_twist": 90.0, "coupler_twist": 90.0, '
+        '"rocker_twist": 90.00000018974781, "angle": 45.0, "omega": -28.848585195067717, '
+        '"alpha": 0.0, "assembly": "open"}',
+    ),
     "circles about one axis": (
         BALLS,
         '{"crank": 41.80980034596126, "coupler": 71.98189057838974, '

@@ -200,7 +200,32 @@ class SpatialSolver(SphereSolver):
             turning = [each.turning["crank"] for each in rates]
             return *circling(crank * x, crank * y, turning), 0.0
         normal, across, along = self._at_crank(pose, rates)
-        return x * normal - y * across, y * normal + x * across, along
+        aside = x * normal - y * across if len(rates) > 1 else self._aside(pose, rates)
+        return aside, y * normal + x * across, along
+
+    def _aside(self, pose: Pose, rates: tuple[Rates, ...]) -> Number:
+        """Return the position or velocity of C along x, square to a and d, where it may be small.
+
+        Ground and rocker alone move the coupler along b, crank and coupler alone along d and c.
+        Thus every length has one factor, and nothing cancels.
+        """
+        ground, crank, coupler, rocker = self.along.lengths
+        sines, cosines, turns = self.closure.sines, self.closure.cosines, self.on_sphere(pose)
+        (at_a, sine_a), (at_d, sine_d), at_c = turns.crank, turns.rocker, turns.at_c[0]
+        by_a, by_c = crank * cosines[1] * sines[0], coupler * cosines[2] * sines[3]
+        known = crank * sines[1] * cosines[0] - coupler * sines[2] * cosines[3]
+        by_frame = -sines[1] * (ground * at_d + rocker)
+        by_coupler = known - by_a * at_a + by_c * at_c
+        sine_c = nonzero(turns.at_c[1])
+        if not rates:
+            return (by_frame * sine_a + by_coupler * sine_d) / (sines[2] * sine_c)
+        omega, (rocking, _, turning) = rates[0].turning["crank"], self.turning_of(rates[0])
+        changed = (ground * sines[1]) * sine_d * rocking * sine_a + (
+            by_a * sine_a * omega - by_c * turns.at_c[1] * turning
+        ) * sine_d
+        over_sine = omega * self.closure.bent(turns) / (sine_c * sine_c)
+        swung = at_d * rocking - sine_d / sine_c * at_c * turning
+        return (changed + by_frame * over_sine + by_coupler * swung) / (sines[2] * sine_c)
 
     def _at_crank(self, pose: Pose, rates: tuple[Rates, ...]) -> Vector3:
         """Return the motion of C along the crank's normal n₂, along a × n₂ and along a.

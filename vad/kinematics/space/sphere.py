@@ -198,11 +198,16 @@ class Sphere:
         From cos φ_C = p cos φ_A + q follows what stands beside ω₂² / sin²φ_C: no difference of
         almost equal numbers where p is nearly 1 and q nearly 0, as in a parallelogram.
         """
+        sine = nonzero(pose.at_c[1])
+        over = omega / sine
+        known = alpha * pose.crank[1] + over * over * self.bent(pose)
+        return self._ratios[2] * known / sine
+
+    def bent(self, pose: SpherePose) -> Number:
+        """Return sin³φ_C times the derivative of sin φ_A / sin φ_C, for ω₂ = 1."""
         cosine, sine = pose.crank
         nearest, short = _end(cosine, sine)
-        over = omega / nonzero(pose.at_c[1])
-        bent = choose(nearest, self._bent) * cosine - self._rest * (short * short)
-        return self._ratios[2] * (alpha * sine + over * over * bent) / nonzero(pose.at_c[1])
+        return choose(nearest, self._bent) * cosine - self._rest * (short * short)
 
     def _beside_crank(
         self, pose: SpherePose, omega: Number, turns: Turns, alpha: Number, at_c: Number
