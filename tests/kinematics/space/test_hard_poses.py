@@ -51,6 +51,14 @@ POSES = {
         '"rocker_twist": 114.65287284689413, "angle": 84.53396113946741, '
         '"omega": -0.21266015606492586, "alpha": 715.852560229134, "assembly": "crossed"}',
     ),
+    "a ground twisted by almost nothing, and a fast start": (
+        SPATIAL,
+        '{"ground": 0.0, "crank": -12.441981118970602, "coupler": 83.32054502083628, '
+        '"rocker": 0.0, "ground_twist": 2.2053619064751855e-08, '
+        '"crank_twist": 161.49174124505362, "coupler_twist": 114.31586172959207, '
+        '"rocker_twist": 55.49902551265545, "angle": -61.05842736840225, '
+        '"omega": -0.34482631026306515, "alpha": -2638.071487310488, "assembly": "open"}',
+    ),
     "twists that are almost half a turn": (
         SPATIAL,
         '{"ground": 79.83065542634994, "crank": -77.55165044436303, '

@@ -61,8 +61,8 @@ class Sphere:
     sines, cosines
         Those of ground, crank, coupler and rocker.
     short_ground, short_crank
-        Whether the ground is short against the crank, and whether the crank is against the coupler.
-        Then rocker and crank, or coupler and frame, turn almost as one.
+        Whether the ground is short against the crank: then the rocker turns almost with the crank;
+        and whether the crank is against ground and coupler: then the coupler turns hardly at all.
     """
 
     def __init__(self, side: float, axes: FourAxes) -> None:
@@ -76,7 +76,7 @@ class Sphere:
         self.sines, self.cosines = [u.imag for u in units], [u.real for u in units]
         ground, crank, coupler, rocker = self.sines
         self.short_ground = abs(ground) < SHORT * abs(crank)
-        self.short_crank = abs(crank) < SHORT * abs(coupler)
+        self.short_crank = abs(crank) < SHORT * min(abs(coupler), abs(ground))
         self._product = 0.5 * ground * crank
         # What is known of each pose, where the crank points away from D and where it points to it:
         # half the sine and cosine of the diagonal BD, squared, and Heron's factors.
