@@ -44,7 +44,8 @@ def carrying(
     """Return the way from the known end of the first chain to that of the second, and who sees it.
 
     It uses nothing that is found later than the chains themselves: a later loop may be near a dead
-    centre.  An unknown slide of the frame is seen from the ground.  None if the chains are as good,
+    centre.  Nor does it use links that are neither theirs nor the one that sees it: a short link
+    may turn very fast.  An unknown slide of the frame is seen from the ground.  None if the chains are as good,
     or if one does not begin with what is known.
     """
     ends, own = [], []
@@ -62,8 +63,10 @@ def carrying(
         views.update(name for end in ends for name in _links_at(end, usable))
     best: tuple[Way, str] | None = None
     least = min(_cost_of_all(own, starts, view) for view in sorted(views)) - _GAIN
+    links = {link for step in own for link in _links_of(step)}
     for view in sorted(views):
-        way = _ways(ends[0], {step: _cost(step, view) for step in usable}, fixed, view).get(ends[1])
+        steps = {s: _cost(s, view) for s in usable if links.union([view]).issuperset(_links_of(s))}
+        way = _ways(ends[0], steps, fixed, view).get(ends[1])
         if way and way.cost < least:
             best, least = (way, view), way.cost
     return best
@@ -81,13 +84,17 @@ def _usable(linkage: Linkage, own: Iterable[Step]) -> list[Step]:
     return [step for step in dict.fromkeys(steps) if scalars_of(step) <= known]
 
 
+def _links_of(step: Step) -> list[str]:
+    """Return the link of a bar, or that on which a slide slides, if any."""
+    link = step.link if isinstance(step, Bar) else step.along
+    return [link] if isinstance(link, str) else []
+
+
 def _links_at(point: str, steps: Iterable[Step]) -> Iterator[str]:
     """Yield the links on which a point is, or slides."""
     for step in steps:
         if point in (step.tail, step.head):
-            link = step.link if isinstance(step, Bar) else step.along
-            if isinstance(link, str):
-                yield link
+            yield from _links_of(step)
 
 
 def _cost(step: Step, view: str) -> float:
