@@ -46,9 +46,7 @@ def test_the_steps_lead_from_end_to_end() -> None:
 
 def six_bar(second: Loop) -> Linkage:
     """Return a slider-crank whose rod carries a second loop."""
-    first = Loop(
-        (Bar("AB", "crank", 40.0), Bar("BC", "rod", 120.0)), (Slide("OC", "slide", 0.0),)
-    )
+    first = Loop((Bar("AB", "crank", 40.0), Bar("BC", "rod", 120.0)), (Slide("OC", "slide", 0.0),))
     return Linkage(angle_of("crank"), (first, second), fixed={"G": 90 + 80j})
 
 

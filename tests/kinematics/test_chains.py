@@ -77,6 +77,8 @@ def test_the_end_of_a_cylinder_that_is_shorter_than_its_arm(seed: int) -> None:
         ("four decades", "9001.1790"),
         ("four decades", "9001.3953"),
         ("four decades", "9001.8054"),
+        ("four decades", "f2.1303"),  # a long cylinder and a short arm, over coordinates
+        ("four decades", "f2.1659"),  # a short link turns fast beside the way
     ],
 )
 def test_chains_that_were_beyond_their_bounds(family: str, seed: str) -> None:

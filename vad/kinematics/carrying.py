@@ -45,8 +45,8 @@ def carrying(
 
     It uses nothing that is found later than the chains themselves: a later loop may be near a dead
     centre.  Nor does it use links that are neither theirs nor the one that sees it: a short link
-    may turn very fast.  An unknown slide of the frame is seen from the ground.  None if the chains are as good,
-    or if one does not begin with what is known.
+    may turn very fast.  An unknown slide of the frame is seen from the ground.  None if the chains
+    are as good, or if one does not begin with what is known.
     """
     ends, own = [], []
     for chain in (loop.first, loop.second):

@@ -277,13 +277,14 @@ class Strut:
     """A strut of driven length r and a bar q over a fixed gap.
 
     The factors of Heron's formula lose no digit when the two sides that may be long are subtracted
-    first.
+    first.  ``rest`` is what a double cannot hold of the length of the gap.
     """
 
-    def __init__(self, gap: complex, q: float) -> None:
+    def __init__(self, gap: complex, q: float, rest: float = 0.0) -> None:
         self.gap = gap
         self.q = q
         self.length = abs(gap)
+        self._rest = rest
         # Which of the forms below rounds least; each of them is right.
         self._short_bar = float(self.length) > 2.0 * float(q)
         self.short_gap = float(q) > 2.0 * float(self.length)
@@ -293,7 +294,7 @@ class Strut:
         """Return the triangle for a length of the strut."""
         f, q = self.length, self.q
         if self._short_bar:
-            e = r - f
+            e = self._beyond_gap(r)
             factors = (q + e), (q - e), (f - q) + r
         elif self.short_gap:
             e = r - q
@@ -304,11 +305,16 @@ class Strut:
         side, near, far = factors
         return Triangle(self.gap, f * f, side * (r + (q + f)), near * far, r, q)
 
+    def _beyond_gap(self, r: Number) -> Number:
+        """Return by how much the strut is longer than the gap."""
+        beyond = r - self.length
+        return beyond - self._rest if self._rest else beyond
+
     def projections(self, r: Number) -> tuple[Number, Number]:
         """Return the projections of q and of the gap on r."""
         f, q, twice = self.length, self.q, nonzero(2.0 * r)
         if self._short_bar:
-            at_arm = (q * q + (r - f) * (r + f)) / twice
+            at_arm = (q * q + self._beyond_gap(r) * (r + f)) / twice
             return at_arm, r - at_arm
         return (r * r + self._power) / twice, ((r - q) * (r + q) + f * f) / twice
 

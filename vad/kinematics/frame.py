@@ -10,6 +10,7 @@ from __future__ import annotations
 import heapq
 import math
 from collections.abc import Callable, Iterable, Iterator
+from fractions import Fraction
 from typing import TYPE_CHECKING, TypeGuard
 
 from vad.kinematics.linkage import Bar, Linkage, Slide, Step, angle_of, length_of, scalar_of
@@ -96,6 +97,15 @@ class ReferenceFrame:
         if tail in self.places and head in self.places:
             return self._inward(self.places[head] - self.places[tail])
         return self.fixed[head] - self.fixed[tail]
+
+    def rest_of_distance(self, tail: str, head: str) -> float:
+        """Return what a double cannot hold of the distance of two given points; else zero."""
+        if not {tail, head} <= self.places.keys() or self.places[tail] == self.places[head]:
+            return 0.0
+        one, other = self.places[tail], self.places[head]
+        x, y = Fraction(other.real) - Fraction(one.real), Fraction(other.imag) - Fraction(one.imag)
+        distance = Fraction(abs(self.between(tail, head))) * Fraction(self.scale)
+        return float((x * x + y * y - distance**2) / (2 * distance) / Fraction(self.scale))
 
     def shift(self, slide: Slide) -> complex:
         """Return the vector from the tail of a slide to the zero of its line."""

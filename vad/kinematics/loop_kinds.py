@@ -174,7 +174,9 @@ class StrutLoop(TwoAnglesLoop):
             raise InputError(
                 "a strut must lead from one fixed point, in the first chain, its bar from another"
             )
-        self._strut = Strut(self.offset, self.frame.size(self.other))
+        starts = (chain[0].start for chain in (self.loop.first, self.loop.second))
+        rest = self.frame.rest_of_distance(*starts)
+        self._strut = Strut(self.offset, self.frame.size(self.other), rest)
         if self._strut.short_gap:
             self._see_from(self.step)
 
