@@ -28,6 +28,7 @@ from vad.kinematics.numbers import (
     vector,
 )
 from vad.kinematics.state import MotionComponent, Pose, Rates
+from vad.kinematics.symbol import is_symbolic
 
 if TYPE_CHECKING:
     from vad.kinematics.refined import Refinement
@@ -100,9 +101,11 @@ class ReferenceFrame:
 
     def rest_of_distance(self, tail: str, head: str) -> float:
         """Return what a double cannot hold of the distance of two given points; else zero."""
-        if not {tail, head} <= self.places.keys() or self.places[tail] == self.places[head]:
+        if not {tail, head} <= self.places.keys():
             return 0.0
         one, other = self.places[tail], self.places[head]
+        if is_symbolic(one) or is_symbolic(other) or one == other:
+            return 0.0
         x, y = Fraction(other.real) - Fraction(one.real), Fraction(other.imag) - Fraction(one.imag)
         distance = Fraction(abs(self.between(tail, head))) * Fraction(self.scale)
         return float((x * x + y * y - distance**2) / (2 * distance) / Fraction(self.scale))
