@@ -33,9 +33,11 @@ Array = NDArray[Any]
 # An operation, the places of its operands, and the place of its result.
 Move = tuple[str, list[int], int]
 
-BLOCK = 8192  # poses
+# Poses: in shorter blocks the calls of numpy take longer than the arithmetic, and longer ones leave
+# the cache.
+BLOCK = 12_288
 # From this number of poses on it pays to write the moves as the text of a function.
-LONG = 30 * BLOCK
+LONG = 20 * BLOCK
 CACHE_LINE = 64  # bytes, or a part of one; and the size of the largest vector registers
 
 # From this number of poses on it pays to compile a program.  Of the four results of a four-bar,
