@@ -102,3 +102,27 @@ def test_numpy_alone_does_not_load_dask():
         "assert not {'dask', 'joblib'} & set(sys.modules)\n"
     )
     subprocess.run([sys.executable, "-c", script], check=True)
+
+
+@pytest.mark.parametrize("mechanism", [vad.SliderCrank(), vad.CrankSlottedLever()], ids=repr)
+def test_forces_have_the_same_bits_block_by_block(mechanism):
+    """Those of a call, of an array, and of a Dask array in blocks."""
+    angle = np.linspace(0.0, 360.0, 1001)
+    slide = next(iter(mechanism.slides))
+    given = {"loads": ["5 N m on crank"], "masses": {slide: 2.0}, "gravity": 9.81}
+    names = ["drive", "frame.crank.force", "crank.alpha"]
+    whole = vad.sweep(mechanism, names, **given, angle=angle, alpha=3.0)
+    blocks = da.from_array(angle, chunks=300)
+    again = vad.sweep(mechanism, names, **given, angle=blocks, alpha=3.0).compute()
+    forces = vad.forces(vad.solve(mechanism, angle=angle, alpha=3.0), **given)
+    assert whole.tobytes() == again.tobytes()
+    assert np.array_equal(whole["drive"], forces.drive)
+    assert np.array_equal(whole["frame.crank.force"], forces.force("frame", "crank"))
+    one = vad.sweep(mechanism, names, **given, angle=angle[7], alpha=3.0)
+    assert one == whole[7]
+
+
+def test_forces_that_are_unknown_are_named():
+    with pytest.raises(vad.UsageError, match="unknown result") as caught:
+        vad.sweep(vad.SliderCrank(), "rod.ram.force", angle=60)
+    assert "rod.slider.force" in str(caught.value.hint)

@@ -33,7 +33,7 @@ def test_a_load(vad):
     assert found["loads"] == [
         {"kind": "force", "on": "rocker", "at": "E", "force": pytest.approx([-69.282032302755, 40])}
     ]
-    assert found["units"] == {"force": "N", "moment": "N m"}
+    assert found["units"] == {"force": "N", "moment": "N m", "drive": "N m"}
 
 
 def test_all_options(vad):

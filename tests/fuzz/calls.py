@@ -314,6 +314,18 @@ def sweep(dice: random.Random) -> None:
     vad.sweep(one(dice, mechanism), results, **some(dice, *mechanism.inputs))
 
 
+def forces(dice: random.Random) -> None:
+    """Find forces, and read all of them."""
+    load = one(dice, some(dice, "at", "on", "force", "couple", "angle", "table", "unit", "name"))
+    usual = {"at": dice.choice("ABC"), "on": "crank", "force": 3, "angle": 60}
+    given = some(dice, "gravity", "friction", "masses") | {"loads": one(dice, [load, usual])}
+    found = vad.forces(one(dice, dice.choice(MOTIONS)), **given)
+    found.to_dict()
+    if not found.many:
+        found.table()
+    found.flywheel(anything(dice), anything(dice))
+
+
 def ask(dice: random.Random) -> None:
     """Ask for a part of a motion."""
     motion = dice.choice(MOTIONS)
@@ -426,7 +438,7 @@ def name(dice: random.Random) -> None:
 
 VERBS: list[Callable[[random.Random], Any]] = [
     *(make, make, solve, solve, sweep, sweep, ask, draw, draw, animate, still, turn, multiples),
-    *(save, save, save, read, load, tables, tables, show, batch, name),
+    *(save, save, save, read, load, tables, tables, show, batch, name, forces, forces),
 ]
 
 if __name__ == "__main__":

@@ -54,6 +54,10 @@ LINES = (
     *('"👩\u200d🔧" = 3', 'unit = "ft"', 'unit = "nan"', 'title = "\u2028"', "# \u2028 \x85", "x"),
     *("B = [0, 0]", 'B = "left"', 'C = "parallel"', "C = [3, nan]", "P = { through = 'A' }"),
     *("strut = { AC = 'variable' }", "foot = 'BCE'", "E = { along = 'BC', offset = 1e-9 }"),
+    *("[loads]", "[masses]", "[friction]", "gravity = 9.81", "gravity = [0, nan]", "crank = 2"),
+    *('P = { at = "C", force = "2 kN", angle = 180 }', "M = { on = 'crank', couple = -6 }"),
+    *('Q = { at = "C", table = "card.csv" }', 'rod = { mass = 2, at = "C", inertia = 1e-3 }'),
+    *("slider = 0.1", "Q = { at = 'C', table = [[0, 180], [1e3, 2e3]], unit = 'kN' }"),
     *("crank = { angle = 60, omega = 10 }", "rod = { BD = 90, DE = 30 }", "G = { x = 1e150 }"),
 )
 LETTERS = "ABCDEFGHOPQ\u0661µ{}[]\"'=,#.-_ \t\r\n\x00\x85\u2028\ufeff\u202e0123456789e"
@@ -100,6 +104,9 @@ def _solved(mechanism: WrittenMechanism, dice: random.Random) -> None:
         with suppress(vad.AssemblyError, vad.DeadCentreError):
             motion = vad.solve(mechanism, **{driven: start})
             motion.table()
+            if mechanism.burden:
+                with suppress(vad.InputError):  # a slide that jams, or stands still
+                    vad.forces(motion).table()
             sheet = vad.draw(motion)
             if dice.random() < PLANNED:
                 plan(sheet, screen((1280, 720)), load_style("paper").key)

@@ -66,6 +66,8 @@ VALUES = [
     *("[red]x[/nope]", "%s{0}", "9" * 6000, "x" * 130_000, "--", "--json", "NaN deg", "1/0"),
     *("D on rod 30", "D on rod 30 at 9e9", "D on", "B=left", "B=", "=left", "parallel", "a3"),
     *("1", "2", "3", "7", "12", "361", "-90", "180", "1e150", "1e-150", "1e308", "0.5 turn"),
+    *("80 N @ 150 at C", "-6 N m on rod", "P = 2 kN at B on crank", "rod 2 kg at C", "slider 0.1"),
+    *("80 N @ nan at C", "@ at on", "rod 1e400", "9.81,", "0,-9.81", "crank 0.01 kg m^2"),
     *("0,90,180", "30,", "1,2,3,4,5,6,7", "60 nan", "mm", "nan", "bash", "zsh", "\udc80", "\0"),
 ]
 #: Numbers that are often possible.

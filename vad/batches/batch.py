@@ -270,6 +270,16 @@ def cells(answers: Mapping[str, Any]) -> dict[str, Any]:
                     row[head(f"{owner} {quantity} {axis}", quantity)] = number
             else:
                 row[head(f"{owner} {quantity}", quantity)] = value
+    return row | _forces(answers["forces"]) if "forces" in answers else row
+
+
+def _forces(found: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the drive, and the force in each joint, as `vad sweep` calls them."""
+    newton = found["units"]["force"]
+    row = {f"drive [{found['units']['drive']}]": found["drive"]}
+    for joint in found["joints"]:
+        for axis, number in zip(_AXES, joint["force"], strict=False):
+            row[f"{joint['of']}.{joint['on']}.force {axis} [{newton}]"] = number
     return row
 
 

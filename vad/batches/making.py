@@ -42,6 +42,8 @@ def make(job: Job) -> Product:
         sheet = vad.draw(motion, **_only(options, "panels", "language"))
         sheet = replace(sheet, title=f"{sheet.title} · {job.label}")
         answers = motion.to_dict()
+        if motion.mechanism.burden:
+            answers["forces"] = vad.forces(motion).to_dict()
         with temporary_folder() as folder:
             files = {}
             for name, kind in zip(job.names, job.recipe.files, strict=True):

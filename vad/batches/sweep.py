@@ -7,7 +7,7 @@ result.
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -17,15 +17,27 @@ from vad import gate
 from vad.errors import InputError, UsageError, quoted, unknown
 from vad.kinematics.any_solver import Result
 from vad.kinematics.motion import Motion, MotionInSpace, solve
-from vad.kinematics.solver import Solver
 from vad.mechanisms import Mechanism
+from vad.statics.forces import DRIVE, FORCE, Forces, forces
+from vad.statics.solver import KINDS
 
 _LINK = ("angle", "omega", "alpha")
 _POINT = ("position", "velocity", "acceleration")
+Solved = Motion[Any, Any, Any]
+Loaded = Forces[Any, Any, Any]
 _HINT = 'as in ("rocker.omega", "C.acceleration")'
 
 
-def sweep(mechanism: Mechanism, results: Iterable[str] | str, **inputs: Any) -> Any:
+def sweep(
+    mechanism: Mechanism,
+    results: Iterable[str] | str,
+    *,
+    loads: Iterable[Any] = (),
+    masses: Mapping[str, Any] | None = None,
+    gravity: Any = None,
+    friction: Mapping[str, Any] | None = None,
+    **inputs: Any,
+) -> Any:
     """Solve chosen results over arrays of inputs; Dask arrays are solved when they are computed.
 
     Parameters
@@ -34,7 +46,10 @@ def sweep(mechanism: Mechanism, results: Iterable[str] | str, **inputs: Any) -> 
         The mechanism with its dimensions.
     results
         Their names: that of a link, point or slide, a full stop, and one of what `Motion` has of
-        it; ``"rocker.omega"``, ``"C.acceleration"``.
+        it; ``"rocker.omega"``, ``"C.acceleration"``.  Of forces: ``"drive"``, and that of a body on
+        another one, ``"coupler.rocker.force"``.
+    loads, masses, gravity, friction
+        As for `forces`: numbers that are the same in all poses.
     **inputs
         As for `solve`; any of them may be a Dask array.
 
@@ -52,7 +67,7 @@ def sweep(mechanism: Mechanism, results: Iterable[str] | str, **inputs: Any) -> 
     vad.errors.UsageError
         For an unknown result or input.
     vad.errors.InputError
-        For inputs that are no numbers, or do not broadcast.
+        For inputs that are no numbers, or do not broadcast; and as for `forces`.
 
     Examples
     --------
@@ -62,8 +77,10 @@ def sweep(mechanism: Mechanism, results: Iterable[str] | str, **inputs: Any) -> 
     array([   0., -500.])
     """
     names = _names(results)
+    burden = {"loads": loads, "masses": masses, "gravity": gravity, "friction": friction}
     lazy = {name: value for name, value in inputs.items() if _is_dask(value)}
-    motion = solve(mechanism, **(inputs | dict.fromkeys(lazy, 0.0)))  # checks what is known by now
+    solved = solve(mechanism, **(inputs | dict.fromkeys(lazy, 0.0)))  # checks what is known by now
+    motion = _loaded(solved, names, burden)
     dtype = np.dtype([_field(motion, name) for name in names])
     if not lazy:
         return _solved(motion, dtype)
@@ -86,6 +103,7 @@ def sweep(mechanism: Mechanism, results: Iterable[str] | str, **inputs: Any) -> 
         names=tuple(many),
         single=single,
         results=dtype,
+        burden=burden,
         dtype=dtype,
         meta=np.empty((0,) * arrays[0].ndim, dtype),
     )
@@ -97,21 +115,34 @@ def _block(
     names: tuple[str, ...],
     single: dict[str, Any],
     results: np.dtype[Any],
+    burden: dict[str, Any],
 ) -> NDArray[Any]:
     """Solve one block of inputs, which are in ``arrays`` under their ``names``."""
-    return _solved(solve(mechanism, **single, **dict(zip(names, arrays, strict=True))), results)
+    motion = solve(mechanism, **single, **dict(zip(names, arrays, strict=True)))
+    return _solved(_loaded(motion, results.names or (), burden), results)
 
 
-def _solved(motion: Motion[Any, Any, Any], dtype: np.dtype[Any]) -> NDArray[Any]:
+def _loaded(motion: Solved, names: Iterable[str], burden: dict[str, Any]) -> Solved | Loaded:
+    """Return the forces of a motion if one of the results is a force, or else the motion."""
+    if not any(name == DRIVE or name.endswith(FORCE) for name in names):
+        return motion
+    return forces(motion, **burden)
+
+
+def _solved(motion: Solved | Loaded, dtype: np.dtype[Any]) -> NDArray[Any]:
     """Return the results by which the fields are named: of many poses in one calculation."""
     names = dtype.names or ()
+    results = [_result(motion, name) for name in names]
     if motion.many:
-        table = motion.read_all([_result(motion, name) for name in names])
+        table = motion.read_all(results)
         return table.view(dtype).reshape(motion.shape)
     found = np.empty((), dtype)
-    for name in names:
-        kind, part, quantity = _result(motion, name)
-        found[name] = getattr(getattr(motion, kind)(part), quantity)
+    for name, (kind, part, quantity) in zip(names, results, strict=True):
+        if kind in KINDS:
+            found[name] = motion.read((kind, part, quantity))
+        else:
+            moving = motion.motion if isinstance(motion, Forces) else motion
+            found[name] = getattr(getattr(moving, kind)(part), quantity)
     return found
 
 
@@ -120,22 +151,25 @@ def _names(results: Iterable[str] | str) -> list[str]:
     if not listed:
         raise UsageError("results: none given", _HINT)
     for name in listed:
-        if not isinstance(name, str) or "." not in name:
+        if not isinstance(name, str) or ("." not in name and name != DRIVE):
             raise UsageError(f"results: {quoted(name)} is no result", _HINT)
     return list(dict.fromkeys(listed))
 
 
-def _field(motion: Motion[Any, Any, Any], name: str) -> tuple[str, type, tuple[int, ...]]:
+def _field(solution: Solved | Loaded, name: str) -> tuple[str, type, tuple[int, ...]]:
     """Return a result's name, type and shape: of a vector in space, three numbers."""
-    kind, part, _ = _result(motion, name)
-    vector = kind == "point" or part in motion.solver.bodies
-    if vector and not isinstance(motion.solver, Solver):
+    kind, part, _ = _result(solution, name)
+    if kind in KINDS:
+        return name, float if kind == DRIVE else complex, ()
+    vector = kind == "point" or part in solution.solver.bodies
+    if vector and isinstance(solution, MotionInSpace):
         return name, float, (3,)
     return name, complex if vector else float, ()
 
 
-def _result(motion: Motion[Any, Any, Any], name: str) -> Result:
+def _result(solution: Solved | Loaded, name: str) -> Result:
     """Return the link, joint, point or slide that has a result, and which of its quantities."""
+    motion = solution.motion if isinstance(solution, Forces) else solution
     bodies = [part for part in motion.links if part in motion.solver.bodies]
     lines = [part for part in motion.links if part not in bodies]
     joints = motion.joints if isinstance(motion, MotionInSpace) else ()
@@ -151,6 +185,8 @@ def _result(motion: Motion[Any, Any, Any], name: str) -> Result:
         for part in parts
         for quantity in quantities
     }
+    if isinstance(solution, Forces):
+        known |= solution.results
     if name not in known:
         raise unknown("result", name, known)
     return known[name]

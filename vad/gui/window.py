@@ -28,7 +28,7 @@ from vad.painting.svg_text import FACES, Faces
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import chosen
 from vad.style import load_style
-from vad.units import scene_unit
+from vad.units import DIMENSIONS, scene_unit
 from vad.words import Language, all_languages
 
 #: The parts of its script, in order.
@@ -154,9 +154,13 @@ def _box(name: str, label: str, quantity: str, unit: str, default: Any) -> dict[
 
 def _slider(field: dataclasses.Field[Any], longest: float) -> dict[str, float]:
     """Return the ends of a parameter's slider, and its step."""
-    if field.metadata["quantity"] == "angle":
+    if field.metadata["quantity"] in ("angle", "direction"):
         return _ends(*_HALF, 1.0)
     default: Any = field.default
+    if field.metadata["quantity"] not in DIMENSIONS:  # of a load or a mass
+        usual = 2.0 * abs(default or 1.0)
+        lowest = -usual if field.metadata["quantity"] in ("force", "couple") else 0.0
+        return _ends(lowest, usual, _step(usual))
     usual = abs(default or longest)
     if field.metadata["signed"]:
         return _ends(-longest, longest, _step(longest))

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.errors import InputError, UsageError, VadError, quoted, unknown
+from vad.kinematics.any_solver import Result
 from vad.kinematics.motion import Motion
 from vad.kinematics.numbers import Number, Real, Truth, Vector
 from vad.kinematics.solution import Solution
@@ -130,6 +131,10 @@ def _solver(
     return StaticSolver(plane, bodies_of(plane), acting, rough, metres)
 
 
+#: How the results of a sweep are called: that of the drive, and the end of those of joints.
+DRIVE, FORCE = "drive", ".force"
+
+
 class JointForce(NamedTuple):
     """The force in a joint: of body ``one`` on body ``other``, at a point, as x + iy in newtons."""
 
@@ -232,6 +237,18 @@ class Forces(Solution[Truth], Generic[Real, Vector, Truth]):
             if joint.slide and joint.slide.name in self.solver.rough
         )
 
+    @property
+    def results(self) -> dict[str, Result]:
+        """The drive and the force in each joint as results, by the names of a sweep's columns.
+
+        Where two bodies have two joints, the first one has their name.
+        """
+        found: dict[str, Result] = {DRIVE: ("drive", "", self.solver.stage)}
+        for number in range(len(self.bodies.joints)):
+            name = ".".join(self._pair(number)) + FORCE
+            found.setdefault(name, ("reaction", str(number), self.solver.stage))
+        return found
+
     def _pair(self, number: int) -> tuple[str, str]:
         """Return the two bodies of a joint: the force is that of the first on the second."""
         joint = self.bodies.joints[number]
@@ -300,7 +317,7 @@ class Forces(Solution[Truth], Generic[Real, Vector, Truth]):
 
     def table(self) -> str:
         """Return the forces of one pose as a table in plain text, with units."""
-        return table(self.to_dict(), self.bodies.driver.name, self.drive_unit)
+        return table(self.to_dict(), self.bodies.driver.name)
 
     @property
     def moment_unit(self) -> str:

@@ -20,7 +20,7 @@ def listed(found: Forces[Any, Any, Any]) -> dict[str, Any]:
         **rubbing,
         "shaking": {"force": plain(found.shaking_force), "moment": plain(found.shaking_moment)},
         "loads": [_acting(found, number) for number in range(len(found.acting))],
-        "units": {"force": "N", "moment": found.moment_unit},
+        "units": {"force": "N", "moment": found.moment_unit, "drive": found.drive_unit},
     }
 
 
@@ -39,12 +39,12 @@ def _acting(found: Forces[Any, Any, Any], number: int) -> dict[str, Any]:
     return named | ({"at": point, "force": value} if point else {"couple": value})
 
 
-def table(data: dict[str, Any], driver: str, drive_unit: str) -> str:
+def table(data: dict[str, Any], driver: str) -> str:
     """Return forces, as `listed` has them, in aligned columns of text."""
     newton, moment = data["units"]["force"], data["units"]["moment"]
     axes = [f"{axis}, {newton}" for axis in ("x", "y", "size")]
     blocks = [
-        block(["drive", drive_unit], {driver: {"drive": data["drive"]}}),
+        block(["drive", data["units"]["drive"]], {driver: {"drive": data["drive"]}}),
         block(["force in a joint", *axes], _rows(data["joints"])),
         block(["friction", *axes], _rows(data.get("friction", []))),
         block(
