@@ -205,10 +205,11 @@ def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, st
 def panel_section(board: Plan, panel: Panel, inker: Inker, words: RunWriter) -> str:
     """Return a panel: its head, its drawing, its equations."""
     begun = when([(drawing(board.sketches[panel.name].setting.first), FOREVER)])
-    wide = board.page.panels[panel.name].drawing.width * board.form.unit
+    area, unit = board.page.panels[panel.name].drawing, board.form.unit
     name = words.of(roman(panel.title), light=False, heavy=True)
     return (
-        f'<section class="panel" style="--w:{number(wide)}">'
+        f'<section class="panel" style="--w:{number(area.width * unit)};'
+        f'--d:{number(area.height * unit)}">'
         f'<div class="top"{begun}><h2>{name}</h2>{scale_bar(board, panel, words)}</div>'
         f"{picture(board, panel, inker)}"
         f'<div class="foot"{begun}>{_foot(board, panel, inker, words)}</div></section>'

@@ -1,0 +1,344 @@
+"""The mechanism of a lesson's page in the hand: taken, turned, stopped, asked, and given back."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Iterator
+from html import escape
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+import vad
+from tests.browser import opened, until, violations
+from tests.page.lessons import at, page_of, press, show
+from vad.page.document import document
+
+STEP = 14  # Velocity 5
+LIMITED = vad.FourBar(crank=130)
+
+
+def written(mechanism: Any, code: str = "en", **inputs: float) -> str:
+    return document(vad.animate(vad.draw(vad.solve(mechanism, **inputs), language=code)))
+
+
+@pytest.fixture(scope="module")
+def turned(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
+    """Return a four-bar's page, opened once; its glides take no time."""
+    size = {"width": 1280, "height": 720}
+    with opened(browser, viewport=size, reduced_motion="reduce") as page:
+        show(page, tmp_path_factory.mktemp("hand"), page_of("four-bar"))
+        yield page
+
+
+@pytest.fixture
+def page(turned: Page) -> Page:
+    """Return the page in the lesson at Velocity 5."""
+    turned.set_viewport_size({"width": 1280, "height": 720})
+    turned.evaluate("document.activeElement.blur()")
+    turned.evaluate(f"() => void vad.step({STEP})")
+    return turned
+
+
+def angle(page: Page) -> float:
+    return float(page.evaluate("() => vad.state.angle"))
+
+
+def middle(page: Page, selector: str) -> tuple[float, float]:
+    box = page.locator(selector).bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def about(page: Page, degrees: float, radius: float) -> tuple[float, float]:
+    """Return the place of the pointer at an angle of the crank, about its pivot A."""
+    x, y = middle(page, "[data-vad-grip]")
+    turn = math.radians(angle(page))
+    pivot = x - radius * math.cos(turn), y + radius * math.sin(turn)
+    new = math.radians(degrees)
+    return pivot[0] + radius * math.cos(new), pivot[1] - radius * math.sin(new)
+
+
+def crank(page: Page) -> float:
+    """Return the length of the crank in the window."""
+    return 40.0 * float(
+        page.evaluate(
+            """() => {
+              const bar = document.querySelector('.scale .bar').getBoundingClientRect().width;
+              return bar / parseFloat(document.querySelector('.scale').textContent);
+            }"""
+        )
+    )
+
+
+def test_a_pointer_takes_the_crank_and_the_page_stands_still(page: Page) -> None:
+    places = """() => [...document.querySelectorAll('header, .panel, .results, .buttons')]
+      .map((each) => JSON.stringify(each.getBoundingClientRect()))"""
+    for width, height in ((1280, 720), (640, 700), (390, 844)):
+        page.set_viewport_size({"width": width, "height": height})
+        before, length = page.evaluate(places), crank(page)
+        start, end = about(page, 60, length), about(page, 150, length)
+        page.mouse.move(*start)
+        page.mouse.down()
+        page.mouse.move(*about(page, 100, length), steps=5)
+        page.mouse.move(*end, steps=5)
+        page.mouse.up()
+        assert angle(page) == pytest.approx(150, abs=1.5), width
+        assert page.evaluate(places) == before, width
+        assert page.evaluate("scrollY") == 0
+        press(page, "Escape")
+        assert at(page) == STEP
+        expect(page.locator(".vad")).not_to_have_class(re.compile("turned"))
+
+
+def test_the_table_follows_and_comes_back(page: Page) -> None:
+    table = page.locator(".results tbody")
+    before = table.inner_html()
+    page.evaluate("() => vad.pose({ angle: 128.4, omega: 5 })")
+    truth = vad.solve(vad.FourBar(), angle=128.4, omega=5.0)
+    text = table.inner_text()
+    assert f"{truth.link('rocker').angle:.1f}°" in text and "128.4°" in text
+    assert page.locator(".turned .label:visible").count() > 3
+    page.locator("[data-do=return]").click()
+    assert table.inner_html() == before
+
+
+def test_only_what_is_drawn_is_shown_until_all_is_asked_for(page: Page) -> None:
+    press(page, "h")
+    expect(page.locator(".said p")).to_have_text(
+        "You turn the crank. Shown is what is drawn up to Velocity 5."
+    )
+    expect(page.locator("[data-do=return]")).to_have_text(re.compile("Back to Velocity 5"))
+    shown = page.locator(".panel:nth-child(3) .hand [data-m]:visible")
+    assert shown.count() == 0
+    page.locator("[data-do=all]").click()
+    assert shown.count() > 3
+    press(page, "h")
+    assert at(page) == STEP
+
+
+def test_every_key_of_the_hand(page: Page) -> None:
+    press(page, "h", "ArrowRight", "ArrowRight")
+    assert angle(page) == 62
+    press(page, "Shift+ArrowLeft")
+    assert angle(page) == pytest.approx(61.9)
+    press(page, "PageDown", "End")
+    assert angle(page) == pytest.approx(166.9)
+    press(page, "Home", "PageUp", "ArrowLeft")
+    assert angle(page) == pytest.approx(60.9)
+    track = page.locator(".turner")
+    assert float(track.input_value()) == pytest.approx(60.9)
+    expect(track).to_have_attribute("aria-valuetext", "60.9 degrees")
+    press(page, "2")
+    assert at(page) == 9
+    expect(page.locator(".vad")).not_to_have_class(re.compile("turned"))
+
+
+def test_play_turns_the_crank(page: Page) -> None:
+    press(page, "h", " ")
+    until(page, lambda: angle(page) > 63)
+    press(page, " ")
+    stopped = angle(page)
+    page.wait_for_timeout(100)
+    assert angle(page) == stopped
+
+
+def test_undo_has_one_entry_for_a_gesture(page: Page) -> None:
+    press(page, "h")
+    page.evaluate("() => vad.pose({ angle: 100 })")
+    page.evaluate("() => vad.pose({ angle: 170, omega: 3 })")
+    press(page, "Control+z")
+    assert page.evaluate("() => vad.state") == {"angle": 100, "omega": 10, "alpha": 3}
+    press(page, "Control+z", "Control+z")
+    assert angle(page) == 60
+    press(page, "Control+Shift+z", "Control+Shift+z")
+    assert page.evaluate("() => vad.state.omega") == 3
+    expect(page.locator("[data-do=redo]")).to_be_disabled()
+
+
+def test_the_box_reads_numbers_and_refuses_the_rest(page: Page) -> None:
+    press(page, "h")
+    box = page.locator(".said input")
+    box.fill("200.25")
+    press(page, "Enter")
+    assert angle(page) == 200.25
+    box.fill("")
+    press(page, "Enter")
+    expect(box).to_have_attribute("aria-invalid", "")
+    expect(page.locator(".said p")).to_contain_text("must be a finite number")
+    assert angle(page) == 200.25
+
+
+def test_rates_are_set_in_the_rail(page: Page) -> None:
+    press(page, "h")
+    box, slider = (
+        page.locator(f".size input{kind}").first for kind in (":not([type])", "[type=range]")
+    )
+    box.fill("-25")
+    press(page, "Enter")
+    assert page.evaluate("() => vad.state.omega") == -25
+    slider.evaluate("s => { s.value = 4; s.dispatchEvent(new Event('input')); }")
+    assert page.evaluate("() => vad.state.omega") == 4
+    slider.dblclick(position={"x": 2, "y": 12})
+    assert page.evaluate("() => vad.state.omega") == 10
+
+
+def test_it_answers_as_the_command_line_does(page: Page) -> None:
+    for inputs in ({"angle": 40.0}, {"angle": 200.0, "omega": -3.0, "alpha": 7.0}):
+        told = page.evaluate("given => vad.solve(given)", inputs)
+        truth = vad.solve(vad.FourBar(), **({"omega": 10.0, "alpha": 3.0} | inputs)).to_dict()
+        assert list(told) == list(truth)
+        assert json.dumps(_rounded(told)) == json.dumps(_rounded(truth))
+    assert at(page) == STEP
+
+
+def _rounded(data: Any) -> Any:
+    if isinstance(data, dict):
+        return {name: _rounded(each) for name, each in data.items()}
+    if isinstance(data, list):
+        return [_rounded(each) for each in data]
+    return float(f"{data:.13g}") + 0.0 if isinstance(data, int | float) else data
+
+
+def test_what_is_wrong_is_said_and_nothing_changes(page: Page) -> None:
+    for asked, said in (
+        ("{ angl: 3 }", "angl: this page has no such input"),
+        ("{ angle: '3' }", "angle: must be a finite number"),
+        ("{ angle: NaN }", "angle: must be a finite number, got NaN"),
+        ("{ angle: [3] }", "angle: must be a finite number"),
+        ("{ assembly: 'crossed' }", 'assembly: this page has "open", got "crossed"'),
+        ("null", "must be an object"),
+        ("[1]", "must be an object"),
+        ("{ __proto__: null, constructor: 3 }", "constructor: this page has no such input"),
+    ):
+        for method in ("solve", "pose"):
+            told = page.evaluate(f"() => vad.{method}({asked})")
+            assert told["error"].startswith(said), asked
+    assert page.evaluate("() => vad.step('flight:1')")["error"].startswith("step: ")
+    assert at(page) == STEP
+
+
+def test_listeners_hear_of_poses_and_steps(page: Page) -> None:
+    page.evaluate(
+        """() => { window.heard = [];
+          vad.addEventListener('pose', (pose) => heard.push(pose.angle));
+          vad.addEventListener('step', (step) => heard.push(`step ${step}`)); }"""
+    )
+    page.evaluate("() => { vad.pose({ angle: 90 }); vad.step('velocity:4'); }")
+    heard = page.evaluate("heard")
+    assert 90 in heard and f"step {STEP - 1}" in heard
+
+
+def test_axe_finds_nothing_in_the_hand(page: Page) -> None:
+    press(page, "h")
+    assert violations(page) == []
+    page.set_viewport_size({"width": 640, "height": 700})
+    page.locator("[data-do=strokes]").click()
+    assert violations(page) == []
+    page.locator("[data-do=strokes]").click()
+
+
+def test_the_region_speaks_when_the_hand_rests(page: Page) -> None:
+    press(page, "h", "ArrowRight")
+    until(page, lambda: "61.0°" in page.locator("[role=status]").inner_text(), 3)
+
+
+def test_the_links_stop_where_they_part(browser: Browser, tmp_path: Path) -> None:
+    html = written(LIMITED, angle=60.0)
+    with opened(browser, viewport={"width": 1280, "height": 720}, reduced_motion="reduce") as page:
+        show(page, tmp_path, html, "#step=99")
+        press(page, "End", "h", "End")
+        assert angle(page) == pytest.approx(120.25478740083423, abs=1e-9)
+        expect(page.locator(".said p")).to_have_text(
+            "Limit position at 120.3°: beyond it the links part."
+        )
+        assert "ω3= –" in page.locator(".results").inner_text()
+        assert "10" in page.locator(".results tr").nth(1).inner_text()
+        assert violations(page) == []
+        assert page.locator(".ticks s").count() == 3
+        press(page, "ArrowRight")
+        assert angle(page) == pytest.approx(120.25478740083423, abs=1e-9)
+        press(page, "ArrowLeft")
+        assert angle(page) == pytest.approx(119.25478740083423, abs=1e-9)
+        # A pointer that is led all round stays in the stretch.
+        x, y = middle(page, "[data-vad-grip]")
+        turn, length = math.radians(angle(page)), 130 * crank(page) / 40
+        pivot = x - length * math.cos(turn), y + length * math.sin(turn)
+        page.mouse.move(x, y)
+        page.mouse.down()
+        for degrees in range(120, 490, 5):
+            new = math.radians(degrees)
+            page.mouse.move(pivot[0] + length * math.cos(new), pivot[1] - length * math.sin(new))
+            assert 13.3 < angle(page) < 120.3
+        page.mouse.up()
+        told = page.evaluate("() => vad.solve({ angle: 200 })")
+        assert told["error"] == (
+            "angle 200°: the links do not close; they close for 13.3254° … 120.255° and "
+            "239.745° … 346.675°"
+        )
+        assert "error" not in page.evaluate(
+            "angle => vad.solve({ angle })", float(told["hint"].split()[-1])
+        )
+
+
+def test_a_finger_turns_the_crank_in_a_page_that_scrolls(browser: Browser, tmp_path: Path) -> None:
+    size = {"width": 390, "height": 500}
+    with opened(browser, viewport=size, has_touch=True, reduced_motion="reduce") as page:
+        show(page, tmp_path, page_of("four-bar"), f"#step={STEP}")
+        client, length = page.context.new_cdp_session(page), crank(page)
+        places = [about(page, degrees, length) for degrees in range(60, 200, 10)]
+        for kind, spots in (
+            ("touchStart", places[:1]),
+            *(("touchMove", [spot]) for spot in places[1:]),
+            ("touchEnd", []),
+        ):
+            points = [{"x": x, "y": y} for x, y in spots]
+            client.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+        assert angle(page) == pytest.approx(190, abs=2)
+        assert page.evaluate("scrollY") == 0
+
+
+def test_a_page_around_it_drives_it_and_hears_of_it(browser: Browser, tmp_path: Path) -> None:
+    """In a sandbox without an origin."""
+    inner = escape(page_of("four-bar"))
+    frame = f'<iframe sandbox="allow-scripts" width="800" height="500" srcdoc="{inner}"></iframe>'
+    heard = "<script>var heard=[];onmessage=(event)=>heard.push(event.data.vad)</script>"
+    send = "said => document.querySelector('iframe').contentWindow.postMessage(said, '*')"
+    with opened(browser) as page:
+        show(page, tmp_path, f"<!doctype html><meta charset=utf-8>{heard}{frame}")
+        until(page, lambda: page.evaluate("heard.some(({ height }) => height > 300)"))
+        page.evaluate(send, {"vad": {"step": "velocity:4"}})
+        until(page, lambda: page.evaluate(f"heard.at(-1).step === {STEP - 1}"))
+        page.evaluate(send, {"vad": {"pose": {"angle": 90}}})
+        until(page, lambda: page.evaluate("heard.at(-1).pose?.angle === 90"))
+        for nonsense in (3, None, {"vad": 3}, {"vad": {"pose": 3}}, {"vad": {"pose": {"x": 1}}}):
+            page.evaluate(send, nonsense)
+        until(page, lambda: page.evaluate("heard.filter(({ error }) => error).length === 2"))
+        inside = page.frame_locator("iframe")
+        expect(inside.locator(".said input")).to_have_value("90.0")
+
+
+def test_it_prints_from_the_hand(page: Page, tmp_path: Path) -> None:
+    from pypdf import PdfReader
+
+    page.evaluate("() => vad.pose({ angle: 128.4 })")
+    page.pdf(path=tmp_path / "a.pdf", prefer_css_page_size=True)
+    first, *others = PdfReader(tmp_path / "a.pdf").pages
+    assert "100.5°" in first.extract_text() and "Back to" not in first.extract_text()
+    assert angle(page) == 128.4
+    assert others
+
+
+def test_a_german_page_reads_its_own_numbers(browser: Browser, tmp_path: Path) -> None:
+    with opened(browser, reduced_motion="reduce") as page:
+        show(page, tmp_path, page_of("four-bar", "de"))
+        press(page, "End", "h")
+        box = page.locator(".said input")
+        box.fill("40,5")
+        press(page, "Enter")
+        assert angle(page) == 40.5
+        expect(box).to_have_value("40,5")
+        expect(page.locator("[data-do=return]")).to_have_text(re.compile("Zurück zur Lektion"))
