@@ -104,6 +104,7 @@ class Options(TypedDict, total=False):
     blank: Sequence[str] | str | None
     text: Literal["glyphs", "letters"]
     threads: int
+    no_sliders: bool
 
 
 def save(

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import BinaryIO
+from typing import Annotated, BinaryIO
 
 from vad.export.frames import Progress
 from vad.lecture.lesson import Lesson, animate
-from vad.page.document import document
 from vad.painting.posed import STYLE
 from vad.strokes.sheet import Sheet
 
@@ -16,15 +15,18 @@ def write(
     target: BinaryIO,
     style: str | None = None,
     *,
+    no_sliders: Annotated[bool, "pages without sliders for rates and dimensions"] = False,
     progress: Progress | None = None,
 ) -> None:
     """Write the page; a lesson has a style already, and its page fits every window."""
+    from vad.page.document import document  # which help does not need
+
     lesson = (
         thing
         if isinstance(thing, Lesson)
         else animate(thing, style=STYLE if style is None else style)
     )
     start = 0 if lesson is thing else len(lesson.steps)
-    target.write(document(lesson, start).encode())
+    target.write(document(lesson, start, sliders=not no_sliders).encode())
     if progress is not None:
         progress(lesson.frames, lesson.frames)

@@ -85,7 +85,7 @@ def packed(text: str) -> str:
     return b64encode(deflate.compress(text.encode()) + deflate.flush()).decode()
 
 
-def document(lesson: Lesson, start: int = 0) -> str:
+def document(lesson: Lesson, start: int = 0, *, sliders: bool = True) -> str:
     """Return the page of a lesson.
 
     Parameters
@@ -94,12 +94,14 @@ def document(lesson: Lesson, start: int = 0) -> str:
         What is played.
     start
         How many strokes are done when it opens.
+    sliders
+        Whether the hand has sliders for rates and dimensions.
     """
     made = parts(lesson)
     data = {**made.data, "start": start}
     layers: Sequence[str] = ()
     if made.hand:
-        data |= {"hand": made.hand.data, "program": made.hand.program}
+        data |= {"hand": {**made.hand.data, "sliders": sliders}, "program": made.hand.program}
         layers = [made.hand.layers[panel.name] for panel in lesson.sheet.panels]
     scripts = beginning(), script(bool(made.hand))
     proofs = (b64encode(sha256(each.encode()).digest()).decode() for each in scripts)

@@ -246,7 +246,6 @@ def _described(
         "rates": [outputs.of(each) for each in rates],
         "solved": template(found, board.mechanism.parameters(), outputs.of),
         "dimensions": [],
-        "sliders": True,
         "turns": kind,
         "turn": said[kind],
         "symbols": [

@@ -1,0 +1,77 @@
+"""Scripts and style sheets as short as they can be sent."""
+
+from __future__ import annotations
+
+import json
+import re
+import zlib
+from base64 import b64encode
+
+import pytest
+from playwright.sync_api import Page
+
+from vad.page.document import _HAND, asset, packed
+from vad.page.shorter import shorter_script, shorter_style
+
+SCRIPT = """
+// Long names, /* no comment */ "no text".
+const counted = { first: 1, second: [2, /* two */ 3] }, high = 4 - -3;
+function summed(values, start) {
+  let total = start; // a word
+  for (const value of values) total += value;
+  return total + + high;
+}
+const said = (word, count) => `${word} // ${count > 1 ? `${count} times` : "once"} 'x'`;
+const found = "a/b//c".split(/\\/+/).length / 1;
+answer = [summed(counted.second, counted.first), said("it's", 2), said("", 1), found, high];
+"""
+
+
+def test_a_shorter_script_does_the_same(page: Page) -> None:
+    short = shorter_script(SCRIPT, ["answer"])
+    assert len(short) < 0.75 * len(SCRIPT)
+    assert "counted" not in short and "summed" not in short and "two" not in short
+    run = "text => { eval(text.replace('answer', 'window.answer')); return window.answer; }"
+    assert page.evaluate(run, short) == page.evaluate(run, SCRIPT)
+
+
+def test_names_of_properties_stay() -> None:
+    short = shorter_script(
+        "const wide = 1, tall = 2, data = { wide, high: tall }; data.high += tall;"
+    )
+    assert short == "const wide=1,a=2,b={wide,high:a};b.high+=a;"
+
+
+def test_every_word_stays_in_a_style_sheet() -> None:
+    whole, short = (
+        re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL) for text in (PLAYER, shorter_style(PLAYER))
+    )
+    assert re.findall(r"[\w.#-]+", short) == re.findall(r"[\w.#-]+", whole)
+    assert " and (" in short and "calc(100cqi / " in short and "~ [data-do" not in short
+
+
+PLAYER = """
+/* All of it. */
+.vad :is(h1, h2) > p { margin: 0 auto; width: calc(100cqi / 1280 - 2px); }
+@media screen and (min-width: 64rem) and (max-height: 30rem) { .a:not(.b) .c { color: red; } }
+"""
+
+
+@pytest.mark.parametrize("text", ["", "a", "ä²′" * 1000, "".join(map(str, range(5000)))])
+@pytest.mark.parametrize("level", [0, 1, 9])
+def test_what_is_packed_is_unpacked(page: Page, text: str, level: int) -> None:
+    unpack = f"(packed) => {{ {asset('unpack.js')}; return unpack(packed); }}"
+    deflate = zlib.compressobj(level, zlib.DEFLATED, -zlib.MAX_WBITS)
+    for whole in (
+        packed(text),
+        b64encode(deflate.compress(text.encode()) + deflate.flush()).decode(),
+    ):
+        assert page.evaluate(unpack, whole) == text
+
+
+def test_fixed_codes_are_unpacked(page: Page) -> None:
+    deflate = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS, 9, zlib.Z_FIXED)
+    text = json.dumps({name: asset(name) for name in _HAND})
+    whole = b64encode(deflate.compress(text.encode()) + deflate.flush()).decode()
+    unpack = f"(packed) => {{ {asset('unpack.js')}; return unpack(packed); }}"
+    assert page.evaluate(unpack, whole) == text
