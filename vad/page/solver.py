@@ -59,7 +59,7 @@ def solver_data(program: Program, fixed: int = 0) -> dict[str, Any]:
     for value in _constants(steps, program):
         key = repr(value)
         if isinstance(value, tuple) or key not in constants:
-            constants[key] = value  # type: ignore[assignment]
+            constants[key] = value
     listed: list[float] = []
     for key, value in constants.items():
         places[key] = len(program.inputs) + len(listed)
