@@ -320,5 +320,5 @@ function docked(root, body, player) {
   dragged(root, body, begin, commit);
   for (const each of root.querySelectorAll(".switch, dl.own")) each.hidden = false;
 
-  return { begin, commit, settle, enter, leave, say, scale, number, read, fault, on: (listener) => listeners.push(listener), get held() { return held; } };
+  return { keys: acts.keys, begin, commit, settle, enter, leave, say, scale, number, read, fault, on: (listener) => listeners.push(listener), get held() { return held; } };
 }

@@ -47,11 +47,12 @@ _HAND = (
     "hand.js",
     "dock.js",
     "rail.js",
+    "curves.js",
     "outside.js",
 )
 _TURNED = (
     "const body=driven(root,solver(data.program),data.hand),dock=docked(root,body,player);"
-    "railed(root,body,dock);"
+    "curved(root,body,dock,railed(root,body,dock));"
     "window.vad=outside(root,body,dock,player);body.show();"
 )
 

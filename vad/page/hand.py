@@ -15,6 +15,7 @@ from vad.kinematics.numbers import vector
 from vad.kinematics.reach import closing_range
 from vad.kinematics.traced import Traced, plain
 from vad.lecture.moment import drawing
+from vad.page.curves import curves
 from vad.page.ink import Inker, when
 from vad.page.solved import given, proofs, template
 from vad.page.solver import solver_data
@@ -140,6 +141,7 @@ def hand(board: HandBoard, sheet: Sheet, inker: Inker, write: Callable[[Runs], s
     layers = {region: f'<g class="hand">{layer}</g>' for region, layer in layers.items()}
     layers[regions[0]] += ring
     data |= _described(board, sheet, outputs, write)
+    data["curves"] = curves(board, sheet, outputs.of)
     program = traced.program(outputs.numbers)
     data["size"] = len(outputs.numbers)
     return Hand(layers, solver_data(program, len(traced.inputs) - 3), data)

@@ -81,5 +81,5 @@ function picture(root, solve, data) {
     return `${text.replace("-", "−")} ${units}`;
   }
 
-  return { state, out, paint, x, y, unit };
+  return { state, out, paint, x, y, unit, written };
 }

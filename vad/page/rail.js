@@ -112,6 +112,7 @@ function railed(root, body, dock) {
     button.addEventListener("click", () => press(button.getAttribute("aria-pressed") !== "true"));
     shows.append(button);
     press(on);
+    return button;
   }
   showing(words.names, true, (on) => root.classList.toggle("unlettered", !on));
 

@@ -61,7 +61,7 @@ class TurnPanel:
         self.picture = over_turn(setting, poses)
         self.scale = scale = self.picture.scale
         fixed = {spot.letter for spot, way in tracks.items() if not spot.view and np.ptp(way) == 0}
-        rows = {spot: setting.row(_owner(spot.letter, fixed, poses)) for spot in tracks}
+        rows = {spot: setting.row(owner_of(spot.letter, fixed, poses)) for spot in tracks}
         self.hodographs = Hodographs(tracks, rows, scale, setting.room)
         drawn, straight = self.hodographs.drawn, self.hodographs.straight
         is_place = setting.panel.picture != "vectors"
@@ -182,7 +182,7 @@ def _all(panel: Panel) -> tuple[Stroke, ...]:
     return (*panel.zeros, *panel.strokes)
 
 
-def _owner(letter: str, fixed: Collection[str], poses: Sequence[Panel]) -> str | None:
+def owner_of(letter: str, fixed: Collection[str], poses: Sequence[Panel]) -> str | None:
     """Return the link or slide whose colour a point's path has: its vector ends there."""
     strokes = [stroke for pose in poses[:2] for stroke in (*pose.strokes, *pose.zeros)]
     blocks = [s for s in strokes if isinstance(s.shape, Block) and s.label == letter]

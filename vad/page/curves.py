@@ -1,0 +1,90 @@
+"""What a page shows of a whole turn: curves of the table's values, hodographs and paths of points.
+
+The script ``curves.js`` finds them with the program that moves the picture.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from vad.kinematics.traced import Traced
+from vad.plan.board import rows_of
+from vad.plan.hand_board import HandBoard
+from vad.plan.turn_panel import owner_of
+from vad.strokes.diagram import Spot
+from vad.strokes.diagrams import DIAGRAMS
+from vad.strokes.draw import scene_of
+from vad.strokes.sheet import BELOW, Panel, Sheet
+from vad.words import Language
+
+
+def curves(board: HandBoard, sheet: Sheet, output: Callable[[float], int]) -> dict[str, Any]:
+    """Return the values and the points that are followed over a turn.
+
+    Parameters
+    ----------
+    board
+        The mechanism.
+    sheet
+        The sheet of the page.
+    output
+        The number of an output.
+
+    Returns
+    -------
+    dict
+        ``columns``: of each panel its values, each with row, output, factor, unit and symbol.
+        ``tracks``: of each panel its points, each with the row whose ink it has or None, the
+        outputs of x and y, and of a polygon the place of its scale among the inputs, else None.
+        ``on``: the names of what is shown from the start.
+    """
+    traced, notation = board.traced.sheet, sheet.notation
+    columns = [
+        [
+            [index, output(cell.value), notation.scaled(1.0, cell.unit), unit, cell.symbol]
+            for index, row in enumerate(traced.rows)
+            for cell in row.cells.get(panel.name, ())
+            if isinstance(cell.value, Traced)
+            for unit in [notation.unit(cell.unit)]
+        ]
+        for panel in traced.panels
+    ]
+    scene = scene_of(board.traced.motion, Language(sheet.language))
+    names, tracks = list(board.traced.inputs), []
+    for panel in traced.panels:
+        found: list[list[Any]] = []
+        spots = DIAGRAMS[panel.name].tracks(scene)
+        still = {spot.letter for spot, at in spots.items() if not _moves(at)}
+        for spot, at in spots.items():
+            half = traced.panel(panel.name + BELOW) if spot.below else panel
+            place = _followed(board, half, at)
+            if place is None:
+                continue
+            scale = names.index(f"{half.name} x") if f"{half.name} x" in names else None
+            row = _row(half, spot, still, sheet)
+            found.append([row, output(place.real), output(place.imag), scale])
+        tracks.append(found)
+    return {"columns": columns, "tracks": tracks, "on": []}
+
+
+def _followed(board: HandBoard, panel: Panel, at: Any) -> complex | None:
+    """Return where a point is: of a mechanism on the page, of a polygon in its own unit.
+
+    None if it stands still.
+    """
+    if not _moves(at):
+        return None
+    if panel.picture == "vectors":
+        place: complex = at
+        return place
+    return board.scales[panel.name](at)
+
+
+def _moves(at: Any) -> bool:
+    return any(isinstance(part, Traced) for part in (at.real, at.imag))
+
+
+def _row(panel: Panel, spot: Spot, still: set[str], sheet: Sheet) -> int | None:
+    """Return the row of the link or slide whose vector ends at a point."""
+    return rows_of(sheet).get(owner_of(spot.letter, still, [panel]) or "")
