@@ -177,7 +177,7 @@ export function mount(root, data, { address = true } = {}) {
 
   // A narrow window shows the first panel and one other.
   function near(panel) {
-    lesson.pictures.forEach((picture, i) => picture.closest(".panel").classList.toggle("far", i > 0 && i !== panel));
+    lesson.pictures.forEach((picture, i) => picture.closest(".panel")?.classList.toggle("far", i > 0 && i !== panel));
     all(".results tr").forEach((row) => [...row.children].slice(1).forEach((cell, i) =>
       cell.classList.toggle("far", i > 0 && i !== panel)));
   }
