@@ -22,7 +22,7 @@ from vad.mechanisms import MECHANISMS
 MOVES = 10_000 if os.environ.get("VAD_FULL") else 150
 #: So many at first, until all that is kept on purpose is there; and the most that comes then, in
 #: bytes.
-WARM, MOST = 100, 64e6
+WARM, MOST = 100, 96e6
 #: What both clients move, one after the other.
 MOVED = ("four-bar", "slider-crank", "crank-slotted-lever", "hooke-joint")
 

@@ -154,3 +154,23 @@ def test_the_third_view_is_drawn_in_a_round_scale_and_never_enlarged(
     panel = vad.draw(motion).panel("position")
     assert abs(arrows(panel)["BC.third"]) == pytest.approx(share * coupler)
     assert panel.notes[-1].text.endswith(" 1 : 5") == (share == 0.2)
+
+
+def test_lengths_whose_squares_underflow_are_drawn_as_any_others():
+    unit = 2.0**-620
+    usual = vad.RSSR().parameters()
+    angle = usual.pop("ground_twist")
+    tiny = vad.RSSR(ground_twist=angle, **{name: size * unit for name, size in usual.items()})
+    drawn, wanted = (
+        vad.draw(vad.solve(each, angle=50.0)).panel("velocity").strokes
+        for each in (tiny, vad.RSSR())
+    )
+    for one, other in zip(drawn, wanted, strict=True):
+        if isinstance(one.shape, Arrow):
+            assert one.shape.end / unit == pytest.approx(other.shape.end, rel=1e-12)
+
+
+def test_a_bar_that_is_nothing_beside_the_others_is_refused_by_name():
+    kind = vad.RSSR(ground=0, crank=30, coupler=1e-170, rocker=50, crank_offset=40, rocker_offset=0)
+    with pytest.raises(vad.InputError, match="BC: is too short beside the others to be drawn"):
+        vad.draw(vad.solve(kind, angle=0.0), "position")

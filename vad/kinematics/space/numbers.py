@@ -7,9 +7,12 @@ numbers, holds for axes in space: its real part turns, its dual part slides.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
+
+import numpy as np
 
 from vad.kinematics import numbers
 from vad.kinematics.numbers import Number
@@ -135,9 +138,11 @@ def over(a: Vector3, divisor: Number) -> Vector3:
 
 
 def norm(a: Vector3) -> Number:
-    """Return the length of a vector; it may be of arrays."""
-    square = dot(a, a)
-    return square**0.5 if numbers.is_array(square) else numbers.sqrt(square)
+    """Return the length of a vector, which may be of arrays; no square underflows."""
+    x, y, z = a
+    if any(map(numbers.is_array, a)):
+        return np.hypot(np.hypot(x, y), z)
+    return math.hypot(x, y, z)
 
 
 def unit(a: Vector3) -> Vector3:

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from vad.errors import InputError
 from vad.kinematics.space.numbers import (
     Vector3,
     added,
@@ -59,15 +60,28 @@ class BarScript(Script):
         """Where the points are in space."""
         return {letter: self.place(letter) for letter in "ABCD"}
 
+    def _bar(self, tail: str, head: str) -> Vector3:
+        """Return the vector along a bar, of one pose or of many.
+
+        Raises
+        ------
+        vad.errors.InputError
+            If the bar of one pose is nothing beside the other lengths, and points nowhere.
+        """
+        bar = difference(self.at[head], self.at[tail])
+        if not any(map(np.any, bar)):
+            raise InputError(f"{tail}{head}: is too short beside the others to be drawn")
+        return bar
+
     @cached_property
     def path(self) -> Vector3:
         """The unit vector along C's path, as the rocker turns counter-clockwise."""
-        return unit(cross(self.axis("D"), difference(self.at["C"], self.at["D"])))
+        return unit(cross(self.axis("D"), self._bar("D", "C")))
 
     @cached_property
     def true(self) -> View:
         """The view in which BC and the path of C are in true length, from the side of D's axis."""
-        along, d = unit(difference(self.at["C"], self.at["B"])), self.axis("D")
+        along, d = unit(self._bar("B", "C")), self.axis("D")
         across = cross(along, self.path)
         flat = 1.0 * (dot(across, across) < 1e-24)  # BC lies along the path
         upright = difference(d, scaled(dot(along, d), along))
