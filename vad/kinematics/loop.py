@@ -13,7 +13,6 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import replace
 
 from vad.errors import InputError
-from vad.kinematics.carrying import carrying
 from vad.kinematics.closed_forms import GroundedCrank, crossing
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import (
@@ -119,8 +118,12 @@ class LoopSolver:
 
         That part counts as seen from a link.  The link is said where it slides in these steps.
         """
-        frame, fixed = self.frame, self.frame.fixed
-        found = None if self.crank else carrying(frame.linkage, self.loop, unknown, fixed)
+        if self.crank:
+            return self.known, self.offset, None
+        from vad.kinematics.carrying import carrying  # one loop does not need it
+
+        frame = self.frame
+        found = carrying(frame.linkage, self.loop, unknown, frame.fixed)
         if found is None:
             return self.known, self.offset, None
         way, view = found

@@ -31,11 +31,11 @@ from vad.kinematics.numbers import (
     times,
     turned,
 )
-from vad.kinematics.refined import Refinement, is_refined
 from vad.kinematics.state import GROUND, Pose, Rates
 from vad.kinematics.symbol import as_float
 
 if TYPE_CHECKING:
+    from vad.kinematics.refined import Refinement
     from vad.mechanisms.mechanism import Mechanism
 
 
@@ -85,9 +85,7 @@ class Solver(AnySolver):
             for loop, unknowns in zip(linkage.loops, linkage.unknowns, strict=True)
         ]
         #: What makes places exact in a linkage of many loops.
-        self.refinement = self.frame.refined = (
-            Refinement(self.frame) if is_refined(linkage) else None
-        )
+        self.refinement = self.frame.refined = _refinement(self.frame)
         self.two_assemblies = any(loop.two_ways for loop in self.loops)
 
     @cached_property
@@ -189,6 +187,15 @@ class Solver(AnySolver):
     def miss_in_words(self, miss: float, length_unit: str) -> str:
         """Say by how much the chains of a pose miss each other."""
         return f"{miss * self.scale:.4g} {length_unit}"
+
+
+def _refinement(frame: ReferenceFrame) -> Refinement | None:
+    """Return what makes places exact in a linkage of many loops."""
+    if len(frame.linkage.loops) == 1:
+        return None
+    from vad.kinematics.refined import Refinement, is_refined  # one loop does not need it
+
+    return Refinement(frame) if is_refined(frame.linkage) else None
 
 
 def guide_of(linkage: Linkage, slide: str) -> str | None:
