@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -27,7 +27,7 @@ def traced(*values: float) -> list[Traced]:
     return [Traced.input(tape, f"x{number}", value) for number, value in enumerate(values)]
 
 
-def replayed(function: Callable[..., Any], others: list[tuple[float, ...]]) -> list[float]:
+def replayed(function: Callable[..., Any], others: Sequence[tuple[float, ...]]) -> list[float]:
     """Return what a function gives of other numbers than those with which it is traced."""
     inputs = traced(0.5, 0.8)
     made: list[Any] = [number.made for number in inputs]
@@ -105,7 +105,7 @@ def test_a_traced_sum_is_rounded_nearly_once() -> None:
 def test_a_constant_is_chosen_by_a_traced_number() -> None:
     centre, low, high = traced(1.0, 5.0, 7.0)
     found = choose(centre, {-1: low, 0: 6.0, 1: high})
-    program = Program([x.made for x in (centre, low, high)], [made_of(found)], 1)  # type: ignore[misc]
+    program = Program([x.made for x in (centre, low, high)], [made_of(found)], 1)
     (column,) = program.many([np.array([-1.0, 0.0, 1.0]), 5.5, 7.5], 3)
     assert column.tolist() == [5.5, 6.0, 7.5]
 

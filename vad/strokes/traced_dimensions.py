@@ -2,8 +2,8 @@
 
 A record holds for all dimensions with which the solver decides alike.  With an offset of exactly
 zero, or with equal links, it decides as with no others.  So each dimension is moved by less than
-anybody sees.  Then the record is tried with other dimensions: of the decisions that come out
-differently, those stay as guards beyond which a number is wrong.
+anybody sees.  Then the record is tried with other dimensions, near and far: of the decisions that
+come out differently, those stay as guards beyond which a number is wrong.
 """
 
 from __future__ import annotations
@@ -32,8 +32,10 @@ Array = NDArray[Any]
 #: both sides as this share of the largest.
 RANGE = (0.6, 1.5)
 AROUND_ZERO = 0.1
-#: The sets that are tried: with the mechanism's own dimensions, and with others.
-_OWN, _OTHER = 6, 60
+#: The sets that are tried: with the mechanism's own dimensions, with others within the reach of
+#: sliders, with others that are changed by a larger factor, and with one of its own reversed.
+_OWN, _NEAR, _FAR, _REVERSED = 6, 60, 15, 20
+_FACTOR = 5.0
 _SEED = 21
 #: By what share of itself a dimension is moved.  What is drawn of it stays the same: a point counts
 #: as in line with two others within a hundred times as much.
@@ -165,7 +167,9 @@ class _Trials:
         """
         sets = list(self._sets(names))
         right = [self._right(values) for values in sets]
-        best, most = None, _OWN
+        exist = np.array([each is not None for each in right])
+        own = [all(values[name] == self._own[name] for name in names) for values in sets]
+        best, most = None, int((exist & own).sum())
         for sizes in self._candidates(names):
             try:
                 traced = _traced(self._mechanism, self._inputs, sizes)
@@ -176,11 +180,11 @@ class _Trials:
             guards = _needed(holds, np.array(wrong))
             if guards is None:
                 continue
-            held = int(holds[:, guards].all(axis=1).sum())
+            held = int(holds[exist][:, guards].all(axis=1).sum())
             if held > most:
                 kept = tuple(traced.guards[number] for number in guards)
                 best, most = replace(traced, guards=kept), held
-            if most == len(sets):
+            if most == exist.sum():
                 break
         return best
 
@@ -201,18 +205,27 @@ class _Trials:
         rng = np.random.default_rng(_SEED)
         own = {name: self._own[name] for name in names}
         (driven, place), *_ = self._inputs.items()
-        for number in range(_OWN + _OTHER):
+        kinds = np.repeat(["own", "near", "far", "reversed"], (_OWN, _NEAR, _FAR, _REVERSED))
+        for number, kind in enumerate(kinds):
             values = {**self._inputs, **own}
-            if number >= _OWN:
-                aside = AROUND_ZERO * self._largest
-                values |= {
-                    name: rng.uniform(*RANGE) * value or rng.uniform(-aside, aside)
-                    for name, value in own.items()
-                }
+            if kind in ("near", "far"):
+                aside = (AROUND_ZERO if kind == "near" else 1.0) * self._largest
+                for name, value in own.items():
+                    far = _FACTOR ** rng.uniform(-1.0, 1.0)
+                    factor = rng.uniform(*RANGE) if kind == "near" else far
+                    values[name] = factor * value or rng.uniform(-aside, aside)
+            name = names[number // 2 % len(names)]
+            if kind == "reversed" and self._signed(name):
+                values[name] = -values[name]
             if number % 2:
                 turned = rng.uniform(0.0, 360.0) if driven == "angle" else 0.0
                 values[driven] = turned or place * rng.uniform(0.7, 1.3)
             yield values
+
+    def _signed(self, name: str) -> bool:
+        """Tell whether a dimension may be negative, as those of a point on a link may."""
+        field = type(self._mechanism).__dataclass_fields__.get(name)
+        return field is None or bool(field.metadata["signed"])
 
     def _right(self, values: Values) -> Array | None:
         """Return the right numbers; None where the mechanism is refused, or does not close."""
@@ -263,12 +276,13 @@ class _Trials:
 def _needed(holds: Array, wrong: Array) -> list[int] | None:
     """Return the numbers of guards of which one at least fails wherever numbers are wrong.
 
-    None if there are no such guards.  Each of them is needed.
+    None if there are no such guards.  Each of them is needed; an early decision, which a later one
+    repeats, is kept.
     """
     if holds[wrong].all(axis=1).any():
         return None
     needed = [number for number in range(holds.shape[1]) if not holds[wrong, number].all()]
-    for number in list(needed):
+    for number in reversed(needed):
         others = [each for each in needed if each != number]
         if not holds[wrong][:, others].all(axis=1).any():
             needed = others
