@@ -390,11 +390,8 @@ class Bodies:
             if body.slide and self._rod_of(body):
                 edges: list[Step] = [s for s in self._bars(body.link) if s in self.linkage.images]
             elif body.slide:
-                edges = [
-                    s
-                    for s in self._steps
-                    if isinstance(s, Slide) and s.tail == start and isinstance(s.along, float)
-                ]
+                slots = (s for s in self._steps if isinstance(s, Slide) and s.tail == start)
+                edges = [s for s in slots if self._carrier(s) == body.name]
             else:
                 edges = [s for s in self._bars(body.link) if s.ends not in self._rod_bars]
             body.paths = _paths(start, edges)
