@@ -206,9 +206,12 @@ def _motion(shape: Outline, outputs: Outputs) -> list[Any] | None:
             return ["a", *map(outputs.listed, rings)]
         case Disc(centre, _) if _traced([centre]):
             return ["c", outputs.place(centre)]
-        case Bow(centre, radius, start, sweep) if _traced([centre, vector(start, sweep)]):
-            ends = [outputs.of(each) for each in (radius, start, sweep)]
-            return ["b", [*outputs.place(centre), *ends]]
+        case Bow(centre, radius, start, sweep, axis, narrow):
+            if _traced([centre, vector(start, sweep), vector(radius, narrow), axis]):
+                round_ = not isinstance(narrow, Traced) and narrow == 1.0
+                squeezed = [] if round_ else [*outputs.place(axis), outputs.of(narrow)]
+                ends = [outputs.of(each) for each in (radius, start, sweep)]
+                return ["b", [*outputs.place(centre), *ends, *squeezed]]
         case Lettering(at=at) if _traced([at]):
             return ["t", outputs.place(at), [round(at.real, 6), round(at.imag, 6)]]
     return None

@@ -188,7 +188,7 @@ def _foot_lines(board: Plan, panel: Panel) -> int:
 def turned_board(lesson: Lesson) -> HandBoard | None:
     """Return the board on which a lesson's mechanism is turned; None where it cannot be."""
     sheet = lesson.sheet
-    if not sheet.source or any(panel.picture == "views" for panel in sheet.panels):
+    if not sheet.source:
         return None
     names = [panel.name for panel in sheet.panels]
     return hand_board(sheet.source.mechanism, names, sheet.language, screen(SIZE), 1)

@@ -32,18 +32,23 @@ function picture(root, solve, data) {
     l: (parts) => ({ d: parts.map((part) => line(part, false)).join("") }),
     a: (parts) => ({ d: parts.map((part) => line(part, true)).join("") }),
     c: ([at]) => ({ cx: round(x(at[0])), cy: round(y(at[1])) }),
-    b: ([[u, v, radius, start, sweep]]) => ({ d: bow(x(u), y(v), out[radius] * unit, out[start], out[sweep]) }),
+    b: ([[u, v, radius, start, sweep, ...squeezed]]) => ({ d: bow(x(u), y(v), out[radius] * unit, out[start], out[sweep],
+      ...squeezed.map((place) => out[place])) }),
     t: ([at, from]) => ({ transform: `translate(${round((out[at[0]] - from[0]) * unit)} ${round((from[1] - out[at[1]]) * unit)})` }),
   };
 
-  function bow(u, v, radius, start, sweep) {
+  // An arc of a circle, which is narrow across its axis (p, q) where it is seen from the side.
+  function bow(u, v, radius, start, sweep, p = 1, q = 0, narrow = 1) {
     const turns = Math.max(1, Math.ceil(Math.abs(sweep) / 90));
     const at = (k) => {
       const angle = (start + sweep * k / turns) * Math.PI / 180;
-      return `${round(u + radius * Math.cos(angle))} ${round(v - radius * Math.sin(angle))}`;
+      const right = radius * Math.cos(angle), up = radius * Math.sin(angle);
+      const along = right * p + up * q, across = narrow * (up * p - right * q);
+      return `${round(u + along * p - across * q)} ${round(v - along * q - across * p)}`;
     };
     let path = `M${at(0)}`;
-    for (let k = 1; k <= turns; k++) path += `A${round(radius)} ${round(radius)} 0 0 ${+(sweep < 0)} ${at(k)}`;
+    const radii = `${round(radius)} ${round(radius * Math.abs(narrow))} ${round(-Math.atan2(q, p) * 180 / Math.PI)}`;
+    for (let k = 1; k <= turns; k++) path += `A${radii} 0 ${+(sweep * narrow < 0)} ${at(k)}`;
     return path;
   }
 
