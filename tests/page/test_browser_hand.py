@@ -342,3 +342,13 @@ def test_a_german_page_reads_its_own_numbers(browser: Browser, tmp_path: Path) -
         assert angle(page) == 40.5
         expect(box).to_have_value("40,5")
         expect(page.locator("[data-do=return]")).to_have_text(re.compile("Zurück zur Lektion"))
+
+
+def test_the_address_keeps_the_hand(browser: Browser, tmp_path: Path) -> None:
+    with opened(browser, reduced_motion="reduce") as page:
+        show(page, tmp_path, page_of("four-bar"), "#hand&angle=128.4&omega=5&x=3&alpha=")
+        assert page.evaluate("() => vad.state") == {"angle": 128.4, "omega": 5, "alpha": 3}
+        press(page, "ArrowRight")
+        until(page, lambda: page.url.endswith("#hand&angle=129.4&omega=5"))
+        press(page, "Escape")
+        until(page, lambda: "#step=" in page.url)

@@ -174,7 +174,7 @@ function docked(root, body, player) {
   }
 
   const renamed = turns ? ["far-back", "little-back", "little-on", "far-on"] : ["more-back", "step-back", "step-on", "more-on"];
-  const RENAMED = Object.fromEntries(["first", "back", "forward", "last"].map((name, i) => [name, renamed[i]]));
+  const RENAMED = Object.fromEntries(["first", "back", "forward", "last", "strokes"].map((name, i) => [name, renamed[i] ?? "settings"]));
   const named = Object.fromEntries(Object.keys(RENAMED).map((name) => [name, one(`[data-do=${name}]`).title]));
 
   function name_(name, said) {
@@ -215,7 +215,9 @@ function docked(root, body, player) {
       [past, future, mishap] = [[], [], ""];
       clearTimeout(timer);
       able();
+      const lost = document.activeElement?.closest?.(".said, .dial, .set, .own");
       root.classList.remove("turned", "limited");
+      if (lost) one("[data-do=hand]").focus({ preventScroll: true });
       for (const [cell, html] of written) cell.innerHTML = html;
       for (const [name, said] of Object.entries(named)) name_(name, said);
       one("[data-do=lesson]").setAttribute("aria-pressed", true);
@@ -316,6 +318,7 @@ function docked(root, body, player) {
   one(".place span").innerHTML = symbol;
   box.setAttribute("aria-label", words[data.turns]);
   one(".place span:last-child").textContent = turns ? "°" : unit;
+  for (const drawing of root.querySelectorAll(".panel:not(:first-child) .drawing")) drawing.dataset.none = words["no-polygon"];
   body.on(shown);
   dragged(root, body, begin, commit);
   for (const each of root.querySelectorAll(".switch, dl.own")) each.hidden = false;

@@ -49,11 +49,12 @@ _HAND = (
     "rail.js",
     "curves.js",
     "outside.js",
+    "address.js",
 )
 _TURNED = (
     "const body=driven(root,solver(data.program),data.hand),dock=docked(root,body,player);"
     "curved(root,body,dock,railed(root,body,dock));"
-    "window.vad=outside(root,body,dock,player);body.show();"
+    "window.vad=outside(root,body,dock,player);body.show();addressed(root,body,dock,vad,player);"
 )
 
 

@@ -183,7 +183,7 @@ export function mount(root, data, { address = true } = {}) {
   }
 
   function write() {
-    if (place(location.hash) === Math.ceil(x) || !/^(#step=.*)?$/.test(location.hash)) return;
+    if (place(location.hash) === Math.ceil(x) || !/^(#(step=|hand).*)?$/.test(location.hash)) return;
     try { history.replaceState(null, "", `#step=${Math.ceil(x)}`); } catch { /* a frame without an address */ }
   }
 

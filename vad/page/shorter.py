@@ -37,10 +37,12 @@ _GLOBALS = frozenset(
         r"\w+",
         """AbortController Array CustomEvent DOMPoint Float64Array Infinity Int32Array JSON
         Map Math NaN Number
-        Object Promise ResizeObserver Set String TextDecoder Uint8Array addEventListener atob
+        Object Promise ResizeObserver Set String TextDecoder URLSearchParams Uint8Array
+        addEventListener atob
         cancelAnimationFrame clearTimeout console document getComputedStyle getSelection history
         innerHeight innerWidth isNaN location matchMedia navigator parent performance
-        requestAnimationFrame setTimeout window""",
+        requestAnimationFrame setTimeout vad
+        window""",
     )
 )
 _GAP = re.compile(r"\$\{((?:[^{}`]|\{[^{}`]*\}|`(?:\\.|\$\{[^{}`]*\}|[^`\\])*`)*)\}")
