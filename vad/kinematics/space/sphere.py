@@ -19,8 +19,8 @@ from vad.kinematics.closed_forms import root_of_factors
 from vad.kinematics.numbers import (
     Number,
     choose,
-    copysign,
     direction,
+    nearest,
     nonzero,
     sqrt,
     vector,
@@ -78,8 +78,8 @@ class Sphere:
         self.short_ground = abs(ground) < SHORT * abs(crank)
         self.short_crank = abs(crank) < SHORT * min(abs(coupler), abs(ground))
         self._product = 0.5 * ground * crank
-        # What is known of each pose, where the crank points away from D and where it points to it:
-        # half the sine and cosine of the diagonal BD, squared, and Heron's factors.
+        # What is known of poses where the crank points away from D, to it, and across:
+        # sine and cosine of half the diagonal BD, squared, and Heron's factors.
         near, far = self._direction(0.5, -0.5, 0, 0), self._direction(0.5, 0.5, 0, 0)
         self._sine = _both(far.imag * far.imag, near.imag * near.imag)
         self._cosine = _both(far.real * far.real, near.real * near.real)
@@ -96,10 +96,17 @@ class Sphere:
         total, difference = half(2, 2, 0, 0), half(2, -2, 0, 0)
         self._on_ground = _both(total, difference), self.cosines[0] * crank
         self._on_crank = _both(total, -difference), self.cosines[1] * ground
-        # Of α at C: what stands beside cos φ_A, and beside the square of what that misses of ±1.
+        # Of α at C: what stands beside cos φ_A, beside the square of what is short, and alone.
         both = coupler * rocker
-        self._bent = {at: 4.0 * (self._below[at] / both) * (self._above[at] / both) for at in _ENDS}
-        self._rest = (self._below[-1] - self._above[1]) / both * (2.0 * self._product / both)
+        share, one, other = (
+            2.0 * self._product / both,
+            self._below[-1] / both,
+            self._above[1] / both,
+        )
+        ends = {at: 4.0 * (self._below[at] / both) * (self._above[at] / both) for at in (-1, 1)}
+        self._bent = {**ends, 0: 2.0 * share * (one + other) + 4.0 * one * other}
+        self._rest = share * (one - other)
+        self._level = {-1: 0.0, 0: self._rest, 1: 0.0}
         self._of_rocker = self._foot(3, 2)
         self._of_coupler = self._foot(2, 3)
 
@@ -130,16 +137,15 @@ class Sphere:
     def pose(self, angle: Number) -> SpherePose:
         """Return the position for a folded angle of the crank; NaN where the arcs do not close."""
         u = direction(angle)
-        nearest, short = _end(u.real, u.imag)
-        turned = nearest * short
-        grown = self._product * turned
-        below, above = choose(nearest, self._below) - grown, choose(nearest, self._above) + grown
-        sine, cosine = choose(nearest, self._sine) + grown, choose(nearest, self._cosine) - grown
+        centre, short = nearest(u.real, u.imag)
+        grown = self._product * short
+        below, above = choose(centre, self._below) - grown, choose(centre, self._above) + grown
+        sine, cosine = choose(centre, self._sine) + grown, choose(centre, self._cosine) - grown
         both = self.sines[2] * self.sines[3]
         height = self.side * root_of_factors(below, above, both, *self._scales)
 
         def along(constants: tuple[dict[int, float], float]) -> Number:
-            return choose(nearest, constants[0]) + constants[1] * turned
+            return choose(centre, constants[0]) + constants[1] * short
 
         def foot(constants: tuple[bool, float, float]) -> Number:
             opposite, product, square = constants
@@ -206,8 +212,9 @@ class Sphere:
     def bent(self, pose: SpherePose) -> Number:
         """Return sin³φ_C times the derivative of sin φ_A / sin φ_C, for ω₂ = 1."""
         cosine, sine = pose.crank
-        nearest, short = _end(cosine, sine)
-        return choose(nearest, self._bent) * cosine - self._rest * (short * short)
+        centre, short = nearest(cosine, sine)
+        beside = self._rest * (short * short) + choose(centre, self._level)
+        return choose(centre, self._bent) * cosine - beside
 
     def _beside_crank(
         self, pose: SpherePose, omega: Number, turns: Turns, alpha: Number, at_c: Number
@@ -270,18 +277,9 @@ class Sphere:
         return found
 
 
-#: The ends of the range of a cosine, and what does not occur between them.
-_ENDS = -1, 0, 1
-
-
 def _both(negative: float, positive: float) -> dict[int, float]:
-    """Return constants to choose from by the sign of the cosine of the crank's angle."""
-    return {-1: negative, 0: positive, 1: positive}
-
-
-def _end(cosine: Number, sine: Number) -> tuple[Number, Number]:
-    """Return the sign of a cosine, and how much it misses of ±1."""
-    return copysign(1.0, cosine), sine * sine / (1.0 + abs(cosine))
+    """Return constants to choose from, where the cosine of the crank's angle is near -1, 0 or 1."""
+    return {-1: negative, 0: 0.5 * (negative + positive), 1: positive}
 
 
 def _joined(x: Number, y: Number, height: Number, foot: Number) -> Turn:
