@@ -59,6 +59,22 @@ POSES = {
         '"rocker_twist": 55.49902551265545, "angle": -61.05842736840225, '
         '"omega": -0.34482631026306515, "alpha": -2638.071487310488, "assembly": "open"}',
     ),
+    "a rocker that turns almost with the crank": (
+        SPATIAL,
+        '{"ground": -57.3358250849024, "crank": -24.085258436333373, "coupler": 0.0, '
+        '"rocker": 12.256078192431124, "ground_twist": 1.3213220850022425e-05, '
+        '"crank_twist": 0.7920715159778207, "coupler_twist": 83.33308149501417, '
+        '"rocker_twist": 83.72342588748592, "angle": 605.73358315627, '
+        '"omega": -0.7223564518327942, "alpha": 0.0, "assembly": "open"}',
+    ),
+    "a dead centre across, but for the last digits": (
+        SPATIAL,
+        '{"ground": 87.09581283758972, "crank": -17.383557086214047, '
+        '"coupler": 56.7833761127184, "rocker": 0.0, "ground_twist": 102.78632157256999, '
+        '"crank_twist": 84.48580769624274, "coupler_twist": 9.463324429308656, '
+        '"rocker_twist": 103.51758795739704, "angle": 267.08082459353443, '
+        '"omega": 5.416015079044581, "alpha": -2621.5213696580377, "assembly": "crossed"}',
+    ),
     "twists that are almost half a turn": (
         SPATIAL,
         '{"ground": 79.83065542634994, "crank": -77.55165044436303, '

@@ -167,10 +167,22 @@ class Sphere:
         ω₃₄ sin α₃ sin α₄ sin φ_C = ω₂ sin α₁ sin α₂ sin φ_A.
         """
         over = omega / nonzero(pose.at_c[1])
-        at_d, at_b, at_c = self._ratios
-        return Turns(
-            at_d * pose.at_b[1] * over, at_b * pose.rocker[1] * over, at_c * pose.crank[1] * over
-        )
+        of_d, of_b, of_c = self._ratios
+        at_d, at_c = of_d * pose.at_b[1] * over, of_c * pose.crank[1] * over
+        if self.short_ground:
+            share, other = self._shares
+            beside = share * at_d * pose.crank[0] + other * at_c * pose.at_b[0]
+            at_d = (omega + beside) / self.cosines[0]
+        return Turns(at_d, of_b * pose.rocker[1] * over, at_c)
+
+    @property
+    def _shares(self) -> tuple[float, float]:
+        """What stands in (ω₄ cos α₁ - ω₂) sin α₂ = ω₄ sin α₁ cos α₂ cos φ_A + ω₃₄ sin α₃ cos φ_B.
+
+        Both terms are small where the ground is short: the rocker then turns almost as the crank.
+        """
+        ground, crank, coupler, _ = self.sines
+        return ground * self.cosines[1] / crank, coupler / crank
 
     @property
     def _ratios(self) -> tuple[float, float, float]:
@@ -219,13 +231,8 @@ class Sphere:
     def _beside_crank(
         self, pose: SpherePose, omega: Number, turns: Turns, alpha: Number, at_c: Number
     ) -> Number:
-        """Return α₄ of a rocker that turns almost with the crank.
-
-        It is the derivative of (ω₄ cos α₁ - ω₂) sin α₂ = ω₄ sin α₁ cos α₂ cos φ_A +
-        ω₃₄ sin α₃ cos φ_B, in which all terms are small.
-        """
-        ground, crank, coupler, _ = self.sines
-        share, other = ground * self.cosines[1] / crank, coupler / crank
+        """Return α₄ of a rocker that turns almost with the crank: the derivative of `_shares`."""
+        share, other = self._shares
         swung = at_c * pose.at_b[0] - turns.at_c * turns.at_b * pose.at_b[1]
         known = alpha + other * swung - share * (omega * turns.at_d) * pose.crank[1]
         return known / (self.cosines[0] - share * pose.crank[0])
