@@ -92,8 +92,12 @@ def posed(board: HandBoard, inputs: dict[str, float]) -> dict[str, Sketch]:
         setting = board.live.setting(sheet, half)
         traced = board.scales[half.name]
         scale = Scale(plain(traced.origin), plain(traced.factor))
-        picture = board.live.pictures.get(half.name) or Polygon(setting, scale)
-        sketches[half.name] = picture.under_hand(setting, NamedLabels(half.name))
+        labels, picture = NamedLabels(half.name), board.live.pictures.get(half.name)
+        if picture:
+            sketches[half.name] = picture.under_hand(setting, labels)
+        else:
+            polygon, shared = Polygon(setting, scale), board.shared[half.name]
+            sketches[half.name] = polygon.under_hand(setting, labels, shared)
     return sketches
 
 

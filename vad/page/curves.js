@@ -162,6 +162,7 @@ function curved(root, body, dock, showing) {
     placed();
     if (shows.curves) for (const each of plots) each.move();
   });
+  view.glides(() => { if (shows.hodographs) placed(); });
   for (const [name, key] of [["curves", "c"], ["hodographs", "o"], ["paths", "p"]]) {
     const button = showing(data.words[name], data.curves.on.includes(name), (on) => toggle(name, on));
     button.setAttribute("aria-keyshortcuts", key.toUpperCase());

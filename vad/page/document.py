@@ -41,7 +41,9 @@ _START = (
 #: The scripts of a page that is turned, those first that others use.
 _HAND = (
     "solver.js",
+    "written.js",
     "labels.js",
+    "scales.js",
     "picture.js",
     "reach.js",
     "hand.js",

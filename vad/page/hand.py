@@ -6,6 +6,8 @@ outputs of one program (`vad.page.solver`).  The script ``hand.js`` plays that p
 
 from __future__ import annotations
 
+import cmath
+import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields, replace
 from itertools import groupby
@@ -20,14 +22,48 @@ from vad.page.ink import Inker, when
 from vad.page.solved import given, proofs, template
 from vad.page.solver import solver_data
 from vad.painting.svg_elements import number
-from vad.plan.hand_board import HandBoard, Label
+from vad.plan.board import Plan
+from vad.plan.geometry import Rect
+from vad.plan.hand_board import HandBoard, Label, scale_inputs
 from vad.plan.items import FOREVER, Item, in_painting_order
 from vad.plan.labels.vertices import text_at
-from vad.plan.lettering.runs import Runs, symbols
-from vad.plan.marks import Bow, Disc, Lettering, Outline, Polygon, Polyline
+from vad.plan.lettering.glyphs import width
+from vad.plan.lettering.runs import Runs, bold, roman, symbols
+from vad.plan.marks import Bow, Disc, Lettering, Mark, Outline, Polygon, Polyline, line
+from vad.plan.page.heads import APART, TITLE
+from vad.plan.pictures.polygon import BAR_OFF, WIDEST_BAR
 from vad.plan.pictures.skeleton import GRIP
-from vad.strokes.sheet import Sheet
+from vad.plan.reach import corners
+from vad.plan.scale import (
+    LEAST,
+    LONGEST_BAR,
+    SCALE_GAP,
+    SCALE_RISE,
+    SCALE_SIZE,
+    SCALE_TICK,
+    SHORTEST_BAR,
+    SPARE,
+    Scale,
+    bar_marks,
+    padded,
+)
+from vad.strokes.sheet import Panel, Sheet
 from vad.words import Language
+from vad.written import THIN_SPACE
+
+#: How much farther than at their best place labels with a leader may stand.
+_FAR = (0.030, 0.044, 0.058)
+#: The attributes of a shape that are set before it is seen.
+_SET = re.compile(r' (?:d|cx|cy)="[^"]*"')
+#: Of the signs in a scale bar's number, and of the bar itself, in page units.
+_SIGNS = {
+    "wide": {sign: round(width(roman(sign), SCALE_SIZE), 5) for sign in f"0.,{THIN_SPACE}×"},
+    "longest": LONGEST_BAR,
+    "shortest": SHORTEST_BAR,
+    "gap": SCALE_GAP,
+    "rise": SCALE_RISE,
+    "tick": SCALE_TICK,
+}
 
 
 @dataclass(frozen=True)
@@ -73,26 +109,27 @@ class Outputs:
         return [each for z in places for each in self.place(z)]
 
 
-def hand(board: HandBoard, sheet: Sheet, inker: Inker, write: Callable[[Runs], str]) -> Hand:
-    """Return a mechanism that is turned on the page of a sheet.
+def hand(board: HandBoard, plan: Plan, inker: Inker, write: Callable[[Runs], str]) -> Hand:
+    """Return a mechanism that is turned on a page.
 
     Parameters
     ----------
     board
         The mechanism.
-    sheet
-        The sheet of the page: in its pose the mechanism stands first.
+    plan
+        The board of the page: the mechanism stands first as it does there.
     inker
         The inker of the page.
     write
         The function that writes runs as HTML.
     """
-    outputs, traced = Outputs(), board.traced
+    sheet, outputs, traced = plan.sheet, Outputs(), board.traced
+    begun = Begun(sheet)
+    halves = [half.name for half in traced.sheet.halves]
     layers: dict[str, str] = {}
     moves: list[list[Any]] = []
     moving = [item for sketch in board.sketches.values() for item in sketch.items]
     regions = [panel.name for panel in traced.sheet.panels]
-    begun = Begun(sheet)
     for region in regions:
         shown = [item for item in (*board.still, *moving) if item.region == region]
         layers[region] = "".join(
@@ -101,17 +138,31 @@ def hand(board: HandBoard, sheet: Sheet, inker: Inker, write: Callable[[Runs], s
                 in_painting_order(shown, regions), key=lambda item: _named(item.stroke, region)
             )
         )
-    labels = []
+    polygons = []
+    for half in traced.sheet.halves:
+        if half.picture == "vectors":
+            polygon = _Scaled(board, plan, half)
+            polygons.append({"half": halves.index(half.name), **polygon.data(outputs)})
+            if half.name != half.column:
+                layers[half.column] += polygon.lower_bar(halves.index(half.name), inker)
+    labels, nears = [], dict[tuple[float, ...], int]()
     for label in board.labels:
         column = traced.sheet.panel(label.panel).column
         element = inker.mark(text_at(label.runs, label.runs, 0j, label.size, label.role, label.row))
         since = begun.of(label.panel, label.stroke)
         layers[column] += f'<g class="label"{since}>{element}</g>'
-        labels.append([regions.index(column), *_wish(label, outputs)])
+        near = tuple(round(gap + label.radius, 5) for gap in label.near)
+        wish = _wish(label, nears.setdefault(near, len(nears)), outputs)
+        labels.append([halves.index(label.panel), *wish])
     blocks = [
-        [regions.index(sketch.setting.panel.column), *outputs.listed((start, end)), round(half, 5)]
-        for sketch in board.sketches.values()
-        for start, end, half, _ in sketch.obstacles.lines
+        [halves.index(name), *outputs.listed((start, end)), round(half, 5)]
+        for name, sketch in board.sketches.items()
+        for start, end, half, _ in sketch.obstacles.lines[_above(board, name)[0] :]
+    ]
+    boxes = [
+        [halves.index(name), *_box(box, outputs)]
+        for name, sketch in board.sketches.items()
+        for box, _ in sketch.obstacles.boxes[_above(board, name)[1] :]
     ]
     grip, ring = board.grip, ""
     if grip:
@@ -119,9 +170,10 @@ def hand(board: HandBoard, sheet: Sheet, inker: Inker, write: Callable[[Runs], s
         place = f'cx="0" cy="0" r="{radius}" data-vad-grip'
         since = begun.of(regions[0], traced.sheet.driver.stroke)
         ring = f'<g class="grip"{since}><circle class="ring" {place}/></g>'
+    leader = inker.mark(line([0j, 1.0 + 0j], "leader"))
     data = {
         "inputs": list(traced.inputs),
-        "start": _start(board, sheet),
+        "start": _start(board, plan),
         "grip": grip
         and {
             "kind": grip.kind,
@@ -133,8 +185,20 @@ def hand(board: HandBoard, sheet: Sheet, inker: Inker, write: Callable[[Runs], s
         "ranges": closing_range(board.mechanism),
         "moves": moves,
         "labels": labels,
+        "nears": [[[*near, *(near[0] + far for far in _FAR)], len(near)] for near in nears],
+        "leader": leader.partition('class="')[2].partition('"')[0],
         "blocks": blocks,
-        "rooms": [_room(board, panel) for panel in regions],
+        "boxes": boxes,
+        "rooms": [_edges(board.live.page.panels[panel].drawing) for panel in regions],
+        "halves": [
+            [regions.index(half.column), *_edges(board.live.room(half, sheet))]
+            for half in traced.sheet.halves
+        ],
+        "polygons": polygons,
+        "least": LEAST,
+        "spare": SPARE,
+        "signs": _SIGNS,
+        "point": sheet.notation.point,
         "cells": _cells(board, sheet, outputs),
         "page": inker.frame,
     }
@@ -159,7 +223,7 @@ class Begun:
             self._beats[half.name, stroke.name] = drawing(index)
             self._last[panel.name] = self._last[half.name] = drawing(index)
 
-    def of(self, panel: str, stroke: str) -> str:
+    def of(self, panel: str, stroke: str | None) -> str:
         """Return the attribute of what is seen from a stroke on.
 
         A stroke that the lesson has not, as for a vector without a length, comes with the last one
@@ -175,14 +239,23 @@ def _named(stroke: str, region: str) -> tuple[str, str]:
     return panel or region, name
 
 
+def _above(board: HandBoard, name: str) -> tuple[int, int]:
+    """Return how many lines and boxes of a half are those of the half above it."""
+    taken = board.sketches[name].setting.taken
+    return (len(taken.lines), len(taken.boxes)) if taken else (0, 0)
+
+
+def _box(box: Rect, outputs: Outputs) -> list[float]:
+    """Return a box that labels keep clear of: the numbers of its middle, half its size."""
+    middle = outputs.place(vector((box.left + box.right) / 2, (box.bottom + box.top) / 2))
+    return [*middle, round(float(box.width) / 2, 5), round(float(box.height) / 2, 5)]
+
+
 def _layer(items: Iterable[Item], inker: Inker, outputs: Outputs, moves: list[list[Any]]) -> str:
     """Return the elements of items; what moves is noted with the numbers of its attributes."""
     text = ""
     for mark in (mark for item in items for mark in item.marks):
-        shape: Any = mark.shape
-        values = {each.name: plain(getattr(shape, each.name)) for each in fields(shape)}
-        element = inker.mark(replace(mark, shape=type(shape)(**values)))
-        motion = _motion(shape, outputs)
+        motion, element = _inked(mark, inker, outputs)
         if motion and element:
             moves.append(motion)
             element = (
@@ -192,6 +265,15 @@ def _layer(items: Iterable[Item], inker: Inker, outputs: Outputs, moves: list[li
             )
         text += element
     return text
+
+
+def _inked(mark: Mark, inker: Inker, outputs: Outputs) -> tuple[list[Any] | None, str]:
+    """Return how a mark moves, and its element; what is set at once is left out of that."""
+    shape: Any = mark.shape
+    values = {each.name: plain(getattr(shape, each.name)) for each in fields(shape)}
+    motion = _motion(shape, outputs)
+    element = inker.mark(replace(mark, shape=type(shape)(**values)))
+    return motion, _SET.sub("", element) if motion and motion[0] != "t" else element
 
 
 def _motion(shape: Outline, outputs: Outputs) -> list[Any] | None:
@@ -221,12 +303,16 @@ def _traced(places: Iterable[complex]) -> bool:
     return any(isinstance(part, Traced) for z in places for part in (z.real, z.imag))
 
 
-def _wish(label: Label, outputs: Outputs) -> list[Any]:
-    """Return a label as the script reads it: its name, half its size, its place, how to stand."""
+def _wish(label: Label, near: int, outputs: Outputs) -> list[Any]:
+    """Return a label as the script reads it.
+
+    That is: whether it names a dot, half its size, its place, the number of its distances, how it
+    would best stand, and where it vanishes.  The value of an angle follows.
+    """
     half = [round(label.wide / 2, 5), round(label.high / 2, 5)]
-    way = [round(label.way.real, 4), round(label.way.imag, 4)]
-    near = [round(gap + label.radius, 5) for gap in label.near]
-    return [label.name, half, outputs.place(label.at), near, way]
+    found = [int(label.role == "letter"), *half, outputs.place(label.at), near]
+    found += [round(cmath.phase(label.way), 3), outputs.listed(label.apart)]
+    return found if label.value is None else [*found, outputs.of(label.value)]
 
 
 def _described(
@@ -264,15 +350,70 @@ def _described(
     }
 
 
-def _start(board: HandBoard, sheet: Sheet) -> list[float]:
-    """Return the inputs of the page's own pose."""
-    given = dict(sheet.source.inputs) if sheet.source else {}
+def _start(board: HandBoard, plan: Plan) -> list[float]:
+    """Return the inputs of the page's own pose, and its scales."""
+    given = dict(plan.sheet.source.inputs) if plan.sheet.source else {}
+    for name, sketch in plan.sketches.items():
+        if not sketch.scale.bare:
+            given |= scale_inputs(name, sketch.scale)
     return [float(given.get(name, value)) for name, value in board.traced.inputs.items()]
 
 
-def _room(board: HandBoard, panel: str) -> list[float]:
-    room = board.live.page.panels[panel].drawing
+def _edges(room: Rect) -> list[float]:
     return [round(each, 5) for each in (room.left, room.bottom, room.right, room.top)]
+
+
+def bar_room(plan: Plan, panel: Panel) -> float:
+    """Return the room for a scale bar with its value beside the heading of a panel."""
+    place = plan.page.panels[panel.name]
+    return place.drawing.width - width(bold(roman(panel.title)), TITLE) - APART
+
+
+@dataclass(frozen=True)
+class _Scaled:
+    """A polygon whose scale follows its size."""
+
+    board: HandBoard
+    plan: Plan
+    half: Panel
+
+    def data(self, outputs: Outputs) -> dict[str, Any]:
+        """Return it as ``scales.js`` reads it: its inputs, corners and room, and its bar."""
+        board, half, notation = self.board, self.half, self.plan.sheet.notation
+        first = next(iter(scale_inputs(half.name, Scale(0j, 1.0))))
+        scale, unit = board.scales[half.name], notation.unit(half.unit)
+        corner = {z: None for z in corners(half)}
+        return {
+            "input": list(board.traced.inputs).index(first),
+            "corners": outputs.listed(map(scale, corner)),
+            "inner": _edges(padded(self._room, False)),
+            "bar": {
+                "room": round(self._bar_room, 5),
+                "unit": unit,
+                "unitWide": round(width(roman(f"\u00a0{unit}"), SCALE_SIZE), 5),
+                "factor": notation.scaled(1.0, half.unit),
+                "at": [round(self._start.real, 5), round(self._start.imag, 5)],
+            },
+        }
+
+    def lower_bar(self, number: int, inker: Inker) -> str:
+        """Return the elements of the bar of a polygon below another."""
+        text, bar, _ = bar_marks(0.1, roman("0"), self._start)
+        return f'<g data-bar="{number}">{inker.mark(text)}{inker.mark(bar)}</g>'
+
+    @property
+    def _room(self) -> Rect:
+        return self.board.live.room(self.half, self.plan.sheet)
+
+    @property
+    def _start(self) -> complex:
+        return complex(self._room.left, self._room.bottom + BAR_OFF)
+
+    @property
+    def _bar_room(self) -> float:
+        if self.half.name != self.half.column:
+            return WIDEST_BAR * self._room.width
+        return bar_room(self.plan, self.half)
 
 
 def _cells(board: HandBoard, sheet: Sheet, outputs: Outputs) -> list[list[Any]]:
@@ -288,7 +429,8 @@ def _cells(board: HandBoard, sheet: Sheet, outputs: Outputs) -> list[list[Any]]:
                 factor = notation.scaled(1.0, cell.unit)
                 index = sheet.rows.index(own)
                 value = _as_given(cell.value, board) if cell.given else cell.value
-                found.append([index, column, place, outputs.of(value), factor, unit])
+                how = outputs.of(value), factor, unit, int(shown.given)
+                found.append([index, column, place, *how])
     return found
 
 

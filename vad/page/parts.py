@@ -27,11 +27,12 @@ from vad.plan.format import screen
 from vad.plan.geometry import Rect
 from vad.plan.hand_board import HandBoard, hand_board
 from vad.plan.items import FOREVER
+from vad.plan.layout import MARGIN
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, said, symbols
 from vad.plan.lettering.wrapping import tied
 from vad.plan.marks import line
-from vad.plan.page.changing import measuring
+from vad.plan.page.changing import caption_lines, measuring
 from vad.plan.page.heads import APART, REMARK_SIZE, TITLE, Piece, compose
 from vad.plan.page.quarter import SIZE as ENTRY
 from vad.plan.page.table import CLEAR, EQUALS, VALUES, Columns, alike
@@ -113,7 +114,7 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
     listed = [_listed(lesson, step, words) for step in lesson.steps]
     for phrase in Language(sheet.language).page("HAND").values() if turned else ():
         words.of(roman(phrase))
-    moved = hand(turned, sheet, inker, words.of) if turned else None
+    moved = hand(turned, board, inker, words.of) if turned else None
     drawn = [panel_section(board, panel, inker, words) for panel in sheet.panels]
     results = table(board, style.key, inker, words)
     title = words.of(roman(sheet.title), light=False, heavy=True)
@@ -190,8 +191,9 @@ def turned_board(lesson: Lesson) -> HandBoard | None:
     sheet = lesson.sheet
     if not sheet.source:
         return None
-    names = [panel.name for panel in sheet.panels]
-    return hand_board(sheet.source.mechanism, names, sheet.language, screen(SIZE), 1)
+    names, form = [panel.name for panel in sheet.panels], screen(SIZE)
+    lines = caption_lines(sheet, form.width - 2 * MARGIN)
+    return hand_board(sheet.source.mechanism, names, sheet.language, form, lines)
 
 
 def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, str]:

@@ -1,17 +1,21 @@
 // The picture that a hand moves: one program finds its pose, and its elements follow.
 //
-// picture(root, solve, data) -> {state, out, paint, x, y}. The function solve is that of
-// vad/page/solver.py; data is that of vad/page/hand.py:
+// picture(root, solve, data) -> {state, out, paint, glides, steady, hidden, counts, x, y, unit,
+// written}. How many labels have no room is the page's attribute data-hidden, too.
+// The function solve is that of vad/page/solver.py; data is that of vad/page/hand.py:
 //   inputs, start   the names of all inputs, and their values in the lesson's pose
-//   own             the outputs that are the driver's place and rates themselves
 //   size            how many outputs there are; numbers below are places among them
-//   moves           of each moving element: a letter and the places of its coordinates
+//   own             the outputs that are the driver's place and rates themselves
+//   moves           of each element: a letter, and the places of its coordinates
 //   labels, blocks  what is to be placed, and the lines with half widths that it keeps clear of
-//   rooms, page     of each panel; pixels to the page unit, and its left and upper edge
-//   cells           row, column, place, output, factor and unit of each value that changes
+//   nears           the distances of labels, and from which on they have leaders
+//   halves          of each half of a panel: the number of its panel, and its edges
+//   rooms, page     of each panel its edges; pixels to the page unit, and its left and upper edge
+//   polygons        their scales: the first of three inputs, corners, room, and what a bar states
+//   cells           row, column, place, output, factor, unit, whether given
 
 function picture(root, solve, data) {
-  const out = new Float64Array(data.size), state = [...data.start];
+  const out = new Float64Array(data.size), state = [...data.start], counts = { attributes: 0, candidates: 0 };
   const [unit, left, top] = data.page;
   const x = (place) => (out[place] - left) * unit, y = (place) => (top - out[place]) * unit;
   const round = (value) => Math.round(value * 100) / 100;
@@ -19,26 +23,43 @@ function picture(root, solve, data) {
   const elements = svgs.flatMap((svg) => [...svg.querySelectorAll("[data-m]")]).map((each) =>
     each.localName === "g" ? [...each.children] : [each]);
   const texts = svgs.flatMap((svg) => [...svg.querySelectorAll(".label")]);
-  const tables = [...root.querySelectorAll(".results tbody tr")].map((row) =>
-    [...row.querySelectorAll("td")].map((cell) => [...cell.querySelectorAll(".cell")]));
-  const place = labels(texts, data, out);
+  const names = labels(texts, data, out, counts), sizes = scales(root, data, out, state);
+  const calm = matchMedia("(prefers-reduced-motion: reduce)");
+  const before = data.moves.map(() => null), listeners = [];
+  let frame = 0, fresh = true;
 
-  const line = (places, close) => {
-    let path = "";
-    for (let i = 0; i < places.length; i += 2) path += `${i ? "L" : "M"}${round(x(places[i]))} ${round(y(places[i + 1]))}`;
-    return close ? path + "Z" : path;
-  };
+  // The text of an attribute, or of two; none where a number does not exist.
   const kinds = {
-    l: (parts) => ({ d: parts.map((part) => line(part, false)).join("") }),
-    a: (parts) => ({ d: parts.map((part) => line(part, true)).join("") }),
-    c: ([at]) => ({ cx: round(x(at[0])), cy: round(y(at[1])) }),
-    b: ([[u, v, radius, start, sweep, ...squeezed]]) => ({ d: bow(x(u), y(v), out[radius] * unit, out[start], out[sweep],
-      ...squeezed.map((place) => out[place])) }),
-    t: ([at, from]) => ({ transform: `translate(${round((out[at[0]] - from[0]) * unit)} ${round((from[1] - out[at[1]]) * unit)})` }),
+    l: (parts) => line(parts, ""),
+    a: (parts) => line(parts, "Z"),
+    c: ([at]) => pair(x(at[0]), y(at[1])),
+    b: ([[u, v, radius, start, sweep, ...squeezed]]) => bow(x(u), y(v), out[radius] * unit, out[start], out[sweep],
+      ...squeezed.map((place) => out[place])),
+    t: ([at, from]) => pair((out[at[0]] - from[0]) * unit, (from[1] - out[at[1]]) * unit),
   };
+  const set = {
+    c: (element, text) => text.split(" ").forEach((each, n) => element.setAttribute(n ? "cy" : "cx", each)),
+    t: (element, text) => element.setAttribute("transform", `translate(${text})`),
+  };
+
+  const pair = (u, v) => u - u === 0 && v - v === 0 ? `${round(u)} ${round(v)}` : "";
+
+  function line(parts, end) {
+    let path = "";
+    for (const places of parts) {
+      for (let i = 0; i < places.length; i += 2) {
+        const u = x(places[i]), v = y(places[i + 1]);
+        if (u - u !== 0 || v - v !== 0) return "";
+        path += `${i ? "L" : "M"}${round(u)} ${round(v)}`;
+      }
+      path += end;
+    }
+    return path;
+  }
 
   // An arc of a circle, which is narrow across its axis (p, q) where it is seen from the side.
   function bow(u, v, radius, start, sweep, p = 1, q = 0, narrow = 1) {
+    if ([u, v, radius, start, sweep, p, q, narrow].some((each) => each - each !== 0)) return "";
     const turns = Math.max(1, Math.ceil(Math.abs(sweep) / 90));
     const at = (k) => {
       const angle = (start + sweep * k / turns) * Math.PI / 180;
@@ -52,39 +73,85 @@ function picture(root, solve, data) {
     return path;
   }
 
-  // Paints the pose of the state; what does not exist in it is hidden.
-  function paint(shown = state) {
-    solve(...shown, out, 2);
-    data.own.forEach((place, i) => (out[place] = state[i]));
+  // Paints the pose of the state, or one with other rates; what does not exist in it is hidden.
+  // Scales and labels that have changed glide on in the next frames.
+  function paint(at = state) {
+    const given = at.slice(0, 3), still = fresh || calm.matches;
+    fresh = false;
+    cancelAnimationFrame(frame);
+    find(given);
+    let moving = sizes.choose(still);
+    if (moving) find(given);
+    sizes.state();
     data.moves.forEach(([kind, ...parts], i) => {
-      const attributes = kinds[kind](parts);
+      const text = kinds[kind](parts);
+      if (text === before[i]) return;
       for (const element of elements[i]) {
-        const shows = !Object.values(attributes).some((each) => String(each).includes("NaN"));
-        element.style.display = shows ? "" : "none";
-        if (shows) for (const name in attributes) element.setAttribute(name, attributes[name]);
+        if (!text !== !before[i] || before[i] === null) element.style.display = text ? "" : "none";
+        if (text) (set[kind] ?? path)(element, text);
+        counts.attributes++;
       }
+      before[i] = text;
     });
-    place();
+    moving = names.place(still) || (moving && !still);
     write();
+    if (root.dataset.hidden !== `${names.hidden}`) root.dataset.hidden = names.hidden;
+    if (moving) frame = requestAnimationFrame(() => {
+      paint(given);
+      for (const listener of listeners) listener();
+    });
   }
+
+  function find(given) {
+    solve(...given, ...state.slice(given.length), out, 2);
+    data.own.forEach((place, i) => (out[place] = state[i]));
+  }
+
+  const path = (element, text) => element.setAttribute("d", text);
+
+  // What is measured.
+  const tables = [...root.querySelectorAll(".results tbody tr")].map((row) =>
+    [...row.querySelectorAll("td")].map((cell) => [...cell.querySelectorAll(".cell")]));
+  const cells = data.cells.flatMap(([row, column, at, place, factor, units, given]) => {
+    const element = tables[row]?.[column]?.[at];
+    if (!element) return [];
+    const said = element.textContent;
+    return [{ element, place, factor, units, given, bare: !said.endsWith(units), text: document.createTextNode("") }];
+  });
 
   function write() {
-    for (const [row, column, at, place, factor, units] of data.cells) {
-      const cell = tables[row]?.[column]?.[at];
-      if (!cell) continue;
-      const [symbol, ...rest] = cell.childNodes;
-      rest.forEach((each) => each.remove());
-      cell.append(`= ${written(out[place] * factor, units)}`);
+    for (const { element, place, factor, units, given, bare, text } of cells) {
+      if (!text.isConnected) {
+        [...element.childNodes].slice(1).forEach((each) => each.remove());
+        element.append(text);
+      }
+      const value = out[place] * factor, exists = value - value === 0;
+      let says = written(value, units, given, data.point);
+      if (bare && exists && units !== "°") says = says.slice(0, -units.length - 1);
+      says = `= ${says.replace(" ", "\u00a0")}`;
+      if (text.data !== says) {
+        text.data = says;
+        counts.attributes++;
+      }
     }
+    for (const { text, value } of names.all)
+      if (value !== undefined) {
+        const says = written(out[value], "°", false, data.point);
+        if (text.textContent !== says) text.textContent = says;
+      }
   }
 
-  function written(value, units) {
-    if (value - value !== 0) return "–";
-    if (units === "°") return `${(Math.round(value * 10) / 10 % 360).toFixed(1)}°`;
-    const size = Math.abs(value);
-    const text = !size ? "0" : size < 1e-4 || size >= 1e6 ? value.toExponential(3) : value.toFixed(Math.max(0, 3 - Math.floor(Math.log10(size))));
-    return `${text.replace("-", "−")} ${units}`;
-  }
-
-  return { state, out, paint, x, y, unit, written };
+  return {
+    state, out, paint, x, y, unit, counts, names,
+    written: (value, units) => written(value, units, false, data.point),
+    // A listener hears of each frame in which the picture glides on by itself.
+    glides: (listener) => listeners.push(listener),
+    // One scale for the poses at these places of the driver; null for scales as they are needed.
+    steady(poses) {
+      sizes.steady(poses, solve);
+      find([]);
+    },
+    // How many labels have no room in this pose.
+    get hidden() { return names.hidden; },
+  };
 }

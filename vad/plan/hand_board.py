@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vad.errors import AssemblyError, VadError
 from vad.kinematics.motion import solve
+from vad.kinematics.numbers import direction, fold
 from vad.kinematics.reach import closing_range
 from vad.kinematics.traced import TracedVector
 from vad.plan.format import Format
@@ -27,6 +28,7 @@ from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.live_board import LiveBoard
 from vad.plan.marks import Bow
 from vad.plan.pictures.polygon import Polygon
+from vad.plan.pictures.shared_lines import SharedLine, shared_lines
 from vad.plan.pictures.vectors import ALONE, place_vectors
 from vad.plan.pictures.views import held_arc, tip_of
 from vad.plan.scale import Scale, calm_scale
@@ -47,6 +49,11 @@ _END = 0.05
 _TURN = (0.0, 360.0)
 #: The first pose of a whole turn is this share of a step from 0°, where many poses are special.
 _ASIDE = 0.37
+#: Where there are more vertices than so many, letters are smaller by this factor: a lesson leads
+#: far-off letters to their vertices, for which nobody could look while the picture moves.
+MANY, SMALL = 8, 0.75
+#: No angle takes more room.
+_WIDEST_ANGLE = roman("000.0°")
 #: Rates with which no vector vanishes.
 _RATES = (1.0, 0.37)
 
@@ -57,10 +64,9 @@ class Label:
 
     Attributes
     ----------
-    panel, name
-        The panel in which it stands, and what tells it from others there.
-    stroke
-        The stroke with which it comes.
+    panel, name, stroke
+        The panel in which it stands, what tells it from others there, and the name of the stroke
+        with which it comes.
     runs, size, role, row
         Its text and how that looks.
     wide, high
@@ -73,8 +79,11 @@ class Label:
         The distances at which it may stand, the best first.
     way
         The direction in which it would best stand in the traced pose, a unit vector.
-    across
-        For the name of a vector the other end of what it names: it stands beside the middle.
+    apart
+        The letter of a vertex within a step vanishes where one of these places is its own: then a
+        part of the step is zero.
+    value
+        The angle in degrees that is written; None for any other text.
     """
 
     panel: str
@@ -90,6 +99,8 @@ class Label:
     radius: float
     near: Sequence[float]
     way: complex
+    apart: Sequence[complex] = ()
+    value: float | None = None
 
 
 @dataclass
@@ -103,21 +114,25 @@ class NamedLabels:
         self, sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
     ) -> None:
         """Note the letters of vertices; see `vad.plan.labels.choices.LabelChoice`."""
+        panel, size = sketch.setting.panel, LETTER * (SMALL if len(vertices) > MANY else 1.0)
         for number, vertex in enumerate(vertices):
             wanted = wish(vertex, vertices, radius, near)
             again = sum(other.label == vertex.label for other in vertices[:number])
             name = f"{vertex.label} {again}" if again else vertex.label  # in another view
-            stroke = sketch.setting.panel.strokes[vertex.since].name
-            text, way = symbols(vertex.label), wanted.first
-            self._note(name, stroke, text, LETTER, vertex.at, way, near, radius)
+            stroke, text = panel.strokes[vertex.since].name, symbols(vertex.label)
+            self._note(name, stroke, text, vertex.at, wanted.first, near, size, "letter")
+            apart = tuple(map(sketch.scale, within_step(panel, vertex.label)))
+            self.found[-1] = replace(self.found[-1], radius=radius, apart=apart)
 
     def angle(self, sketch: Sketch, index: int, arc: Bow) -> None:
         """Note the value of an angle."""
         stroke = sketch.setting.panel.strokes[index]
         way = _ray(arc.start + 0.5 * arc.sweep)
-        at = arc.centre + arc.radius * way
-        name, text = stroke.name, roman(stroke.label)
-        self._note(f"angle {name}", name, text, VALUE, at, way, VALUE_NEAR, role="value")
+        at, name = arc.centre + arc.radius * way, f"angle {stroke.name}"
+        value = arc.sweep if stroke.label.endswith("°") else None
+        text = roman(stroke.label) if value is None else _WIDEST_ANGLE
+        self._note(name, stroke.name, text, at, way, VALUE_NEAR, VALUE, "value")
+        self.found[-1] = replace(self.found[-1], value=value)
 
     def vector(self, sketch: Sketch, index: int, name: str) -> None:
         """Note the name of a vector, which stands beside its middle."""
@@ -125,35 +140,41 @@ class NamedLabels:
         shape: Any = stroke.shape
         start, end = sketch.scale(shape.start), sketch.scale(shape.end)
         across = 1j * complex(end - start) / (abs(complex(end - start)) or 1.0)
-        row = sketch.setting.row(stroke.link)
-        middle = (start + end) / 2
-        text = symbols(name)
-        self._note(name, stroke.name, text, SMALL_SIZE, middle, across, GAPS, role="tag", row=row)
+        row, middle = sketch.setting.row(stroke.link), (start + end) / 2
+        self._note(name, stroke.name, symbols(name), middle, across, GAPS, SMALL_SIZE, "tag", row)
+        self.found[-1] = replace(self.found[-1], apart=(start, end))
 
     def _note(
         self,
         name: str,
         stroke: str,
         runs: Runs,
-        size: float,
         at: complex,
         way: complex,
         near: Sequence[float],
-        radius: float = 0.0,
-        role: str = "letter",
+        size: float,
+        role: str,
         row: int | None = None,
     ) -> None:
-        ink = ink_size(runs, size)
-        looks = runs, size, role, row
-        self.found.append(
-            Label(self.panel, name, stroke, *looks, *ink, at, radius, near, complex(way))
-        )
+        looks = runs, size, role, row, *ink_size(runs, size)
+        self.found.append(Label(self.panel, name, stroke, *looks, at, 0.0, near, complex(way)))
+
+
+def within_step(panel: Panel, letter: str) -> list[complex]:
+    """Return what a vertex within a step is joined to: its two neighbours; none of another vertex.
+
+    Only parts of one vector meet there, as the normal and the tangential one.
+    """
+    ends = [
+        (stroke.part.of, shape.end if shape.tail == letter else shape.start)
+        for stroke in panel.strokes
+        if isinstance(shape := stroke.shape, Arrow) and letter in (shape.tail, shape.head)
+    ]
+    return [end for _, end in ends] if len(ends) == 2 and ends[0][0] == ends[1][0] else []
 
 
 def _ray(degrees: float) -> complex:
     """Return the unit vector at an angle; of a traced angle a traced one."""
-    from vad.kinematics.numbers import direction, fold
-
     found: complex = direction(fold(degrees))
     return found
 
@@ -196,6 +217,8 @@ class HandBoard:
         The traced sheet.
     scales
         The scale of each panel; that of a polygon is an input.
+    shared
+        The lanes of the vectors of each polygon.
     sketches
         What moves in each panel.
     labels
@@ -206,6 +229,7 @@ class HandBoard:
     live: LiveBoard
     traced: TracedSheet
     scales: Mapping[str, Scale]
+    shared: Mapping[str, Mapping[str, SharedLine]]
     sketches: Mapping[str, Sketch]
     labels: Sequence[Label]
 
@@ -281,6 +305,7 @@ def hand_board(
     general = min(sheets, key=lambda each: _specials(live, each[1]))[0]
     traced = traced_sheet(mechanism, general, panels, language)
     scales: dict[str, Scale] = {}
+    shared: dict[str, Mapping[str, SharedLine]] = {}
     sketches: dict[str, Sketch] = {}
     labels: list[Label] = []
     for half in traced.sheet.halves:
@@ -291,11 +316,13 @@ def hand_board(
             scales[half.name] = picture.scale
             sketches[half.name] = picture.under_hand(setting, named)
         else:
-            usual = calm_scale(_plain(half, sheets[0][1]), setting.room, None)
-            scales[half.name] = _as_input(traced, half.name, usual)
-            sketches[half.name] = Polygon(setting, scales[half.name]).under_hand(setting, named)
+            panels_of = [sheet.panel(half.name) for _, sheet in sheets]
+            posed = [(each, calm_scale(each, setting.room, None)) for each in panels_of]
+            scales[half.name] = _as_input(traced, half.name, posed[0][1])
+            polygon, shared[half.name] = Polygon(setting, scales[half.name]), shared_lines(posed)
+            sketches[half.name] = polygon.under_hand(setting, named, shared[half.name])
         labels += named.found
-    return HandBoard(mechanism, live, traced, scales, sketches, labels)
+    return HandBoard(mechanism, live, traced, scales, shared, sketches, labels)
 
 
 def poses_over_reach(mechanism: Mechanism) -> list[dict[str, float]]:
@@ -346,18 +373,13 @@ def _specials(live: LiveBoard, sheet: Sheet) -> tuple[int, int]:
     return -vertices, on_a_line
 
 
-def _plain(half: Panel, sheet: Sheet) -> Panel:
-    return sheet.panel(half.name)
+def scale_inputs(panel: str, scale: Scale) -> dict[str, float]:
+    """Return the three inputs that are the scale of a polygon, by their names."""
+    x, y = scale.origin.real, scale.origin.imag
+    return {f"{panel} x": x, f"{panel} y": y, f"{panel} scale": scale.factor}
 
 
 def _as_input(traced: TracedSheet, panel: str, scale: Scale) -> Scale:
     """Return a scale whose origin and factor are inputs of the traced sheet."""
-    x, y, factor = (
-        traced.input(f"{panel} {name}", value)
-        for name, value in (
-            ("x", scale.origin.real),
-            ("y", scale.origin.imag),
-            ("scale", scale.factor),
-        )
-    )
+    x, y, factor = (traced.input(*each) for each in scale_inputs(panel, scale).items())
     return Scale(TracedVector(x, y), factor)

@@ -49,7 +49,7 @@ VIEWS_SLACK = 0.025
 #: The room that a dimension and its words take of a panel, beside a guide.
 DIMENSION = 0.050
 #: Of its panel, a picture fills at least this; where a new scale is found, it leaves that to spare.
-LEAST, SPARE = 0.22, 0.20
+LEAST, SPARE = 0.45, 0.20
 _DEEP = 0.1  # by that share of its height a mechanism reaches below a guide
 _LEVEL = 0.9  # the height of the unit vector across a guide that is about level
 _ROUNDING = 1e-6

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from vad.kinematics.numbers import direction, fold
 from vad.plan.anchors import RIGHT, Anchor, AngleArc, Arch, Area, Hung, Term
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import Obstacles
@@ -161,12 +162,13 @@ def add_sense(sketch: Sketch, index: int | None, angle: Stroke, place: SensePlac
     if index is None or not driver.omega:
         return
     centre, row = Anchor.of(angle.name, "centre"), setting.row(setting.panel.strokes[index].link)
-    at, sweep = sketch.solved.place(centre), math.copysign(place.span, driver.omega)
+    sense = driver.omega / abs(driver.omega)  # no number at rest: then nothing of it is anywhere
+    at, sweep = sketch.solved.place(centre) * abs(sense), place.span * sense
     letter, runs = place.letter(at), symbols("ω")
     bow, head = _arrow(place.radius, place.middle, sweep)
     arrow = [
         Hung(Arch(centre, bow.radius, bow.start, bow.sweep), "sense", row),
-        Hung(Area(tuple(centre + corner * RIGHT for corner in head)), "head", row),
+        Hung(Area(tuple(centre + RIGHT * corner for corner in head)), "head", row),
     ]
     posed = (mark.posed(sketch.solved) for mark in arrow)
     marks = [mark for mark in posed if mark]
@@ -204,10 +206,10 @@ def _arrow(
 ) -> tuple[Bow, list[complex]]:
     """Return the arc of a curved arrow about the origin, and the corners of its head."""
     head = SENSE_HEAD * size
-    turn = math.copysign(math.degrees(0.8 * head / radius), sweep)
+    turn = math.degrees(0.8 * head / radius) * (sweep / abs(sweep))
     start, end = middle - sweep / 2, middle + sweep / 2
-    tip = cmath.rect(radius, math.radians(end))
-    root = cmath.rect(radius, math.radians(end - turn / 0.8))
+    tip = radius * direction(fold(end))
+    root = radius * direction(fold(end - turn / 0.8))
     way = (tip - root) / abs(tip - root)
     half, notch = HEAD_HALF_WIDTH * 1j * head * way, root + HEAD_NOTCH * head * way
     return Bow(0j, radius, start, sweep - turn), [tip, root + half, notch, root - half]
@@ -226,16 +228,16 @@ def add_speed(sketch: Sketch, size: float) -> None:
         middle = Anchor(((stroke.name, "foot"), (stroke.name, "end")))
     else:
         half, middle = machine.BLOCK[1] / 2 * size, Anchor.of(stroke.name, "at")
-    ahead = along if driver.speed > 0 else -along
+    sense = driver.speed / abs(driver.speed)  # no number at rest
     solved = sketch.solved
-    way, place = solved.way(stroke.name), solved.place(middle)
-    forward = way if driver.speed > 0 else -way
+    way, place = solved.way(stroke.name), solved.place(middle) * abs(sense)
     runs = symbols("v")
     wide, high = ink_size(runs, SIZE)
     for (aside, past), left in itertools.product(SPEED_PLACES, (1j, -1j)):
-        off = (half + aside) * left * along + past * ahead
-        at = place + (half + aside) * left * way + past * forward
-        start, end = at - SPEED_LENGTH / 2 * forward, at + SPEED_LENGTH / 2 * forward
+        off = (half + aside) * left * along + past * along
+        at = place + (half + aside) * left * way + past * way
+        ahead = SPEED_LENGTH / 2 * sense * way
+        start, end = at - ahead, at + ahead
         line = [start + (end - start) * step / 8 for step in range(9)]
         spot = beside(at, left * way, SPEED_CLEAR + CLEARANCE, wide, high)
         if not obstacles.free(line, 0.0, 0.0, SPEED_CLEAR).all():
@@ -243,8 +245,8 @@ def add_speed(sketch: Sketch, size: float) -> None:
         if not obstacles.clear_of_labels([(start, end)], SPEED_CLEAR).all():
             continue
         if obstacles.free([spot], wide, high, CLEARANCE, APART)[0]:
-            tail = middle + (off - SPEED_LENGTH / 2 * ahead)
-            arrow = Vector(tail, tail + SPEED_LENGTH * ahead, whole=True)
+            tail = middle + (off - SPEED_LENGTH / 2 * sense * along)
+            arrow = Vector(tail, tail + SPEED_LENGTH * sense * along, whole=True)
             marks = arrow.marks(solved, row, "speed", grows=False)
             marks.append(text_beside(middle, place, runs, spot, SIZE, "tag", row))
             sketch.add(stroke, Level.LABEL, setting.after(number), marks)

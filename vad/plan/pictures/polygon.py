@@ -7,7 +7,7 @@ a pose that is set by hand.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 
@@ -27,7 +27,8 @@ from vad.plan.pictures.inset import (
     find_corner,
     reserved,
 )
-from vad.plan.pictures.vectors import Vector, add_vector, is_whole, place_vectors
+from vad.plan.pictures.shared_lines import NONE_SHARED, SharedLine
+from vad.plan.pictures.vectors import ALONE, Vector, add_vector, is_whole, place_vectors
 from vad.plan.reach import corners
 from vad.plan.roles import DOT_RIM, ROLES
 from vad.plan.scale import Scale, bar_box, bar_marks, fill, polygon_scale, stated
@@ -80,11 +81,13 @@ class Polygon:
         self._finish(sketch, labels)
         return sketch
 
-    def under_hand(self, setting: Setting, labels: LabelChoice) -> Sketch:
+    def under_hand(
+        self, setting: Setting, labels: LabelChoice, shared: Mapping[str, SharedLine] = NONE_SHARED
+    ) -> Sketch:
         """Return the vectors and dots of one pose that a hand has set, with their names.
 
-        It is the same picture for all poses: each vector lies on its true line, and each letter has
-        a dot of its own.
+        It is the same picture for all poses: each vector lies on its true line, or in its lane of a
+        line that it shares in all poses, and each letter has a dot of its own.
         """
         strokes = tuple(s for s in setting.panel.strokes if isinstance(s.shape, Arrow | Dot))
         panel = replace(setting.panel, strokes=strokes)
@@ -93,9 +96,12 @@ class Polygon:
             if isinstance(stroke.shape, Arrow):
                 ends, whole = ends_of(stroke), is_whole(stroke, panel)
                 row, role = setting.row(stroke.link), "whole" if whole else "vector"
-                marks = Vector(*ends, whole).marks(sketch.solved, row, role, grows=False)
+                line, solved = shared.get(stroke.name), sketch.solved
+                lane = line.lane(solved, stroke.name) if line else ALONE
+                marks = Vector(*ends, whole, lane).marks(solved, row, role, grows=False)
                 sketch.add(stroke, Level.STROKE, 0, marks)
-                sketch.obstacles.line(sketch.solved.places(ends), ROLES[role].width / 2)
+                sides = [place + lane.aside for place in solved.places(ends)]
+                sketch.obstacles.line(sides, ROLES[role].width / 2)
         vertices = vertices_by_letter(panel, self.scale)
         for vertex in vertices:
             sketch.hang(vertex.since, Level.DOT, [dot(vertex.anchor)])

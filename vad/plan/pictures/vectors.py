@@ -372,11 +372,11 @@ def lanes(pens: Mapping[int, Pen]) -> dict[int, Lane]:
     found: dict[int, Lane] = {}
     for first in sorted(meets):
         if first not in found:
-            found.update(_abreast(pens, meets, first))
+            found.update(lane_group(pens, meets, first))
     return found
 
 
-def _abreast(
+def lane_group(
     pens: Mapping[int, Pen], meets: Mapping[int, set[int]], first: int
 ) -> Iterator[tuple[int, Lane]]:
     """Yield the lanes of all vectors that lie on ``first``, or on one that does."""

@@ -1,0 +1,127 @@
+// The scales of polygons: each keeps its scale while it fits its room and is not too small there,
+// as in vad/plan/scale.py, and glides to a new one. A bar states it.
+//
+// scales(root, data, out, state) -> {choose, steady}. choose(calm) moves all scales, which are
+// inputs in the state, a step on their way, and tells whether any is still on it.
+
+const SMALLER = 1 / 3, SHARE = 0.35, THERE = 1e-3, NO_SIZE = 1e-9;
+
+function scales(root, data, out, state) {
+  const svgs = [...root.querySelectorAll(".drawing svg")], tops = [...root.querySelectorAll(".panel .top")];
+  const [unit, left, top] = data.page;
+  const all = data.polygons.map(({ half, input, corners, inner, bar }) => {
+    const below = svgs[data.halves[half][0]].querySelector(`[data-bar="${half}"]`);
+    const made = { input, corners, inner, bar, below, now: state.slice(input, input + 3), half };
+    if (!below) {
+      made.top = document.createElement("p");
+      made.top.className = "scale hand";
+      made.top.innerHTML = '<span class="bar"></span><span></span>';
+      tops[data.halves[half][0]].append(made.top);
+    }
+    made.to = made.now;
+    return made;
+  });
+
+  // The least box about what is shown, in the polygon's own unit; null where nothing is.
+  function box({ input, corners }) {
+    const [x, y, factor] = state.slice(input, input + 3);
+    let [a, b, c, d] = [Infinity, Infinity, -Infinity, -Infinity];
+    for (let n = 0; n < corners.length; n += 2) {
+      const u = (out[corners[n]] - x) / factor, v = (out[corners[n + 1]] - y) / factor;
+      if (u - u !== 0 || v - v !== 0) continue;
+      [a, b, c, d] = [Math.min(a, u), Math.min(b, v), Math.max(c, u), Math.max(d, v)];
+    }
+    return c - a > 0 || d - b > 0 ? [a, b, c, d] : null;
+  }
+
+  const filling = ([l, b, r, t], [x, y, u, v]) => Math.min((r - l) / (u - x), (t - b) / (v - y));
+
+  const centred = ([l, b, r, t], [x, y, u, v], factor) =>
+    [(l + r) / 2 - factor * (x + u) / 2, (b + t) / 2 - factor * (y + v) / 2, factor];
+
+  function calm(polygon, found) {
+    const { inner, to: [x, y, factor] } = polygon, fitting = filling(inner, found);
+    const fits = x + factor * found[0] >= inner[0] - 1e-6 && y + factor * found[1] >= inner[1] - 1e-6 &&
+      x + factor * found[2] <= inner[2] + 1e-6 && y + factor * found[3] <= inner[3] + 1e-6;
+    const lost = factor < data.least * fitting;
+    if (fits && !lost) return;
+    const spared = fitting / (1 + data.spare);
+    polygon.to = centred(inner, found, lost ? spared : Math.min(spared, factor));
+  }
+
+  function choose(still) {
+    let moving = false;
+    for (const polygon of all) {
+      const found = box(polygon), { input, inner } = polygon, set = state.slice(input, input + 3);
+      if (set.some((each, n) => each !== polygon.now[n])) polygon.now = polygon.to = set;
+      const none = found && Math.max(found[2] - found[0], found[3] - found[1]) * filling(inner, found) < NO_SIZE;
+      if (found && !none && !polygon.steady) calm(polygon, found);
+      const { now, to } = polygon;
+      if (now.every((each, n) => each === to[n])) continue;
+      const near = still || Math.abs(now[2] / to[2] - 1) + Math.hypot(now[0] - to[0], now[1] - to[1]) < THERE;
+      polygon.now = to.map((each, n) => (near ? each : now[n] + SHARE * (each - now[n])));
+      state.splice(input, 3, ...polygon.now);
+      moving = true;
+    }
+    return moving;
+  }
+
+  // One scale for all poses of a turn, which fits the largest; it makes no polygon much smaller than
+  // its own. steady(null) ends that.
+  function steady(poses, solve) {
+    const own = all.map(box), most = own.map((each) => each && [...each]), kept = [...state];
+    for (const pose of poses ?? []) {
+      solve(...kept.with(0, pose), out, 2);
+      all.forEach((polygon, n) => {
+        const found = box(polygon);
+        if (found) most[n] = most[n] ? found.map((each, k) => (k < 2 ? Math.min : Math.max)(each, most[n][k])) : found;
+      });
+    }
+    all.forEach((polygon, n) => {
+      polygon.steady = poses && most[n];
+      if (!polygon.steady) return;
+      const whole = filling(polygon.inner, most[n]), least = own[n] ? SMALLER * filling(polygon.inner, own[n]) : 0;
+      polygon.to = centred(polygon.inner, whole < least ? own[n] : most[n], Math.max(whole, least));
+    });
+  }
+
+  // The longest bar of 1, 2 or 5 that there is room for.
+  function bars() {
+    for (const polygon of all) {
+      const factor = state[polygon.input + 2];
+      if (polygon.shown === factor) continue;
+      polygon.shown = factor;
+      const [value, words] = stated(polygon.bar, factor), long = value * factor * unit;
+      if (polygon.below) {
+        const [line, text] = [polygon.below.querySelector("path"), polygon.below.querySelector("text")];
+        const [x, y] = polygon.bar.at, u = (x - left) * unit, v = (top - y - data.signs.rise) * unit, tick = data.signs.tick * unit;
+        line.setAttribute("d", `M${u} ${v - tick}v${2 * tick}m0 ${-tick}h${long}m0 ${-tick}v${2 * tick}`);
+        text.setAttribute("x", u + long + data.signs.gap * unit);
+        text.textContent = words;
+      } else {
+        polygon.top.firstChild.style.setProperty("--n", long.toFixed(2));
+        polygon.top.lastChild.textContent = words;
+      }
+    }
+  }
+
+  const wide = (words) => [...words].reduce((sum, sign) => sum + (data.signs.wide[sign] ?? data.signs.wide[0]), 0);
+
+  function stated({ room, unit: name, unitWide, factor: scaled }, factor) {
+    let value = longest(factor, data.signs.longest);
+    for (let n = 0; ; n++) { // at most four lengths lie between the longest and the shortest
+      const number = written(value * scaled, "", true, data.point), length = value * factor;
+      const shorter = longest(factor, 0.9 * length);
+      if (n > 2 || wide(number) + unitWide + data.signs.gap + length <= room || shorter * factor < data.signs.shortest)
+        return [value, number + "\u00a0" + name];
+      value = shorter;
+    }
+  }
+
+  function longest(factor, length) {
+    const most = length / factor * (1 + 1e-9), power = Math.floor(Math.log10(most));
+    return Number(`${[5, 2].find((step) => step * 10 ** power <= most) ?? 1}e${power}`);
+  }
+
+  return { choose, steady, state: bars };
+}
