@@ -17,6 +17,7 @@ from vad.kinematics.solution import Solution
 from vad.kinematics.solver import Solver
 from vad.statics.bodies import FRAME, Bodies
 from vad.statics.burden import Burden, whole
+from vad.statics.dyads import DyadForces, dyads_of
 from vad.statics.listing import listed, table
 from vad.statics.loads import Given, gravity_of
 from vad.statics.solver import Acting, StaticSolver
@@ -254,6 +255,11 @@ class Forces(Solution[Truth], Generic[Real, Vector, Truth]):
         joint = self.bodies.joints[number]
         child = next((b for b in self.bodies.bodies.values() if b.joint == joint), None)
         return (child.parent, child.name) if child else (joint.one, joint.other)
+
+    @property
+    def dyads(self) -> tuple[DyadForces, ...]:
+        """The forces of each dyad of one pose as they are drawn, the last dyad first."""
+        return dyads_of(self)
 
     @property
     def shaking_force(self) -> Vector:
