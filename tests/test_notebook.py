@@ -20,9 +20,8 @@ from PIL import Image
 
 import vad
 from tests.browser import until
-from vad import notebook, showing
+from vad import showing
 from vad.errors import ExportError, UsageError
-from vad.export.files import clear_unfinished
 from vad.strokes.description import describe, title
 
 SHEET = vad.draw(vad.solve(vad.SliderCrank()))
@@ -138,25 +137,15 @@ def test_a_lesson_plays_in_a_frame_that_knows_nothing_of_the_notebook(page):
     assert lesson.locator("body").evaluate(fits)
 
 
-def test_a_turn_is_a_film(page):
+def test_a_turn_runs_in_a_frame_of_its_own(page):
     html = TURN._repr_mimebundle_(include={"text/html"})["text/html"]
     page.set_content(page_of(html))
-    film = page.locator("video")
-    until(page, lambda: film.evaluate("film => film.readyState") >= 2)
-    assert film.evaluate("film => [film.videoWidth, film.videoHeight]") == [960, 540]
-    assert film.evaluate("film => film.duration") == pytest.approx(TURN.duration, abs=0.1)
-    assert film.get_attribute("aria-label") == title(TURN.sheet)
-
-
-@pytest.mark.parametrize(
-    ("frames", "weight", "tag"),
-    [(400, 1_000_000, "<video"), (401, 1, "<img"), (400, 1_000_001, "<img")],
-)
-def test_a_long_turn_is_a_picture_and_a_hint(monkeypatch, frames, weight, tag):
-    monkeypatch.setattr(notebook, "_small", lambda turn: bytes(weight))
-    html = notebook._film(replace(TURN, frames=frames), lambda: "pixels")
-    assert html.startswith(tag)
-    assert ('vad.save(turn, "turn.mp4")' in html) == (tag == "<img")
+    frame = page.locator("iframe")
+    assert frame.get_attribute("title") == title(TURN.sheet)
+    assert frame.get_attribute("sandbox") == "allow-scripts"
+    inner = frame.element_handle().content_frame()
+    inner.wait_for_function("() => window.vad && vad.state.angle > 62")
+    assert inner.locator(".plots").is_visible()
 
 
 def test_a_hostile_title_is_text(page):
@@ -220,23 +209,6 @@ def test_what_cannot_be_saved_leaves_nothing(monkeypatch, tmp_path):
     with pytest.raises(OSError):
         vad.show(SHEET)
     assert not list(tmp_path.iterdir())
-
-
-def test_an_end_at_once_removes_the_film_of_a_cell(monkeypatch, tmp_path):
-    """As a second interrupt ends the kernel while the film is made."""
-    left: list[Path] = []
-
-    def interrupted(_, path):
-        path.write_bytes(b"half")
-        clear_unfinished()
-        left.extend(tmp_path.iterdir())
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(notebook, "save", interrupted)
-    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
-    with pytest.raises(KeyboardInterrupt):
-        notebook.bundle(TURN, {"text/html"})
-    assert left == []
 
 
 def test_what_cannot_be_shown():

@@ -1,8 +1,8 @@
 """How a notebook displays sheets, lessons and turns.
 
 A thing is given in several forms, and a viewer takes the best one that it knows: SVG for drawings,
-HTML for lessons and films, and for other viewers a PNG and words.  All outputs of a notebook are on
-one page; therefore the names in a drawing are unique, and a lesson has a frame of its own.
+HTML for lessons and turns, and for other viewers a PNG and words.  All outputs of a notebook are on
+one page; therefore the names in a drawing are unique, and lessons and turns have a frame each.
 """
 
 from __future__ import annotations
@@ -11,16 +11,14 @@ import io
 import sys
 from base64 import b64encode
 from collections.abc import Callable, Container
-from dataclasses import replace
 from functools import cache
 from hashlib import sha256
 from html import escape
 from typing import Any
 
 from vad.displayed import Displayed
-from vad.export import picture_png, save
-from vad.export.files import temporary_folder
-from vad.lecture.lesson import SMALLEST, Lesson, Still
+from vad.export import picture_png
+from vad.lecture.lesson import Lesson, Still, animate
 from vad.lecture.turn import Turn
 from vad.page.document import document
 from vad.painting.posed import Posed, posed
@@ -30,10 +28,6 @@ from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 
 Thing = Sheet | Lesson | Turn | Still | Multiples
-
-#: A film in a cell: its width in pixels, as that of a column of text; the most bytes that it may
-#: add to the notebook; and the most pictures, beyond which it would have more bytes.
-_WIDTH, _HEAVIEST, _LONGEST = 960, 1_000_000, 400
 
 
 def bundle(
@@ -54,7 +48,7 @@ def bundle(
     if isinstance(thing, Lesson):
         forms["text/html"] = lambda: _framed(thing)
     elif isinstance(thing, Turn):
-        forms["text/html"] = lambda: _film(thing, lambda: _pixels(picture()))
+        forms["text/html"] = lambda: _framed(animate(thing.given, style=thing.style), True)
     else:
         forms["image/svg+xml"] = lambda: _drawing(thing, picture())
     if _shell() and not in_notebook():
@@ -104,32 +98,11 @@ def _drawing(thing: Thing, picture: Posed) -> str:
     return painter.svg
 
 
-def _framed(lesson: Lesson) -> str:
+def _framed(lesson: Lesson, turning: bool = False) -> str:
     """Return a page in a frame that has no access to the notebook."""
+    page = document(lesson, len(lesson.steps) if turning else 0, turning=turning)
     return (
         f'<iframe sandbox="allow-scripts" allow="fullscreen" title="{escape(title(lesson.sheet))}" '
         'style="width:100%;aspect-ratio:1280/835;border:0" '
-        f'srcdoc="{escape(document(lesson))}"></iframe>'
+        f'srcdoc="{escape(page)}"></iframe>'
     )
-
-
-def _film(turn: Turn, pixels: Callable[[], str]) -> str:
-    """Return a small film that repeats, or a picture if the film would have too many bytes."""
-    name = f'style="width:100%" aria-label="{escape(title(turn.sheet))}"'
-    film = _small(turn) if turn.frames <= _LONGEST else b""
-    if film and len(film) <= _HEAVIEST:
-        src = f"data:video/mp4;base64,{b64encode(film).decode()}"
-        return f'<video controls loop muted playsinline {name} src="{src}"></video>'
-    picture = f'<img role="img" {name} src="data:image/png;base64,{pixels()}">'
-    return picture + '<p>The film is long: <code>vad.save(turn, "turn.mp4")</code></p>'
-
-
-def _small(turn: Turn) -> bytes:
-    """Return a turn as a film no wider than a column of text."""
-    width, height = turn.size
-    scale = min(1.0, max(_WIDTH / width, SMALLEST[1] / height))
-    size = 2 * round(scale * width / 2), 2 * round(scale * height / 2)
-    with temporary_folder() as folder:
-        path = folder / "turn.mp4"
-        save(replace(turn, size=size), path)
-        return path.read_bytes()

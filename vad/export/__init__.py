@@ -57,7 +57,7 @@ THINGS: dict[str, tuple[type, ...]] = {
     "film": (Lesson, Turn),
     "lesson": (Lesson,),
     "sheet": (Sheet,),
-    "page": (Sheet, Lesson),
+    "page": (Sheet, Lesson, Turn),
 }
 #: The order in which formats are listed; others follow, and last the folder of frames.
 _FIRST = (".mp4", ".gif", ".csv", ".png", ".svg", ".pdf", ".json", ".srt", ".vtt", ".html")
@@ -121,9 +121,9 @@ def save(
     thing
         A `Sheet` (.png, .svg, .pdf, .json, .html), a `Lesson` (.mp4, .gif, .pdf with a page a step,
         .html with a player, .srt, .vtt, or a folder of PNG frames: a path that ends in ``/``, has
-        no extension, or is an existing folder), a `Turn` (.mp4, .gif or a folder; .png, .svg and
-        .pdf with twelve numbered positions), or a `Still` of a lesson or `Multiples` (.png, .svg,
-        .pdf).
+        no extension, or is an existing folder), a `Turn` (.mp4, .gif or a folder; .html that is
+        turned by hand; .png, .svg and .pdf with twelve numbered positions), or a `Still` of a
+        lesson or `Multiples` (.png, .svg, .pdf).
     path
         Where to.  What stands there is replaced when the new file is complete, and not before.
     beside

@@ -1,4 +1,7 @@
-"""A lesson as a page in one file; the page of a sheet opens with all strokes drawn."""
+"""A lesson as a page in one file.
+
+The page of a sheet opens with all strokes drawn, and that of a turn with the mechanism running.
+"""
 
 from __future__ import annotations
 
@@ -6,12 +9,13 @@ from typing import Annotated, BinaryIO
 
 from vad.export.frames import Progress
 from vad.lecture.lesson import Lesson, animate
+from vad.lecture.turn import Turn
 from vad.painting.posed import STYLE
 from vad.strokes.sheet import Sheet
 
 
 def write(
-    thing: Sheet | Lesson,
+    thing: Sheet | Lesson | Turn,
     target: BinaryIO,
     style: str | None = None,
     *,
@@ -21,12 +25,15 @@ def write(
     """Write the page; a lesson has a style already, and its page fits every window."""
     from vad.page.document import document  # which help does not need
 
-    lesson = (
-        thing
-        if isinstance(thing, Lesson)
-        else animate(thing, style=STYLE if style is None else style)
-    )
+    if isinstance(thing, Lesson):
+        lesson = thing
+    elif isinstance(thing, Turn):
+        lesson = animate(thing.given, style=thing.style)
+    else:
+        lesson = animate(thing, style=STYLE if style is None else style)
     start = 0 if lesson is thing else len(lesson.steps)
-    target.write(document(lesson, start, sliders=not no_sliders).encode())
+    turning = isinstance(thing, Turn)
+    page = document(lesson, start, sliders=not no_sliders, turning=turning)
+    target.write(page.encode())
     if progress is not None:
         progress(lesson.frames, lesson.frames)

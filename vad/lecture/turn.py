@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vad.displayed import Displayed
 from vad.errors import DeadCentreError, InputError
@@ -47,6 +47,15 @@ class Turn(Displayed):
     def sheet(self) -> Sheet:
         """The sheet of the first frame."""
         return self.pose(0)
+
+    @property
+    def given(self) -> Sheet:
+        """The sheet of the pose that was given, with its rates."""
+        from vad.kinematics.motion import solve
+        from vad.strokes.draw import draw
+
+        inputs: dict[str, Any] = dict(zip(self.course.names, self.course.given, strict=True))
+        return draw(solve(self.mechanism, **inputs), self.panels, self.language)
 
     @property
     def cycle(self) -> Cycle:

@@ -9,7 +9,7 @@
 //   on        what is shown from the start
 // A drag in a curve moves what is driven.
 
-const SAMPLES = 361, MOST = 0.995;
+const SAMPLES = 361, MOST = 0.98;
 
 function curved(root, body, dock, showing) {
   const { data, solve, view } = body, { columns, tracks } = data.curves;

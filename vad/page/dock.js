@@ -268,6 +268,13 @@ function docked(root, body, player) {
     frame = requestAnimationFrame(tick);
   }
 
+  // The page of a turn: the mechanism runs, unless its reader wants no motion.
+  function run() {
+    enter();
+    for (const name of ["c", "o"]) acts.keys[name]?.();
+    if (!calm.matches) play();
+  }
+
   // ---- what answers in the lesson's stead ----
 
   const acts = {
@@ -325,5 +332,5 @@ function docked(root, body, player) {
   dragged(root, body, begin, commit);
   for (const each of root.querySelectorAll(".switch, dl.own")) each.hidden = false;
 
-  return { keys: acts.keys, begin, commit, settle, enter, leave, say, scale, number, read, fault, on: (listener) => listeners.push(listener), get held() { return held; } };
+  return { run, keys: acts.keys, begin, commit, settle, enter, leave, say, scale, number, read, fault, on: (listener) => listeners.push(listener), get held() { return held; } };
 }

@@ -57,6 +57,7 @@ _TURNED = (
     "const body=driven(root,solver(data.program),data.hand),dock=docked(root,body,player);"
     "curved(root,body,dock,railed(root,body,dock));"
     "window.vad=outside(root,body,dock,player);body.show();addressed(root,body,dock,vad,player);"
+    "if(data.turning)dock.run();"
 )
 
 
@@ -89,7 +90,7 @@ def packed(text: str) -> str:
     return b64encode(deflate.compress(text.encode()) + deflate.flush()).decode()
 
 
-def document(lesson: Lesson, start: int = 0, *, sliders: bool = True) -> str:
+def document(lesson: Lesson, start: int = 0, *, sliders: bool = True, turning: bool = False) -> str:
     """Return the page of a lesson.
 
     Parameters
@@ -100,9 +101,11 @@ def document(lesson: Lesson, start: int = 0, *, sliders: bool = True) -> str:
         How many strokes are done when it opens.
     sliders
         Whether the hand has sliders for rates and dimensions.
+    turning
+        Whether it opens with the mechanism running, with curves and hodographs.
     """
     made = parts(lesson)
-    data = {**made.data, "start": start}
+    data = {**made.data, "start": start, "turning": turning}
     layers: Sequence[str] = ()
     if made.hand:
         data |= {"hand": {**made.hand.data, "sliders": sliders}, "program": made.hand.program}

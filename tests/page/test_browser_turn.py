@@ -1,0 +1,61 @@
+"""The page of a turn: the mechanism runs, its curves are seen, and a hand takes it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from playwright.sync_api import Browser
+
+import vad
+from tests.browser import opened
+
+SIZE = {"width": 1280, "height": 820}
+
+
+def saved(tmp_path: Path, mechanism: object = None, **inputs: float) -> str:
+    path = tmp_path / "turn.html"
+    vad.save(vad.turn(vad.solve(mechanism or vad.FourBar(), **inputs)), path)
+    return path.as_uri()
+
+
+def test_it_runs_until_it_is_stopped(browser: Browser, tmp_path: Path) -> None:
+    with opened(browser, viewport=SIZE) as page:
+        page.goto(saved(tmp_path, omega=10.0))
+        page.wait_for_function("() => vad.state.angle > 75")
+        assert page.locator(".plots").is_visible()
+        page.keyboard.press("k")
+        angle = page.evaluate("() => vad.state.angle")
+        page.wait_for_timeout(200)
+        assert page.evaluate("() => vad.state.angle") == angle
+
+
+def test_it_turns_as_it_was_given(browser: Browser, tmp_path: Path) -> None:
+    """Clockwise, from the pose that was given."""
+    with opened(browser, viewport=SIZE) as page:
+        page.goto(saved(tmp_path, angle=200.0, omega=-5.0))
+        page.wait_for_function("() => vad.state.angle < 190")
+        assert page.evaluate("() => vad.state.omega") == -5.0
+
+
+def test_who_wants_no_motion_gets_none(browser: Browser, tmp_path: Path) -> None:
+    with opened(browser, viewport=SIZE, reduced_motion="reduce") as page:
+        page.goto(saved(tmp_path, angle=200.0))
+        page.wait_for_timeout(300)
+        assert page.evaluate("() => vad.state.angle") == 200.0
+        assert page.locator(".plots").is_visible()
+
+
+def test_what_cannot_go_round_swings(browser: Browser, tmp_path: Path) -> None:
+    """It turns back at its limits."""
+    with opened(browser, viewport=SIZE) as page:
+        page.goto(saved(tmp_path, vad.DoubleSlider()))
+        page.select_option(".speed", "4")
+        page.evaluate("""() => {
+          window.ways = new Set();
+          let before = vad.state.position;
+          vad.addEventListener("pose", () => {
+            ways.add(Math.sign(vad.state.position - before));
+            before = vad.state.position;
+          });
+        }""")
+        page.wait_for_function("() => ways.has(1) && ways.has(-1)")
