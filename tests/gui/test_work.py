@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+import sys
 import threading
 import time
 from collections.abc import Callable, Coroutine, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from functools import partial
+from importlib import import_module
 from threading import Event
 from typing import Any, TypeVar
 
@@ -209,3 +211,16 @@ def test_a_stop_is_told_again_where_it_was_lost(monkeypatch):
 
     in_new_loop(stopped())
     assert over.is_set()
+
+
+def test_a_module_that_is_being_imported_is_imported_whole(tmp_path, monkeypatch):
+    """Or else all who import it later would have a half."""
+    lines = "begun = True\nimport time\nfor _ in range(60):\n    time.sleep(0.01)\nwhole = True\n"
+    (tmp_path / "slow_to_import.py").write_text(lines)
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setattr(vad.gui.work, "_AGAIN", 0.05)
+
+    work = partial(import_module, "slow_to_import")
+    with pytest.raises(BusyError), soon():
+        in_new_loop(Work(Event(), 1).done(0.3, nobody_goes, work))
+    wait_for(lambda: hasattr(sys.modules.get("slow_to_import"), "whole"))

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import ctypes
+import sys
 import time
 from collections.abc import Awaitable, Callable
 from contextlib import suppress
@@ -113,10 +114,10 @@ class Work:
         try:
             found, error = results.get(timeout=seconds)
         except Empty:
-            hand.stop()
+            hand.stop_at_last()
             raise _too_long(seconds) from None
         except BaseException:
-            hand.stop()
+            hand.stop_at_last()
             raise
         if error is not None:
             raise error
@@ -185,13 +186,23 @@ class _Hand:
         self._queue.put((work, tell))
 
     def stop(self) -> bool:
-        """Stop the work; tell whether there was still some."""
+        """Stop the work; tell whether there was still some.
+
+        It is not stopped while it imports a module, half of which would stay for all who come
+        later: then it has to be stopped again.
+        """
         with self._lock:
-            if self._working and self._thread.ident is not None:
+            if self._working and self._thread.ident and not _imports(self._thread.ident):
                 self.stopped = True
                 thread = ctypes.c_ulong(self._thread.ident)
                 ctypes.pythonapi.PyThreadState_SetAsyncExc(thread, ctypes.py_object(Stopped))
             return self._working
+
+    def stop_at_last(self) -> None:
+        """Stop the work as soon as that can be done."""
+        # Each round waits for a module that is being imported.
+        while self.stop() and not self.stopped:
+            time.sleep(_GLANCE)
 
     def _run(self) -> None:
         with suppress(Stopped):
@@ -213,3 +224,14 @@ class _Hand:
                 return
         self._back(self)
         tell(found, problem)
+
+
+def _imports(thread: int) -> bool:
+    """Tell whether a thread is importing a module."""
+    frame = sys._current_frames().get(thread)
+    # Each round goes on to the frame that called this one.
+    while frame is not None:
+        if frame.f_code.co_filename.startswith("<frozen importlib"):
+            return True
+        frame = frame.f_back
+    return False
