@@ -16,6 +16,7 @@ from contextlib import ExitStack, redirect_stderr
 from dataclasses import dataclass
 from functools import cache
 
+from vad.cli.process import quieten
 from vad.gui.guard import PageKey
 from vad.gui.messages import ExportQuestion
 from vad.gui.server import served
@@ -110,6 +111,7 @@ _KEPT, _TERMINAL = ExitStack(), io.StringIO()
 @cache
 def key() -> PageKey:
     """Return what opens the server of this process."""
+    quieten()  # as the command does
     _KEPT.enter_context(redirect_stderr(_TERMINAL))
     return _KEPT.enter_context(served(ExportQuestion("slider-crank")))
 

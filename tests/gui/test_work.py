@@ -17,6 +17,7 @@ from typing import Any, TypeVar
 import pytest
 
 import vad.gui.work
+from vad.cli import process
 from vad.gui.work import BusyError, Stopped, Work
 
 Found = TypeVar("Found")
@@ -224,3 +225,13 @@ def test_a_module_that_is_being_imported_is_imported_whole(tmp_path, monkeypatch
     with pytest.raises(BusyError), soon():
         in_new_loop(Work(Event(), 1).done(0.3, nobody_goes, work))
     wait_for(lambda: hasattr(sys.modules.get("slow_to_import"), "whole"))
+
+
+def test_a_stop_that_python_loses_is_not_reported(monkeypatch, capsys):
+    class Stubborn:
+        def __del__(self) -> None:
+            raise Stopped
+
+    monkeypatch.setattr(sys, "unraisablehook", process._report_uncaught)
+    Stubborn()
+    assert capsys.readouterr().err == ""

@@ -43,6 +43,8 @@ _last_acts: list[Callable[[], None]] = []
 class Interrupted(BaseException):
     """A signal asks the process to stop; unfinished files are removed as for any exception."""
 
+    told_again = True
+
     def __init__(self, number: int) -> None:
         super().__init__(number)
         self.exit_code = 128 + number
@@ -97,8 +99,11 @@ def quieten() -> None:
 
 
 def _report_uncaught(lost: sys.UnraisableHookArgs) -> None:
-    """Report an exception that nobody can catch; signals are left to `check_interrupt`."""
-    if not isinstance(lost.exc_value, Interrupted):
+    """Report an exception that nobody can catch.
+
+    Signals are left to `check_interrupt`; a thread that is to stop is told so again.
+    """
+    if not getattr(lost.exc_type, "told_again", False):
         sys.__unraisablehook__(lost)
 
 

@@ -40,6 +40,8 @@ class BusyError(VadError):
 class Stopped(BaseException):
     """Raised in a thread whose work is to be stopped."""
 
+    told_again = True  # nothing is to be said where Python has lost it
+
 
 class Work:
     """Threads that work out answers, each in a limited time.
