@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from vad.kinematics.recording import OPERATIONS
-from vad.kinematics.symbol import Symbol
+from vad.kinematics.symbol import Symbol, as_float, is_zero
 
 # A real or complex number, or a recorded one.
 Number = Any
@@ -284,7 +284,7 @@ def positive(degrees: Number) -> Number:
 def exact(*numbers: Number) -> tuple[Number, ...]:
     """Return floats as fractions, with which nothing is rounded; traced numbers as they are."""
     if traced(numbers):
-        return numbers
+        return tuple(map(as_float, numbers))
     return tuple(map(Fraction, numbers))
 
 
@@ -298,7 +298,7 @@ def total(*terms: Number) -> Number:
         return math.fsum(terms) if isinstance(terms[0], float) else sum(terms)
     whole, lost = terms[0], 0.0
     for term in terms[1:]:
-        if type(term) is float and not term:
+        if is_zero(term):
             continue
         before, whole = whole, whole + term
         part = whole - before

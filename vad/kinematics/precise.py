@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from vad.kinematics.numbers import Number, ray
+from vad.kinematics.symbol import Symbol
+
 _BITS = 160
 _PI = Fraction(314159265358979323846264338327950288419716939937510582097494459, 10**62)
 _TERMS = 40  # of the series: the last one is below 10⁻⁵⁰ within an eighth of a turn
 
 
-def exact_direction(degrees: float) -> tuple[Fraction, Fraction]:
-    """Return cosine and sine of an angle, to forty digits.
+def exact_direction(degrees: Number) -> tuple[Number, Number]:
+    """Return cosine and sine of an angle, to forty digits; of a traced one as a double has them.
 
     Examples
     --------
@@ -19,6 +22,9 @@ def exact_direction(degrees: float) -> tuple[Fraction, Fraction]:
     >>> [float(x) for x in exact_direction(30.0)]
     [0.8660254037844386, 0.5]
     """
+    if isinstance(degrees, Symbol):
+        unit = ray(degrees)
+        return unit.real, unit.imag
     quarters, beyond = divmod(Fraction(degrees) + 45, 90)
     angle = round((beyond - 45) * _PI / 180 * 2**_BITS)
     term, sums = 1 << _BITS, [0, 0]

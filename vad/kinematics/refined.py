@@ -15,16 +15,26 @@ SIAM J. Sci. Comput. 31 (2008), 189-224).  So every place is as exact as its num
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from vad.kinematics.closed_forms import crossing
 from vad.kinematics.frame import ReferenceFrame, Route
 from vad.kinematics.linkage import Bar, Linkage, Slide, Step
 from vad.kinematics.loop import LoopSolver
-from vad.kinematics.numbers import Number, across, cross, dot, nonzero, select, vector
+from vad.kinematics.numbers import (
+    Number,
+    across,
+    cross,
+    dot,
+    exact,
+    nonzero,
+    select,
+    traced,
+    vector,
+)
 from vad.kinematics.precise import exact_direction
 from vad.kinematics.state import Pose
-from vad.kinematics.symbol import is_symbolic
+from vad.kinematics.symbol import as_float, is_zero
 
 # Below so many loops too little adds up.
 LEAST_LOOPS = 3
@@ -36,7 +46,8 @@ _TO_LENGTH, _TO_UNIT = 1.5 * 2.0 ** (52 - _LENGTH_BITS), 1.5 * 2.0 ** (52 - _UNI
 # the closed forms are better.
 _SMALL = 1e-6
 
-Coordinates = tuple[Fraction, Fraction]
+# Two fractions, or floats of which at least one is traced.
+Coordinates = tuple[Number, Number]
 
 
 class Constant(NamedTuple):
@@ -79,19 +90,9 @@ _NOTHING = Sum(0j, 0j)
 def is_refined(linkage: Linkage) -> bool:
     """Tell whether a linkage has so many loops that its places need more digits.
 
-    One that is solved in the axes of its ground or of a guide is left as it is, and so is one with
-    traced numbers, of which no fraction can be made.
+    One that is solved in the axes of its ground or of a guide is left as it is.
     """
-    return len(linkage.loops) >= LEAST_LOOPS and not (_is_traced(linkage) or linkage.frame)
-
-
-def _is_traced(linkage: Linkage) -> bool:
-    """Tell whether a linkage has a traced length, direction or place."""
-    numbers: list[Any] = [linkage.place, *linkage.fixed.values(), *(linkage.ground or ())[1:]]
-    for step in (*(step for loop in linkage.loops for _, step in loop.steps()), *linkage.images):
-        own = step.offset if isinstance(step, Bar) else step.origin
-        numbers += [step.length if isinstance(step, Bar) else step.along, step.turn, own]
-    return any(is_symbolic(number) for number in numbers if not isinstance(number, str))
+    return len(linkage.loops) >= LEAST_LOOPS and not linkage.frame
 
 
 class Refinement:
@@ -108,7 +109,7 @@ class Refinement:
         """Return a direction of a link, seen from the bar by which the link is found."""
         along = self._frame.found_along.get(link, 1.0 + 0j)
         if turn == along:
-            return Fraction(1), Fraction(0)
+            return exact(1.0, 0.0)
         return _product(_unit(turn), _unit(along.conjugate()))
 
     def _of_step(self, step: Step) -> tuple[Constant, Constant]:
@@ -117,26 +118,25 @@ class Refinement:
         They are in the axes of the bar by which the link is found.
         """
         if step not in self._constants:
-            scale = Fraction(self._frame.scale)
+            scale = self._frame.scale
             if isinstance(step, Slide):
-                line = exact_direction(float(step.along))
-                found = _constant((Fraction(0), Fraction(0))), _constant(line, _UNIT_BITS)
+                line = exact_direction(step.along)
+                found = _constant(exact(0.0, 0.0)), _constant(line, _UNIT_BITS)
             else:
                 turn = self._turn(step.turn, step.link)
                 if isinstance(step.length, str):
-                    size = Fraction(step.offset.real) / scale, Fraction(step.offset.imag) / scale
+                    size = step.offset.real / scale, step.offset.imag / scale
                 else:
-                    size = Fraction(step.length) / scale, Fraction(0)
+                    size = step.length / scale, 0.0
                 found = _constant(_product(turn, size)), _constant(turn)
             self._constants[step] = found
         return self._constants[step]
 
     def _between(self, tail: complex, head: complex) -> Sum:
         """Return the vector between two places that are given by coordinates."""
-        scale = Fraction(self._frame.scale)
-        x = (Fraction(head.real) - Fraction(tail.real)) / scale
-        y = (Fraction(head.imag) - Fraction(tail.imag)) / scale
-        place = _constant((x, y), _PLACE_BITS)
+        given = head.real, head.imag, tail.real, tail.imag, self._frame.scale
+        x, y, left, below, scale = exact(*given)
+        place = _constant(((x - left) / scale, (y - below) / scale), _PLACE_BITS)
         return Sum(place.part, place.rest)
 
     def _shift(self, slide: Slide) -> Sum:
@@ -325,26 +325,31 @@ def _scaled(a: Number, size: Number) -> Number:
 def _times(a: Number, constant: complex) -> Number:
     """Return a complex product; with a real constant nothing is multiplied by zero."""
     c, s = constant.real, constant.imag
-    if not s:
-        return _scaled(a, c) if c else 0j
-    if not c:
+    if is_zero(s):
+        return 0j if is_zero(c) else _scaled(a, c)
+    if is_zero(c):
         return vector(-a.imag * s, a.real * s)
     return vector(a.real * c - a.imag * s, a.real * s + a.imag * c)
 
 
-def _constant(exact: Coordinates, bits: int = _LENGTH_BITS) -> Constant:
-    parts = [Fraction(round(x * 2**bits), 2**bits) for x in exact]
-    rest = (float(x - part) for x, part in zip(exact, parts, strict=True))
-    return Constant(complex(*map(float, parts)), complex(*rest), complex(*map(float, exact)))
+def _constant(whole: Coordinates, bits: int = _LENGTH_BITS) -> Constant:
+    if traced(whole):
+        to_part = 1.5 * 2.0 ** (52 - bits)
+        parts = [(x + to_part) - to_part for x in whole]
+    else:
+        parts = [Fraction(round(x * 2**bits), 2**bits) for x in whole]
+    rest = (as_float(x - part) for x, part in zip(whole, parts, strict=True))
+    return Constant(vector(*map(as_float, parts)), vector(*rest), vector(*map(as_float, whole)))
 
 
 def _unit(turn: complex) -> Coordinates:
     """Return a vector that is nearly a unit vector with a length of exactly one."""
-    x, y = Fraction(turn.real), Fraction(turn.imag)
+    x, y = exact(turn.real, turn.imag)
     excess = x * x + y * y - 1  # below 1e-9
     size = 1 - excess / 2 + 3 * excess**2 / 8 - 5 * excess**3 / 16
     return x * size, y * size
 
 
 def _product(a: Coordinates, b: Coordinates) -> Coordinates:
-    return a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]
+    a, b, c, d = exact(*a, *b)
+    return a * c - b * d, a * d + b * c

@@ -28,6 +28,11 @@ def is_symbolic(number: Any) -> bool:
     )
 
 
+def is_zero(number: Any) -> bool:
+    """Tell whether a number is an ordinary zero; by another nothing is decided."""
+    return not isinstance(number, Symbol) and bool(number == 0.0)
+
+
 def as_float(number: Any) -> float:
     """Return a real number as a float; a traced one stays as it is."""
     return number if isinstance(number, Symbol) else float(number)  # type: ignore[return-value]

@@ -19,7 +19,7 @@ from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 from vad.kinematics.recording import OPERATIONS, Operand, Recorded, Tape
-from vad.kinematics.symbol import Symbol
+from vad.kinematics.symbol import Symbol, is_zero
 
 
 class Guard(NamedTuple):
@@ -271,7 +271,7 @@ class TracedVector(complex):
         return other * self.conjugate() / (self.real * self.real + self.imag * self.imag)
 
     def __abs__(self) -> Any:
-        if _is_zero(self.imag):
+        if is_zero(self.imag):
             return abs(self.real)
         square = self.real * self.real + self.imag * self.imag
         return square.note("sqrt", square) if isinstance(square, Traced) else abs(complex(square))
@@ -294,7 +294,7 @@ class TracedVector(complex):
 
 def _product(number: Any, factor: Any) -> Any:
     """Return a product, of which nothing is remembered where a constant factor is zero."""
-    return 0.0 if _is_zero(factor) else number * factor
+    return 0.0 if is_zero(factor) else number * factor
 
 
 def plain(value: Any) -> Any:
@@ -325,11 +325,6 @@ def _traced(value: float, made: Operand) -> Any:
     new = Traced(value)
     new.made = made
     return new
-
-
-def _is_zero(number: Any) -> bool:
-    """Tell whether a number is an ordinary zero; nothing is decided by a traced one."""
-    return not isinstance(number, Traced) and bool(number == 0.0)
 
 
 def _both(one: Traced, other: Any, on_floats: Any, on_records: Any) -> Any:
