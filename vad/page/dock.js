@@ -1,7 +1,8 @@
 // The dock while a hand holds the mechanism: its track is the driver's way, its buttons are steps on
 // it, and its line says what happens.
 //
-// docked(root, body, player) -> {begin, commit, settle, enter, leave, say, number, read, fault, on}.
+// docked(root, body, player) -> {begin, commit, settle, enter, leave, say, number, read, fault, on,
+// renew, history}.
 // A gesture is what one undo takes back: begin() before it, commit() when it is over, settle() when
 // it is over unless more of it follows soon.
 
@@ -231,7 +232,8 @@ function docked(root, body, player) {
   }
 
   // What a hand overwrites.
-  const written = [...root.querySelectorAll(".cell")].map((each) => [each, each.innerHTML]);
+  const said = () => [...root.querySelectorAll(".cell")].map((each) => [each, each.innerHTML]);
+  let written = said();
 
   // ---- turning by itself ----
 
@@ -326,11 +328,20 @@ function docked(root, body, player) {
   track.setAttribute("aria-label", words[data.turns]);
   one(".place span").innerHTML = symbol;
   box.setAttribute("aria-label", words[data.turns]);
+  box.name = data.inputs[0];
   one(".place span:last-child").textContent = turns ? "°" : unit;
   for (const drawing of root.querySelectorAll(".panel:not(:first-child) .drawing")) drawing.dataset.none = words["no-polygon"];
   body.on(shown);
   dragged(root, body, begin, commit);
   for (const each of root.querySelectorAll(".switch, dl.own")) each.hidden = false;
 
-  return { run, keys: acts.keys, begin, commit, settle, enter, leave, say, scale, number, read, fault, on: (listener) => listeners.push(listener), get held() { return held; } };
+  return {
+    run, keys: acts.keys, begin, commit, settle, enter, leave, say, scale, number, read, fault,
+    on: (listener) => listeners.push(listener),
+    // The lesson is now that of another pose, and its cells are as they stand.
+    renew: () => { written = said(); if (held) { scale(); offer(); } },
+    get held() { return held; },
+    get history() { return [past, future]; },
+    set history(both) { [past, future] = both; able(); },
+  };
 }

@@ -73,9 +73,14 @@ def asset(name: str) -> str:
 @cache
 def script(turned: bool) -> str:
     """Return the script of a page, of one that is ``turned`` by hand or not."""
+    text = "\n".join([scripts(turned), _START, _TURNED if turned else ""])
+    return '"use strict";{' + shorter_script(text, ["packed"]) + "}"
+
+
+def scripts(turned: bool) -> str:
+    """Return the functions of a page's script."""
     names = (*_HAND, "player.js") if turned else ("player.js",)
-    text = "\n".join([*map(asset, names), _START, _TURNED if turned else ""])
-    return '"use strict";{' + shorter_script(text.replace("export ", ""), ["packed"]) + "}"
+    return "\n".join(map(asset, names)).replace("export ", "")
 
 
 @cache
@@ -110,14 +115,14 @@ def document(lesson: Lesson, start: int = 0, *, sliders: bool = True, turning: b
     if made.hand:
         data |= {"hand": {**made.hand.data, "sliders": sliders}, "program": made.hand.program}
         layers = [made.hand.layers[panel.name] for panel in lesson.sheet.panels]
-    scripts = beginning(), script(bool(made.hand))
-    proofs = (b64encode(sha256(each.encode()).digest()).decode() for each in scripts)
+    run = beginning(), script(bool(made.hand))
+    proofs = (b64encode(sha256(each.encode()).digest()).decode() for each in run)
     allowed = " ".join(f"'sha256-{proof}'" for proof in proofs)
     policy = (
         "default-src 'none'; style-src 'unsafe-inline'; font-src data:; "
         f"script-src {allowed}; base-uri 'none'; form-action 'none'"
     )
-    bundle = packed(_json([scripts[1], data, layers]))
+    bundle = packed(_json([run[1], data, layers]))
     return (
         f'<!DOCTYPE html>\n<html lang="{lesson.sheet.language}">\n<head>\n<meta charset="utf-8">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
@@ -127,7 +132,7 @@ def document(lesson: Lesson, start: int = 0, *, sliders: bool = True, turning: b
         f"{colours(lesson.style, len(lesson.sheet.rows))}{made.looks}"
         f"</style>\n</head>\n<body>\n{section(lesson, made)}"
         f'<script type="text/plain" id="data">{bundle}</script>\n'
-        f"<script>{scripts[0]}</script>\n</body>\n</html>\n"
+        f"<script>{run[0]}</script>\n</body>\n</html>\n"
     )
 
 

@@ -100,7 +100,7 @@ function outside(root, body, dock, player) {
     last = text;
   }
 
-  const later = () => { if (parent !== window && !due) due = setTimeout(tell, 50); };
+  const later = () => { if (parent !== window && board.isConnected && !due) due = setTimeout(tell, 50); };
 
   function heard({ data: message, source }) {
     const asked = message?.vad;

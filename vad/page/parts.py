@@ -97,7 +97,7 @@ def _plan(lesson: Lesson, turned: HandBoard | None) -> Plan:
     return plan(lesson.sheet, screen(SIZE), key, lesson=True, scales=scales, words=False)
 
 
-def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
+def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = None) -> Parts:
     """Return the parts of a lesson's page.
 
     Parameters
@@ -106,9 +106,11 @@ def parts(lesson: Lesson, board: Plan | None = None) -> Parts:
         What is played.
     board
         Its board, where that has scales of its own.
+    turned
+        The board on which its mechanism is turned, if ``board`` is given; None where it cannot be.
     """
     style, faces, sheet = load_style(lesson.style), Faces(), lesson.sheet
-    turned = None if board else turned_board(lesson)
+    turned = turned if board else turned_board(lesson)
     board = board or _plan(lesson, turned)
     inker, words = Inker(board.form, Inks(style), faces), RunWriter(faces)
     listed = [_listed(lesson, step, words) for step in lesson.steps]

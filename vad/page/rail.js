@@ -31,7 +31,7 @@ function railed(root, body, dock) {
   function row(name, html, index, [low, high], unit) {
     const step = round125((high - low) / 200), start = data.start[index];
     const slider = element("input", { type: "range", min: low, max: high, step: "any" });
-    const box = element("input", { inputMode: "decimal", autocomplete: "off" });
+    const box = element("input", { name, inputMode: "decimal", autocomplete: "off" });
     const label = element("span", { className: "name" });
     label.innerHTML = html;
     for (const each of [slider, box]) each.setAttribute("aria-label", `${label.textContent}, ${unit}`);
