@@ -208,3 +208,14 @@ def test_what_is_wrong_in_a_table(tmp_path, card, message):
     with pytest.raises(InputError) as caught:
         press(tmp_path, card=card)
     assert str(caught.value) == f"press.toml, line 23: {message}"
+
+
+def test_a_link_may_be_called_frame_where_nothing_loads_it(tmp_path):
+    text = (
+        PRESS[: PRESS.index("[loads]")].replace("rocker =", "frame =").replace("gravity = 9.81", "")
+    )
+    machine = press(tmp_path, text)()
+    assert not machine.burden
+    with pytest.raises(InputError, match="two bodies are called frame") as caught:
+        vad.forces(vad.solve(machine), ["1 N at D"])
+    assert caught.value.hint == "call the link or the slide otherwise"

@@ -61,7 +61,7 @@ class BurdenEntry:
                 ("friction", slide): Burden(friction={slide: number})
                 for slide, number in whole.friction.items()
             },
-            ("", "gravity"): Burden(gravity=self.gravity),
+            **({} if self.gravity is None else {("", "gravity"): Burden(gravity=self.gravity)}),
         }
 
 

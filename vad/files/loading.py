@@ -29,7 +29,6 @@ from vad.kinematics.motion import solve
 from vad.kinematics.solver import solver_of
 from vad.mechanisms.mechanism import Mechanism, unit
 from vad.statics.burden import Burden
-from vad.statics.forces import forces_of
 
 FileTable = Mapping[str, Any]
 
@@ -296,8 +295,10 @@ def _unpacked(text: str) -> type[WrittenMechanism]:
     with source.at("driver", description.driver.name):
         motion = solve(usual, **kind.inputs)  # checks them
     for (table, key), part in description.burden.parts(written.values).items():
+        from vad.statics.forces import forces_of  # most files have no loads
+
         with source.at(table, key):
-            forces_of(motion, part)
+            forces_of(motion, part)  # checks it, too
     return kind
 
 
