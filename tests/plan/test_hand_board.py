@@ -27,7 +27,7 @@ EXAMPLES = {
     for path in (Path(vad.__file__).parent / "examples").glob("*.toml")
 }
 KINDS: dict[str, Any] = {**vad.MECHANISMS, **dict(sorted(EXAMPLES.items()))}
-POSES = 30
+POSES = 200
 #: Pixels of a page 720 high.
 CLOSE = 0.05
 #: Degrees.

@@ -35,7 +35,7 @@ from vad.plan.pictures.polygon import BAR_OFF, WIDEST_BAR
 from vad.plan.pictures.skeleton import GRIP
 from vad.plan.reach import corners
 from vad.plan.scale import (
-    LEAST,
+    LEAST_POLYGON,
     LONGEST_BAR,
     SCALE_GAP,
     SCALE_RISE,
@@ -195,7 +195,7 @@ def hand(board: HandBoard, plan: Plan, inker: Inker, write: Callable[[Runs], str
             for half in traced.sheet.halves
         ],
         "polygons": polygons,
-        "least": LEAST,
+        "least": LEAST_POLYGON,
         "spare": SPARE,
         "signs": _SIGNS,
         "point": sheet.notation.point,

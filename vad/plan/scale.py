@@ -48,8 +48,9 @@ SLACK = 0.020  # labels glide, and so a polygon needs less room around it than i
 VIEWS_SLACK = 0.025
 #: The room that a dimension and its words take of a panel, beside a guide.
 DIMENSION = 0.050
-#: Of its panel, a picture fills at least this; where a new scale is found, it leaves that to spare.
-LEAST, SPARE = 0.45, 0.20
+#: Of its panel, a mechanism fills at least this, and a polygon, in which more letters stand.  Where
+#: a new scale is found, it leaves that to spare.
+LEAST, LEAST_POLYGON, SPARE = 0.22, 0.60, 0.20
 _DEEP = 0.1  # by that share of its height a mechanism reaches below a guide
 _LEVEL = 0.9  # the height of the unit vector across a guide that is about level
 _ROUNDING = 1e-6
@@ -264,7 +265,7 @@ def calm_scale(panel: Panel, room: Rect, before: Scale | None) -> Scale:
         return before
     inner = padded(room, position)
     fits = all(inner.holds(before(point), _ROUNDING) for point in points)
-    lost = before.factor < LEAST * fitting.factor
+    lost = before.factor < (LEAST if position else LEAST_POLYGON) * fitting.factor
     if fits and not lost:
         return before
     spared = fitting.factor / (1.0 + SPARE)

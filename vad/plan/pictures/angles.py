@@ -48,6 +48,7 @@ SENSE_SIZES = (  # radius and span, the best first
 SENSE_LEAD = 63.0
 SENSE_HEAD = 0.018
 LINE = ROLES["angle"].width
+PIECES = 12  # of an arc that the driver sweeps
 CLEAR = 0.010  # about an arrow that stands still while the driver moves
 SPEED_LENGTH = 0.072
 SPEED_CLEAR = 0.009  # to either side of the arrow
@@ -69,7 +70,10 @@ def angle_arcs(sketch: Sketch) -> list[tuple[int, Hung]]:
             radius = min(RADIUS, share * stroke.shape.radius * sketch.scale.factor)
             arc = AngleArc(stroke.name, radius, sketch.setting.room)
             found.append((index, Hung(arc, "angle", growth=Trimming())))
-            sketch.obstacles.line(arc.posed(sketch.solved).line(), LINE / 2)
+            bow = arc.posed(sketch.solved)
+            # While it is turned by hand, the arc has as many pieces in every pose.
+            step = abs(float(bow.sweep)) / PIECES if sketch.finished and bow.sweep else 8.0
+            sketch.obstacles.line(bow.line(step), LINE / 2)
     return found
 
 

@@ -84,7 +84,7 @@ class Polygon:
     def under_hand(
         self, setting: Setting, labels: LabelChoice, shared: Mapping[str, SharedLine] = NONE_SHARED
     ) -> Sketch:
-        """Return the vectors and dots of one pose that a hand has set, with their names.
+        """Return vectors, dots and images of one pose that a hand has set, with their names.
 
         It is the same picture for all poses: each vector lies on its true line, or in its lane of a
         line that it shares in all poses, and each letter has a dot of its own.
@@ -92,6 +92,7 @@ class Polygon:
         strokes = tuple(s for s in setting.panel.strokes if isinstance(s.shape, Arrow | Dot))
         panel = replace(setting.panel, strokes=strokes)
         sketch = Sketch(replace(setting, panel=panel), self.scale, setting.clear(), finished=True)
+        _add_triangles(sketch)
         for stroke in strokes:
             if isinstance(stroke.shape, Arrow):
                 ends, whole = ends_of(stroke), is_whole(stroke, panel)
