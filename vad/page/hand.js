@@ -4,6 +4,7 @@
 //   grip         what is dragged, null where nothing can be
 //   ranges       the stretches in which the links close, with the page's dimensions
 //   closes       outputs that exist wherever they close
+//   guards       outputs that are truth values, and what they are while the picture holds
 //   rates        for each rate an output that exists wherever it does
 //   dimensions   of each its name, value, ends, unit and its place among the inputs
 // Listeners hear of every pose: on(listener).
@@ -19,6 +20,12 @@ function driven(root, solve, data) {
   function closes(place) {
     solve(place, ...state.slice(1), out, 0);
     return data.closes.every((at) => out[at] - out[at] === 0);
+  }
+
+  // Whether the program is right for these dimensions.
+  function holds(values) {
+    solve(...values, out, 0);
+    return data.guards.every(([at, value]) => out[at] === value);
   }
 
   function key(values) {
@@ -51,7 +58,7 @@ function driven(root, solve, data) {
     const before = [...state];
     state.splice(0, state.length, ...values);
     search();
-    const found = ranges.length ? placed(ranges, state[0], turns) : null;
+    const found = ranges.length && holds(state) ? placed(ranges, state[0], turns) : null;
     if (!found) {
       state.splice(0, state.length, ...before);
       search();
@@ -77,7 +84,7 @@ function driven(root, solve, data) {
   const within = (degrees) => (degrees % 360 + (degrees % 360 < 0 ? 360 : 0));
 
   return {
-    data, turns, ends, state, out, view, solve, closes, set, move, show,
+    data, turns, ends, state, out, view, solve, closes, holds, set, move, show,
     on: (listener) => listeners.push(listener),
     rest: () => { wanted = state[0]; },
     get ranges() { return ranges; },

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import cmath
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from itertools import groupby
 from typing import Any
 
 from vad.kinematics.numbers import vector
+from vad.kinematics.program import Program
 from vad.kinematics.reach import closing_range
 from vad.kinematics.traced import Traced, plain
 from vad.lecture.moment import drawing
@@ -48,6 +49,7 @@ from vad.plan.scale import (
     padded,
 )
 from vad.strokes.sheet import Panel, Sheet
+from vad.strokes.traced_dimensions import AROUND_ZERO, RANGE
 from vad.words import Language
 from vad.written import THIN_SPACE
 
@@ -206,8 +208,14 @@ def hand(board: HandBoard, plan: Plan, inker: Inker, write: Callable[[Runs], str
     layers[regions[0]] += ring
     data |= _described(board, sheet, outputs, write)
     data["curves"] = curves(board, sheet, outputs.of)
-    program = traced.program(outputs.numbers)
-    data["size"] = len(outputs.numbers)
+    program, count = traced.program(outputs.numbers), len(traced.guards)
+    last = [*program.outputs[count:], *program.outputs[:count]]
+    program = Program(program.inputs, last, len(last))
+    data["size"] = len(last)
+    data["guards"] = [
+        [len(outputs.numbers) + place, int(guard.value)]
+        for place, guard in enumerate(traced.guards)
+    ]
     return Hand(layers, solver_data(program, len(traced.inputs) - 3), data)
 
 
@@ -336,7 +344,8 @@ def _described(
         "closes": [outputs.of(each) for each in closes],
         "rates": [outputs.of(each) for each in rates],
         "solved": template(found, board.mechanism.parameters(), outputs.of),
-        "dimensions": [],
+        "dimensions": list(_dimensions(board, names)),
+        "names": {name: code.name(name) for name in board.mechanism.dimensions()},
         "turns": kind,
         "turn": said[kind],
         "symbols": [
@@ -353,6 +362,7 @@ def _described(
 def _start(board: HandBoard, plan: Plan) -> list[float]:
     """Return the inputs of the page's own pose, and its scales."""
     given = dict(plan.sheet.source.inputs) if plan.sheet.source else {}
+    given |= board.mechanism.dimensions()
     for name, sketch in plan.sketches.items():
         if not sketch.scale.bare:
             given |= scale_inputs(name, sketch.scale)
@@ -438,3 +448,24 @@ def _as_given(value: float, board: HandBoard) -> float:
     """Return the input of which a value is a copy, so that it has the input's output."""
     inputs = (board.traced.inputs[name] for name in board.mechanism.inputs)
     return next((each for each in inputs if float(each) == float(value)), value)
+
+
+def _dimensions(board: HandBoard, driver: Sequence[str]) -> Iterator[list[Any]]:
+    """Yield each dimension that can be changed.
+
+    They are its name, its value, the ends of its slider, its unit, and its place among the inputs.
+    """
+    own = board.mechanism.dimensions()
+    largest = max(map(abs, own.values()), default=1.0) or 1.0
+    places = {name: place for place, name in enumerate(board.traced.inputs)}
+    for name, value in own.items():
+        if name not in places or name in driver:
+            continue
+        angle = name.endswith("angle") or name.endswith("twist")
+        low, high = sorted(each * value for each in RANGE)
+        if angle:
+            low, high = value - 45.0, value + 45.0
+        elif not value:
+            low, high = -AROUND_ZERO * largest, AROUND_ZERO * largest
+        unit = "°" if angle else board.mechanism.length_unit
+        yield [name, value, low, high, unit, places[name]]

@@ -55,6 +55,7 @@ function outside(root, body, dock, player) {
     if (!Array.isArray(values)) return values;
     body.solve(...values, own, 2);
     if (!exists(data.closes)) return unclosed(values);
+    if (!body.holds(values)) return wrong(words.unheld);
     if (!exists(data.rates)) return wrong(filled(words.dead, { place: `${values[0]}${turns ? "°" : ` ${data.units[0]}`}` }));
     const { solved } = data, found = {};
     for (const [name, part] of Object.entries(solved))
@@ -72,6 +73,7 @@ function outside(root, body, dock, player) {
     if (!Array.isArray(values)) return values;
     body.solve(...values, own, 0);
     if (!exists(data.closes)) return unclosed(values);
+    if (!body.holds(values)) return wrong(words.unheld);
     dock.begin();
     body.set(values);
     dock.commit();

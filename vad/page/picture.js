@@ -116,7 +116,7 @@ function picture(root, solve, data) {
     const element = tables[row]?.[column]?.[at];
     if (!element) return [];
     const said = element.textContent;
-    return [{ element, place, factor, units, given, bare: !said.endsWith(units), text: document.createTextNode("") }];
+    return [{ element, place, factor, units, given, bare: !said.endsWith(units.replace("²", "2")) && !said.endsWith(units), text: document.createTextNode("") }];
   });
 
   function write() {

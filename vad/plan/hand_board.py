@@ -303,7 +303,8 @@ def hand_board(
     poses = [sheet.panels[0] for _, sheet in sheets]
     live = LiveBoard.over(sheets[0][1], form, lines, poses)
     general = min(sheets, key=lambda each: _specials(live, each[1]))[0]
-    traced = traced_sheet(mechanism, general, panels, language)
+    traced = traced_sheet(mechanism, general, panels, language, list(mechanism.dimensions()))
+    live = live.retraced(traced.sheet)
     scales: dict[str, Scale] = {}
     shared: dict[str, Mapping[str, SharedLine]] = {}
     sketches: dict[str, Sketch] = {}

@@ -97,6 +97,17 @@ class LiveBoard:
         }
         return replace(self, pictures=pictures)
 
+    def retraced(self, sheet: Sheet) -> LiveBoard:
+        """Return it with what stands still from a sheet whose numbers are traced."""
+        pictures = {
+            panel.name: Skeleton(
+                self.setting(sheet, panel), [panel], found.scale, found.angle, found
+            )
+            for panel in sheet.panels
+            if isinstance(found := self.pictures.get(panel.name), Skeleton)
+        }
+        return replace(self, pictures=self.pictures | pictures)
+
     def pose(self, sheet: Sheet, scales: Mapping[str, Scale], ways: Mapping[str, Ways]) -> LivePose:
         """Return a pose; ``scales`` and ``ways`` are those of the pose before, if there was one."""
         items: list[Item] = []

@@ -706,6 +706,7 @@ HAND = {
     "paths": "Bahnen",
     "names": "Buchstaben",
     "step": "step: muss ein Schritt der Lektion sein, nicht {value}",
+    "unheld": "mit diesen Maßen würde diese Seite Falsches zeichnen",
     "steps-are": "eine Zahl von 0 bis {count}, oder wie velocity:4",
     "settings": "Einstellungen",
     "no-polygon": "kein Plan in dieser Lage",

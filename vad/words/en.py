@@ -617,6 +617,7 @@ HAND = {
     "paths": "Paths",
     "names": "Letters",
     "step": "step: must be a step of the lesson, got {value}",
+    "unheld": "with these dimensions this page would draw something false",
     "steps-are": "a number from 0 to {count}, or as in velocity:4",
     "settings": "Settings",
     "no-polygon": "no polygon in this position",

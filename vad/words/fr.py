@@ -701,6 +701,7 @@ HAND = {
     "paths": "Trajectoires",
     "names": "Lettres",
     "step": "step : il faut une étape de la leçon, pas {value}",
+    "unheld": "avec ces dimensions, cette page dessinerait du faux",
     "steps-are": "un nombre de 0 à {count}, ou comme velocity:4",
     "settings": "Réglages",
     "no-polygon": "pas de plan dans cette position",

@@ -69,7 +69,8 @@ class Skeleton:
         before: Skeleton | None = None,
     ) -> None:
         self._setting, self._poses, self.scale, self.angle = setting, poses, scale, angle
-        self.size = machine.part_size(setting.panel, scale)
+        kept = before is not None and before.scale is scale
+        self.size = before.size if before and kept else machine.part_size(setting.panel, scale)
         self.radius = machine.JOINT_REACH * self.size
         self._links = Links(self.size)
         self._before = before
