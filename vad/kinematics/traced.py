@@ -253,6 +253,8 @@ class TracedVector(complex):
         return TracedVector(-self.real, -self.imag)
 
     def __mul__(self, other: Any) -> Any:
+        if not isinstance(other, complex | float | int | TracedTruth):
+            return NotImplemented
         x, y = self.real, self.imag
         if isinstance(other, complex):
             a, b = other.real, other.imag

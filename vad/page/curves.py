@@ -55,7 +55,7 @@ def curves(board: HandBoard, sheet: Sheet, output: Callable[[float], int]) -> di
     for panel in traced.panels:
         found: list[list[Any]] = []
         spots = DIAGRAMS[panel.name].tracks(scene)
-        still = {spot.letter for spot, at in spots.items() if not _moves(at)}
+        still = {spot.letter for spot, at in spots.items() if not _moves(board, at)}
         for spot, at in spots.items():
             half = traced.panel(panel.name + BELOW) if spot.below else panel
             place = _followed(board, half, at)
@@ -73,7 +73,7 @@ def _followed(board: HandBoard, panel: Panel, at: Any) -> complex | None:
 
     None if it stands still.
     """
-    if not _moves(at):
+    if not _moves(board, at):
         return None
     if panel.picture == "vectors":
         place: complex = at
@@ -81,8 +81,8 @@ def _followed(board: HandBoard, panel: Panel, at: Any) -> complex | None:
     return board.scales[panel.name](at)
 
 
-def _moves(at: Any) -> bool:
-    return any(isinstance(part, Traced) for part in (at.real, at.imag))
+def _moves(board: HandBoard, at: Any) -> bool:
+    return any(board.traced.moves(part) for part in (at.real, at.imag))
 
 
 def _row(panel: Panel, spot: Spot, still: set[str], sheet: Sheet) -> int | None:

@@ -12,8 +12,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.motion import Motion, MotionInSpace
-from vad.kinematics.program import Program
+from vad.kinematics.program import Program, needed
 from vad.kinematics.reach import travels
+from vad.kinematics.recording import Recorded
 from vad.kinematics.solver import Solver
 from vad.kinematics.traced import Guard, Traced, TracedTape, made_of
 from vad.strokes.draw import draw
@@ -54,6 +55,14 @@ class TracedSheet:
         """Add an input, for what follows from the sheet and from something else."""
         self.inputs[name] = Traced.input(self.tape, f"i{len(self.inputs)}", value)
         return self.inputs[name]
+
+    def moves(self, number: float) -> bool:
+        """Tell whether a number follows from the motion of the driver."""
+        made = made_of(number)
+        if not isinstance(made, Recorded):
+            return False
+        driver = {self.inputs[name].made.name for name in self.motion.inputs}
+        return any(step.name in driver for step in needed([], [made]))
 
     def program(self, numbers: Iterable[float]) -> Program:
         """Return the program from the inputs to some numbers of the sheet, in their order.
