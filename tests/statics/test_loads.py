@@ -173,3 +173,20 @@ def test_a_turn_is_asked_for_with_a_turn():
         masses={"slider": np.array([[1.0], [2.0]])},
     )
     assert several.fluctuation == pytest.approx([turn.fluctuation, 2.0 * turn.fluctuation])
+
+
+def test_the_slide_of_a_cylinder_has_two_names():
+    """That of the slide, and that of the rod; friction makes the drive larger as it grows."""
+    motion = vad.solve(vad.GateActuator(length_unit="m"))
+    given = {
+        "loads": ["900 N @ -90 at B on arm"],
+        "masses": {"actuator_rod": 40.0},
+        "gravity": 9.81,
+    }
+    drives = [
+        vad.forces(motion, **given, friction={name: 0.2}).drive
+        for name in ("actuator", "actuator_rod")
+    ]
+    assert drives[0] == drives[1]
+    with pytest.raises(InputError, match="friction: actuator_rod is given twice"):
+        vad.forces(motion, **given, friction={"actuator": 0.1, "actuator_rod": 0.1})

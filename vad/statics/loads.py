@@ -158,13 +158,17 @@ class Given:
 
     def friction(self, friction: Mapping[str, Any]) -> None:
         """Add coefficients of friction by the names of slides."""
-        blocks = {joint.other: joint.slide for joint in self.bodies.joints if joint.slide}
+        joints = [joint for joint in self.bodies.joints if joint.slide]
+        blocks = {joint.other: joint.slide for joint in joints}
+        blocks |= {joint.slide.name: joint.slide for joint in joints if joint.slide}
         for body, value in friction.items():
             slide = blocks.get(body) if isinstance(body, str) else None
             if slide is None:
                 wrong = unknown("slide", body, blocks)
                 raise UsageError(f"friction: {wrong}", wrong.hint)
-            number = self._number(f"friction of {body}", value, "number", least=0.0)
+            if slide.name in self.rough:
+                raise InputError(f"friction: {body} is given twice", "one name of it is enough")
+            number = self._number(f"friction of {body}", value, "friction", least=0.0)
             self.numbers[f"mu{len(self.rough)}"] = number
             self.rough.append(slide.name)
 
