@@ -11,6 +11,7 @@ import pytest
 import vad
 from tests.statics.machines import MACHINES, burden
 from tests.statics.test_equilibrium import pose
+from vad.errors import InputError
 from vad.units import metres_of
 
 pytestmark = pytest.mark.exhaustive
@@ -130,3 +131,20 @@ def kinetic(machine, masses, inputs):
         if bodies[body].link:
             energy += 0.5 * mass["inertia"] * motion.link(bodies[body].link).omega ** 2
     return energy
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_each_load_and_each_mass_alone(name):
+    """Their forces add up to those of all."""
+    machine = MACHINES[name]()
+    forces = vad.forces(pose(machine, 0.3), **burden(machine, 6))
+    parts = {key: all_of(each) for key, each in forces.superposed().items()}
+    assert len(parts) == len({each.name or number for number, each in enumerate(forces.acting)})
+    whole, sizes = all_of(forces), sum(np.abs(part).max() for part in parts.values())
+    assert np.abs(whole - sum(parts.values())).max() <= CLOSE * sizes
+
+
+def test_friction_is_no_sum():
+    forces = vad.forces(vad.solve(vad.SliderCrank()), ["1 N at C"], friction={"slider": 0.1})
+    with pytest.raises(InputError, match="with friction they are not sums"):
+        forces.superposed()

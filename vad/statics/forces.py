@@ -256,6 +256,31 @@ class Forces(Solution[Truth], Generic[Real, Vector, Truth]):
         child = next((b for b in self.bodies.bodies.values() if b.joint == joint), None)
         return (child.parent, child.name) if child else (joint.one, joint.other)
 
+    def superposed(self) -> dict[str, Forces[Real, Vector, Truth]]:
+        """Return the forces of each load alone and of each mass alone, whose sums are these forces.
+
+        A load has its name, or else its number: "load 1".
+
+        Raises
+        ------
+        vad.errors.InputError
+            With friction, which depends on all loads together.
+        """
+        if self.solver.rough:
+            raise InputError("forces: with friction they are not sums", "leave out the friction")
+        groups: dict[str, set[str]] = {}
+        for number, each in enumerate(self.acting, start=1):
+            groups.setdefault(each.name or f"load {number}", {"gx", "gy"}).update(each.inputs)
+        own = self.solver.further
+        return {
+            name: Forces(
+                self.motion,
+                self.solver,
+                {each: self.inputs[each] if each in kept else 0.0 for each in own},
+            )
+            for name, kept in groups.items()
+        }
+
     @property
     def dyads(self) -> tuple[DyadForces, ...]:
         """The forces of each dyad of one pose as they are drawn, the last dyad first."""
