@@ -385,7 +385,9 @@ def test_a_slider_stops_where_the_links_close_nowhere(page: Page) -> None:
     box.fill("900")
     press(page, "Enter")
     assert 200 < page.evaluate("() => vad.state.coupler") < 221
-    expect(page.locator(".said p")).to_contain_text("coupler")
+    expect(page.locator(".said p")).to_have_text(
+        "coupler 900 mm: the links close nowhere with these dimensions"
+    )
     box.fill("-3")
     press(page, "Enter")
     expect(page.locator(".said p")).to_contain_text("must be positive")

@@ -48,7 +48,8 @@ function railed(root, body, dock) {
       dock.scale();
       dock.settle();
       show();
-      if (said) dock.fault(filled(words.guarded, { name: label.textContent, value: `${box.value} ${unit}` }));
+      const asked = `${written(tidy(value, step))} ${unit}`;
+      if (said) dock.fault(filled(words[said], { name: label.textContent, place: asked, value: `${box.value} ${unit}` }));
     };
     const typed = () => {
       const value = dock.read(box.value), wrong = value === null || (low > 0 && value <= 0);
@@ -73,10 +74,11 @@ function railed(root, body, dock) {
   }
 
   // Sets an input; where the links then close nowhere, or the picture does not hold, as near to it
-  // as it goes. True if that is not all the way.
+  // as it goes. If that is not all the way, the words that say why.
   function reached(index, value) {
     const was = [...state], to = (share) => was.map((each, i) => i === index ? (share < 1 ? each + share * (value - each) : value) : each);
-    if (body.set(to(1))) return false;
+    if (body.set(to(1))) return "";
+    const why = body.holds(to(1)) ? "unclosed-nowhere" : "guarded";
     let inside = 0, outside = 1;
     for (let i = 0; i < TRIES; i++) {
       const middle = (inside + outside) / 2;
@@ -84,7 +86,7 @@ function railed(root, body, dock) {
       else outside = middle;
     }
     body.set(to(inside));
-    return true;
+    return why;
   }
 
   // The rates reach to both sides, as far as the lesson's own or a usual one.

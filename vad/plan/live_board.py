@@ -106,7 +106,7 @@ class LiveBoard:
             for panel in sheet.panels
             if isinstance(found := self.pictures.get(panel.name), Skeleton)
         }
-        return replace(self, pictures=self.pictures | pictures)
+        return replace(self, pictures={**self.pictures, **pictures})
 
     def pose(self, sheet: Sheet, scales: Mapping[str, Scale], ways: Mapping[str, Ways]) -> LivePose:
         """Return a pose; ``scales`` and ``ways`` are those of the pose before, if there was one."""

@@ -69,8 +69,11 @@ class Skeleton:
         before: Skeleton | None = None,
     ) -> None:
         self._setting, self._poses, self.scale, self.angle = setting, poses, scale, angle
-        kept = before is not None and before.scale is scale
-        self.size = before.size if before and kept else machine.part_size(setting.panel, scale)
+        self.size: float = (
+            before.size
+            if before and before.scale is scale
+            else machine.part_size(setting.panel, scale)
+        )
         self.radius = machine.JOINT_REACH * self.size
         self._links = Links(self.size)
         self._before = before
