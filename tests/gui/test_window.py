@@ -9,6 +9,7 @@ import re
 import pytest
 
 import vad
+from tests.files.test_burden import CARD, PRESS
 from vad.gui.messages import ExportQuestion
 from vad.gui.window import entry, window
 from vad.mechanisms import MECHANISMS
@@ -51,3 +52,20 @@ def test_what_is_set_ends_no_script():
     (data,) = re.findall(r'<script[^>]*id="data"[^>]*>(.*?)</script>', page, re.DOTALL)
     assert json.loads(data)["start"]["length_unit"] == unit
     assert "<" not in data
+
+
+def test_the_numbers_of_loads_and_masses_can_be_set(tmp_path):
+    """Each is called by whose it is and what, in the language of the page, and has its unit."""
+    (tmp_path / "press.toml").write_text(PRESS)
+    (tmp_path / "card.csv").write_text(CARD)
+    boxes = {e["name"]: e for e in entry(vad.load(tmp_path / "press.toml"), "de")["parameters"]}
+    wanted = {
+        "P": ("P", "N", -2000.0, 2000.0),
+        "P_angle": ("P: Winkel", "°", -180.0, 180.0),
+        "M": ("M", "N m", -24.0, 24.0),
+        "rocker_mass": ("Schwinge: Masse", "kg", 0.0, 4.0),
+        "ram_friction": ("Stößel: Reibung", "", 0.0, 0.2),
+    }
+    for name, found in wanted.items():
+        box = boxes[name]
+        assert (box["label"], box["unit"], box["low"], box["high"]) == found

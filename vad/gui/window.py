@@ -124,7 +124,7 @@ def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
         "name": kind.name,
         "unit": unit,
         "parameters": [
-            _box(each.name, say.name(each.name), each.metadata["quantity"], unit, each.default)
+            _box(each.name, _label(each, say), each.metadata["quantity"], unit, each.default)
             | _slider(each, longest)
             for each in numbers
         ],
@@ -137,6 +137,14 @@ def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
             for point, names in _choices(kind).items()
         ],
     }
+
+
+def _label(field: dataclasses.Field[Any], say: Language) -> str:
+    """Return what a parameter is called: of a load or a mass, whose it is and what."""
+    owner, _, what = field.name.rpartition("_")
+    if field.metadata["quantity"] in DIMENSIONS or not owner:
+        return say.name(field.name)
+    return f"{say.name(owner)}: {say.name(what)}"
 
 
 def _choices(kind: type[Mechanism]) -> Mapping[str, Sequence[str]]:
