@@ -140,6 +140,15 @@ def test_the_angle_and_the_sense_follow(page: Page) -> None:
     assert page.evaluate(arrow)[0] == "none"
 
 
+def test_a_cell_keeps_its_unit(page: Page) -> None:
+    open_picture(page, "four-bar")
+    before = page.locator(".results .cell").all_inner_texts()
+    paint(page, angle=75, omega=10, alpha=3)
+    after = page.locator(".results .cell").all_inner_texts()
+    assert [one.endswith("s") for one in before] == [one.endswith("s") for one in after]
+    assert sum("rad/s²" in one for one in after) == sum("rad/s2" in one for one in before) > 0
+
+
 def test_a_polygon_keeps_its_scale_while_it_fits(page: Page) -> None:
     open_picture(page, "four-bar")
     paint(page, angle=60, omega=10)

@@ -45,6 +45,7 @@ from vad.plan.scale import (
     SHORTEST_BAR,
     SPARE,
     Scale,
+    bar_box,
     bar_marks,
     padded,
 )
@@ -140,13 +141,14 @@ def hand(board: HandBoard, plan: Plan, inker: Inker, write: Callable[[Runs], str
                 in_painting_order(shown, regions), key=lambda item: _named(item.stroke, region)
             )
         )
-    polygons = []
+    polygons, boxes = [], list[list[float]]()
     for half in traced.sheet.halves:
         if half.picture == "vectors":
             polygon = _Scaled(board, plan, half)
             polygons.append({"half": halves.index(half.name), **polygon.data(outputs)})
             if half.name != half.column:
                 layers[half.column] += polygon.lower_bar(halves.index(half.name), inker)
+                boxes.append([halves.index(half.name), *_box(polygon.bar_box, outputs)])
     labels, nears = [], dict[tuple[float, ...], int]()
     for label in board.labels:
         column = traced.sheet.panel(label.panel).column
@@ -161,7 +163,7 @@ def hand(board: HandBoard, plan: Plan, inker: Inker, write: Callable[[Runs], str
         for name, sketch in board.sketches.items()
         for start, end, half, _ in sketch.obstacles.lines[_above(board, name)[0] :]
     ]
-    boxes = [
+    boxes += [
         [halves.index(name), *_box(box, outputs)]
         for name, sketch in board.sketches.items()
         for box, _ in sketch.obstacles.boxes[_above(board, name)[1] :]
@@ -410,6 +412,11 @@ class _Scaled:
         """Return the elements of the bar of a polygon below another."""
         text, bar, _ = bar_marks(0.1, roman("0"), self._start)
         return f'<g data-bar="{number}">{inker.mark(text)}{inker.mark(bar)}</g>'
+
+    @property
+    def bar_box(self) -> Rect:
+        """What the bar of a polygon below another takes at most, with its value."""
+        return bar_box(LONGEST_BAR, roman(f"500 {self.half.unit}"), self._start)
 
     @property
     def _room(self) -> Rect:
