@@ -401,3 +401,28 @@ def test_a_page_without_sliders(browser: Browser, tmp_path: Path) -> None:
         press(page, "End", "h")
         assert page.locator(".size").count() == 0
         assert page.evaluate("() => vad.pose({ crank: 30 }).crank") == 30
+
+
+def test_the_crank_glides_back_the_shorter_way(browser: Browser, tmp_path: Path) -> None:
+    with opened(browser) as page:
+        show(page, tmp_path, page_of("four-bar"), f"#step={STEP}")
+        page.evaluate(
+            """() => { window.seen = [];
+              vad.addEventListener('pose', ({ angle }) => seen.push(angle)); }"""
+        )
+        page.evaluate("() => vad.pose({ angle: 300 })")
+        press(page, "Escape")
+        until(page, lambda: at(page) == STEP and not page.locator(".turned").count())
+        between = [angle for angle in page.evaluate("seen")[1:] if angle != 60]
+        assert all(angle > 299 or angle < 61 for angle in between)
+
+
+def test_forced_colours_show_the_mode_and_the_handle(page: Page) -> None:
+    page.emulate_media(forced_colors="active")
+    press(page, "h")
+    pressed, other = (page.locator(f"[data-do={name}]") for name in ("hand", "lesson"))
+    ground = "e => getComputedStyle(e).backgroundColor"
+    assert pressed.evaluate(ground) != other.evaluate(ground)
+    expect(page.locator("[data-vad-grip]")).to_be_visible()
+    expect(page.locator(".turner")).to_have_css("appearance", "auto")
+    page.emulate_media(forced_colors="null")
