@@ -128,7 +128,7 @@ def test_the_angle_and_the_sense_follow(page: Page) -> None:
     paint(page, angle=75.04, omega=10)
     assert "75.0°" in texts(page)[0]
     arrow = """() => {
-      const bow = given.moves.findIndex(([kind, parts], n) => kind === "b" && n > 0);
+      const bow = given.moves.findLastIndex(([kind]) => kind === "b");
       const element = document.querySelectorAll("[data-m]")[bow];
       return [element.style.display, element.getAttribute("d")];
     }"""
