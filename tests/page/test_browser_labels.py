@@ -79,7 +79,7 @@ def texts(page: Page) -> dict[int, list[str]]:
 
 
 def scales(page: Page) -> list[float]:
-    """Return the scales of the polygons."""
+    """Return the scales of the polygons, and then that of the mechanism."""
     found: list[float] = page.evaluate("given.polygons.map(each => view.state[each.input + 2])")
     return found
 
@@ -88,7 +88,7 @@ def bars(page: Page) -> list[str]:
     found: list[str] = page.evaluate(
         "[...document.querySelectorAll('.scale.hand')].map(each => each.textContent)"
     )
-    return found
+    return [*found[1:], *found[:1]]
 
 
 def test_a_letter_within_a_step_vanishes_with_its_part(page: Page) -> None:
@@ -184,9 +184,9 @@ def test_a_bar_states_the_scale(page: Page) -> None:
     open_picture(page, "four-bar")
     for omega in (0.03, 1.0, 10.0, 4321.0):
         paint(page, angle=60, omega=omega, alpha=0)
-        for number, text in enumerate(bars(page)):
+        for number, text in enumerate(bars(page)[:2]):
             size = page.evaluate(
-                "n => +[...document.querySelectorAll('.scale.hand .bar')][n]"
+                "n => +[...document.querySelectorAll('.scale.hand .bar')][n + 1]"
                 ".style.getPropertyValue('--n')",
                 number,
             )

@@ -131,7 +131,7 @@ function curved(root, body, dock, showing) {
     return made(group, "g", { "clip-path": `url(#way${i})` });
   });
   const drawn = tracks.map((each, i) => each.map(([row, , , scale]) => made(ways[i], "path", {
-    class: scale === null ? "path" : "hodograph", style: `stroke:var(--${row === null ? "grey" : `ink${row}`})` })));
+    class: data.halves[0][0] === i ? "path" : "hodograph", style: `stroke:var(--${row === null ? "grey" : `ink${row}`})` })));
 
   function draw() {
     drawn.forEach((each, i) => each.forEach((path, k) => path.setAttribute("d", line(points[i][k]))));

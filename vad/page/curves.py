@@ -36,7 +36,7 @@ def curves(board: HandBoard, sheet: Sheet, output: Callable[[float], int]) -> di
     dict
         ``columns``: of each panel its values, each with row, output, factor, unit and symbol.
         ``tracks``: of each panel its points, each with the row whose ink it has or None, the
-        outputs of x and y, and of a polygon the place of its scale among the inputs, else None.
+        outputs of x and y, and the place of its scale among the inputs, None where that stays.
         ``on``: the names of what is shown from the start.
     """
     traced, notation = board.traced.sheet, sheet.notation
@@ -69,13 +69,13 @@ def curves(board: HandBoard, sheet: Sheet, output: Callable[[float], int]) -> di
 
 
 def _followed(board: HandBoard, panel: Panel, at: Any) -> complex | None:
-    """Return where a point is: of a mechanism on the page, of a polygon in its own unit.
+    """Return where a point is: in its panel's unit, or on the page where the scale never changes.
 
     None if it stands still.
     """
     if not _moves(board, at):
         return None
-    if panel.picture == "vectors":
+    if isinstance(board.scales[panel.name].factor, Traced):
         place: complex = at
         return place
     return board.scales[panel.name](at)

@@ -143,12 +143,13 @@ def hand(board: HandBoard, plan: Plan, inker: Inker, write: Callable[[Runs], str
         )
     polygons, boxes = [], list[list[float]]()
     for half in traced.sheet.halves:
-        if half.picture == "vectors":
+        if f"{half.name} scale" in traced.inputs:
             polygon = _Scaled(board, plan, half)
             polygons.append({"half": halves.index(half.name), **polygon.data(outputs)})
             if half.name != half.column:
                 layers[half.column] += polygon.lower_bar(halves.index(half.name), inker)
                 boxes.append([halves.index(half.name), *_box(polygon.bar_box, outputs)])
+    polygons.sort(key=lambda polygon: polygon["mechanism"])
     labels, nears = [], dict[tuple[float, ...], int]()
     for label in board.labels:
         column = traced.sheet.panel(label.panel).column
@@ -383,7 +384,7 @@ def bar_room(plan: Plan, panel: Panel) -> float:
 
 @dataclass(frozen=True)
 class _Scaled:
-    """A polygon whose scale follows its size."""
+    """A polygon, or a mechanism with other dimensions, whose scale follows its size."""
 
     board: HandBoard
     plan: Plan
@@ -398,7 +399,8 @@ class _Scaled:
         return {
             "input": list(board.traced.inputs).index(first),
             "corners": outputs.listed(map(scale, corner)),
-            "inner": _edges(padded(self._room, False)),
+            "mechanism": half.picture == "skeleton",
+            "inner": _edges(padded(self._room, half.picture == "skeleton")),
             "bar": {
                 "room": round(self._bar_room, 5),
                 "unit": unit,

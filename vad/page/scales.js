@@ -1,5 +1,6 @@
 // The scales of polygons: each keeps its scale while it fits its room and is not too small there,
-// as in vad/plan/scale.py, and glides to a new one. A bar states it.
+// as in vad/plan/scale.py, and glides to a new one. A bar states it. A mechanism keeps its scale until
+// a dimension changes.
 //
 // scales(root, data, out, state) -> {choose, steady}. choose(calm) moves all scales, which are
 // inputs in the state, a step on their way, and tells whether any is still on it.
@@ -9,9 +10,9 @@ const SMALLER = 1 / 3, SHARE = 0.35, THERE = 1e-3, NO_SIZE = 1e-9;
 function scales(root, data, out, state) {
   const svgs = [...root.querySelectorAll(".drawing svg")], tops = [...root.querySelectorAll(".panel .top")];
   const [unit, left, top] = data.page;
-  const all = data.polygons.map(({ half, input, corners, inner, bar }) => {
+  const all = data.polygons.map(({ half, input, corners, inner, bar, mechanism }) => {
     const below = svgs[data.halves[half][0]].querySelector(`[data-bar="${half}"]`);
-    const made = { input, corners, inner, bar, below, now: state.slice(input, input + 3), half };
+    const made = { input, corners, inner, bar, below, now: state.slice(input, input + 3), half, mechanism };
     if (!below) {
       made.top = document.createElement("p");
       made.top.className = "scale hand";
@@ -49,13 +50,16 @@ function scales(root, data, out, state) {
     polygon.to = centred(inner, found, lost ? spared : Math.min(spared, factor));
   }
 
+  const resized = () => data.dimensions.some(([, value, , , , at]) => state[at] !== value);
+
   function choose(still) {
     let moving = false;
     for (const polygon of all) {
       const found = box(polygon), { input, inner } = polygon, set = state.slice(input, input + 3);
       if (set.some((each, n) => each !== polygon.now[n])) polygon.now = polygon.to = set;
       const none = found && Math.max(found[2] - found[0], found[3] - found[1]) * filling(inner, found) < NO_SIZE;
-      if (found && !none && !polygon.steady) calm(polygon, found);
+      if (polygon.mechanism && !resized()) polygon.to = data.start.slice(input, input + 3);
+      else if (found && !none && !polygon.steady) calm(polygon, found);
       const { now, to } = polygon;
       if (now.every((each, n) => each === to[n])) continue;
       const near = still || Math.abs(now[2] / to[2] - 1) + Math.hypot(now[0] - to[0], now[1] - to[1]) < THERE;

@@ -29,6 +29,7 @@ from vad.plan.live_board import LiveBoard
 from vad.plan.marks import Bow
 from vad.plan.pictures.polygon import Polygon
 from vad.plan.pictures.shared_lines import SharedLine, shared_lines
+from vad.plan.pictures.skeleton import Skeleton
 from vad.plan.pictures.vectors import ALONE, place_vectors
 from vad.plan.pictures.views import held_arc, tip_of
 from vad.plan.scale import Scale, calm_scale
@@ -216,7 +217,7 @@ class HandBoard:
     traced
         The traced sheet.
     scales
-        The scale of each panel; that of a polygon is an input.
+        The scale of each panel; that of a polygon or of a mechanism in the plane is an input.
     shared
         The lanes of the vectors of each polygon.
     sketches
@@ -304,8 +305,12 @@ def hand_board(
     live = LiveBoard.over(sheets[0][1], form, lines, poses)
     general = min(sheets, key=lambda each: _specials(live, each[1]))[0]
     traced = traced_sheet(mechanism, general, panels, language, list(mechanism.dimensions()))
-    live = live.retraced(traced.sheet)
-    scales: dict[str, Scale] = {}
+    scales = {
+        name: _as_input(traced, name, picture.scale)
+        for name, picture in live.pictures.items()
+        if isinstance(picture, Skeleton)
+    }
+    live = live.retraced(traced.sheet, scales)
     shared: dict[str, Mapping[str, SharedLine]] = {}
     sketches: dict[str, Sketch] = {}
     labels: list[Label] = []

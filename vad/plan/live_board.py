@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from vad.kinematics.traced import plain
 from vad.plan.board import Plan, arrange, regions_of, rows_of
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
@@ -84,7 +85,11 @@ class LiveBoard:
     @property
     def scales(self) -> dict[str, Scale]:
         """The scale of the mechanism, by the name of its panel."""
-        return {name: picture.scale for name, picture in self.pictures.items()}
+        found = ((name, picture.scale) for name, picture in self.pictures.items())
+        return {
+            name: replace(scale, origin=plain(scale.origin), factor=plain(scale.factor))
+            for name, scale in found
+        }
 
     def resized(self, sheet: Sheet, scales: Mapping[str, Scale]) -> LiveBoard:
         """Return it for other dimensions; everything that stands still keeps its place."""
@@ -97,11 +102,11 @@ class LiveBoard:
         }
         return replace(self, pictures=pictures)
 
-    def retraced(self, sheet: Sheet) -> LiveBoard:
-        """Return it with what stands still from a sheet whose numbers are traced."""
+    def retraced(self, sheet: Sheet, scales: Mapping[str, Scale]) -> LiveBoard:
+        """Return it with what stands still, from a sheet and with scales that are traced."""
         pictures = {
             panel.name: Skeleton(
-                self.setting(sheet, panel), [panel], found.scale, found.angle, found
+                self.setting(sheet, panel), [panel], scales[panel.name], found.angle, found
             )
             for panel in sheet.panels
             if isinstance(found := self.pictures.get(panel.name), Skeleton)
