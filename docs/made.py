@@ -22,7 +22,8 @@ from vad.mechanisms import MECHANISMS, Mechanism
 
 _BENCHMARKS = Path(__file__).parents[1] / "benchmarks" / "results"
 _ABOUT = """\
-Options of the command line are fields of the class in Python. Whatever else is made of dyads is
+All of them can be turned by hand in [the gallery](../gallery/index.md). Options of the command line
+are fields of the class in Python. Whatever else is made of dyads is
 described by [a file](../how-to/mechanism-file.md); below are those that ship with the program.
 """
 _SPEED = """\

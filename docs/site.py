@@ -1,7 +1,7 @@
 """The site: in come the pages, out goes a folder of HTML that needs no other server.
 
-The pages are copied to a folder in the making, with the gallery, the pages that follow from the
-code, and every picture that a page shows and one of its own commands draws.
+The pages are copied to a folder in the making, with every picture that one of them shows and one of
+its own commands draws, the pages that follow from the code, and the gallery.
 """
 
 from __future__ import annotations
@@ -12,17 +12,25 @@ import tempfile
 from pathlib import Path
 
 from docs.examples import draw_pictures
+from docs.gallery import pieces, write_gallery
 from docs.made import made_pages
 
 HOME = Path(__file__).parent
 ROOT = HOME.parent
 PAGES = HOME / "pages"
-#: Of the gallery, what the pages show.
-_SHOWN = ("*.png", "films/*-paper.gif", "posters/*.png")
+#: Of the pictures and films in the repository, what the pages show.
+_SHOWN = ("*.png", "films/slider-crank-paper.gif", "posters/*-paper.png")
 
 
-def build(folder: Path) -> None:
+def build(folder: Path, every: int = 1) -> None:
     """Build the site into ``folder``, which is emptied before.
+
+    Parameters
+    ----------
+    folder
+        Where it goes.
+    every
+        How many mechanisms there are to each one that the gallery shows.
 
     Raises
     ------
@@ -32,11 +40,11 @@ def build(folder: Path) -> None:
     """
     with tempfile.TemporaryDirectory() as name:
         pages = Path(name) / "pages"
-        gather(pages)
+        gather(pages, every)
         _html(pages, folder.resolve())
 
 
-def gather(pages: Path) -> None:
+def gather(pages: Path, every: int = 1) -> None:
     """Write everything that the site consists of into ``pages``, as Markdown and pictures."""
     shutil.copytree(PAGES, pages)
     for pattern in _SHOWN:
@@ -48,6 +56,7 @@ def gather(pages: Path) -> None:
         draw_pictures(page)
     for path, text in made_pages().items():
         (pages / path).write_text(text, encoding="utf-8")
+    write_gallery(pages, pieces()[::every])
 
 
 def _html(pages: Path, folder: Path) -> None:

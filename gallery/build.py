@@ -1,5 +1,5 @@
 """Builds the gallery: every mechanism in every style as a poster and a film, and a contact sheet;
-mechanisms from files in one style; lessons as pages.
+mechanisms from files in one style.
 
 ``python gallery/build.py`` writes them beside itself, with a page that shows them all;
 ``python gallery/build.py --check`` builds them elsewhere and names those that differ.
@@ -53,8 +53,6 @@ SCENES: dict[str, tuple[dict[str, Any], dict[str, float]]] = {
 
 #: Mechanisms from files that ship with the program, shown in one style.
 EXAMPLES = ("toggle-press", "watt-1", "stephenson-3", "shaper", "landing-gear", "jansen-leg")
-#: Lessons as pages.
-LESSONS = ("slider-crank", "crank-slotted-lever")
 
 POSTER = 1280, 720
 FILM = 960, 540
@@ -84,10 +82,14 @@ def command(name: str) -> str:
     """Return the words that make the film of a scene."""
     if name in EXAMPLES:
         return f"vad example {name} > {name}.toml && vad animate {name}.toml -o {name}.mp4"
+    return " ".join(["vad animate", name, *options(name), f"-o {name}.mp4"])
+
+
+def options(name: str) -> list[str]:
+    """Return the options of the command line that make the scene of a mechanism."""
     dimensions, inputs = SCENES.get(name, ({}, {}))
-    options = {**dimensions, **inputs}.items()
-    words = [f"--{option.replace('_', '-')} {value:g}" for option, value in options]
-    return " ".join(["vad animate", name, *words, f"-o {name}.mp4"])
+    numbers = {**dimensions, **inputs}.items()
+    return [f"--{option.replace('_', '-')} {value:g}" for option, value in numbers]
 
 
 def poster(name: str, style: str, path: Path) -> None:
@@ -124,11 +126,6 @@ def most_bytes(name: str) -> int:
     return MOST_BYTES_OF_EXAMPLE if name in EXAMPLES else MOST_BYTES
 
 
-def lesson_page(name: str, path: Path) -> None:
-    """Write the lesson of a scene as a page."""
-    vad.save(vad.animate(sheet(name)), path)
-
-
 def contact_sheet(path: Path) -> None:
     """Write a picture of all mechanisms."""
     names, (width, height) = list(vad.MECHANISMS), CELL
@@ -148,13 +145,11 @@ def page(path: Path) -> None:
         "# Gallery",
         "",
         "Made by `python gallery/build.py`. The films show shorter pauses than the lectures.",
+        "`python -m docs` builds the site, whose gallery has all mechanisms and examples as pages",
+        "that are turned by hand.",
     ]
     for name in vad.MECHANISMS:
         lines += _section(name, command(name))
-        if name in LESSONS:
-            lines.append(
-                f"\n[The lesson as a page](lessons/{name}.html): step it, and turn it back.\n"
-            )
         for style in style_names():
             if style != SHEET_STYLE:
                 lines.append(f"[![{style}](posters/{name}-{style}.png)](films/{name}-{style}.gif)")
@@ -177,7 +172,7 @@ def shown() -> Iterator[tuple[str, str]]:
 
 def build(folder: Path) -> None:
     """Write the whole gallery into ``folder``, with as many processes as there are cores."""
-    for part in ("posters", "films", "lessons"):
+    for part in ("posters", "films"):
         (folder / part).mkdir(parents=True, exist_ok=True)
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(mp_context=spawn) as pool:
@@ -185,8 +180,6 @@ def build(folder: Path) -> None:
         for name, style in shown():
             jobs.append(pool.submit(film, name, style, folder / f"films/{name}-{style}.gif"))
             jobs.append(pool.submit(poster, name, style, folder / f"posters/{name}-{style}.png"))
-        for name in LESSONS:
-            jobs.append(pool.submit(lesson_page, name, folder / f"lessons/{name}.html"))
         jobs.append(pool.submit(contact_sheet, folder / "contact-sheet.png"))
         for job in jobs:
             job.result()
