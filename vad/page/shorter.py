@@ -71,7 +71,7 @@ def shorter_script(text: str, kept: Iterable[str] = ()) -> str:
     Examples
     --------
     >>> shorter_script("const wide = 3; // long\nfunction high(long) {\n  return wide * long;\n}")
-    'const a=3;function b(long){return a*long}'
+    'const b=3;function c(a){return b*a}'
     """
     names = _renamed(text, kept)
     return _joined(_tokens(text), names)
