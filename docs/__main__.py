@@ -15,5 +15,7 @@ if __name__ == "__main__":
         "--every", type=int, default=1, metavar="N", help="one mechanism in N in the gallery"
     )
     given = parser.parse_args()
+    if given.every < 1:
+        parser.error(f"--every {given.every}: must be 1 or more")
     build(given.folder, given.every)
     print(f"open {given.folder / 'index.html'}")

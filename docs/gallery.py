@@ -151,13 +151,6 @@ def _page(piece: Piece, title: str) -> str:
             "(../../how-to/mechanism-file.md)",
         ]
     else:
-        about = f"[Its dimensions and results](../reference/mechanisms.md#{_anchor(title)})"
-        parts.append(about)
+        about = f"../reference/mechanisms.md#{piece.name}"
+        parts.append(f"[Its dimensions and results]({about})")
     return "\n\n".join(parts) + "\n"
-
-
-def _anchor(title: str) -> str:
-    """Return where the reference speaks of a mechanism."""
-    from markdown.extensions.toc import slugify
-
-    return slugify(title, "-")

@@ -70,7 +70,7 @@ def made_pages() -> dict[str, str]:
 def _mechanisms() -> str:
     parts = ["# Mechanisms", _ABOUT]
     for name, kind in MECHANISMS.items():
-        parts += [f"## {kind.title}", inspect.getdoc(kind) or ""]
+        parts += [f"## {kind.title} {{ #{name} }}", inspect.getdoc(kind) or ""]
         if name not in _without_poster():
             parts.append(f"![{kind.title}](../gallery/posters/{name}-paper.png)")
         parts.append(f"`vad solve {name}` · `vad.{kind.__name__}`")

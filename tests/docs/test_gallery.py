@@ -119,6 +119,11 @@ def test_a_card_leads_to_a_page_that_turns_under_any_path_of_a_server(
             page.goto(address + "gallery/index.html")
             page.locator(f'.cards a[href="{piece.place}.html"]').click()
             _turn(page, piece)
+            with page.expect_download() as download:
+                page.get_by_role("link", name="Download this page").click()
+            assert download.value.suggested_filename == f"{piece.name}.html"
+            kept = site / "gallery" / "lessons" / f"{piece.place}.html"
+            assert download.value.path().read_bytes() == kept.read_bytes()
         server.shutdown()
 
 
