@@ -64,8 +64,8 @@ def test_it_is_asked_for_beside_those_of_the_program(ask, path: Path):
     assert answer["results"] == expected
     assert answer["results"]["points"]["O4"]["position"] == [132, 0]
     assert "rocker" in ask("pose", "four-bar")["results"]["links"]
-    assert "steps" in ask("lesson", "four-bar.toml")
-    assert "steps" in ask("lesson", "scotch-yoke")
+    assert "layers" in ask("lesson", "four-bar.toml")
+    assert "layers" in ask("lesson", "scotch-yoke")
 
 
 def test_no_request_names_a_file(ask, path: Path):
@@ -75,11 +75,25 @@ def test_no_request_names_a_file(ask, path: Path):
         path.as_uri(),
         "./four-bar.toml",
         "other.toml",
-        "watt-1.toml",
+        "../watt-1.toml",
         "watt-1",
     ):
         assert ask("pose", name)["error"]["message"].startswith("unknown mechanism")
     assert "unknown field 'kinds'" in ask("pose", "four-bar", kinds={})["error"]["message"]
+
+
+def test_examples_and_files_are_asked_for(ask):
+    found = ask("entry", "watt-1.toml", language="de")
+    assert found["entry"]["name"] == "watt-1"
+    assert "layers" in ask("lesson", "watt-1.toml")
+    text = example_path("watt-1").read_text("utf-8").replace("84", "85")
+    assert ask("entry", "mine.toml", text=text)["mechanism"] == "mine.toml"
+    assert ask("pose", "mine.toml")["results"]["parameters"]["crank"] == 85.0
+    for name, wrong in (("mine.exe", text), ("mine.toml", "title = 3"), ("a\nb.toml", text)):
+        assert ask("entry", name, text=wrong)["error"]["message"]
+    load = text + '\n[loads]\nP = { at = "G", table = "/etc/passwd", unit = "N", angle = 180 }\n'
+    said = ask("entry", "table.toml", text=load)["error"]["message"]
+    assert "must be places and loads" in said
 
 
 def test_what_is_wrong_is_said_of_its_own_numbers(ask):
@@ -121,13 +135,14 @@ def test_the_window_of_a_file(browser, start: ExportQuestion):
         place = page.locator("#places input[value=upper]").nth(1)
         until(page, lambda: "P" in page.locator(".panel svg").first.text_content())
         assert page.locator("header h1").inner_text() == "Watt six-bar, first kind"
-        assert page.locator("#field-crank").input_value() == "80"
+        assert page.locator(".rail [name=crank], #field-crank").last.input_value() == "80"
         place.check(force=True)
         until(page, lambda: "assembly.G=upper" in page.url)
         page.reload()
         until(page, lambda: page.locator(".window:not(.moving) .control:not([hidden])").count())
         assert page.locator("#mechanism").input_value() == "four-bar.toml"
         assert place.is_checked()
+        page.locator(".save summary").click()
         with page.expect_download() as waiting:
             page.locator("[data-save=svg]").click()
         assert waiting.value.suggested_filename == "four-bar.svg"

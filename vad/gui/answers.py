@@ -7,15 +7,13 @@ its own, which is removed afterwards; no question names a path.
 
 from __future__ import annotations
 
-import math
 import time
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from functools import lru_cache
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
-
-import numpy as np
 
 import vad
 from vad.errors import AssemblyError, DeadCentreError, ExportError, VadError
@@ -31,6 +29,7 @@ from vad.gui.messages import (
 from vad.kinematics.motion import Motion
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
+from vad.page.document import section
 from vad.page.ink import Inker
 from vad.page.parts import RunWriter, measured_cells, parts, picture, scale_bar, values_of
 from vad.page.themed import Inks
@@ -38,6 +37,7 @@ from vad.painting.posed import SIZE
 from vad.painting.svg_text import Faces
 from vad.plan.board import arrange, plan
 from vad.plan.format import Format, screen
+from vad.plan.hand_board import HandBoard, hand_board, poses_over_reach
 from vad.plan.live_board import LiveBoard
 from vad.plan.pictures.views import held_arc, tip_of
 from vad.plan.scale import Scale, calm_scale
@@ -49,13 +49,6 @@ FORM = screen(SIZE)
 #: Lines for a caption, in the layout of the page: there, captions have a place of their own.
 LINES = 1
 POSITION = "position"
-#: In how many poses the mechanism is drawn to find out how much room it needs.
-_POSES = 12
-#: These poses lie closer together near the ends of a range, where links turn fastest: as evenly
-#: spaced points of a half circle do when they are projected on its diameter.  The first and the
-#: last point are this angle from the ends, in radians.
-_END = 0.05
-_TURN = (0.0, 360.0)
 #: The most bytes of a file.
 LARGEST_FILE = 200_000_000
 #: The extensions of pictures and films; and what any file is, by its extension.
@@ -164,7 +157,7 @@ def board_of(mechanism: Mechanism, panels: tuple[str, ...], language: str) -> Li
     vad.errors.AssemblyError
         If it closes nowhere.
     """
-    motions = list(_poses_over_range(mechanism))
+    motions = [vad.solve(mechanism, **given) for given in poses_over_reach(mechanism)]
     poses = [_position_panel(motion) for motion in motions]
     return LiveBoard.over(_first(motions, panels, language), FORM, LINES, poses)
 
@@ -172,18 +165,6 @@ def board_of(mechanism: Mechanism, panels: tuple[str, ...], language: str) -> Li
 def _quoted(html: str) -> str:
     """Return HTML with single quotes, which JSON need not escape; no text contains either quote."""
     return html.replace('"', "'")
-
-
-def _poses_over_range(mechanism: Mechanism) -> Iterable[Motion]:
-    """Yield poses over the whole range of the driver."""
-    driven, ranges = next(iter(mechanism.inputs)), reach(mechanism)
-    for low, high in ranges:
-        count = max(2, _POSES // len(ranges))
-        shares = 0.5 - 0.5 * np.cos(np.linspace(_END, math.pi - _END, count))
-        if ranges == [_TURN]:
-            shares = np.linspace(0.0, 1.0, count, endpoint=False)
-        for share in shares:
-            yield vad.solve(mechanism, **{driven: low + float(share) * (high - low)})
 
 
 def _position_panel(motion: Motion) -> Panel:
@@ -240,14 +221,16 @@ def listed(scales: Mapping[str, Scale]) -> Scales:
 
 
 def lesson(question: LessonQuestion) -> dict[str, Any]:
-    """Return a lesson.
+    """Return a lesson, as a page has it.
 
     Returns
     -------
     dict
-        The ``head``, ``panels``, ``table``, ``chapters``, ``steps``,
-        ``data`` and ``looks`` of a page, and the ``scales``, ``ranges``, ``handle`` and
-        ``results`` of a pose.
+        ``html``, the lesson in its places on a page; ``data`` for its player and ``looks``, the
+        rules of its classes; the ``scales`` of its panels; the ``results`` of
+        ``vad solve --json``.  Its ``key`` stands for the mechanism as a hand moves it: what a page
+        needs for that, ``layers`` and in the data ``hand`` and ``program``, is left out if the
+        question has this key.
 
     Raises
     ------
@@ -258,29 +241,44 @@ def lesson(question: LessonQuestion) -> dict[str, Any]:
     motion = vad.solve(mechanism, **inputs)
     panels = chosen(question.panels or None, motion)
     sheet = vad.draw(motion, panels, question.language)
-    board, scales = board_of(mechanism, panels, question.language), {}
+    turned = turned_board_of(mechanism, panels, question.language)
+    scales = dict(turned.live.scales)
     for panel in sheet.halves:
-        if panel.name in board.pictures:
-            scales[panel.name] = board.pictures[panel.name].scale
-        elif panel.name in question.scales:
+        if panel.name not in scales and panel.name in question.scales:
             before = scale_of(question.scales[panel.name])
-            scales[panel.name] = calm_scale(panel, board.room(panel, sheet), before)
-    key = load_style(question.style).key
-    copy = plan(sheet, FORM, key, lesson=True, lines=LINES, scales=scales, words=False)
-    made = parts(vad.animate(sheet, style=question.style), copy)
-    shown = {name: sketch.scale for name, sketch in copy.sketches.items()}
-    return {
-        "head": made.head,
-        "panels": made.panels,
-        "table": made.table,
-        "chapters": made.chapters,
-        "steps": made.steps,
+            scales[panel.name] = calm_scale(panel, turned.live.room(panel, sheet), before)
+    style = load_style(question.style)
+    copy = plan(sheet, FORM, style.key, lesson=True, lines=LINES, scales=scales, words=False)
+    about = repr((mechanism, panels, question.language, question.style))
+    key = sha256(about.encode()).hexdigest()[:16]
+    told = question.key == key
+    film = vad.animate(sheet, style=question.style)
+    made = parts(film, copy, None if told else turned)
+    answer = {
+        "key": key,
+        "html": section(film, made),
         "data": made.data,
         "looks": made.looks,
-        "scales": listed(shown),
-        **ranges_and_handle(motion, sheet, shown),
+        "scales": listed({name: sketch.scale for name, sketch in copy.sketches.items()}),
         "results": motion.to_dict(),
     }
+    if made.hand:
+        hand = {"hand": {**made.hand.data, "sliders": True}, "program": made.hand.program}
+        answer["data"] = {**made.data, **hand}
+        answer["layers"] = [made.hand.layers[name] for name in panels]
+    return answer
+
+
+@lru_cache(maxsize=8)
+def turned_board_of(mechanism: Mechanism, panels: tuple[str, ...], language: str) -> HandBoard:
+    """Return the board on which a hand turns a mechanism.
+
+    Raises
+    ------
+    vad.errors.AssemblyError
+        If it closes nowhere.
+    """
+    return hand_board(mechanism, panels, language, FORM, LINES)
 
 
 def handle_of(motion: Motion, sheet: Sheet, scale: Scale, form: Format) -> dict[str, Any] | None:

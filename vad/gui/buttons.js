@@ -1,9 +1,10 @@
-// The address of the page holds all settings that differ from the defaults.
+// The bar: mechanism, files, the address, and the settings with which the window opens.
 
 const placeKey = (point) => point ? `assembly.${point}` : "assembly";
 
+// The address has all settings that differ from the defaults.
 function remember() {
-  if (location.protocol === "about:") return; // in a cell of a notebook
+  if (location.protocol === "about:" || broken) return; // in a cell of a notebook there is none
   const kept = new URLSearchParams({ m: set.mechanism });
   for (const { name, default: value } of settable()) {
     const own = group(name)[name];
@@ -12,22 +13,84 @@ function remember() {
   for (const [point, , [[usual]]] of entry().assemblies)
     if (set.places[point] !== usual) kept.set(placeKey(point), set.places[point]);
   if (set.length_unit !== entry().unit) kept.set("unit", set.length_unit);
-  const x = Math.ceil(player?.x ?? 0), all = +find(".scrub").max;
-  if (player && x !== all) kept.set("step", x);
+  if (stands() && !standing.dock.held) kept.set("step", Math.ceil(standing.player.x));
+  if (root.dataset.theme !== start.style) kept.set("theme", root.dataset.theme);
   if (start.language !== "en") kept.set("lang", start.language);
-  history.replaceState(null, "", `${location.pathname}${location.search}#${kept}`);
+  // Another mechanism is a new entry of the browser's history.
+  const other = /^#m=([^&]*)/.exec(location.hash)?.[1], to = `${location.pathname}${location.search}#${kept}`;
+  history[other && decodeURIComponent(other) !== set.mechanism ? "pushState" : "replaceState"](null, "", to);
 }
 
-function recall(hash = location.hash) {
+async function recall(hash = location.hash) {
   const kept = Object.fromEntries(new URLSearchParams(hash.slice(1)));
-  if (!(kept.m in catalogue)) return false;
+  if (!kept.m || !await listed(kept.m)) return false;
   const given = {};
   for (const { name } of [...catalogue[kept.m].parameters, ...catalogue[kept.m].inputs])
     if (kept[name]) given[name] = Number.isFinite(+kept[name]) ? +kept[name] : kept[name];
   const places = Object.fromEntries(catalogue[kept.m].assemblies.map(([point]) => [point, kept[placeKey(point)]]));
+  if (root.dataset.themes.split(" ").includes(kept.theme)) root.dataset.theme = kept.theme;
   choose(kept.m, { ...given, places, unit: kept.unit, step: /^\d+$/.test(kept.step) ? +kept.step : null });
   return true;
 }
+
+// Makes sure that it is known what can be set of a mechanism; examples and files are asked for.
+async function listed(name) {
+  if (name in catalogue) return true;
+  const answer = await asked("entry", { mechanism: name, language: start.language });
+  if (answer.entry) catalogue[name] = answer.entry;
+  return name in catalogue;
+}
+
+async function opened(file) {
+  if (!file) return;
+  const answer = await asked("entry", { mechanism: file.name, text: await file.text(), language: start.language });
+  if (answer.error) return complain(answer.error);
+  catalogue[answer.mechanism] = answer.entry;
+  const list = find("#mechanism optgroup");
+  if (![...find("#mechanism").options].some((each) => each.value === answer.mechanism)) list.append(element("option", { value: answer.mechanism }));
+  [...find("#mechanism").options].find((each) => each.value === answer.mechanism).textContent = answer.entry.title;
+  standing &&= { ...standing, mechanism: null };
+  choose(answer.mechanism);
+  want(true);
+}
+
+const does = {
+  draw: () => { clearTimeout(timer); retry = "play"; want(true); },
+  reset: () => { choose(set.mechanism); standing &&= { ...standing, mechanism: null }; want(true); },
+  link: () => { remember(); navigator.clipboard?.writeText(location.href).then(() => tell(words.linked), () => {}); },
+  open: () => find("input[type=file]").click(),
+};
+
+async function save(extension) {
+  const about = question("export");
+  tell(words.saving);
+  const answer = await post(`export/${extension}`, about).catch(() => null);
+  if (!answer) return complain({ kind: "stopped", message: words.stopped });
+  if (answer.headers.get("content-type").startsWith("application/json") && !answer.headers.get("content-disposition"))
+    return complain((await answer.json()).error);
+  const kinds = { turn: "-turn.html", problem: "-problem.pdf" }, name = `${catalogue[about.mechanism].name}${kinds[extension] ?? `.${extension}`}`;
+  const address = URL.createObjectURL(await answer.blob());
+  element("a", { href: address, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(address), 10000);
+  tell(gaps(words.saved, { name }));
+}
+
+bar.addEventListener("click", ({ target }) => {
+  const button = target.closest("[data-what]"), file = target.closest("[data-save]");
+  if (button) does[button.dataset.what]();
+  if (file) {
+    file.closest("details").open = false;
+    save(file.dataset.save);
+  }
+});
+for (const each of root.querySelectorAll("form")) each.addEventListener("submit", (event) => event.preventDefault());
+find("input[type=file]").addEventListener("change", ({ target }) => { opened(target.files[0]); target.value = ""; });
+find("#mechanism").addEventListener("change", async ({ target }) => {
+  const name = target.value;
+  if (!await listed(name)) return complain({ kind: "stopped", message: words.stopped });
+  choose(name);
+  want(true);
+});
 
 find("#language").value = start.language;
 find("#language").addEventListener("change", ({ target }) => {
@@ -37,52 +100,22 @@ find("#language").addEventListener("change", ({ target }) => {
 let writing = 0;
 root.addEventListener("vad:step", () => {
   clearTimeout(writing);
-  writing = setTimeout(() => { if (!root.classList.contains("moving") && !broken) remember(); }, 250);
+  writing = setTimeout(() => { if (stands() && !root.classList.contains("moving")) remember(); }, CALM);
 });
+new MutationObserver(() => { if (stands()) remember(); }).observe(root, { attributeFilter: ["data-theme"] });
 // The address is that of the event, because by now another one may have been remembered.
-addEventListener("hashchange", ({ newURL }) => {
+addEventListener("hashchange", async ({ newURL }) => {
   clearTimeout(writing);
   clearTimeout(timer);
-  if (recall(new URL(newURL).hash)) want("lesson");
+  if (!await recall(new URL(newURL).hash)) return;
+  standing &&= { ...standing, mechanism: null };
+  want(true);
 });
 
 const lang = /[#&]lang=(\w\w)/.exec(location.hash)?.[1];
 if (lang && lang !== start.language) location.replace(`/?lang=${lang}${location.hash}`);
-// The buttons and files, and the settings with which the page opens.
-
-const does = {
-  draw: () => { clearTimeout(timer); [retry, step] = ["play", null]; want("lesson"); },
-  reset: () => { choose(set.mechanism); changed(); },
-  link: () => { remember(); navigator.clipboard?.writeText(location.href).then(() => tell(words.linked), () => {}); },
-};
-
-function tell(text) {
-  find(".message span").textContent = text;
-}
-
-async function save(extension) {
-  const asked = question("export");
-  tell(words.saving);
-  const answer = await post(`export/${extension}`, asked).catch(() => null);
-  if (!answer) return complain({ kind: "stopped", message: words.stopped });
-  if (answer.headers.get("content-type").startsWith("application/json") && !answer.headers.get("content-disposition"))
-    return complain((await answer.json()).error);
-  const name = `${catalogue[asked.mechanism].name}.${extension}`, address = URL.createObjectURL(await answer.blob());
-  element("a", { href: address, download: name }).click();
-  setTimeout(() => URL.revokeObjectURL(address), 10000);
-  tell(filled(words.saved, { name }));
-}
-
-root.addEventListener("click", ({ target }) => {
-  const button = target.closest("[data-what]"), file = target.closest("[data-save]");
-  if (button) does[button.dataset.what]();
-  if (file) save(file.dataset.save);
-});
-find(".settings").addEventListener("submit", (event) => event.preventDefault());
-find("#mechanism").addEventListener("change", (event) => { choose(event.target.value); want("lesson"); });
-
-if (!recall()) {
+if (!await recall()) {
   const places = typeof start.assembly === "string" ? { "": start.assembly } : start.assembly;
   choose(start.mechanism, { ...start.parameters, ...start.inputs, places, unit: start.length_unit });
 }
-want("lesson");
+want(true);

@@ -155,6 +155,13 @@ class Question:
 
 
 @dataclass(frozen=True)
+class EntryQuestion(Question):
+    """What can be set of a mechanism, of one that a file describes if there is the file's text."""
+
+    text: str = ""
+
+
+@dataclass(frozen=True)
 class PoseQuestion(Question):
     """One pose while something is dragged.
 
@@ -185,9 +192,18 @@ class PoseQuestion(Question):
 
 @dataclass(frozen=True)
 class LessonQuestion(Question):
-    """The lesson of the present settings; ``scales`` are those of polygons to be kept."""
+    """The lesson of the present settings.
+
+    Attributes
+    ----------
+    scales
+        Those of polygons to be kept.
+    key
+        That of the answer whose mechanism stands on the page; see `vad.gui.answers.lesson`.
+    """
 
     scales: Scales = field(default_factory=dict)
+    key: str = ""
 
 
 @dataclass(frozen=True)
@@ -317,6 +333,8 @@ _CHECKS = {
     "ways": _ways,
     "stands": _values,
     "known": _texts,
+    "key": _text,
+    "text": _text,
     "style": _text,
     "size": _size,
     "fps": _fps,

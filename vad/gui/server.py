@@ -35,6 +35,7 @@ from vad.gui.answers import FILMS, MEDIA, lesson, pose, saved
 from vad.gui.connections import Connection, InPieces, body_of
 from vad.gui.guard import HOSTS, Guard, PageKey, RefusalError, SecurityHeaders
 from vad.gui.messages import (
+    EntryQuestion,
     ExportQuestion,
     LessonQuestion,
     PoseQuestion,
@@ -43,7 +44,8 @@ from vad.gui.messages import (
     problem,
     read,
 )
-from vad.gui.window import window
+from vad.gui.shelf import Shelf
+from vad.gui.window import listed, window
 from vad.gui.work import ANSWER, ANSWERS, FILE, FILES, FILM, BusyError, Work
 from vad.words import all_languages
 
@@ -125,6 +127,7 @@ def application(key: PageKey, start: ExportQuestion, closing: Event) -> ASGIApp:
         Set when the server is to end; all that is being worked out is stopped then.
     """
     answers, files = Work(closing, ANSWERS), Work(closing, FILES)
+    shelf = Shelf(start.kinds)
 
     def answered(
         given: Callable[[Request, bytes], Response],
@@ -151,13 +154,16 @@ def application(key: PageKey, start: ExportQuestion, closing: Event) -> ASGIApp:
         return HTMLResponse(window(shown, request.state.nonce))
 
     def posed(_: Request, body: bytes) -> Response:
-        return _answer_or_error(pose, read(PoseQuestion, _json(body), start.kinds))
+        return _answer_or_error(pose, read(PoseQuestion, _json(body), shelf))
 
     def taught(_: Request, body: bytes) -> Response:
-        return _answer_or_error(lesson, read(LessonQuestion, _json(body), start.kinds))
+        return _answer_or_error(lesson, read(LessonQuestion, _json(body), shelf))
+
+    def entered(_: Request, body: bytes) -> Response:
+        return _answer_or_error(listed, read(EntryQuestion, _json(body), shelf))
 
     def filed(extension: str, _: Request, body: bytes) -> Response:
-        question = read(ExportQuestion, _json(body), start.kinds)
+        question = read(ExportQuestion, _json(body), shelf)
         try:
             data, name = saved(question, extension)
         except VadError as error:
@@ -173,6 +179,7 @@ def application(key: PageKey, start: ExportQuestion, closing: Event) -> ASGIApp:
         Route("/", answered(page), methods=["GET"]),
         Route("/api/pose", answered(posed), methods=["POST"]),
         Route("/api/lesson", answered(taught), methods=["POST"]),
+        Route("/api/entry", answered(entered), methods=["POST"]),
     ]
     for extension in MEDIA:
         path, given = f"/api/export/{extension}", partial(filed, extension)

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from vad.errors import UsageError, VadError, one_of, quoted
 from vad.gui.answers import MEDIA, lesson, pose, saved
 from vad.gui.messages import (
+    EntryQuestion,
     ExportQuestion,
     Kinds,
     LessonQuestion,
@@ -24,7 +25,7 @@ from vad.gui.messages import (
     problem,
     read,
 )
-from vad.gui.window import window
+from vad.gui.window import listed, window
 from vad.gui.work import ANSWER, ANSWERS, FILM, Work
 from vad.mechanisms import MECHANISMS
 
@@ -37,6 +38,7 @@ _WORK = Work(Event(), ANSWERS)
 _ANSWERS: dict[str, tuple[type[Question], Callable[[Any], dict[str, Any]]]] = {
     "pose": (PoseQuestion, pose),
     "lesson": (LessonQuestion, lesson),
+    "entry": (EntryQuestion, listed),
 }
 
 

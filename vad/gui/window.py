@@ -16,23 +16,31 @@ from importlib.resources import files
 from string import Template
 from typing import Any
 
+from vad.errors import one_of
 from vad.files.loading import WrittenMechanism
 from vad.gui.answers import MEDIA
-from vad.gui.messages import ExportQuestion
+from vad.gui.messages import EntryQuestion, ExportQuestion
+from vad.gui.shelf import Shelf
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
 from vad.mechanisms.mechanism import NUMBERS
-from vad.page.document import asset, colours, player
+from vad.page.document import asset, colours, scripts
 from vad.page.themed import themes
 from vad.painting.svg_text import FACES, Faces
-from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import chosen
 from vad.style import load_style
 from vad.units import DIMENSIONS, scene_unit
 from vad.words import Language, all_languages
 
 #: The parts of its script, in order.
-SCRIPTS = ("window.js", "stage.js", "hand.js", "buttons.js")
+SCRIPTS = ("window.js", "settings.js", "standing.js", "asking.js", "buttons.js")
+#: What makes the player of a page, with the mechanism in the hand.
+_PLAYING = """return (root, data) => {
+  const player = mount(root, data, { address: false });
+  const body = driven(root, solver(data.program), data.hand), dock = docked(root, body, player);
+  curved(root, body, dock, railed(root, body, dock));
+  return { player, body, dock, outside: outside(root, body, dock, player) };
+};"""
 #: The letters that the words about any mechanism may need.
 _LETTERS = string.digits + string.ascii_letters + string.punctuation + " \u00a0"
 _SIGNS = "ÄÖÜäöüßÀÉàâçéèêëîïôùûœ’«»−×·°′″⟂∥²³→…–₀₁₂₃₄₅₆₇₈₉αβγδθλμπρφψωΔΩ"
@@ -54,12 +62,14 @@ def window(start: ExportQuestion, nonce: str, head: str = "") -> str:
         For an unknown language, style or panel.
     """
     code, say = start.language, Language(start.language)
-    texts, own = say.page("WINDOW"), say.page("PLAYER")
+    texts = say.page("WINDOW")
     inks = len(load_style(start.style).inks)
-    titles = [say.name(DIAGRAMS[name].title) for name in chosen(start.panels or None)]
     opening = {name: value for name, value in vars(start).items() if name != "kinds"}
-    entries = {name: entry(kind, code) for name, kind in start.kinds.items()}
-    data = {"start": opening, "catalogue": entries, "words": texts}
+    shelf = Shelf(start.kinds)
+    entries = {name: entry(kind, code) for name, kind in shelf.own.items()}
+    words = {**texts, "point": say.point}
+    data = {"start": opening, "catalogue": entries, "words": words}
+    chosen(start.panels or None)
     return Template(_file("window.html")).substitute(
         {name: escape(text) for name, text in texts.items()},
         lang=code,
@@ -68,13 +78,13 @@ def window(start: ExportQuestion, nonce: str, head: str = "") -> str:
         style=start.style,
         themes=" ".join(style.name for style in themes(load_style(start.style))),
         rules=_faces() + asset("player.css") + _file("window.css") + colours(start.style, inks),
-        player=player(code, titles),
-        strokes=escape(own["strokes"]),
         mechanisms=_options({name: each["title"] for name, each in entries.items()}),
+        shelf=_options(shelf.examples),
         languages=_options({each: each.upper() for each in all_languages()}),
         formats="".join(_button(extension) for extension in MEDIA),
         data=json.dumps(data, ensure_ascii=False).replace("<", "\\u003c"),
-        script=asset("player.js") + "".join(map(_file, SCRIPTS)),
+        script=f"const playing=(()=>{{{scripts(True)}\n{_PLAYING}}})();\n"
+        + "".join(map(_file, SCRIPTS)),
     )
 
 
@@ -99,6 +109,20 @@ def _faces() -> str:
 
 def _file(name: str) -> str:
     return (files(__package__) / name).read_text("utf-8")
+
+
+def listed(question: EntryQuestion) -> dict[str, Any]:
+    """Return the name of a mechanism, and what can be set of it: its ``entry``.
+
+    Raises
+    ------
+    vad.errors.VadError
+        For a mechanism that there is not, and for a file that describes none.
+    """
+    if question.text and isinstance(question.kinds, Shelf):
+        question.kinds.open(question.mechanism, question.text)
+    name = one_of("mechanism", question.mechanism, question.kinds)
+    return {"mechanism": name, "entry": entry(question.kinds[name], question.language)}
 
 
 def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:

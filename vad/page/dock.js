@@ -138,9 +138,10 @@ function docked(root, body, player) {
     one("[data-do=redo]").disabled = !future.length;
   }
 
-  function redone(from, to) {
+  function redone(back) {
     halt();
     if (before) commit();
+    const [from, to] = back ? [past, future] : [future, past];
     if (!from.length) return;
     to.push([...state]);
     body.set(from.pop());
@@ -299,18 +300,18 @@ function docked(root, body, player) {
     lesson: () => leave(),
     return: () => leave(),
     all: () => { player.seek(player.strokes()); offer(); say(); back.focus(); },
-    undo: () => redone(past, future),
-    redo: () => redone(future, past),
+    undo: () => redone(true),
+    redo: () => redone(false),
   });
 
   player.on(document, "keydown", (event) => {
     if (!held || !(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || event.target.matches?.("input:not([type=range])")) return;
-    redone(...(event.shiftKey ? [future, past] : [past, future]));
+    redone(!event.shiftKey);
     event.preventDefault();
   });
   player.on(track, "input", () => {
     begin();
-    body.set([+track.value, ...state.slice(1)]);
+    body.set([+(+track.value).toFixed(digits), ...state.slice(1)]);
     settle();
   });
   player.on(box, "change", () => {

@@ -70,13 +70,15 @@ function driven(root, solve, data) {
     return true;
   }
 
-  // Moves the driver within its stretch; near a limit it may snap to it. What was wanted beyond the
-  // limit is not lost, so that a pointer that comes back meets what it left.
+  // Moves the driver within its stretch; near a limit it may snap to it, and elsewhere to a tenth of
+  // that. What was wanted beyond the limit is not lost, so that a pointer that comes back meets what
+  // it left.
   function move(by, snap = 0) {
     wanted += by;
     let at = full(range) ? wanted : clamp(wanted, ...range);
+    if (snap) at = clamp(+at.toFixed(Math.max(0, Math.ceil(-Math.log10(snap / 10) - 1e-9))), ...(full(range) ? [-Infinity, Infinity] : range));
     if (!full(range)) for (const end of range) if (Math.abs(at - end) < snap) at = end;
-    if (full(range)) at = wanted = within(at);
+    if (full(range)) [at, wanted] = [within(at), within(wanted)];
     state[0] = at;
     show();
   }

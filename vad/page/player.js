@@ -318,7 +318,8 @@ export function mount(root, data, { address = true } = {}) {
 
   one(".control").hidden = false;
   unfold(wide.matches && rail !== one(".steps"));
-  new ResizeObserver(() => root.style.setProperty("--dock", `${one(".control").offsetHeight}px`)).observe(one(".control"));
+  const own = one(".control"), sized = new ResizeObserver(() => root.style.setProperty("--dock", `${own.offsetHeight}px`));
+  sized.observe(own);
   on(wide, "change", () => unfold(wide.matches && rail !== one(".steps")));
   one("[data-do=full]").hidden = !document.fullscreenEnabled;
   one("[data-do=theme]").hidden = !root.dataset.themes?.includes(" ");
@@ -330,7 +331,7 @@ export function mount(root, data, { address = true } = {}) {
     // The last stroke that is drawn: its panel, and its number there.
     where: () => { const last = Math.max(0, Math.ceil(x) - 1), panel = panelOf(last); return [panel, last - lesson.first[panel] + 1]; },
     strokes,
-    dispose: () => { stop(); over.abort(); },
+    dispose: () => { stop(); sized.disconnect(); over.abort(); },
     get x() { return x; },
   };
 }

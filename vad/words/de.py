@@ -769,7 +769,6 @@ WINDOW = {
     "parallel": "parallel",
     "draw": "Zeichnen",
     "reset": "Zurücksetzen",
-    "lock": "Maßstäbe behalten",
     "link": "Link kopieren",
     "linked": "Der Link ist kopiert.",
     "save": "Speichern als",
@@ -778,7 +777,8 @@ WINDOW = {
     "retry": "Noch einmal",
     "try": "nimm {values}",
     "stopped": "vad gui ist beendet. Starte es im Terminal neu.",
-    "handle": "Von Hand bewegen: {name}",
+    "examples": "Beispiele",
+    "file": "Öffnen …",
     "controls": "Was eingestellt ist",
     "slider": "{name}, Schieber",
 }

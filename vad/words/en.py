@@ -679,7 +679,6 @@ WINDOW = {
     "parallel": "parallel",
     "draw": "Draw it",
     "reset": "Reset",
-    "lock": "Keep the scales",
     "link": "Copy link",
     "linked": "The link is copied.",
     "save": "Save as",
@@ -688,7 +687,8 @@ WINDOW = {
     "retry": "Try again",
     "try": "try {values}",
     "stopped": "vad gui has stopped. Start it again in the terminal.",
-    "handle": "Turn by hand: {name}",
+    "examples": "Examples",
+    "file": "Open …",
     "controls": "What is set",
     "slider": "{name}, slider",
 }

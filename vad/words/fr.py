@@ -764,7 +764,6 @@ WINDOW = {
     "parallel": "parallèle",
     "draw": "Tracer",
     "reset": "Réinitialiser",
-    "lock": "Garder les échelles",
     "link": "Copier le lien",
     "linked": "Le lien est copié.",
     "save": "Enregistrer en",
@@ -773,7 +772,8 @@ WINDOW = {
     "retry": "Réessayer",
     "try": "essayer {values}",
     "stopped": "vad gui est arrêté. Relancez-le dans le terminal.",
-    "handle": "Déplacer à la main : {name}",
+    "examples": "Exemples",
+    "file": "Ouvrir …",
     "controls": "Ce qui est réglé",
     "slider": "{name}, curseur",
 }

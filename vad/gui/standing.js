@@ -1,0 +1,142 @@
+// What stands on the page: a lesson, and the mechanism that a hand moves in it. A lesson of the pose
+// in which the hand rests, the fair copy, takes the place of what the hand has drawn.
+
+const stands = () => standing && standing.mechanism === set.mechanism;
+const parsed = (html) => new DOMParser().parseFromString(html, "text/html").querySelector("main");
+
+// The inputs and dimensions of a pose.
+const poseNow = () => {
+  const { body } = standing, { data, state } = body;
+  return [body.place, ...state.slice(1, data.own.length), ...data.dimensions.map((each) => state[each[5]])].join();
+};
+
+function poseOf({ input, parameters }) {
+  const { data, turns } = standing.body, within = (degrees) => degrees % 360 + (degrees % 360 < 0 ? 360 : 0);
+  const own = data.inputs.slice(0, data.own.length).map((name, i) => i || !turns ? input[name] : within(input[name]));
+  return [...own, ...data.dimensions.map(([name]) => parameters[name])].join();
+}
+
+// The settings follow the hand; a fair copy of another pose gives way.
+function followed() {
+  if (!stands()) return;
+  const { body, copied } = standing, { data, state } = body;
+  data.inputs.slice(0, data.own.length).forEach((name, i) => (set.inputs[name] = i ? state[i] : body.place));
+  for (const [name, , , , , index] of data.dimensions) set.parameters[name] = state[index];
+  const same = poseNow() === copied;
+  root.classList.toggle("copied", same);
+  if (!same) want();
+}
+
+const known = new Set();
+function rules(looks) {
+  const fresh = looks.split("\n").filter((rule) => rule && !known.has(rule));
+  fresh.forEach((rule) => known.add(rule));
+  const { sheet } = document.getElementById("looks");
+  fresh.forEach((rule) => sheet.insertRule(rule, sheet.cssRules.length));
+}
+
+// Puts a page in the place of the one that stands; what was open in that is open in this.
+function stand(answer) {
+  const again = stands(), was = again && memory(), made = parsed(answer.html);
+  if (standing) {
+    standing.dock?.begin();
+    standing.player.dispose();
+  }
+  rules(answer.looks);
+  root.className = "vad page window moving";
+  find(".board")?.remove();
+  rail.before(made.querySelector(".board"));
+  for (const place of [".steps", ".set"]) {
+    find(place)?.remove();
+    form().before(made.querySelector(place));
+  }
+  const svgs = root.querySelectorAll(".drawing svg");
+  answer.layers.forEach((layer, i) => svgs[i].insertAdjacentHTML("beforeend", layer));
+  const all = answer.data.times.length, at = was?.x ?? step ?? all;
+  standing = { mechanism: set.mechanism, key: answer.key, strokes: all, ...playing(root, { ...answer.data, start: Math.min(at, all) }) };
+  standing.copied = poseOf(answer.results);
+  globalThis.vad = standing.outside;
+  standing.body.on(followed);
+  standing.body.show();
+  if (was ? was.held : step === null) standing.dock.enter();
+  if (was) recalled(was);
+  step = null;
+  spare();
+  root.classList.toggle("copied", poseNow() === standing.copied);
+}
+
+const form = () => find(".settings");
+
+// What of a page is kept when another of the same mechanism takes its place.
+function memory() {
+  const { player, dock, body } = standing, all = [...root.querySelectorAll("button, input, select, summary, a")];
+  return { x: player.x, held: dock.held, running: root.classList.contains("turning"), kept: dock.kept, past: dock.history,
+    shows: [...root.querySelectorAll(".shows button")].map((each) => each.getAttribute("aria-pressed")),
+    closed: rail.classList.contains("closed"), scrolled: rail.scrollTop, focus: all.indexOf(document.activeElement), count: all.length,
+    inputs: body.data.inputs.join(), open: [...root.querySelectorAll(".set details")].map((each) => each.open) };
+}
+
+function recalled(was) {
+  const { dock, body } = standing, all = root.querySelectorAll("button, input, select, summary, a");
+  if (was.inputs === body.data.inputs.join()) dock.history = was.past;
+  rail.classList.toggle("closed", was.closed);
+  root.querySelectorAll(".shows button").forEach((each, i) => { if (was.shows[i] && each.getAttribute("aria-pressed") !== was.shows[i]) each.click(); });
+  root.querySelectorAll(".set details").forEach((each, i) => (each.open = was.open[i] ?? false));
+  if (was.count === all.length && was.focus >= 0) all[was.focus].focus({ preventScroll: true });
+  rail.scrollTop = was.scrolled;
+  if (was.running) find("[data-do=play]").click();
+}
+
+// Puts the lesson of the pose in which the hand rests in the place of the lesson that stands; what
+// the hand moves stays. False where they differ by more than their pose.
+function copy(answer) {
+  const { player, body, dock } = standing, { data } = body, made = parsed(answer.html);
+  const both = (selector) => [root, made].map((each) => [...each.querySelectorAll(selector)]);
+  const pairs = (selector) => { const [old, fresh] = both(selector); return old.map((each, i) => [each, fresh[i]]); };
+  const [cells, others] = both(".results .cell");
+  if (answer.data.times.length !== standing.strokes || cells.length !== others.length) return false;
+  rules(answer.looks);
+  for (const [old, fresh] of pairs(".panel")) {
+    old.querySelector(".scale:not(.hand)")?.remove();
+    const scale = fresh.querySelector(".scale");
+    if (scale) old.querySelector(".top").append(scale);
+    old.querySelector(".foot").replaceWith(fresh.querySelector(".foot"));
+    const [svg, drawn] = [old, fresh].map((each) => each.querySelector(".drawing svg"));
+    svg.parentNode.style.cssText = drawn.parentNode.style.cssText;
+    for (const each of [...svg.children]) if (!each.matches(".hand, .grip")) each.remove();
+    svg.prepend(...drawn.childNodes);
+  }
+  cells.forEach((cell, i) => cell.replaceChildren(...others[i].childNodes));
+  for (const place of [".chapters", ".lists"]) find(place).replaceChildren(...made.querySelector(place).childNodes);
+  const { input } = answer.results;
+  data.inputs.slice(0, data.own.length).forEach((name, i) => (data.start[i] = input[name]));
+  for (const [name, values] of Object.entries(answer.scales)) {
+    const first = data.inputs.indexOf(`${name} x`);
+    if (first >= 0) data.start.splice(first, 3, ...values);
+  }
+  standing.copied = poseOf(answer.results);
+  const said = player.status.textContent;
+  for (const each of root.querySelectorAll(".other")) each.remove(); // the player adds them
+  player.load(answer.data, player.x);
+  player.status.textContent = said;
+  dock.renew();
+  if (poseNow() !== standing.copied) body.set(data.start);
+  root.classList.add("copied");
+  return true;
+}
+
+// Removes all that belongs to another mechanism.
+function clear() {
+  standing?.dock?.begin();
+  standing?.player.dispose();
+  standing = null;
+  root.className = "vad page window";
+  find(".board")?.remove();
+  for (const place of [".steps", ".set"]) find(place)?.replaceChildren();
+  const empty = element("div", { class: "board empty" }), title = element("h1", {});
+  title.textContent = entry().title;
+  empty.append(element("header", {}));
+  empty.firstChild.append(title);
+  rail.before(empty);
+  spare();
+}
