@@ -57,6 +57,7 @@ function stand(answer) {
   standing.copied = poseOf(answer.results);
   globalThis.vad = standing.outside;
   standing.body.on(followed);
+  standing.dock.beyond = (name, value) => { set.parameters[name] = value; want(true); };
   standing.body.show();
   if (was ? was.held : step === null) standing.dock.enter();
   if (was) recalled(was);

@@ -339,6 +339,8 @@ function docked(root, body, player) {
   return {
     run, keys: acts.keys, begin, commit, settle, enter, leave, say, scale, number, read, fault,
     on: (listener) => listeners.push(listener),
+    // Whom to ask for what this page's program does not hold for: beyond(name, value).
+    beyond: null,
     // The lesson is now that of another pose, and its cells are as they stand.
     renew: () => { written = said(); if (held) { scale(); offer(); } },
     get held() { return held; },

@@ -44,6 +44,7 @@ function railed(root, body, dock) {
     };
     const change = (value) => {
       dock.begin();
+      if (dock.beyond && !body.holds(state.map((each, i) => (i === index ? value : each)))) return dock.beyond(name, value);
       const said = reached(index, value);
       dock.scale();
       dock.settle();
