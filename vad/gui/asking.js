@@ -4,7 +4,7 @@
 function question(kind) {
   const present = (values) => Object.fromEntries(Object.entries(values).filter(([, value]) => value !== null));
   const asked = { mechanism: set.mechanism, parameters: present(set.parameters), inputs: { ...present(set.inputs), ...aside },
-    assembly: "" in set.places ? set.places[""] : set.places, points: set.mechanism === start.mechanism ? start.points : {},
+    assembly: "" in set.places ? set.places[""] : set.places, points: set.points,
     length_unit: set.length_unit, panels: start.panels, language: start.language, style: start.style };
   if (kind === "lesson") return { ...asked, scales: stands() ? scalesNow() : {}, key: stands() ? standing.key : "" };
   const style = root.dataset.theme, speed = +(find(".speed")?.value ?? 1);

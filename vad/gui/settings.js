@@ -5,7 +5,8 @@ function choose(mechanism, given = {}) {
   const { parameters, inputs, assemblies, unit } = catalogue[mechanism];
   const places = Object.fromEntries(assemblies.map(([point, , choices]) =>
     [point, (choices.find(([name]) => name === given.places?.[point]) ?? choices[0])[0]]));
-  set = { mechanism, parameters: values(parameters), inputs: values(inputs), places, length_unit: given.unit ?? unit };
+  set = { mechanism, parameters: values(parameters), inputs: values(inputs), places, length_unit: given.unit ?? unit,
+    points: mechanism === start.mechanism ? structuredClone(start.points) : {} };
   step = given.step ?? null;
   find("#mechanism").value = mechanism;
   fields.clear();

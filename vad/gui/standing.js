@@ -10,10 +10,18 @@ const poseNow = () => {
   return [body.place, ...state.slice(1, data.own.length), ...data.dimensions.map((each) => state[each[5]])].join();
 };
 
+// Where the number of a further point is, as "P.angle".
+const pointOf = (name) => [set.points[name.split(".")[0]], name.endsWith(".distance") ? 1 : 2];
+
+function resize(name, value) {
+  if (name in set.parameters) set.parameters[name] = value;
+  else pointOf(name)[0][pointOf(name)[1]] = value;
+}
+
 function poseOf({ input, parameters }) {
   const { data, turns } = standing.body, within = (degrees) => degrees % 360 + (degrees % 360 < 0 ? 360 : 0);
   const own = data.inputs.slice(0, data.own.length).map((name, i) => i || !turns ? input[name] : within(input[name]));
-  return [...own, ...data.dimensions.map(([name]) => parameters[name])].join();
+  return [...own, ...data.dimensions.map(([name]) => parameters[name] ?? pointOf(name)[0][pointOf(name)[1]])].join();
 }
 
 // The settings follow the hand; a fair copy of another pose gives way.
@@ -21,7 +29,7 @@ function followed() {
   if (!stands()) return;
   const { body, copied } = standing, { data, state } = body;
   data.inputs.slice(0, data.own.length).forEach((name, i) => (set.inputs[name] = i ? state[i] : body.place));
-  for (const [name, , , , , index] of data.dimensions) set.parameters[name] = state[index];
+  for (const [name, , , , , index] of data.dimensions) resize(name, state[index]);
   const same = poseNow() === copied;
   root.classList.toggle("copied", same);
   if (!same) want();
@@ -57,7 +65,7 @@ function stand(answer) {
   standing.copied = poseOf(answer.results);
   globalThis.vad = standing.outside;
   standing.body.on(followed);
-  standing.dock.beyond = (name, value) => { set.parameters[name] = value; want(true); };
+  standing.dock.beyond = (name, value) => { resize(name, value); want(true); };
   standing.body.show();
   if (was ? was.held : step === null) standing.dock.enter();
   if (was) recalled(was);
