@@ -107,6 +107,24 @@ def test_the_table_follows_and_comes_back(page: Page) -> None:
     assert table.inner_html() == before
 
 
+def test_the_lesson_keeps_its_own_numbers(browser: Browser, tmp_path: Path) -> None:
+    """A lesson writes so many digits that its equations hold, a hand always four."""
+    cells = "() => [...document.querySelectorAll('.cell')].map((each) => each.innerHTML)"
+    html = document(vad.animate(vad.draw(vad.solve(vad.GateActuator()))))
+    with opened(browser, java_script_enabled=False) as page:
+        show(page, tmp_path, html)
+        own = page.evaluate(cells)
+    with opened(browser) as page:
+        show(page, tmp_path, html)
+        assert page.evaluate(cells) == own
+        page.evaluate("() => void vad.pose({ position: 4.2 })")
+        assert page.evaluate(cells) != own
+        press(page, "Escape")
+        expect(page.locator(".vad")).not_to_have_class(re.compile("turned"))
+        page.wait_for_timeout(300)  # labels glide on
+        assert page.evaluate(cells) == own
+
+
 def test_only_what_is_drawn_is_shown_until_all_is_asked_for(page: Page) -> None:
     press(page, "h")
     expect(page.locator(".said p")).to_have_text(

@@ -442,7 +442,7 @@ def _cells(board: HandBoard, sheet: Sheet, outputs: Outputs) -> list[list[Any]]:
         for column, panel in enumerate(sheet.panels):
             cells = zip(row.cells.get(panel.name, ()), own.cells.get(panel.name, ()), strict=False)
             for place, (cell, shown) in enumerate(cells):
-                if cell.symbol != shown.symbol or not isinstance(cell.value, Traced):
+                if cell.unit != shown.unit or not isinstance(cell.value, Traced):
                     continue
                 unit = notation.unit(cell.unit)
                 factor = notation.scaled(1.0, cell.unit)

@@ -119,8 +119,9 @@ function picture(root, solve, data) {
     return [{ element, place, factor, units, given, bare: !said.endsWith(units.replace("²", "2")) && !said.endsWith(units), text: document.createTextNode("") }];
   });
 
+  // A lesson keeps its own numbers.
   function write() {
-    for (const { element, place, factor, units, given, bare, text } of cells) {
+    for (const { element, place, factor, units, given, bare, text } of root.classList.contains("turned") ? cells : []) {
       if (!text.isConnected) {
         [...element.childNodes].slice(1).forEach((each) => each.remove());
         element.append(text);

@@ -142,6 +142,8 @@ def norm(a: Vector3) -> Number:
     x, y, z = a
     if any(map(numbers.is_array, a)):
         return np.hypot(np.hypot(x, y), z)
+    if numbers.traced(a):
+        return numbers.sqrt(x * x + y * y + z * z)
     return math.hypot(x, y, z)
 
 
