@@ -27,16 +27,20 @@ anywidget = pytest.importorskip("anywidget", reason="anywidget comes with the ex
 NOTEBOOK = """<!doctype html><html lang="en"><title>Notebook</title><script type="module">
 const source = URL.createObjectURL(new Blob([await trait("_esm")], { type: "text/javascript" }));
 const { default: widget } = await import(source);
-const heard = new Set(), traits = { page: await trait("page"), title: await trait("title") };
+const heard = new Set(), changed = new Set();
+const traits = { page: await trait("page"), title: await trait("title"), pose: {}, asked: {} };
 const send = async (message) => {
   const [answer, data] = await python(message);
   const buffers = [new DataView(Uint8Array.from(atob(data), (each) => each.charCodeAt()).buffer)];
   heard.forEach((each) => each(answer, buffers));
 };
-const model = { get: (name) => traits[name], send,
-  on: (_, hear) => heard.add(hear), off: (_, hear) => heard.delete(hear) };
+const of = (name) => name === "msg:custom" ? heard : changed;
+const model = { get: (name) => traits[name], send, set: (name, value) => { traits[name] = value; },
+  save_changes: () => follow(traits.pose),
+  on: (name, hear) => of(name).add(hear), off: (name, hear) => of(name).delete(hear) };
 const leave = widget.render({ model, el: document.body });
-window.gone = () => { leave(); return heard.size; };
+window.asked = (value) => { traits.asked = value; changed.forEach((each) => each()); };
+window.gone = () => { leave(); return heard.size + changed.size; };
 </script>"""
 
 
@@ -55,10 +59,11 @@ def cell(browser, tmp_path_factory) -> Iterator[SimpleNamespace]:
     path.write_text(NOTEBOOK)
     with opened(browser, server="blob:", viewport={"width": 1100, "height": 800}) as page:
         page.expose_function("python", python)
+        page.expose_function("follow", lambda pose: setattr(window, "pose", pose))
         page.expose_function("trait", lambda name: str(getattr(window, name)))
         page.goto(path.as_uri())
         until(page, lambda: page.evaluate("typeof gone == 'function'"))
-        yield SimpleNamespace(page=page, frame=page.frame_locator("iframe"))
+        yield SimpleNamespace(page=page, frame=page.frame_locator("iframe"), window=window)
 
 
 def shown(cell: SimpleNamespace, words: str) -> None:
@@ -78,6 +83,37 @@ def test_what_is_set_is_solved_by_python(cell):
     shown(cell, "150°")
     omega = vad.solve(vad.FourBar(crank=45), angle=150.0).link("rocker").omega
     shown(cell, f"{omega:.3f}")
+
+
+def test_what_a_hand_sets_is_known_to_python(cell):
+    seen: list[float] = []
+    cell.window.observe(lambda change: seen.append(change["new"]), "angle")
+    cell.frame.locator(".turner").focus()
+    cell.page.keyboard.press("PageUp")
+    until(cell.page, lambda: cell.window.angle != 150)
+    turned = cell.window.angle
+    assert turned == seen[-1] == pytest.approx(135)
+    omega = vad.solve(vad.FourBar(crank=45), angle=turned).link("rocker").omega
+    assert cell.window.motion.link("rocker").omega == omega
+    cell.window.unobserve_all("angle")
+
+
+def test_what_python_sets_is_shown(cell):
+    cell.window.angle = 40
+    assert cell.window.motion.inputs["angle"] == 40
+    cell.page.evaluate("asked", cell.window.asked)
+    shown(cell, "40°")
+    until(cell.page, lambda: cell.window.pose["angle"] == 40)
+    assert cell.window.angle == 40
+
+
+def test_the_board_is_as_wide_as_its_cell(cell):
+    frame = cell.page.locator("iframe").bounding_box()
+    board = cell.frame.locator(".board").bounding_box()
+    rail = cell.frame.locator(".rail").bounding_box()
+    assert board["width"] + rail["width"] == pytest.approx(frame["width"], abs=2)
+    dock = cell.frame.locator(".control").bounding_box()
+    assert dock["y"] + dock["height"] == pytest.approx(frame["y"] + frame["height"], abs=60)
 
 
 def test_what_cannot_be_is_said(cell):
@@ -151,6 +187,25 @@ def test_any_message_is_answered(asked, said):
     ((head, (data,)),) = sent
     assert head == {"id": asked["id"] if asked else None, "media": "application/json", "name": ""}
     assert json.loads(data)["error"]["message"] == said
+
+
+def test_a_pose_that_cannot_be_is_refused():
+    window = vad.widget(vad.FourBar())
+    with pytest.raises(vad.VadError, match="angle"):
+        window.angle = float("nan")
+    window.pose = {"angle": "x"}
+    window.pose = {"angle": float("inf"), "door": 3.0}
+    assert window.angle == 60
+    window.pose = {"angle": 15.0, "crank": 50.0}
+    assert window.motion.mechanism.crank == 50
+    assert window.angle == 15
+    window = vad.widget(vad.solve(vad.FourBar(crank=130), angle=60))
+    with pytest.raises(vad.AssemblyError, match="miss"):
+        window.angle = 10
+    assert window.angle == 60
+    gate = vad.widget(vad.GateActuator())
+    gate.position = 3.9
+    assert gate.motion.inputs["position"] == 3.9
 
 
 def test_show_of_a_mechanism_in_a_notebook_displays_the_window(monkeypatch):

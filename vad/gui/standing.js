@@ -72,6 +72,7 @@ function stand(answer) {
   step = null;
   spare();
   root.classList.toggle("copied", poseNow() === standing.copied);
+  globalThis.stood?.();
 }
 
 const form = () => find(".settings");
