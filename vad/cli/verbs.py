@@ -20,6 +20,7 @@ from vad.cli import completion
 from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import (
     NamedOption,
+    burden_of_one_pose,
     burden_options,
     path,
     places,
@@ -54,6 +55,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from vad.export.frames import Progress
+    from vad.statics.burden import Burden
 
 
 Inputs = dict[str, Any]
@@ -126,6 +128,7 @@ SHEETS is a .csv file with one row a sheet, or a .toml file such as
 [sheet] also takes seed, panels, points, language, style, paper, size, fps, speed, length_unit.
 What stands in FOLDER already, made from the same settings, is not made again.
 """
+_LOADS = burden_options()
 _AT = click.Option(
     ["--at"],
     callback=places(),
@@ -235,6 +238,7 @@ def draw(
         raise UsageError("--turn and --at: choose one of them")
     if turn and "blank" in options:
         raise UsageError("--blank is for one pose, not for a turn")
+    burden = burden_of_one_pose(mechanism, options, turn or at is not None)
     made = Turn if turn else Sheet if at is None else Multiples
     kind = format_of(Sheet, output)  # before anything is calculated
     format_of(made, output)
@@ -248,13 +252,20 @@ def draw(
     drawn: Sheet | Multiples | Turn
     if at is not None:
         drawn = _multiples(mechanism, inputs, at, **options)
+    elif turn:
+        drawn = vad.turn(vad.solve(mechanism, **inputs), **options)
     else:
-        motion = vad.solve(mechanism, **inputs)
-        drawn = (vad.turn if turn else vad.draw)(motion, **options)
+        drawn = _sheet(mechanism, inputs, burden, **options)
     vad.save(drawn, output, **look)
     say_written(output)
     if turn:
         note_change_points(mechanism)
+
+
+def _sheet(mechanism: Mechanism, inputs: Inputs, burden: Burden | None, **options: Any) -> Sheet:
+    """Draw one pose, and the forces in it if there is anything that makes some."""
+    motion = vad.solve(mechanism, **inputs)
+    return vad.draw(motion if burden is None else vad.forces(motion, *burden), **options)
 
 
 def _multiples(mechanism: Mechanism, inputs: Inputs, at: list[float], **options: Any) -> Multiples:
@@ -278,6 +289,7 @@ def animate(
     **options: Any,
 ) -> None:
     """Write the film in which one pose is drawn stroke by stroke, one step of it, or a turn."""
+    burden = burden_of_one_pose(mechanism, options, turn)
     if turn:
         of_strokes = {"--still": still is not None, "--subtitles": subtitles}
         for name, given in (of_strokes | {"--loop": "loop" in options}).items():
@@ -293,7 +305,7 @@ def animate(
         raise UsageError(f"--subtitles go beside a film, not beside '{output}'", hint)
     own = _pop(options, *own_options([FORMATS[thing][kind]]))
     timing = _pop(options, "fps", "size", "speed", "style", "loop")
-    sheet = vad.draw(vad.solve(mechanism, **inputs), **options)
+    sheet = _sheet(mechanism, inputs, burden, **options)
     lesson = vad.animate(sheet, **timing)
     if still is not None:
         vad.save(_still(lesson, still), output, **own)
@@ -429,14 +441,23 @@ VERBS: tuple[click.Command, ...] = (
         "draw",
         "Draw the polygons of one pose.",
         draw,
-        [_output(FORMATS[Sheet]), *_SHEET, _SIZE, _PAPER, _BLANK, _AT, _POSITIONS],
+        [
+            _output(FORMATS[Sheet]),
+            *_SHEET,
+            _SIZE,
+            _PAPER,
+            _BLANK,
+            _AT,
+            _POSITIONS,
+            *burden_options(),
+        ],
         formats=FORMATS[Sheet],
     ),
     MechanismGroup(
         "animate",
         "Make a film that draws the polygons stroke by stroke.",
         animate,
-        [_output(FORMATS[Lesson]), *_SHEET, _SIZE, *_FILM],
+        [_output(FORMATS[Lesson]), *_SHEET, _SIZE, *_FILM, *_LOADS],
         formats=FORMATS[Lesson] | FORMATS[Still],
     ),
     MechanismGroup(

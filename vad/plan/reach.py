@@ -21,6 +21,11 @@ from vad.strokes.sheet import (
 )
 
 
+def is_load(stroke: Stroke) -> bool:
+    """Tell whether an arrow in the picture of a mechanism is a load, and no bar."""
+    return stroke.component == "load"
+
+
 def carries_block(panel: Panel, stroke: Stroke) -> bool:
     """Tell whether a block slides on the link of a bar, which then lies beneath it."""
     return stroke.link is not None and bool(panel.body(stroke.link).carries)

@@ -11,6 +11,7 @@ from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, angle_of, points_of
 from vad.kinematics.numbers import bearing, dot, facing
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing
+from vad.strokes.force_loads import loads_at_points
 from vad.strokes.inking import PositionPencil
 from vad.strokes.loops import position_equation
 from vad.strokes.scene import Scene
@@ -120,7 +121,7 @@ class _Construction:
             equations.append(position_equation(self.scene, loop, self.ink.strokes))
         for bar in self.linkage.images:
             self.further.draw(bar)
-        strokes = tuple(self.ink.strokes)
+        strokes = (*self.ink.strokes, *loads_at_points(self.scene))
         return Drawing(
             strokes,
             equations=tuple(equations),

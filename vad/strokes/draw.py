@@ -34,6 +34,7 @@ from vad.words import Language
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
+    from vad.statics.forces import Forces
     from vad.strokes.space.scene import SceneInSpace
 
     AnyScene = Scene | SceneInSpace
@@ -41,6 +42,8 @@ if TYPE_CHECKING:
 #: The ending of the name of the angle between two axes.  The name without it is that of their
 #: distance.
 _TWIST = "_twist"
+#: The panels of forces that are drawn where nobody asks for others.
+OF_FORCES = "position", "force"
 #: The largest number of parameters in a title.
 MOST = 8
 #: The most further points on links: with their number, the time to place their letters grows by its
@@ -48,15 +51,20 @@ MOST = 8
 MOST_POINTS = 100
 
 
-def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: str = "en") -> Sheet:
+def draw(
+    motion: Motion | Forces[Any, Any, Any],
+    panels: Sequence[str] | str | None = None,
+    language: str = "en",
+) -> Sheet:
     """Draw one pose: the strokes of its panels in the order in which a teacher draws them.
 
     Parameters
     ----------
     motion
-        One pose; its rates are solved only as far as the panels need them.
+        One pose, or the forces in one; its rates are solved only as far as the panels need them.
     panels
-        Which of "position", "velocity" and "acceleration", in any order; the usual ones if None.
+        Which of "position", "velocity", "acceleration" and, for forces, "force", in any order; if
+        None, those of a motion, or the position and the forces.
     language
         The language of the captions, as a two-letter code.
 
@@ -76,12 +84,16 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
     >>> [stroke.label for stroke in sheet.panel("velocity").strokes]
     ['a,d', 'ab', '⟂ BC', '⟂ DC', 'c', 'bc', 'dc']
     """
+    forces = None if isinstance(motion, Motion) else _forces(motion)
+    if forces is not None:
+        motion = forces.motion
+        panels = OF_FORCES if panels is None else panels
     if not isinstance(motion, Motion):
         raise InputError(f"motion: must be what vad.solve returns, got {quoted(motion)}")
     if motion.many:
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
     diagrams = [DIAGRAMS[name] for name in chosen(panels, motion)]
-    scene = scene_of(motion, Language(language))
+    scene = scene_of(motion, Language(language), forces)
     drawn = tuple(diagram.panel(scene) for diagram in diagrams)
     rows = scene.rows(diagrams)
     largest = _largest(rows, drawn)
@@ -100,7 +112,7 @@ def draw(motion: Motion, panels: Sequence[str] | str | None = None, language: st
         language=language,
         notation=notation,
         driver=driver_of(scene.driver.name, scene.driver.kind == "angle", clean, drawn),
-        source=Source(mechanism, dict(motion.inputs)),
+        source=None if forces else Source(mechanism, dict(motion.inputs)),
     )
 
 
@@ -211,8 +223,19 @@ class PlaneScene(Scene):
         return polygon(self, order.number) if order.number else construct(self)
 
 
-def scene_of(motion: Motion[Any, Any, Any], language: Language) -> AnyScene:
-    """Return the scene of a motion, in the plane or in space.
+def _forces(given: Any) -> Forces[Any, Any, Any] | None:
+    """Return forces that are to be drawn; None for anything else."""
+    from vad.statics.forces import Forces  # most drawings have none
+
+    return given if isinstance(given, Forces) else None
+
+
+def scene_of(
+    motion: Motion[Any, Any, Any],
+    language: Language,
+    forces: Forces[Any, Any, Any] | None = None,
+) -> AnyScene:
+    """Return the scene of a motion, in the plane or in space, and of the forces in it.
 
     Raises
     ------
@@ -226,7 +249,7 @@ def scene_of(motion: Motion[Any, Any, Any], language: Language) -> AnyScene:
                 f"points: a drawing has room for {MOST_POINTS} on links, got {count}",
                 hint="leave some out; vad solve and vad sweep take them all",
             )
-        return PlaneScene(motion, language)
+        return PlaneScene(motion, language, forces=forces)
     from vad.strokes.space.scene import SceneInSpace  # the plane does not need it
 
     in_space: Any = motion

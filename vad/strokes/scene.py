@@ -28,13 +28,14 @@ from vad.kinematics.numbers import minimum
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import ORDERS, Spot
 from vad.strokes.sentences import CaptionedMotion, Noun, Sentence
-from vad.strokes.sheet import Cell, Row
-from vad.written import PRIME, per_second, subscript
+from vad.strokes.sheet import LOADS, Cell, Row
+from vad.written import PRIME, numbered, per_second, subscript
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
     from vad.kinematics.state import Pose, Rates
     from vad.mechanisms.mechanism import Mechanism
+    from vad.statics.forces import Forces
     from vad.strokes.diagram import Diagram, Drawing, Order
 
 
@@ -187,6 +188,10 @@ class Members:
         """Return a quantity with its body's number: ω₃."""
         return letter + self._numbers[name]
 
+    def number(self, name: str) -> int:
+        """Return the number of a body; 0 for one that the results do not number."""
+        return int(numbered(self.symbol("F", name))[1]) if name in self._numbers else 0
+
     def slide_symbol(self, name: str) -> str:
         """Return the symbol of a slide's position.
 
@@ -211,6 +216,7 @@ class Scene(CaptionedMotion, ABC):
     """A motion, the language of its captions, and the names of everything in it."""
 
     motion: Motion
+    forces: Forces[Any, Any, Any] | None = field(default=None, kw_only=True)
     # The places and images that were read before.
     _places: dict[str, complex] = field(default_factory=dict, init=False, compare=False)
     _images: dict[tuple[str, int], complex] = field(default_factory=dict, init=False, compare=False)
@@ -257,6 +263,7 @@ class Scene(CaptionedMotion, ABC):
         """Return the rows of the results: the links, then the slides."""
         mechanism, say = self.motion.mechanism, self.name
         rows = []
+        cells: dict[str, tuple[Cell, ...]]
         for name in self.members.links:
             cells = {diagram.name: diagram.cells(self, name, False) for diagram in diagrams}
             rows.append(Row(name, say(name), mechanism.links[name], cells))
@@ -265,6 +272,13 @@ class Scene(CaptionedMotion, ABC):
             strut = mechanism.links.get(name)  # a strut: its slide has its letters
             title = say("stroke" if strut else name.split("_", maxsplit=1)[0])
             rows.append(Row(name, title, strut or mechanism.slides[name], cells))
+        of_loads = [each for each in diagrams if each.name in ("position", "force")]
+        if self.forces is not None and of_loads:
+            cells = dict.fromkeys([each.name for each in diagrams], ())
+            for each in of_loads:
+                if each.name == "force":
+                    cells[each.name] = each.cells(self, LOADS, False)
+            rows.append(Row(LOADS, say(LOADS), "", cells))
         return rows
 
     @property

@@ -48,6 +48,7 @@ from vad.strokes.shapes import (
 from vad.written import numbered
 
 __all__ = [
+    "LOADS",
     "POLE",
     "Arc",
     "Arrow",
@@ -109,6 +110,8 @@ Component = Literal[
 ]
 #: The name, in the title, of the angle that belongs to the length before it.
 TWIST = "∠"
+#: The row of the results that has all loads.
+LOADS = "loads"
 #: The ending of the name of a polygon that stands below another.
 BELOW = ".below"
 #: A mechanism in the plane, vectors from a pole, or a mechanism in space as it is seen.

@@ -199,6 +199,7 @@ PHRASES = {
     "the pole": "den Pol",
     "of point": "von {head}",
     "parallel": "∥ {line}",
+    "square": "⟂ {line}",
     "degrees": "{angle}°",
     "at scale": "{what} 1 : {share}",
     "counter-clockwise": "gegen den Uhrzeigersinn",
@@ -359,6 +360,32 @@ PHRASES = {
     "hooke turned frame": (
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*: {symbol} dreht sich "
         "mit *OT*."
+    ),
+    # Kräfte
+    "force nothing": "Kein Gelenk trägt eine Kraft: nur der Antrieb ist belastet.",
+    "force force": "{label} = {value} {unit}, die Last an {link:dem} in {point}.",
+    "force weight": "{label} = {value} {unit}, das Gewicht {link:des} in {point}.",
+    "force inertia": "{label} = {value} {unit}, die Trägheitskraft {link:des} in {point}.",
+    "force friction": "{label} = {value} {unit}, die Reibung an {link:dem} in {point}.",
+    "force joint": (
+        "{label} = {value} {unit}: die Gegenkraft {other:des} an {link:dem}, entgegengesetzt zu "
+        "{opposite}."
+    ),
+    "force along": "{label} = {value} {unit} hält, was längs seiner Geraden an {link:dem} wirkt.",
+    "force moments": (
+        "Momente um {point}: {label} = {moment} {turning}/({size} {length}) = {value} {unit}, "
+        "⟂ {bar}."
+    ),
+    "force square": "{label} steht senkrecht zur Geraden, auf der {link:der} gleitet.",
+    "force two": "An {link:dem} {bar} wirken nur zwei Kräfte: beide liegen längs {bar}.",
+    "force rest": "Der Rest der Kraft, {label}, liegt längs {bar}.",
+    "force closes": "Die beiden Geraden schneiden sich: das Polygon schließt sich.",
+    "force part": "{label} = {value} {unit}, gemessen.",
+    "force pushes": "{label} = {value} {unit}: {one:der} drückt an {other:dem}.",
+    "force pulls": "{label} = {value} {unit}: {one:der} zieht an {other:dem}.",
+    "force on": "{label} = {value} {unit}: die Kraft {one:des} an {other:dem}.",
+    "force whole": (
+        "{label} = √({known}² + {found}²) = {value} {unit}: die Kraft {one:des} an {other:dem}."
     ),
     "turning measured": "{label} = {symbol} = {value} {unit}.",
     # --- das räumliche Gelenkviereck
@@ -541,6 +568,8 @@ NAMES = {
     "Position": "Lage",
     "Velocity": "Geschwindigkeit",
     "Acceleration": "Beschleunigung",
+    "Forces": "Kräfte",
+    "loads": "Lasten",
     "Four-bar": "Gelenkviereck",
     "Slider–crank": "Schubkurbel",
     "Crank and slotted lever": "Schwingende Kurbelschleife",

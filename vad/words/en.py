@@ -194,6 +194,7 @@ PHRASES = {
     "the pole": "the pole",
     "of point": "of {head}",
     "parallel": "∥ {line}",
+    "square": "⟂ {line}",
     "degrees": "{angle}°",
     "at scale": "{what} 1 : {share}",
     "counter-clockwise": "counter-clockwise",
@@ -347,6 +348,31 @@ PHRASES = {
     "hooke turned frame": (
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*: {symbol} turns with "
         "*OT*."
+    ),
+    # forces
+    "force nothing": "No joint bears a force: the loads act on the driver alone.",
+    "force force": "{label} = {value} {unit}, the load on the {link} at {point}.",
+    "force weight": "{label} = {value} {unit}, the weight of the {link} at {point}.",
+    "force inertia": "{label} = {value} {unit}, the inertia force of the {link} at {point}.",
+    "force friction": "{label} = {value} {unit}, the friction on the {link} at {point}.",
+    "force joint": (
+        "{label} = {value} {unit}: the {other} acts back on the {link}, opposite to {opposite}."
+    ),
+    "force along": "{label} = {value} {unit} holds what acts on the {link} along its line.",
+    "force moments": (
+        "Moments about {point}: {label} = {moment} {turning}/({size} {length}) = {value} {unit}, "
+        "⟂ {bar}."
+    ),
+    "force square": "{label} is square to the line on which the {link} slides.",
+    "force two": "The {link} {bar} has two forces only: both lie along {bar}.",
+    "force rest": "The rest of the force, {label}, lies along {bar}.",
+    "force closes": "The two lines cross: the polygon closes.",
+    "force part": "{label} = {value} {unit}, measured.",
+    "force pushes": "{label} = {value} {unit}: the {one} pushes the {other}.",
+    "force pulls": "{label} = {value} {unit}: the {one} pulls the {other}.",
+    "force on": "{label} = {value} {unit}: the force of the {one} on the {other}.",
+    "force whole": (
+        "{label} = √({known}² + {found}²) = {value} {unit}: the force of the {one} on the {other}."
     ),
     "turning measured": "{label} = {symbol} = {value} {unit}.",
     # --- the spatial four-bar

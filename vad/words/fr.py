@@ -191,6 +191,7 @@ PHRASES = {
     "the pole": "le pôle",
     "of point": "de {head}",
     "parallel": "∥ {line}",
+    "square": "⟂ {line}",
     "degrees": "{angle}°",
     "at scale": "{what} 1 : {share}",
     "counter-clockwise": "dans le sens trigonométrique",
@@ -353,6 +354,32 @@ PHRASES = {
     "hooke turned frame": (
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT* : {symbol} tourne avec "
         "*OT*."
+    ),
+    # forces
+    "force nothing": "Aucune liaison ne porte d’effort : seul l’entraînement est chargé.",
+    "force force": "{label} = {value} {unit}, la charge appliquée {link:au} en {point}.",
+    "force weight": "{label} = {value} {unit}, le poids {link:du} en {point}.",
+    "force inertia": "{label} = {value} {unit}, la force d’inertie {link:du} en {point}.",
+    "force friction": "{label} = {value} {unit}, le frottement appliqué {link:au} en {point}.",
+    "force joint": (
+        "{label} = {value} {unit} : la réaction {other:du} appliquée {link:au}, opposée à "
+        "{opposite}."
+    ),
+    "force along": "{label} = {value} {unit} retient ce qui agit {link:au} suivant sa ligne.",
+    "force moments": (
+        "Moments autour de {point} : {label} = {moment} {turning}/({size} {length}) = {value} "
+        "{unit}, ⟂ {bar}."
+    ),
+    "force square": "{label} est perpendiculaire à la ligne sur laquelle {link:le} coulisse.",
+    "force two": "Deux forces seulement agissent sur {link:le} {bar} : elles sont suivant {bar}.",
+    "force rest": "Le reste de la force, {label}, est suivant {bar}.",
+    "force closes": "Les deux droites se coupent : le polygone se ferme.",
+    "force part": "{label} = {value} {unit}, mesuré.",
+    "force pushes": "{label} = {value} {unit} : {one:le} pousse {other:le}.",
+    "force pulls": "{label} = {value} {unit} : {one:le} tire {other:le}.",
+    "force on": "{label} = {value} {unit} : l’effort {one:du} sur {other:le}.",
+    "force whole": (
+        "{label} = √({known}² + {found}²) = {value} {unit} : l’effort {one:du} sur {other:le}."
     ),
     "turning measured": "{label} = {symbol} = {value} {unit}.",
     # --- le quadrilatère spatial
@@ -536,6 +563,8 @@ NAMES = {
     "Position": "Position",
     "Velocity": "Vitesse",
     "Acceleration": "Accélération",
+    "Forces": "Forces",
+    "loads": "charges",
     "Four-bar": "Quadrilatère articulé",
     "Slider–crank": "Bielle-manivelle",
     "Crank and slotted lever": "Coulisse oscillante",

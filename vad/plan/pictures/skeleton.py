@@ -26,8 +26,9 @@ from vad.plan.pictures.constructions import (
     line_of,
 )
 from vad.plan.pictures.links import Links
+from vad.plan.pictures.loads import add_load
 from vad.plan.pictures.supports import Foot, PlacedRail, Rail
-from vad.plan.reach import is_yoke
+from vad.plan.reach import is_load, is_yoke
 from vad.plan.scale import Scale
 from vad.plan.sketch import Piece, Setting, Sketch
 from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Stroke
@@ -208,11 +209,16 @@ class Skeleton:
         ``alone`` draws each bar as if it lay on no other one in this pose.
         """
         panel = sketch.setting.panel
-        for index, piece in self._links.pieces(sketch, painting_order(panel), alone):
+        order = painting_order(panel)
+        links = [index for index in order if not is_load(panel.strokes[index])]
+        for index, piece in self._links.pieces(sketch, links, alone):
             if piece:
                 sketch.put(index, piece)
             elif not sketch.finished:
                 self._add_other(sketch, index)
+        for index, stroke in enumerate(panel.strokes):
+            if is_load(stroke):
+                add_load(sketch, index)
 
     def _add_other(self, sketch: Sketch, index: int) -> None:
         """Add what stands still in a turn, or passes while a lesson is drawn."""
@@ -249,6 +255,9 @@ class Skeleton:
         """Add letters, the values of angles, and the arrows of what is given."""
         panel = sketch.setting.panel
         labels.vertices(sketch, vertices, self.radius, NEAR)
+        for index, stroke in enumerate(panel.strokes):
+            if is_load(stroke):
+                labels.vector(sketch, index, stroke.label)
         for index, arc in arcs:
             bow = angles.bow_of(sketch, arc)
             if abs(bow.sweep) > 1e-6:
@@ -276,6 +285,8 @@ class Skeleton:
         """Yield the ends of all bars, and of a yoke's shaft."""
         for stroke in panel.strokes:
             match stroke.shape:
+                case Arrow() if is_load(stroke):
+                    continue
                 case Arrow(start, end):
                     yield self.scale(start), self.scale(end)
                 case Block() if is_yoke(panel, stroke.link):

@@ -196,6 +196,8 @@ def is_whole(stroke: Stroke, panel: Panel) -> bool:
     """Tell whether a vector stands beside its parts, or is found by the image."""
     if stroke.image or stroke.component == "relative":
         return True
+    if stroke.component == "force":
+        return stroke.part.which == "whole"
     whole = stroke.shape
     if stroke.component != "absolute" or not isinstance(whole, Arrow):
         return False

@@ -1,0 +1,195 @@
+"""Force polygons: their vertices give the solver's forces back, over every mechanism of the plane."""
+
+from __future__ import annotations
+
+import pytest
+
+import vad
+from tests.statics.machines import MACHINES, burden
+from tests.statics.test_equilibrium import pose
+from vad.errors import InputError, UsageError
+from vad.strokes.sheet import Arrow
+
+NAMES = sorted(MACHINES)
+#: Of the largest force.
+CLOSE = 2e-12
+
+
+def forces_of(name, seed=8, place=0.37, friction=0.0):
+    machine = MACHINES[name]()
+    motion, given = pose(machine, place), burden(machine, seed)
+    blocks = [each.other for each in vad.forces(motion).bodies.joints if each.slide]
+    rough = dict.fromkeys(blocks, friction) if friction else None
+    return vad.forces(motion, **given, friction=rough)
+
+
+def arrows(panel):
+    """The vectors of the strokes, drawn or left out, by name."""
+    return {
+        stroke.name: stroke.shape.end - stroke.shape.start
+        for stroke in (*panel.strokes, *panel.zeros)
+        if isinstance(stroke.shape, Arrow)
+    }
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("friction", [0.0, 0.05])
+def test_the_vertices_give_the_forces_back(name, friction):
+    found = forces_of(name, friction=friction)
+    try:
+        dyads = found.dyads
+    except InputError as error:
+        pytest.skip(str(error))
+    panel = vad.draw(found, panels="force").panel("force")
+    drawn = arrows(panel)
+    outer = [half.outer for dyad in dyads for half in (dyad.first, dyad.second)]
+    largest = max(abs(each.force) for each in outer)
+    wholes = {n.removesuffix(".whole"): v for n, v in drawn.items() if n.endswith(".whole")}
+    for joint in outer:
+        told = found.force(joint.one, joint.other)
+        ends = [v for n, v in wholes.items() if n.endswith(joint.point)]
+        assert any(abs(vector - joint.force) < CLOSE * largest for vector in ends)
+        twice = [j for j in found.joints if {j.one, j.other} == {joint.one, joint.other}]
+        if len(twice) == 1:
+            assert abs(told - joint.force) < CLOSE * largest
+    assert len(wholes) == len(outer)
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", NAMES)
+def test_each_polygon_closes_from_tip_to_tail(name):
+    found = forces_of(name)
+    panel = vad.draw(found, panels="force").panel("force")
+    ends = [
+        (s.shape.start, s.shape.end)
+        for s in panel.strokes
+        if isinstance(s.shape, Arrow) and s.part.which != "whole"
+    ]
+    largest = max(abs(end - start) for start, end in ends)
+    for start, end in ends:
+        for one, others in ((start, [e for _, e in ends]), (end, [s for s, _ in ends])):
+            assert min(abs(one - other) for other in others) < CLOSE * largest
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", NAMES)
+def test_names_are_unique_and_the_same_in_every_pose(name):
+    names = []
+    for place in (0.2, 0.6):
+        panel = vad.draw(forces_of(name, place=place), panels="force").panel("force")
+        here = sorted(stroke.name for stroke in (*panel.strokes, *panel.zeros))
+        assert len(here) == len(set(here))
+        names.append(here)
+    assert names[0] == names[1]
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("language", ["en", "de", "fr"])
+def test_captions_are_said_in_every_language(name, language):
+    sheet = vad.draw(forces_of(name), language=language)
+    for stroke in sheet.panel("force").strokes:
+        assert stroke.caption.endswith(".")
+
+
+def press():
+    return vad.draw(forces_of_press())
+
+
+def forces_of_press():
+    machine = MACHINES["toggle-press.toml"]()
+    return vad.forces(vad.solve(machine), ["1 kN @ 0 at D"])
+
+
+def test_the_last_dyad_comes_first_and_hands_on_what_it_found():
+    found = forces_of_press()
+    panel = vad.draw(found).panel("force")
+    labels = [s.label for s in panel.strokes if isinstance(s.shape, Arrow)]
+    assert labels == ["P", "F₁₆", "F₄₅", "F₅₄", "F₁₄", "F₂₃"]
+    drawn = arrows(panel)
+    assert drawn["F54B.load"] == pytest.approx(-drawn["F45B.normal"], abs=1e-9)
+    first = [
+        z.real
+        for s in panel.strokes[:6]
+        if isinstance(s.shape, Arrow)
+        for z in (s.shape.start, s.shape.end)
+    ]
+    second = [
+        z.real
+        for s in panel.strokes[6:]
+        if isinstance(s.shape, Arrow)
+        for z in (s.shape.start, s.shape.end)
+    ]
+    assert max(first) < min(second)
+
+
+def test_a_four_bar_of_the_board():
+    machine = vad.FourBar(
+        ground=500, crank=400, coupler=1000, rocker=750, points={"E": ("rocker", 350)}
+    )
+    sheet = vad.draw(vad.forces(vad.solve(machine, angle=120), ["80 N @ 150 at E"]))
+    assert [panel.name for panel in sheet.panels] == ["position", "force"]
+    captions = {stroke.name: stroke.caption for stroke in sheet.panel("force").strokes}
+    assert captions["F14D.tangential"] == (
+        "Moments about C: F₁₄ₜ = 31.285 N m/(0.7500 m) = 41.713 N, ⟂ DC."
+    )
+    assert captions["F23B.normal"] == "F₂₃ = 47.25 N: the crank pushes the coupler."
+    assert captions["F23B.line"] == "The coupler BC has two forces only: both lie along BC."
+    (load,) = [s for s in sheet.panel("position").strokes if s.component == "load"]
+    e = vad.solve(machine, angle=120).point("E").position
+    assert load.label == "P" and load.shape.end == e
+    cells = [[cell.symbol for cell in row.cells["force"]] for row in sheet.rows]
+    assert cells == [[], ["F₂₃"], ["F₁₄"], ["P"]]
+
+
+def test_a_weight_hangs_at_its_point():
+    motion = vad.solve(vad.SliderCrank())
+    sheet = vad.draw(vad.forces(motion, masses={"slider": 2}, gravity=9.81))
+    (weight,) = [s for s in sheet.panel("position").strokes if s.component == "load"]
+    assert weight.label == "W₄"
+    assert weight.shape.start == motion.point("C").position
+    assert weight.shape.end.imag < weight.shape.start.imag
+
+
+def test_a_load_on_the_driver_alone_leaves_a_dot():
+    panel = vad.draw(vad.forces(vad.solve(vad.FourBar()), ["5 N @ 0 at B on crank"])).panel("force")
+    assert [stroke.caption for stroke in panel.strokes] == [
+        "No joint bears a force: the loads act on the driver alone."
+    ]
+
+
+def test_forces_without_loads_say_how_a_load_is_written():
+    with pytest.raises(InputError, match="panel 'force': there is no load") as raised:
+        vad.draw(vad.solve(vad.FourBar()), panels="force")
+    assert "--load '80 N @ 150 at E'" in raised.value.hint
+
+
+def test_in_space_there_are_none():
+    with pytest.raises(UsageError, match="does not apply to spherical-four-bar"):
+        vad.draw(vad.solve(vad.SphericalFourBar()), panels="force")
+
+
+def test_many_poses_are_refused():
+    with pytest.raises(InputError, match="a sheet shows one pose"):
+        vad.draw(
+            vad.forces(vad.solve(vad.FourBar(), angle=[60.0, 70.0]), ["5 N @ 0 at C on rocker"])
+        )
+
+
+@pytest.mark.parametrize("ending", ["png", "svg", "pdf", "html"])
+def test_formats(tmp_path, ending):
+    made = vad.animate(press()) if ending == "html" else press()
+    vad.save(made, tmp_path / f"press.{ending}")
+    assert (tmp_path / f"press.{ending}").stat().st_size > 1000
+
+
+def test_json_there_and_back(tmp_path):
+    sheet = press()
+    vad.save(sheet, tmp_path / "press.json")
+    again = (
+        vad.read_sheet(tmp_path / "press.json")
+        if hasattr(vad, "read_sheet")
+        else vad.load(tmp_path / "press.json")
+    )
+    assert again == sheet

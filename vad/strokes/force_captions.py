@@ -1,0 +1,131 @@
+"""The sentences that go with the strokes of force polygons."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from vad.strokes.arithmetic import Figure, hypotenuse, product
+from vad.strokes.force_names import ForceNames
+from vad.strokes.sentences import Sentence, SentencePart, Unit
+from vad.strokes.vector_equations import NOTHING, Part
+from vad.units import metres_of
+
+if TYPE_CHECKING:
+    from vad.statics.dyads import Half, Load
+    from vad.strokes.forces import Force
+
+NEWTON = "N"
+
+
+class ForceCaptions:
+    """The captions of force polygons: see `vad.strokes.player.PencilCaptions`."""
+
+    def __init__(self, scene: Any, names: ForceNames) -> None:
+        self.scene, self.say, self.names = scene, scene.say, names
+
+    def nothing(self) -> Sentence:
+        """Say that no dyad bears a force."""
+        return self._sentence("force nothing")
+
+    def known(self, label: str, part: Part[Force]) -> Sentence:
+        """Say what a load is, or calculate a part by moments."""
+        force = part.of
+        if force.load:
+            return self.load(part.symbol, force.load)
+        half, inner = force.half, self.names.inner(force.half)
+        parts = self._common(part) | {"link": self.names.noun(half.bodies[-1])}
+        if not inner:
+            return self._sentence("force along", **parts)
+        point = half.outer.point
+        metres = metres_of(self.scene.unit) or 1.0
+        length = self.scene.span(point, inner) * metres
+        unit = "m" if metres_of(self.scene.unit) else self.scene.unit
+        size = Figure(length, unit, power=-1)
+        moment = Figure(abs(part.vector) * length, self.names.forces.moment_unit)
+        return self._sentence(
+            "force moments",
+            product("value", "moment", "size"),
+            **parts,
+            point=inner,
+            bar=point + inner,
+            moment=moment,
+            turning=Unit(moment.unit),
+            size=size,
+            length=Unit(unit),
+        )
+
+    def load(self, symbol: str, load: Load) -> Sentence:
+        """Say what acts on a body from outside, or what a later dyad hands on."""
+        joint = load.kind == "joint"
+        return self._sentence(
+            f"force {load.kind}",
+            label=symbol,
+            value=Figure(abs(load.force), NEWTON, load.kind == "force"),
+            unit=Unit(NEWTON),
+            link=self.names.noun(load.body),
+            point=load.point,
+            other=self.names.noun(load.name) if joint else "",
+            opposite=self.names.force(load.body, load.name) if joint else "",
+        )
+
+    def line(self, part: Part[Force], point: str, meeting: str) -> Sentence:
+        """Say why the last part of a force lies on a line."""
+        half = part.of.half
+        inner = self.names.inner(half)
+        parts: dict[str, SentencePart] = {
+            "label": part.symbol,
+            "link": self.names.noun(half.bodies[0]),
+            "bar": half.outer.point + inner,
+        }
+        if not inner:
+            return self._sentence("force square", **parts)
+        return self._sentence("force two" if self._two(half) else "force rest", **parts)
+
+    def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[Force], str]]) -> Sentence:
+        """Say that the polygon closes."""
+        return self._sentence("force closes")
+
+    def measured(self, label: str, part: Part[Force]) -> Sentence:
+        """Measure a force, and say who pushes or pulls whom."""
+        half = part.of.half
+        if abs(half.known) > NOTHING * abs(half.outer.force):
+            return self._sentence("force part", **self._common(part))
+        return self._sentence(self._way(half), **self._common(part), **self._pair(half))
+
+    def whole(self, label: str, size: float, vector: Force) -> Sentence:
+        """Calculate a force from its two parts."""
+        half = vector.half
+        one, other = (Figure(abs(each), NEWTON) for each in (half.known, half.unknown))
+        return self._sentence(
+            "force whole",
+            hypotenuse("value", "known", "found"),
+            label=vector.symbol,
+            value=Figure(size, NEWTON),
+            unit=Unit(NEWTON),
+            known=one,
+            found=other,
+            **self._pair(half),
+        )
+
+    def _pair(self, half: Half) -> dict[str, SentencePart]:
+        return {"one": self.names.noun(half.outer.one), "other": self.names.noun(half.outer.other)}
+
+    def _way(self, half: Half) -> str:
+        """Return the phrase of a force: a bar with two forces is pushed or pulled."""
+        if not self.names.inner(half) or not self._two(half):
+            return "force on"
+        away = (half.unknown * half.direction.conjugate()).real < 0.0
+        return "force pulls" if away else "force pushes"
+
+    def _two(self, half: Half) -> bool:
+        """Tell whether a body has two forces only."""
+        one = len(half.bodies) == 1 and not half.loads and not half.couples
+        return one and abs(half.known) <= NOTHING * abs(half.outer.force)
+
+    def _common(self, part: Part[Force]) -> dict[str, SentencePart]:
+        value = Figure(abs(part.vector), NEWTON)
+        return {"label": part.symbol, "value": value, "unit": Unit(NEWTON)}
+
+    def _sentence(self, phrase: str, *calculations: Any, **parts: SentencePart) -> Sentence:
+        said: Sentence = self.scene.say(phrase, *calculations, **parts)
+        return said

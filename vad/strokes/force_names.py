@@ -1,0 +1,173 @@
+"""The names of forces: F₂₃ is that of body 2 on body 3, and a load has its own."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from vad.errors import InputError
+from vad.statics.dyads import Load
+from vad.strokes.sentences import Noun, Sentence, Text
+from vad.strokes.sheet import LOADS, Cell
+from vad.written import subscript
+
+if TYPE_CHECKING:
+    from vad.kinematics.linkage import Slide
+    from vad.statics.dyads import Half
+    from vad.statics.forces import Forces
+    from vad.strokes.scene import Scene
+
+#: The symbols of loads that have no name of their own.
+SYMBOLS = {"force": "P", "weight": "W", "inertia": "I", "friction": "R"}
+
+
+def outside(forces: Forces[Any, Any, Any], body: str) -> list[Load]:
+    """Return what acts on a body from outside, as forces at points."""
+    return [
+        Load(each.kind, each.name, body, each.point, forces.acts(number))
+        for number, each in enumerate(forces.acting)
+        if each.body == body and each.point
+    ]
+
+
+def forces_of_scene(scene: Scene) -> Forces[Any, Any, Any]:
+    """Return the forces of a scene.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If there is nothing that makes forces.
+    """
+    if scene.forces is None:
+        raise InputError(
+            "panel 'force': there is no load and no mass",
+            hint="as in --load '80 N @ 150 at E', or vad.draw(vad.forces(motion, loads))",
+        )
+    return scene.forces
+
+
+class ForceNames:
+    """The names of the forces in a pose.
+
+    Parameters
+    ----------
+    scene
+        The pose, with its forces.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        self.members, self.voice = scene.members, scene.voice
+        self.forces = forces_of_scene(scene)
+        self.bodies = self.forces.bodies.bodies
+        self._rows = {*self.members.links, *self.members.slides}
+
+    @cached_property
+    def numbers(self) -> dict[str, int]:
+        """The number of each body: 1 is the frame, 2 the driver, as in the results."""
+        found = {name: self.members.number(name) for name in self.bodies}
+        known = {name: number for name, number in found.items() if number}
+        free = max(known.values(), default=1)
+        for name in self.bodies:
+            if name not in known:
+                free += 1
+                known[name] = free
+        return {"frame": 1, **known}
+
+    def force(self, one: str, other: str) -> str:
+        """Return the symbol of the force of one body on another: F₂₃."""
+        pair = [self.numbers[name] for name in (one, other)]
+        between = "," if max(pair) > 9 else ""
+        return "F" + between.join(map(subscript, pair))
+
+    def plain(self, one: str, other: str, point: str) -> str:
+        """Return the name of a force in a joint for the names of its strokes: F23B."""
+        pair = [self.numbers[name] for name in (one, other)]
+        return f"F{('-' if max(pair) > 9 else '').join(map(str, pair))}{point}"
+
+    @cached_property
+    def loads(self) -> list[Load]:
+        """All forces from outside, body by body, those on the driver first."""
+        return [*outside(self.forces, self.forces.bodies.driver.name), *self._on_dyads]
+
+    @cached_property
+    def _on_dyads(self) -> list[Load]:
+        halves = (half for dyad in self.forces.dyads for half in (dyad.first, dyad.second))
+        return [load for half in halves for load in half.loads if load.kind != "joint"]
+
+    def load(self, load: Load) -> str:
+        """Return the symbol of a load: its own name, P₁, W₃ for the weight of body 3, F₃₄."""
+        if load.kind == "joint":
+            return self.force(load.name, load.body)
+        if load.kind != "force":
+            return SYMBOLS[load.kind] + subscript(self.numbers[load.body])
+        if load.name:
+            return load.name
+        unnamed = [each for each in self.loads if each.kind == "force" and not each.name]
+        return "P" if len(unnamed) == 1 else "P" + subscript(unnamed.index(load) + 1)
+
+    def plain_load(self, load: Load) -> str:
+        """Return the name of a load for the names of its strokes."""
+        alike = [each for each in self.loads if self._plain(each) == self._plain(load)]
+        again = alike.index(load)
+        return self._plain(load) + (f"-{again + 1}" if again else "")
+
+    def _plain(self, load: Load) -> str:
+        if load.kind == "force" and load.name:
+            return load.name
+        return f"{SYMBOLS[load.kind]}{self.numbers[load.body]}{load.point}"
+
+    def row(self, body: str) -> str:
+        """Return the row of the results whose ink a body has."""
+        if body in self._rows:
+            return body
+        found = self.bodies[body]
+        names = (found.slide.name if found.slide else "", found.link or "")
+        return next((name for name in names if name in self._rows), self.members.driver.name)
+
+    def noun(self, body: str) -> Noun:
+        """Name a body in a sentence."""
+        if body in self.members.slides and body not in self.members.links:
+            return Noun(body.split("_", maxsplit=1)[0], generic="slider")
+        return Noun(body)
+
+    def line(self, half: Half) -> str:
+        """Return the label of the line of the unknown part of an outer force."""
+        inner = self.inner(half)
+        return f"∥ {half.outer.point}{inner}" if inner else self._square(half)
+
+    def _square(self, half: Half) -> str:
+        """Return that of a line square to the one on which a body slides."""
+        line = self.members.line(self.slide(half))
+        return Text.of(Sentence("square", {"line": line}), self.voice)
+
+    def slide(self, half: Half) -> Slide:
+        """Return the slide to whose line the unknown part of an outer force is square."""
+        body = self.bodies[half.bodies[0]]
+        for dyad in self.forces.bodies.dyads:
+            if half.bodies[0] in (dyad.first.bodies[0], dyad.second.bodies[0]):
+                slide = body.joint.slide or dyad.inner.slide
+                assert slide is not None
+                return slide
+        raise AssertionError(half.bodies)
+
+    def inner(self, half: Half) -> str:
+        """Return the point towards which that line leads from a pin; empty for another line."""
+        for dyad in self.forces.bodies.dyads:
+            for side in (dyad.first, dyad.second):
+                if side.bodies[0] == half.bodies[0]:
+                    body = self.bodies[side.bodies[0]]
+                    square = body.joint.slide or (body.name == dyad.block and dyad.inner.slide)
+                    return "" if square else dyad.inner.point
+        raise AssertionError(half.bodies)
+
+    def cells(self, key: str) -> tuple[Cell, ...]:
+        """Return the cells of a row of the results."""
+        if key == LOADS:
+            mine = dict.fromkeys((self.load(each), abs(each.force)) for each in self.loads)
+            return tuple(Cell(symbol, size, "N", given=True) for symbol, size in [*mine][:2])
+        return tuple(
+            Cell(self.force(half.outer.one, half.outer.other), abs(half.outer.force), "N")
+            for dyad in self.forces.dyads
+            for half in (dyad.first, dyad.second)
+            if self.row(half.bodies[0]) == key
+        )

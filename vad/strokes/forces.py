@@ -1,0 +1,282 @@
+"""The force polygons: each dyad in equilibrium is a vector equation, and is drawn as such.
+
+The forces on a dyad from outside, R₁ and R₂ in its two outer joints, hold what loads it.  Known
+parts of them and the loads are laid tip to tail; the lines of the two other parts cross.  The last
+dyad comes first: what it has found is a load, reversed, of the next one, whose polygon stands to
+the right of it, at the same scale.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from vad.strokes.diagram import Drawing
+from vad.strokes.force_captions import ForceCaptions
+from vad.strokes.force_names import ForceNames
+from vad.strokes.player import Pencil, Player
+from vad.strokes.sheet import LOADS, Arrow, Cell, Component, Dot, Equation, Stroke, StrokePart, Term
+from vad.strokes.vector_equations import NOTHING, Chain, Part, Vector, VectorEquation
+
+if TYPE_CHECKING:
+    from vad.statics.dyads import DyadForces, Half, Load
+
+#: The distance of two polygons, as a share of the width of all of them.
+APART = 0.25
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Force(Vector):
+    """A force of a polygon.
+
+    Attributes
+    ----------
+    symbol
+        Its name: F₂₃, P.
+    dyad, half
+        The dyad on which it acts, and its half; of a load, the half whose body bears it.
+    load
+        The load that it is; None for a force in an outer joint.
+    """
+
+    symbol: str
+    dyad: DyadForces
+    half: Half
+    load: Load | None = None
+
+
+class DyadEquation:
+    """The equation of a dyad, and the places of its vertices, of which the first is at 0."""
+
+    def __init__(self, dyad: DyadForces, names: ForceNames) -> None:
+        self.names, self.dyad = names, dyad
+        self.prefix = f"{dyad.number}:"
+        self.places: dict[str, complex] = {self.prefix + "0": 0j}
+        self._tip = self.prefix + "0"
+        self.equation = self._equation()
+
+    def _equation(self) -> VectorEquation[Force]:
+        one, two = self.dyad.first, self.dyad.second
+        start, end = self._tip, self.prefix + "X"
+        first, parts = [], []
+        head = self._after(one.known)
+        known = self._outer(one, start, head)
+        first.append(known)
+        parts.append(self._part(known, "tangential", one.known, head))
+        for half, loads in ((one, one.loads), (two, two.loads[::-1])):
+            for load in loads:
+                tail, head = self._tip, self._after(load.force)
+                vector = self._load(half, load, tail, head)
+                first.append(vector)
+                parts.append(self._part(vector, "load", load.force, head))
+        tail = self._tip
+        stage = self._after(two.known)
+        last = self._outer(two, tail, end, whole="force")
+        first.append(last)
+        parts.append(self._part(last, "tangential", two.known, stage))
+        parts.append(self._part(last, "normal", two.unknown, end, two.direction))
+        self.places[end] = self.places[start] - one.unknown
+        back = self._outer(one, end, start, reverse=True)
+        other = self._part(back, "normal", one.unknown, end, one.direction)
+        self.whole = replace(known, tail=end, whole="force")
+        return VectorEquation(
+            Chain(start, end, tuple(first), tuple(parts)),
+            Chain(start, end, (back,), (other,)),
+            f"dyad{self.dyad.number + 1}",
+        )
+
+    def _after(self, vector: complex) -> str:
+        """Return the vertex after a vector at the tip, and move the tip there."""
+        name = f"{self.prefix}{len(self.places)}"
+        self.places[name] = self.places[self._tip] + vector
+        self._tip = name
+        return name
+
+    def _outer(
+        self,
+        half: Half,
+        tail: str,
+        head: str,
+        reverse: bool = False,
+        whole: Component | None = None,
+    ) -> Force:
+        joint = half.outer
+        symbol = self.names.force(joint.one, joint.other)
+        return Force(
+            self.names.plain(joint.one, joint.other, joint.point),
+            tail,
+            head,
+            self.names.row(joint.other),
+            reverse,
+            lettered=False,
+            whole=whole,
+            symbol=symbol,
+            dyad=self.dyad,
+            half=half,
+        )
+
+    def _load(self, half: Half, load: Load, tail: str, head: str) -> Force:
+        handed = load.kind == "joint"
+        return Force(
+            self.names.plain(load.name, load.body, load.point)
+            if handed
+            else self.names.plain_load(load),
+            tail,
+            head,
+            self.names.row(load.body) if handed else LOADS,
+            lettered=False,
+            measured=False,
+            symbol=self.names.load(load),
+            dyad=self.dyad,
+            half=half,
+            load=load,
+        )
+
+    def _part(
+        self, of: Force, which: str, vector: complex, stage: str, line: complex | None = None
+    ) -> Part[Force]:
+        load, other = of.load, of.half.known if which == "normal" else of.half.unknown
+        component: Component = "force"
+        if load:
+            component = "action" if load.kind == "joint" else "load"
+        symbol = of.symbol
+        if not load and abs(other) > NOTHING * abs(of.half.outer.force):
+            symbol += "ₙ" if which == "normal" else "ₜ"
+        size = abs(vector)
+        direction = line if line is not None else vector / size if size else 1 + 0j
+        known: Any = which
+        return Part(
+            of,
+            known,
+            vector,
+            direction,
+            line is not None,
+            component,
+            stage,
+            label=self.names.line(of.half) if line is not None else "",
+            symbol=symbol,
+        )
+
+
+class ForcePencil(Pencil[Force]):
+    """The strokes of all force polygons; each polygon has a place of its own."""
+
+    def __init__(self, words: ForceCaptions, places: Mapping[str, complex], longest: float) -> None:
+        super().__init__(words, places.__getitem__, longest, [], from_pole=False)
+        self.none = longest == 0.0
+
+    def turn_to(self, equation: VectorEquation[Force]) -> None:
+        """Begin another polygon; nothing of one without forces is drawn."""
+        self.resting = self.none or equation.longest <= self._nothing
+
+    def bare(self, strokes: list[Stroke]) -> tuple[Stroke, ...]:
+        """Return strokes without the letters of vertices, which forces do not have."""
+        return tuple(map(_bare, strokes))
+
+
+def _bare(stroke: Stroke) -> Stroke:
+    shape = stroke.shape
+    if isinstance(shape, Arrow):
+        whole = stroke.part.which == "whole"
+        assert not whole or stroke.label
+        return replace(stroke, shape=replace(shape, tail="", head=""))
+    return replace(stroke, label="") if isinstance(shape, Dot) else stroke
+
+
+class _Polygons(Player[Force]):
+    """The polygons of all dyads."""
+
+    pencil: ForcePencil
+
+    def __init__(self, scene: Any, names: ForceNames) -> None:
+        self.names = names
+        self.dyads = [DyadEquation(each, names) for each in names.forces.dyads]
+        self.longest = max(each.equation.longest for each in self.dyads)
+        self.words = ForceCaptions(scene, names)
+        super().__init__(ForcePencil(self.words, self._places, self.longest))
+
+    @cached_property
+    def _places(self) -> dict[str, complex]:
+        """The places of all vertices: polygon after polygon from left to right."""
+        boxes = []
+        for each in self.dyads:
+            across = [place.real for place in each.places.values()]
+            boxes.append((min(across), max(across)))
+        width = sum(high - low for low, high in boxes) or self.longest
+        places, left = {}, 0.0
+        for each, (low, high) in zip(self.dyads, boxes, strict=True):
+            if each.equation.longest <= NOTHING * self.longest:
+                places.update(each.places)
+                continue
+            middle = sum(place.imag for place in each.places.values()) / len(each.places)
+            for name, place in each.places.items():
+                places[name] = place - complex(low - left, middle)
+            left += high - low + APART * width
+        return places
+
+    def draw(self) -> Drawing:
+        """Draw dyad after dyad; where none has a force, say so."""
+        pencil = self.pencil
+        equations = []
+        for each in self.dyads:
+            pencil.turn_to(each.equation)
+            self.play(each.equation)
+            whole, half = each.whole, each.dyad.first
+            several = pencil.shows(half.known) and pencil.shows(half.unknown)
+            pencil.whole(whole, several)
+            if not pencil.resting:
+                equations.append(self._written(each))
+        if not equations:
+            said = self.words.nothing()
+            pole = Stroke("pole", "", Dot(0j), said, reveals=self.rows, part=StrokePart("", "pole"))
+            pencil.strokes.append(pole)
+        return Drawing(
+            pencil.bare([_named(stroke, self.symbols) for stroke in pencil.strokes]),
+            pencil.bare([_named(stroke, self.symbols) for stroke in pencil.zeros]),
+            tuple(equations),
+            loops=tuple(self.begins) if equations else (),
+        )
+
+    @property
+    def rows(self) -> tuple[str, ...]:
+        """The rows of the results that have a force."""
+        halves = (half for each in self.dyads for half in (each.dyad.first, each.dyad.second))
+        return tuple(self.names.row(half.bodies[0]) for half in halves)
+
+    @cached_property
+    def symbols(self) -> dict[str, str]:
+        """The symbols of whole forces by the names of their vectors."""
+        vectors = (v for each in self.dyads for c in each.equation.chains for v in c.vectors)
+        return {vector.name: vector.symbol for vector in vectors}
+
+    def _written(self, each: DyadEquation) -> Equation:
+        """Return the sum of all forces on a dyad, which is zero."""
+        drawn = {stroke.name for stroke in self.pencil.strokes}
+        terms = []
+        first, _ = each.equation.chains
+        for vector in first.vectors:
+            for which in ("whole", "load", "normal", "tangential"):
+                name = f"{vector.name}.{which}"
+                if name in drawn:
+                    terms.append(Term(vector.symbol, vector.owner, name))
+                    break
+        return Equation(tuple(terms), (Term("0", None, None),))
+
+
+def _named(stroke: Stroke, symbols: Mapping[str, str]) -> Stroke:
+    """Return a whole force with its symbol."""
+    whole = stroke.part.which == "whole"
+    return replace(stroke, label=symbols[stroke.part.of]) if whole else stroke
+
+
+def force_polygons(scene: Any) -> Drawing:
+    """Return the force polygons of a pose."""
+    return _Polygons(scene, ForceNames(scene)).draw()
+
+
+def force_cells(scene: Any, key: str, slides: bool) -> tuple[Cell, ...]:
+    """Return the force in the outer joint of the body of a row; of the row of loads, these."""
+    names = ForceNames(scene)
+    return names.cells(key)
