@@ -113,7 +113,7 @@ def test_an_input_that_is_not_finite(vad, name, word):
 
 
 def test_an_option_like_no_other_is_answered_with_all(vad):
-    _, hint = complaint(vad("draw", "four-bar", "--zebra", "3", "-o", "x.png"), 2)
+    _, hint = complaint(vad("draw", "four-bar", "--xxxxx", "3", "-o", "x.png"), 2)
     assert hint.startswith("known: --")
     assert "--panels" in hint
 

@@ -1,4 +1,4 @@
-"""Force polygons: their vertices give the solver's forces back, over every mechanism of the plane."""
+"""Force polygons: vertices give the solver's forces back, for every mechanism of the plane."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import vad
 from tests.statics.machines import MACHINES, burden
 from tests.statics.test_equilibrium import pose
 from vad.errors import InputError, UsageError
+from vad.export.sheet_json import sheet_from_json
 from vad.strokes.sheet import Arrow
 
 NAMES = sorted(MACHINES)
@@ -144,7 +145,7 @@ def test_a_four_bar_of_the_board():
 
 
 def test_a_weight_hangs_at_its_point():
-    motion = vad.solve(vad.SliderCrank())
+    motion = vad.solve(vad.SliderCrank(), omega=0)
     sheet = vad.draw(vad.forces(motion, masses={"slider": 2}, gravity=9.81))
     (weight,) = [s for s in sheet.panel("position").strokes if s.component == "load"]
     assert weight.label == "W₄"
@@ -187,9 +188,4 @@ def test_formats(tmp_path, ending):
 def test_json_there_and_back(tmp_path):
     sheet = press()
     vad.save(sheet, tmp_path / "press.json")
-    again = (
-        vad.read_sheet(tmp_path / "press.json")
-        if hasattr(vad, "read_sheet")
-        else vad.load(tmp_path / "press.json")
-    )
-    assert again == sheet
+    assert sheet_from_json((tmp_path / "press.json").read_text()) == sheet

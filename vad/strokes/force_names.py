@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 #: The symbols of loads that have no name of their own.
 SYMBOLS = {"force": "P", "weight": "W", "inertia": "I", "friction": "R"}
+#: The most loads in the table of results.
+MOST = 2
 
 
 def outside(forces: Forces[Any, Any, Any], body: str) -> list[Load]:
@@ -163,8 +165,10 @@ class ForceNames:
     def cells(self, key: str) -> tuple[Cell, ...]:
         """Return the cells of a row of the results."""
         if key == LOADS:
-            mine = dict.fromkeys((self.load(each), abs(each.force)) for each in self.loads)
-            return tuple(Cell(symbol, size, "N", given=True) for symbol, size in [*mine][:2])
+            given = [each for each in self.loads if each.kind in ("force", "weight")]
+            mine = dict.fromkeys((self.load(each), abs(each.force)) for each in given)
+            cells = [Cell(symbol, size, "N", given=True) for symbol, size in mine]
+            return tuple(cells[:MOST])  # captions say them all
         return tuple(
             Cell(self.force(half.outer.one, half.outer.other), abs(half.outer.force), "N")
             for dyad in self.forces.dyads
