@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import pytest
@@ -29,3 +30,20 @@ def test_every_number_of_the_table_that_changes_follows(name: str) -> None:
             for place, (one, other) in enumerate(cells):
                 if abs(one.value - other.value) > 1e-6 * abs(one.value):
                     assert (number, column, place) in follows, (one.symbol, panel.name)
+
+
+def test_a_dimension_has_the_unit_of_its_quantity() -> None:
+    def units(name: str) -> dict[str, tuple[str, float, float]]:
+        return {each[0]: (each[4], each[2], each[3]) for each in made(name)[-1]["dimensions"]}
+
+    assert units("double-slider")["guide_b"] == ("°", 45.0, 135.0)
+    assert units("excavator-bucket")["CAT"] == ("°", -155.0, -65.0)
+    assert units("shaper")["BAF"][0] == "°"
+    assert units("gate-actuator")["arm"][0] == "ft"
+    assert units("pantograph")["ratio"][0] == ""
+
+
+def test_an_equation_holds_in_every_position() -> None:
+    panels = made("hooke-joint")[0]
+    foot = re.search(r'<div class="foot.*?</div>', panels, re.DOTALL)
+    assert foot and "60" not in re.sub("<[^>]*>", "", foot[0])

@@ -465,16 +465,18 @@ def _dimensions(board: HandBoard, driver: Sequence[str]) -> Iterator[list[Any]]:
     They are its name, its value, the ends of its slider, its unit, and its place among the inputs.
     """
     own = board.mechanism.dimensions()
+    quantities = {each.name: each.metadata["quantity"] for each in fields(board.mechanism)}
     largest = max(map(abs, own.values()), default=1.0) or 1.0
     places = {name: place for place, name in enumerate(board.traced.inputs)}
     for name, value in own.items():
         if name not in places or name in driver:
             continue
-        angle = name.endswith("angle") or name.endswith("twist")
+        quantity = quantities.get(name, "angle" if name.endswith(".angle") else "length")
+        angle = quantity == "angle"
         low, high = sorted(each * value for each in RANGE)
         if angle:
             low, high = value - 45.0, value + 45.0
         elif not value:
             low, high = -AROUND_ZERO * largest, AROUND_ZERO * largest
-        unit = "°" if angle else board.mechanism.length_unit
+        unit = {"angle": "°", "length": board.mechanism.length_unit}.get(quantity, "")
         yield [name, value, low, high, unit, places[name]]

@@ -24,7 +24,7 @@ function outside(root, body, dock, player) {
       if (index < 0) return wrong(filled(words.unknown, { name: name.slice(0, 60) }), filled(words.known, { names: names.join(", ") }));
       if (typeof value !== "number" || !(Math.abs(value) <= 1e200)) return wrong(filled(words["no-number"], { name, value: typeof value === "number" ? value : quoted(value) }));
       const dimension = data.dimensions[index - data.own.length];
-      if (dimension && dimension[2] > 0 && value <= 0) return wrong(filled(words.positive, { name, value }), value ? filled(words.try, { name, value: -value }) : "");
+      if (dimension && dimension[2] > 0 && dimension[4] !== "°" && value <= 0) return wrong(filled(words.positive, { name, value }), value ? filled(words.try, { name, value: -value }) : "");
       found[places[index]] = value;
     }
     return found;

@@ -34,7 +34,7 @@ function railed(root, body, dock) {
     const box = element("input", { name, inputMode: "decimal", autocomplete: "off" });
     const label = element("span", { className: "name" });
     label.innerHTML = html;
-    for (const each of [slider, box]) each.setAttribute("aria-label", `${label.textContent}, ${unit}`);
+    for (const each of [slider, box]) each.setAttribute("aria-label", `${label.textContent}${unit && ", "}${unit}`);
     slider.style.setProperty("--notch", clamp((start - low) / (high - low), 0, 1));
     const made = element("div", { className: "size" }, label, box, element("span", { className: "unit", textContent: unit }), slider);
     const show = () => {
@@ -53,7 +53,7 @@ function railed(root, body, dock) {
       if (said) dock.fault(filled(words[said], { name: label.textContent, place: asked, value: `${box.value} ${unit}` }));
     };
     const typed = () => {
-      const value = dock.read(box.value), wrong = value === null || (low > 0 && value <= 0);
+      const value = dock.read(box.value), wrong = value === null || (low > 0 && unit !== "°" && value <= 0);
       box.toggleAttribute("aria-invalid", wrong);
       if (!wrong) return change(value);
       dock.begin();
@@ -125,7 +125,7 @@ function railed(root, body, dock) {
     for (const [span, text] of items) {
       const own = rows.find(({ name, index }) => index >= data.own.length && text.startsWith(`${(data.names ?? {})[name] ?? name}\u00a0`));
       if (own && dock.held && state[own.index] !== data.start[own.index])
-        span.textContent = `${(data.names ?? {})[own.name] ?? own.name}\u00a0${written(tidy(state[own.index], own.step))}${own.unit === "°" ? "" : "\u00a0"}${own.unit}`;
+        span.textContent = `${(data.names ?? {})[own.name] ?? own.name}\u00a0${written(tidy(state[own.index], own.step))}${own.unit && own.unit !== "°" ? "\u00a0" : ""}${own.unit}`;
       else if (span.textContent !== text) span.textContent = text;
     }
   }

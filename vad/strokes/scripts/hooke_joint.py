@@ -12,7 +12,7 @@ from typing import Any
 from vad.kinematics.numbers import ray, select_vector, wrap
 from vad.kinematics.space.numbers import added, over, scaled
 from vad.strokes.diagram import POSITION, VELOCITY, Drawing, Order, Spot
-from vad.strokes.sentences import Sentence, Text
+from vad.strokes.sentences import Sentence
 from vad.strokes.sheet import Arc, Arrow, Cell, Curve, Dot, Ellipse, Line, Term
 from vad.strokes.space.bars import magnitude
 from vad.strokes.space.body_polygons import RELATIVE, TURNED, BodyScript, Names
@@ -132,7 +132,10 @@ class Script(BodyScript):
         way = AXIS * (low["T"] - o) / abs(low["T"] - o)
         construction("OT.line", through(o, way), "OT", "cross")
         left = Term(self.scene.write("hooke tangent", theta="θ₄"), "driven", "Q.angle")
-        right = Term(Text.of(self._ratio(), self.scene.voice), "driving", "P.angle")
+        shaft = self.scene.say("degrees", angle=shafts)
+        right = Term(
+            self.scene.write("hooke ratio", theta="θ₂", shafts=shaft), "driving", "P.angle"
+        )
         notes = self.note(AXIS + 1.2j, "along"), self.note(o + AXIS - 1j, "plan")
         return self.finished((left,), (right,), *notes)
 
