@@ -321,6 +321,15 @@ def test_every_kind_of_file(window: Page):
             signs = {"svg": b"<svg", "pdf": b"%PDF", "gif": b"GIF89a", "html": b"<!DOCTYPE html>"}
             assert signs[extension] in begin
     window.select_option(".speed", "1")
+    for kind, name, sign in (
+        ("turn", "slider-crank-turn.html", b"<!DOCTYPE html>"),
+        ("problem", "slider-crank-problem.pdf", b"%PDF"),
+    ):
+        window.locator(".save summary").click()
+        with window.expect_download() as waiting:
+            window.locator(f"[data-save={kind}]").click()
+        assert waiting.value.suggested_filename == name
+        assert waiting.value.path().read_bytes().startswith(sign)
 
 
 def test_the_address_has_all_that_is_set(window: Page, address: str):

@@ -209,3 +209,10 @@ def test_a_fault_is_one_sentence_here_and_a_traceback_in_the_terminal(
     assert answer.json()["error"]["message"] == "a fault of the program; the terminal shows where"
     assert "Traceback" not in answer.text
     assert "ZeroDivisionError" in capsys.readouterr().err
+
+
+def test_a_browser_without_the_key_is_told_so_in_a_page(stranger: TestClient):
+    answer = stranger.get("/", headers={"accept": "text/html,*/*"})
+    assert answer.status_code == 403
+    assert answer.headers["content-type"].startswith("text/html")
+    assert "open the address that vad gui has printed" in answer.text

@@ -61,7 +61,11 @@ MEDIA = {
     "mp4": "video/mp4",
     "gif": "image/gif",
     "html": "text/html",
+    "turn": "text/html",
+    "problem": "application/pdf",
 }
+#: The ends of names that say more than their extension.
+_ENDS = {"turn": "-turn.html", "problem": "-problem.pdf"}
 
 
 def check_start(question: Question) -> None:
@@ -342,6 +346,9 @@ def _way(motion: Motion, letter: str) -> complex:
 def saved(question: ExportQuestion, extension: str) -> tuple[bytes, str]:
     """Return the bytes of a file, and what it is called.
 
+    Its kind is an extension; or "turn", the page of a whole turn, or "problem", a problem sheet, in
+    which the polygons are left to be drawn.
+
     Raises
     ------
     vad.errors.VadError
@@ -349,17 +356,24 @@ def saved(question: ExportQuestion, extension: str) -> tuple[bytes, str]:
     """
     mechanism, inputs = question.build()
     panels = question.panels or None
-    sheet = vad.draw(vad.solve(mechanism, **inputs), panels, question.language)
-    name = f"{mechanism.name}.{extension}"
+    motion = vad.solve(mechanism, **inputs)
+    sheet = vad.draw(motion, panels, question.language)
+    name = mechanism.name + _ENDS.get(extension, f".{extension}")
     with temporary_folder() as folder:
         path = folder / name
         if extension == "json":
             vad.save(sheet, path)
+        elif extension == "turn":
+            film = vad.turn(motion, style=question.style, panels=panels, language=sheet.language)
+            vad.save(film, path)
+        elif extension == "problem":
+            blank = [panel.name for panel in sheet.panels if panel.name != POSITION]
+            vad.save(sheet, path, style=question.style, blank=blank)
         elif extension in PICTURES:
             vad.save(sheet, path, style=question.style, size=question.size)
         else:
-            film = vad.animate(sheet, question.fps, question.size, question.speed, question.style)
-            vad.save(film, path, progress=lambda *_: _check_size(folder))
+            played = vad.animate(sheet, question.fps, question.size, question.speed, question.style)
+            vad.save(played, path, progress=lambda *_: _check_size(folder))
         return path.read_bytes(), name
 
 

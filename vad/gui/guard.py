@@ -13,6 +13,7 @@ import sys
 import traceback
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from html import escape
 from http.cookies import CookieError, SimpleCookie
 from threading import Event
 
@@ -118,8 +119,11 @@ class RefusalError(Exception):
         super().__init__(message)
         self.status = status
 
-    def response(self) -> Response:
-        """Return what is sent."""
+    def response(self, page: bool = False) -> Response:
+        """Return what is sent, as a ``page`` to a browser that opens one."""
+        if page:
+            said = f"<!DOCTYPE html><title>vad</title><p>vad gui: {escape(str(self))}.</p>"
+            return HTMLResponse(said, self.status)
         error = {"message": str(self), "hint": None, "kind": "refused"}
         return JSONResponse({"error": error}, self.status)
 
@@ -152,7 +156,13 @@ class SecurityHeaders:
                 traceback.print_exc(file=sys.stderr)
                 error = RefusalError(500, "a fault of the program; the terminal shows where")
             if not begun:
-                await error.response()(scope, receive, send_with_headers)
+                page = scope.get("method") == "GET" and "text/html" in _accepted(scope)
+                await error.response(page)(scope, receive, send_with_headers)
+
+
+def _accepted(scope: Scope) -> str:
+    """Return the types that the sender of a request takes."""
+    return Headers(scope=scope).get("accept", "") if scope["type"] == "http" else ""
 
 
 class Guard:

@@ -81,7 +81,7 @@ def window(start: ExportQuestion, nonce: str, head: str = "") -> str:
         mechanisms=_options({name: each["title"] for name, each in entries.items()}),
         shelf=_options(shelf.examples),
         languages=_options({each: each.upper() for each in all_languages()}),
-        formats="".join(_button(extension) for extension in MEDIA),
+        formats="".join(_button(kind, texts.get(kind, kind.upper())) for kind in MEDIA),
         data=json.dumps(data, ensure_ascii=False).replace("<", "\\u003c"),
         script=f"const playing=(()=>{{{scripts(True)}\n{_PLAYING}}})();\n"
         + "".join(map(_file, SCRIPTS)),
@@ -94,8 +94,8 @@ def _options(names: Mapping[str, str]) -> str:
     )
 
 
-def _button(extension: str) -> str:
-    return f'<button type="button" data-save="{extension}">{extension.upper()}</button>'
+def _button(kind: str, name: str) -> str:
+    return f'<button type="button" data-save="{kind}">{escape(name)}</button>'
 
 
 @cache

@@ -807,6 +807,8 @@ WINDOW = {
     "try": "nimm {values}",
     "stopped": "vad gui ist beendet. Starte es im Terminal neu.",
     "examples": "Beispiele",
+    "turn": "Umlauf",
+    "problem": "Aufgabenblatt",
     "file": "Öffnen …",
     "controls": "Was eingestellt ist",
     "slider": "{name}, Schieber",

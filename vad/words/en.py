@@ -714,6 +714,8 @@ WINDOW = {
     "try": "try {values}",
     "stopped": "vad gui has stopped. Start it again in the terminal.",
     "examples": "Examples",
+    "turn": "Turn",
+    "problem": "Problem sheet",
     "file": "Open …",
     "controls": "What is set",
     "slider": "{name}, slider",

@@ -802,6 +802,8 @@ WINDOW = {
     "try": "essayer {values}",
     "stopped": "vad gui est arrêté. Relancez-le dans le terminal.",
     "examples": "Exemples",
+    "turn": "Tour",
+    "problem": "Énoncé",
     "file": "Ouvrir …",
     "controls": "Ce qui est réglé",
     "slider": "{name}, curseur",
