@@ -137,6 +137,14 @@ def test_a_page_that_knows_the_mechanism_is_not_told_it_again(ask: Ask):
     assert len(other["layers"]) == 3
 
 
+@pytest.mark.parametrize("name", MECHANISMS)
+def test_a_fair_copy_is_short(client: TestClient, name):
+    first = client.post("/api/lesson", json={"mechanism": name})
+    again = client.post("/api/lesson", json={"mechanism": name, "key": first.json()["key"]})
+    assert len(first.content) <= 130_000
+    assert len(again.content) <= 65_000
+
+
 def test_the_pivot_stays_under_the_hand(ask: Ask):
     places = []
     for angle in (10, 120, 250):

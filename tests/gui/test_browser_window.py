@@ -442,3 +442,18 @@ def test_a_server_that_stops_and_starts(browser: Browser):
         page.get_by_role("button", name="Try again").click()
         until(page, lambda: page.locator(".copied:not(.alone)").count())
         context.__exit__(None, None, None)
+
+
+def test_who_likes_the_dark_sees_the_board(browser: Browser):
+    with served(START) as key:
+        home = key.address.partition("?")[0]
+        with opened(browser, server=home, color_scheme="dark") as page:
+            page.goto(key.address)
+            still(page)
+            assert page.locator(".vad").get_attribute("data-theme") == "chalk"
+            assert "theme=" not in page.url
+            page.locator("[data-do=theme]").click()
+            until(page, lambda: "theme=paper" in page.url)
+            page.reload()
+            still(page)
+            assert page.locator(".vad").get_attribute("data-theme") == "paper"

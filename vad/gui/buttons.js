@@ -14,7 +14,7 @@ function remember() {
     if (set.places[point] !== usual) kept.set(placeKey(point), set.places[point]);
   if (set.length_unit !== entry().unit) kept.set("unit", set.length_unit);
   if (stands() && !standing.dock.held) kept.set("step", Math.ceil(standing.player.x));
-  if (root.dataset.theme !== start.style) kept.set("theme", root.dataset.theme);
+  if (root.dataset.theme !== (dark && matchMedia("(prefers-color-scheme: dark)").matches ? dark : start.style)) kept.set("theme", root.dataset.theme);
   if (start.language !== "en") kept.set("lang", start.language);
   // Another mechanism is a new entry of the browser's history.
   const other = /^#m=([^&]*)/.exec(location.hash)?.[1], to = `${location.pathname}${location.search}#${kept}`;
@@ -112,6 +112,9 @@ addEventListener("hashchange", async ({ newURL }) => {
   want(true);
 });
 
+// Who likes the dark is shown the board, unless the address says otherwise.
+const dark = root.dataset.themes.split(" ").find((each) => each === "chalk");
+if (dark && matchMedia("(prefers-color-scheme: dark)").matches) root.dataset.theme = dark;
 const lang = /[#&]lang=(\w\w)/.exec(location.hash)?.[1];
 if (lang && lang !== start.language) location.replace(`/?lang=${lang}${location.hash}`);
 if (!await recall()) {
