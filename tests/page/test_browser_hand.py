@@ -397,6 +397,42 @@ def test_dimensions_are_set_in_the_rail(page: Page) -> None:
     assert page.evaluate("() => vad.state.crank") == 40
 
 
+def test_the_ring_and_the_ground_follow_a_new_scale(browser: Browser, tmp_path: Path) -> None:
+    with opened(browser) as page:
+        show(page, tmp_path, page_of("elliptical-trammel"))
+        page.evaluate("() => void vad.pose({ link: 120 })")
+        page.wait_for_timeout(800)  # the picture glides to its new scale
+        x, y = middle(page, "[data-vad-grip]")
+        pins = page.evaluate(
+            """() => [...document.querySelectorAll('.panel:first-child .hand circle')]
+              .map((each) => each.getBoundingClientRect())
+              .map((box) => [box.x + box.width / 2, box.y + box.height / 2])"""
+        )
+        assert min(math.hypot(x - u, y - v) for u, v in pins) < 1.0
+        # Ground that would lie on the table is cut off at the edge of the panel.
+        assert (
+            page.locator(".panel:first-child svg").evaluate(
+                "(each) => getComputedStyle(each).overflow"
+            )
+            == "hidden"
+        )
+
+
+def test_what_is_typed_is_not_rounded_away(browser: Browser, tmp_path: Path) -> None:
+    with opened(browser) as page:
+        show(page, tmp_path, written(vad.DoubleSlider()))
+        press(page, "h")
+        box = page.locator(".place input")
+        box.fill("0.5")
+        box.press("Enter")
+        assert page.evaluate("() => vad.state.position") == 0.5
+        assert box.input_value() == "0.5"
+        page.evaluate("() => void vad.pose({ position: 100 / 3 })")
+        expect(box).not_to_have_value(re.compile("33333"))
+        expect(page.locator(".place")).to_contain_text("\u00a0mm", use_inner_text=False)
+        expect(page.locator(".said p")).to_have_text("You move the driver.")
+
+
 def test_a_slider_stops_where_the_links_close_nowhere(page: Page) -> None:
     press(page, "h")
     box = page.get_by_label("coupler, mm").first

@@ -34,7 +34,12 @@ function docked(root, body, player) {
     const plain = typed.trim().replace(/[−–]/g, "-").replace(data.point, ".");
     return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(plain) && Math.abs(+plain) <= 1e200 ? +plain : null;
   };
-  const placed = () => turns ? `${number(body.place)}°` : `${number(body.place)} ${unit}`;
+  // What was typed is not rounded away.
+  const here = () => {
+    const [, decimals = ""] = String(+body.place.toPrecision(9)).split(".");
+    return number(body.place, decimals.length <= digits + 3 ? Math.max(digits, decimals.length) : digits);
+  };
+  const placed = () => turns ? `${here()}°` : `${here()} ${unit}`;
   const share = (place) => (place - low) / (high - low);
 
   // ---- what is seen and said ----
@@ -58,7 +63,7 @@ function docked(root, body, player) {
     const [said, more] = sentence(), now = `${said} ${more}`.trim();
     text.replaceChildren(said, span("more", more && ` ${more}`));
     root.classList.toggle("limited", body.atEnd || body.dead);
-    track.setAttribute("aria-valuetext", turns ? filled(words.degrees, { value: number(body.place) }) : placed());
+    track.setAttribute("aria-valuetext", turns ? filled(words.degrees, { value: here() }) : placed());
     if (body.atEnd && spoken !== now) speak();
   }
 
@@ -71,7 +76,7 @@ function docked(root, body, player) {
     if (!held) return;
     track.value = body.place;
     track.style.setProperty("--share", share(body.place));
-    if (document.activeElement !== box) box.value = number(body.place);
+    if (document.activeElement !== box) box.value = here();
     say();
     for (const listener of listeners) listener();
   }
@@ -320,17 +325,17 @@ function docked(root, body, player) {
     if (value === null) return fault(filled(words["no-number"], { name: symbol, value: box.value || "–" }));
     begin();
     body.set([value, ...state.slice(1)]);
-    box.value = number(body.place);
+    box.value = here();
     commit();
   });
-  player.on(box, "keydown", (event) => { if (event.key === "Escape") { box.value = number(body.place); leave(); } });
+  player.on(box, "keydown", (event) => { if (event.key === "Escape") { box.value = here(); leave(); } });
 
   Object.assign(track, { min: low, max: high });
   track.setAttribute("aria-label", words[data.turns]);
   one(".place span").innerHTML = symbol;
   box.setAttribute("aria-label", words[data.turns]);
   box.name = data.inputs[0];
-  one(".place span:last-child").textContent = turns ? "°" : unit;
+  one(".place span:last-child").textContent = turns ? "°" : `\u00a0${unit}`;
   for (const drawing of root.querySelectorAll(".panel:not(:first-child) .drawing")) drawing.dataset.none = words["no-polygon"];
   body.on(shown);
   dragged(root, body, begin, commit);

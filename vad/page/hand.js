@@ -44,14 +44,20 @@ function driven(root, solve, data) {
 
   // Paints the state. At a limit rates have no value: they grow without end towards it.
   function show() {
+    root.classList.toggle("resized", key(state) !== key(data.start));
     view.paint(atEnd() ? [state[0], NaN, NaN, ...state.slice(3)] : state);
-    const { grip } = data, ring = root.querySelector("[data-vad-grip]");
-    if (ring) {
-      ring.setAttribute("cx", view.x(grip.at[0]).toFixed(2));
-      ring.setAttribute("cy", view.y(grip.at[1]).toFixed(2));
-    }
+    held();
     for (const listener of listeners) listener();
   }
+
+  // The ring stands where it is to be taken.
+  function held() {
+    const { grip } = data, ring = root.querySelector("[data-vad-grip]");
+    if (!ring) return;
+    ring.setAttribute("cx", view.x(grip.at[0]).toFixed(2));
+    ring.setAttribute("cy", view.y(grip.at[1]).toFixed(2));
+  }
+  view.glides(held);
 
   // Sets the state; the driver goes to the nearest place that closes. False where there is none.
   function set(values) {
