@@ -130,18 +130,51 @@ def test_a_four_bar_of_the_board():
         ground=500, crank=400, coupler=1000, rocker=750, points={"E": ("rocker", 350)}
     )
     sheet = vad.draw(vad.forces(vad.solve(machine, angle=120), ["80 N @ 150 at E"]))
-    assert [panel.name for panel in sheet.panels] == ["position", "force"]
+    assert [panel.name for panel in sheet.panels] == ["position", "force", "drive"]
     captions = {stroke.name: stroke.caption for stroke in sheet.panel("force").strokes}
     assert captions["F14D.tangential"] == (
         "Moments about C: F₁₄ₜ = 31.285 N m/(0.7500 m) = 41.713 N, ⟂ DC."
     )
-    assert captions["F23B.normal"] == "F₂₃ = 47.25 N: the crank pushes the coupler."
+    assert captions["F23B.normal"] == "F₂₃ = 47.247 N: the crank pushes the coupler."
     assert captions["F23B.line"] == "The coupler BC has two forces only: both lie along BC."
     (load,) = [s for s in sheet.panel("position").strokes if s.component == "load"]
     e = vad.solve(machine, angle=120).point("E").position
     assert load.label == "P" and load.shape.end == e
     cells = [[cell.symbol for cell in row.cells["force"]] for row in sheet.rows]
     assert cells == [[], ["F₂₃"], ["F₁₄"], ["P"]]
+
+
+def test_the_torque_is_force_times_arm():
+    machine = vad.FourBar(
+        ground=500, crank=400, coupler=1000, rocker=750, points={"E": ("rocker", 350)}
+    )
+    found = vad.forces(vad.solve(machine, angle=120), ["80 N @ 150 at E"])
+    panel = vad.draw(found).panel("drive")
+    strokes = {stroke.name: stroke for stroke in panel.strokes}
+    one, other = (strokes[name].shape for name in ("F32B.action", "F12A.action"))
+    assert abs(one.end - one.start + other.end - other.start) < 1e-9
+    arm = strokes["h.arm"].shape
+    span = arm.end - arm.start
+    assert (span.conjugate() * (one.end - one.start)).real == pytest.approx(0.0, abs=1e-6)
+    size = abs(found.force("coupler", "crank"))
+    assert size * abs(span) / 1000 == pytest.approx(abs(found.drive), rel=1e-12)
+    assert strokes["h.arm"].caption == (
+        "T = F₃₂·h = 47.247 N × 0.39567 m = 18.69 N m, clockwise, must act on the crank."
+    )
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", NAMES)
+def test_the_forces_on_the_driver_are_drawn_to_scale(name):
+    found = forces_of(name)
+    if "drive" not in [panel.name for panel in vad.draw(found).panels]:
+        pytest.skip("no link is driven that turns about a pivot of the frame")
+    panel = vad.draw(found, panels="drive").panel("drive")
+    kinds = ("load", "action")
+    drawn = [s.shape.end - s.shape.start for s in panel.strokes if s.component in kinds]
+    assert abs(sum(drawn)) < 1e-12 * sum(map(abs, drawn))  # the link is in equilibrium
+    names = [stroke.name for stroke in (*panel.strokes, *panel.zeros)]
+    assert len(names) == len(set(names))
 
 
 def test_a_weight_hangs_at_its_point():
@@ -161,7 +194,7 @@ def test_a_load_on_the_driver_alone_leaves_a_dot():
 
 
 def test_forces_without_loads_say_how_a_load_is_written():
-    with pytest.raises(InputError, match="panel 'force': there is no load") as raised:
+    with pytest.raises(InputError, match="forces: there is no load") as raised:
         vad.draw(vad.solve(vad.FourBar()), panels="force")
     assert "--load '80 N @ 150 at E'" in raised.value.hint
 

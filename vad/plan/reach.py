@@ -22,8 +22,9 @@ from vad.strokes.sheet import (
 
 
 def is_load(stroke: Stroke) -> bool:
-    """Tell whether an arrow in the picture of a mechanism is a load, and no bar."""
-    return stroke.component == "load"
+    """Tell whether an arrow in the picture of a mechanism is a force or its arm, and no bar."""
+    forces = "load", "action", "couple"
+    return isinstance(stroke.shape, Arrow) and stroke.component in forces
 
 
 def carries_block(panel: Panel, stroke: Stroke) -> bool:

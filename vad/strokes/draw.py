@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 #: distance.
 _TWIST = "_twist"
 #: The panels of forces that are drawn where nobody asks for others.
-OF_FORCES = "position", "force"
+OF_FORCES = "position", "force", "drive"
 #: The largest number of parameters in a title.
 MOST = 8
 #: The most further points on links: with their number, the time to place their letters grows by its
@@ -63,8 +63,8 @@ def draw(
     motion
         One pose, or the forces in one; its rates are solved only as far as the panels need them.
     panels
-        Which of "position", "velocity", "acceleration" and, for forces, "force", in any order; if
-        None, those of a motion, or the position and the forces.
+        Which of "position", "velocity", "acceleration" and, for forces, "force" and "drive", in any
+        order; if None, those of a motion, or the position and what is of forces.
     language
         The language of the captions, as a two-letter code.
 
@@ -87,7 +87,8 @@ def draw(
     forces = None if isinstance(motion, Motion) else _forces(motion)
     if forces is not None:
         motion = forces.motion
-        panels = OF_FORCES if panels is None else panels
+        if panels is None:
+            panels = [name for name in OF_FORCES if DIAGRAMS[name].applies(forces.motion)]
     if not isinstance(motion, Motion):
         raise InputError(f"motion: must be what vad.solve returns, got {quoted(motion)}")
     if motion.many:

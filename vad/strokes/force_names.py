@@ -42,7 +42,7 @@ def forces_of_scene(scene: Scene) -> Forces[Any, Any, Any]:
     """
     if scene.forces is None:
         raise InputError(
-            "panel 'force': there is no load and no mass",
+            "forces: there is no load and no mass",
             hint="as in --load '80 N @ 150 at E', or vad.draw(vad.forces(motion, loads))",
         )
     return scene.forces

@@ -384,6 +384,15 @@ PHRASES = {
     "force pushes": "{label} = {value} {unit}: {one:der} drückt an {other:dem}.",
     "force pulls": "{label} = {value} {unit}: {one:der} zieht an {other:dem}.",
     "force on": "{label} = {value} {unit}: die Kraft {one:des} an {other:dem}.",
+    "force arm": "*h* ist der Abstand des Punktes {point} von der Wirkungslinie von {label}.",
+    "force drive": (
+        "{label} = {value} {unit}: die Kraft {one:des} an {other:dem}; aus den Momenten: *T* = "
+        "{torque} {turning}, {sense}, muss an {link:dem} wirken."
+    ),
+    "force torque": (
+        "*T* = {label}·*h* = {value} {unit} × {arm} {length} = {torque} {turning}, {sense}, muss "
+        "an {link:dem} wirken."
+    ),
     "force whole": (
         "{label} = √({known}² + {found}²) = {value} {unit}: die Kraft {one:des} an {other:dem}."
     ),
@@ -568,6 +577,7 @@ NAMES = {
     "Position": "Lage",
     "Velocity": "Geschwindigkeit",
     "Acceleration": "Beschleunigung",
+    "Torque": "Drehmoment",
     "Forces": "Kräfte",
     "loads": "Lasten",
     "Four-bar": "Gelenkviereck",

@@ -371,6 +371,15 @@ PHRASES = {
     "force pushes": "{label} = {value} {unit}: the {one} pushes the {other}.",
     "force pulls": "{label} = {value} {unit}: the {one} pulls the {other}.",
     "force on": "{label} = {value} {unit}: the force of the {one} on the {other}.",
+    "force arm": "*h* is the distance of {point} from the line of {label}.",
+    "force drive": (
+        "{label} = {value} {unit}: the force of the {one} on the {other}; by moments, *T* = "
+        "{torque} {turning}, {sense}, must act on the {link}."
+    ),
+    "force torque": (
+        "*T* = {label}·*h* = {value} {unit} × {arm} {length} = {torque} {turning}, {sense}, must "
+        "act on the {link}."
+    ),
     "force whole": (
         "{label} = √({known}² + {found}²) = {value} {unit}: the force of the {one} on the {other}."
     ),

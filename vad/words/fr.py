@@ -378,6 +378,15 @@ PHRASES = {
     "force pushes": "{label} = {value} {unit} : {one:le} pousse {other:le}.",
     "force pulls": "{label} = {value} {unit} : {one:le} tire {other:le}.",
     "force on": "{label} = {value} {unit} : l’effort {one:du} sur {other:le}.",
+    "force arm": "*h* est la distance de {point} à la ligne d’action de {label}.",
+    "force drive": (
+        "{label} = {value} {unit} : l’effort {one:du} sur {other:le} ; par les moments, *T* = "
+        "{torque} {turning}, {sense}, doit agir sur {link:le}."
+    ),
+    "force torque": (
+        "*T* = {label}·*h* = {value} {unit} × {arm} {length} = {torque} {turning}, {sense}, doit "
+        "agir sur {link:le}."
+    ),
     "force whole": (
         "{label} = √({known}² + {found}²) = {value} {unit} : l’effort {one:du} sur {other:le}."
     ),
@@ -563,6 +572,7 @@ NAMES = {
     "Position": "Position",
     "Velocity": "Vitesse",
     "Acceleration": "Accélération",
+    "Torque": "Couple",
     "Forces": "Forces",
     "loads": "charges",
     "Four-bar": "Quadrilatère articulé",

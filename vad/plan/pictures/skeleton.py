@@ -20,6 +20,7 @@ from vad.plan.pictures import angles, machine, supports
 from vad.plan.pictures.constructions import (
     add_compass,
     add_compass_arc,
+    add_construction,
     add_drawn_line,
     add_square,
     block_construction,
@@ -233,6 +234,8 @@ class Skeleton:
                 sketch.hang(index, Level.DOT, [mark], until="after")
             case Arc() if stroke.kind == "construction":
                 add_compass_arc(sketch, index)
+            case Line() if stroke.component == "action":  # a line of action stays
+                add_construction(sketch, index, line_of(sketch, index, {}))
             case Line():
                 add_drawn_line(sketch, index, line_of(sketch, index, {}))
 
