@@ -97,7 +97,11 @@ def test_panels_come_in_their_own_order() -> None:
     ("options", "message", "hint"),
     [
         ({"panels": "velocty"}, "unknown panel 'velocty'", "did you mean 'velocity'?"),
-        ({"panels": ()}, "panels: none given", "known: position, velocity, acceleration, force"),
+        (
+            {"panels": ()},
+            "panels: none given",
+            "known: position, velocity, acceleration, force, drive",
+        ),
         ({"language": "xx"}, "unknown language 'xx'", "known: de, en, fr"),
     ],
 )

@@ -72,7 +72,7 @@ _SHEET = [
         shell_complete=completion.several(DIAGRAMS),
         multiple=True,
         metavar="NAME,NAME",
-        help=f"some of {', '.join(DIAGRAMS)}  [all; with loads position and force]",
+        help=f"some of {', '.join(DIAGRAMS)}  [all of motion; with loads position, force, drive]",
     ),
     NamedOption("style", "style", style_names(), "how it looks  [paper]", STYLES),
     NamedOption("language", "language", languages(), "of titles and captions  [en]", LANGUAGES),

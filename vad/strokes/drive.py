@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from vad.kinematics.linkage import Bar, scalar_of
 from vad.strokes.arithmetic import Figure, product
 from vad.strokes.construct import construct
 from vad.strokes.diagram import Drawing, in_plane
@@ -32,7 +33,6 @@ from vad.strokes.vector_equations import NOTHING
 from vad.units import metres_of
 
 if TYPE_CHECKING:
-    from vad.kinematics.motion import Motion
     from vad.strokes.scene import Scene
 
 #: The length of the largest force, as a share of the link's.
@@ -40,22 +40,21 @@ LENGTH = 0.7
 TORQUE = "T"
 
 
-def turns_on_the_frame(motion: Motion[Any, Any, Any]) -> bool:
+def turns_on_the_frame(motion: Any) -> bool:
     """Tell whether a link is driven that turns about a pivot of the frame."""
-    if not in_plane(motion):
+    if not in_plane(motion) or motion.linkage.driver.kind != "angle":
         return False
-    from vad.statics.forces import bodies_of  # a list of diagrams does not need it
+    bars = (step for step in motion.frame.steps if isinstance(step, Bar))
+    mine = (bar for bar in bars if scalar_of(bar) == motion.linkage.driver)
+    return any({bar.tail, bar.head} & motion.frame.fixed.keys() for bar in mine)
 
-    driver = bodies_of(motion.solver).driver
-    return driver.pinned and driver.parent == "frame" and driver.scalar.kind == "angle"
 
-
-def drive_drawing(scene: Scene) -> Drawing:
+def drive_drawing(scene: Any) -> Drawing:
     """Return the driven link with the forces on it."""
     return _Drive(scene).drawing()
 
 
-def drive_cells(scene: Scene, key: str, slides: bool) -> tuple[Cell, ...]:
+def drive_cells(scene: Any, key: str, slides: bool) -> tuple[Cell, ...]:
     """Return the torque in the row of the driven link."""
     forces = ForceNames(scene).forces
     if key != forces.bodies.driver.name:
@@ -133,9 +132,10 @@ class _Drive:
         span = max(abs(self.scene.at(letter) - pivot) for letter in self.driver.paths)
         arrow = force * (LENGTH * span / self.largest) if self.largest else 0j
         shape = Arrow(at, at + arrow, "", "")
-        stroke = Stroke("result", symbol, shape, said, row, component, reveals=reveals, part=part)
         if self._shows(force) or reveals:
-            self.strokes.append(stroke)
+            label = symbol if self._shows(force) else ""
+            kinds: Any = {"link": row, "component": component, "reveals": reveals, "part": part}
+            self.strokes.append(Stroke("result", label, shape, said, **kinds))
         else:
             self.zeros.append(Stroke("result", symbol, shape, "", row, component, part=part))
 

@@ -6,14 +6,13 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from vad.errors import InputError
-from vad.statics.dyads import Load
 from vad.strokes.sentences import Noun, Sentence, Text
 from vad.strokes.sheet import LOADS, Cell
 from vad.written import subscript
 
 if TYPE_CHECKING:
     from vad.kinematics.linkage import Slide
-    from vad.statics.dyads import Half
+    from vad.statics.dyads import Half, Load
     from vad.statics.forces import Forces
     from vad.strokes.scene import Scene
 
@@ -25,6 +24,8 @@ MOST = 2
 
 def outside(forces: Forces[Any, Any, Any], body: str) -> list[Load]:
     """Return what acts on a body from outside, as forces at points."""
+    from vad.statics.dyads import Load  # most drawings have none
+
     return [
         Load(each.kind, each.name, body, each.point, forces.acts(number))
         for number, each in enumerate(forces.acting)
