@@ -35,6 +35,7 @@ class Hand:
         self._name, self._parameters = name, dict(parameters)
         self._angles, self._lengths = count(60.0, 0.1), count(50.0, 0.02)
         self._answer: dict[str, Any] = {"scales": {}, "ways": {}}
+        self._key = ""
 
     def draw(self) -> None:
         """Solve and draw the next pose, and no more."""
@@ -56,7 +57,10 @@ class Hand:
 
     def rest(self) -> None:
         """Answer with the lesson of the next pose."""
-        lesson(LessonQuestion(self._name, self._parameters, {"angle": next(self._angles)}))
+        inputs = {"angle": next(self._angles)}
+        self._key = lesson(LessonQuestion(self._name, self._parameters, inputs, key=self._key))[
+            "key"
+        ]
 
     def _pose(self, parameters: Mapping[str, float], angle: float) -> None:
         kept = {key: self._answer[key] for key in ("scales", "ways")}
