@@ -418,6 +418,25 @@ def test_the_ring_and_the_ground_follow_a_new_scale(browser: Browser, tmp_path: 
         )
 
 
+def test_an_angle_of_many_turns_is_folded(page: Page) -> None:
+    for asked, found in (
+        (-370.0, 350.0),
+        (1000.0, 280.0),
+        (1e9, 280.0),
+        (360.0, 0.0),
+        (40.5, 40.5),
+    ):
+        page.evaluate("(angle) => void vad.pose({ angle })", asked)
+        assert angle(page) % 360.0 == pytest.approx(found, abs=1e-6), asked
+    box = page.locator(".place input")
+    box.fill("abc")
+    box.press("Enter")
+    expect(page.locator(".said p")).to_have_text("θ2: must be a finite number, got abc")
+    box.fill("60")
+    box.press("Enter")
+    press(page, "Escape")
+
+
 def test_what_is_typed_is_not_rounded_away(browser: Browser, tmp_path: Path) -> None:
     with opened(browser) as page:
         show(page, tmp_path, written(vad.DoubleSlider()))

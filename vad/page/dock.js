@@ -322,7 +322,7 @@ function docked(root, body, player) {
   player.on(box, "change", () => {
     const value = read(box.value);
     box.toggleAttribute("aria-invalid", value === null);
-    if (value === null) return fault(filled(words["no-number"], { name: symbol, value: box.value || "–" }));
+    if (value === null) return fault(filled(words["no-number"], { name: one(".place span").textContent, value: box.value || "–" }));
     begin();
     body.set([value, ...state.slice(1)]);
     box.value = here();

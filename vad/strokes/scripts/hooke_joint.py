@@ -132,9 +132,9 @@ class Script(BodyScript):
         way = AXIS * (low["T"] - o) / abs(low["T"] - o)
         construction("OT.line", through(o, way), "OT", "cross")
         left = Term(self.scene.write("hooke tangent", theta="θ₄"), "driven", "Q.angle")
-        shaft = self.scene.say("degrees", angle=shafts)
+        apart = self.scene.say("degrees", angle=shafts)
         right = Term(
-            self.scene.write("hooke ratio", theta="θ₂", shafts=shaft), "driving", "P.angle"
+            self.scene.write("hooke ratio", theta="θ₂", shafts=apart), "driving", "P.angle"
         )
         notes = self.note(AXIS + 1.2j, "along"), self.note(o + AXIS - 1j, "plan")
         return self.finished((left,), (right,), *notes)
