@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+import re
+
 import pytest
 
 import vad
@@ -92,6 +95,38 @@ def test_captions_are_said_in_every_language(name, language):
     sheet = vad.draw(forces_of(name), language=language)
     for stroke in sheet.panel("force").strokes:
         assert stroke.caption.endswith(".")
+
+
+#: What a caption calculates: the numbers that are typed, and the one that is printed.
+NUMBER = r"(\d[\d.,\s]*?(?:×10[⁻⁰¹²³⁴-⁹]+)?)"
+SUMS = [
+    (rf"= {NUMBER} N m/\({NUMBER} m\) = {NUMBER} N", lambda moment, arm: moment / arm),
+    (rf"= √\({NUMBER}² \+ {NUMBER}²\) = {NUMBER} N", math.hypot),
+    (rf"= {NUMBER} N × {NUMBER} m = {NUMBER} N m", lambda force, arm: force * arm),
+]
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("language", ["en", "de", "fr"])
+def test_a_calculator_confirms_what_captions_say(name, language):
+    sheet = vad.draw(forces_of(name), language=language)
+    captions = [stroke.caption for half in sheet.halves for stroke in half.strokes]
+    found = [
+        (calculate, match.groups())
+        for caption in captions
+        for pattern, calculate in SUMS
+        for match in re.finditer(pattern, caption)
+    ]
+    wanted = [caption for caption in captions if "√" in caption or "N m/(" in caption]
+    assert len(found) >= len(wanted)
+    for calculate, groups in found:
+        texts = [re.sub(r"\s", "", text).replace(",", ".") for text in groups]
+        if any("×" in text for text in texts):
+            continue
+        one, other, printed = map(float, texts)
+        places = len(texts[2].partition(".")[2])
+        assert abs(calculate(one, other) - printed) <= 0.5 * 10.0**-places
 
 
 def press():
