@@ -467,6 +467,29 @@ def test_a_slider_stops_where_the_links_close_nowhere(page: Page) -> None:
     press(page, "Escape")
 
 
+def test_dimensions_in_space_are_set_in_the_rail(browser: Browser, tmp_path: Path) -> None:
+    """Axes stay apart: a twist stops before they are parallel."""
+    with opened(browser, reduced_motion="reduce") as page:
+        show(page, tmp_path, written(vad.SpatialFourBar()))
+        own, other = vad.SpatialFourBar(), {"crank": 50.0, "crank_twist": 40.0}
+        assert set(own.parameters()) <= set(page.evaluate("() => Object.keys(vad.state)"))
+        page.evaluate("sizes => void vad.pose({ angle: 100, ...sizes })", other)
+        expect(page.locator("header p")).to_have_text(re.compile("crank\u00a050\u00a0mm ∠ 40°"))
+        told = page.evaluate("() => vad.solve()")
+        truth = vad.solve(vad.SpatialFourBar(**other), angle=100.0, omega=10.0, alpha=0.0)
+        assert told["parameters"] == truth.to_dict()["parameters"]
+        for kind in ("links", "slides"):
+            for name, wanted in truth.to_dict()[kind].items():
+                for what, value in wanted.items():
+                    assert told[kind][name][what] == pytest.approx(value, rel=1e-11, abs=1e-11)
+        assert "error" in page.evaluate("() => vad.solve({ coupler_twist: 181 })")
+        page.locator(".set summary").click()
+        box = page.locator("input[name=ground_twist]")
+        box.fill("200")
+        press(page, "Enter")
+        assert 60.0 < page.evaluate("() => vad.state.ground_twist") < 180.0
+
+
 def test_a_page_without_sliders(browser: Browser, tmp_path: Path) -> None:
     vad.save(vad.animate(vad.draw(vad.solve(vad.FourBar()))), tmp_path / "a.html", no_sliders=True)
     with opened(browser) as page:

@@ -205,7 +205,7 @@ class Solution(Generic[Truth]):
         if any(x - x != 0 for x in parts):
             raise InputError("the result leaves the range of double precision")
         # No zero is negative.  Of traced numbers an array of floats would keep the values alone.
-        kind = object if isinstance(parts[0], Symbol) else float
+        kind = object if any(isinstance(part, Symbol) for part in parts) else float
         found = np.array(parts, kind) + 0.0 if len(parts) == _AXES else value + 0.0
         self._found[result] = found
         return found.copy() if len(parts) == _AXES else found

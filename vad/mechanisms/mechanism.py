@@ -197,6 +197,16 @@ class Mechanism:
             found |= {f"{name}.{what}": x for what, x in zip(_OF_POINTS, numbers, strict=False)}
         return found
 
+    def axes_apart(self) -> bool:
+        """Tell whether all angles between its axes leave them apart."""
+        apart = True
+        for parameter in fields(self):
+            if "between" in parameter.metadata:
+                low, high, _ = parameter.metadata["between"]
+                value = getattr(self, parameter.name)
+                apart = apart & (value > low) & (value < high)
+        return apart
+
     def with_dimensions(self, values: Mapping[str, float]) -> Self:
         """Return it with other dimensions, by name, which are not checked and may be traced."""
         other = copy(self)

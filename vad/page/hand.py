@@ -44,6 +44,7 @@ from vad.plan.scale import (
     SCALE_TICK,
     SHORTEST_BAR,
     SPARE,
+    VIEWS_SLACK,
     Scale,
     bar_box,
     bar_marks,
@@ -396,12 +397,15 @@ class _Scaled:
         first = next(iter(scale_inputs(half.name, Scale(0j, 1.0))))
         scale, unit = board.scales[half.name], notation.unit(half.unit)
         corner = {z: None for z in corners(half)}
+        views = half.picture == "views"
+        room = self._room.inside(-VIEWS_SLACK) if views else self._room
         return {
             "input": list(board.traced.inputs).index(first),
             "corners": outputs.listed(map(scale, corner)),
-            "mechanism": half.picture == "skeleton",
-            "inner": _edges(padded(self._room, half.picture == "skeleton")),
-            "bar": {
+            "mechanism": half.picture != "vectors",
+            "inner": _edges(padded(room, half.picture == "skeleton")),
+            "bar": not scale.bare
+            and {
                 "room": round(self._bar_room, 5),
                 "unit": unit,
                 "unitWide": round(width(roman(f"\u00a0{unit}"), SCALE_SIZE), 5),
@@ -465,16 +469,23 @@ def _dimensions(board: HandBoard, driver: Sequence[str]) -> Iterator[list[Any]]:
     They are its name, its value, the ends of its slider, its unit, and its place among the inputs.
     """
     own = board.mechanism.dimensions()
-    quantities = {each.name: each.metadata["quantity"] for each in fields(board.mechanism)}
+    known: dict[str, Any] = {each.name: each.metadata for each in fields(board.mechanism)}
     largest = max(map(abs, own.values()), default=1.0) or 1.0
     places = {name: place for place, name in enumerate(board.traced.inputs)}
     for name, value in own.items():
         if name not in places or name in driver:
             continue
-        quantity = quantities.get(name, "angle" if name.endswith(".angle") else "length")
-        angle = quantity == "angle"
+        of_point = {"quantity": "angle" if name.endswith(".angle") else "length"}
+        metadata = known.get(name, of_point)
+        quantity = metadata["quantity"]
         low, high = sorted(each * value for each in RANGE)
-        if angle:
+        if "between" in metadata:
+            least, most, _ = metadata["between"]
+            low, high = (
+                max(value - 45.0, 0.5 * (least + value)),
+                min(value + 45.0, 0.5 * (value + most)),
+            )
+        elif quantity == "angle":
             low, high = value - 45.0, value + 45.0
         elif not value:
             low, high = -AROUND_ZERO * largest, AROUND_ZERO * largest

@@ -120,12 +120,16 @@ function railed(root, body, dock) {
   showing(words.names, true, (on) => root.classList.toggle("unlettered", !on));
 
   // The line beside the title has the dimensions of now.
+  const called = ({ name }) => `${(data.names ?? {})[name] ?? name} `.replaceAll(" ", "\u00a0");
+  const valued = ({ index, step, unit }) => `${written(tidy(state[index], step))}${unit && unit !== "°" ? "\u00a0" : ""}${unit}`;
   function follow() {
     for (const each of rows) each.show();
     for (const [span, text] of items) {
-      const own = rows.find(({ name, index }) => index >= data.own.length && text.startsWith(`${(data.names ?? {})[name] ?? name}\u00a0`));
-      if (own && dock.held && state[own.index] !== data.start[own.index])
-        span.textContent = `${(data.names ?? {})[own.name] ?? own.name}\u00a0${written(tidy(state[own.index], own.step))}${own.unit && own.unit !== "°" ? "\u00a0" : ""}${own.unit}`;
+      const rest = (each) => text.replaceAll(" ", "\u00a0").split(called(each));
+      const own = rows.find((each) => each.index >= data.own.length && !rest(each)[0] && /^[−\d]/.test(rest(each)[1]));
+      const both = own ? [own, ...rows.filter(({ name }) => text.includes("∠") && name === `${own.name}_twist`)] : [];
+      if (dock.held && both.some(({ index }) => state[index] !== data.start[index]))
+        span.textContent = called(own) + both.map(valued).join(" ∠ ");
       else if (span.textContent !== text) span.textContent = text;
     }
   }

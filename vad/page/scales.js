@@ -13,7 +13,7 @@ function scales(root, data, out, state) {
   const all = data.polygons.map(({ half, input, corners, inner, bar, mechanism }) => {
     const below = svgs[data.halves[half][0]].querySelector(`[data-bar="${half}"]`);
     const made = { input, corners, inner, bar, below, now: state.slice(input, input + 3), half, mechanism };
-    if (!below) {
+    if (!below && bar) {
       made.top = document.createElement("p");
       made.top.className = "scale hand";
       made.top.innerHTML = '<span class="bar"></span><span></span>';
@@ -44,7 +44,7 @@ function scales(root, data, out, state) {
     const { inner, to: [x, y, factor] } = polygon, fitting = filling(inner, found);
     const fits = x + factor * found[0] >= inner[0] - 1e-6 && y + factor * found[1] >= inner[1] - 1e-6 &&
       x + factor * found[2] <= inner[2] + 1e-6 && y + factor * found[3] <= inner[3] + 1e-6;
-    const lost = factor < data.least * fitting;
+    const lost = !polygon.mechanism && factor < data.least * fitting;
     if (fits && !lost) return;
     const spared = fitting / (1 + data.spare);
     polygon.to = centred(inner, found, lost ? spared : Math.min(spared, factor));
@@ -93,7 +93,7 @@ function scales(root, data, out, state) {
   function bars() {
     for (const polygon of all) {
       const factor = state[polygon.input + 2];
-      if (polygon.shown === factor) continue;
+      if (!polygon.bar || polygon.shown === factor) continue;
       polygon.shown = factor;
       const [value, words] = stated(polygon.bar, factor), long = value * factor * unit;
       if (polygon.below) {

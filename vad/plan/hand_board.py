@@ -217,7 +217,7 @@ class HandBoard:
     traced
         The traced sheet.
     scales
-        The scale of each panel; that of a polygon or of a mechanism in the plane is an input.
+        The scale of each panel; it is an input, but that of views of a sphere of radius 1.
     shared
         The lanes of the vectors of each polygon.
     sketches
@@ -308,7 +308,7 @@ def hand_board(
     scales = {
         name: _as_input(traced, name, picture.scale)
         for name, picture in live.pictures.items()
-        if isinstance(picture, Skeleton)
+        if isinstance(picture, Skeleton) or traced.sheet.panel(name).unit
     }
     live = live.retraced(traced.sheet, scales)
     shared: dict[str, Mapping[str, SharedLine]] = {}
@@ -388,4 +388,4 @@ def scale_inputs(panel: str, scale: Scale) -> dict[str, float]:
 def _as_input(traced: TracedSheet, panel: str, scale: Scale) -> Scale:
     """Return a scale whose origin and factor are inputs of the traced sheet."""
     x, y, factor = (traced.input(*each) for each in scale_inputs(panel, scale).items())
-    return Scale(TracedVector(x, y), factor)
+    return Scale(TracedVector(x, y), factor, scale.bare)

@@ -104,14 +104,15 @@ class LiveBoard:
 
     def retraced(self, sheet: Sheet, scales: Mapping[str, Scale]) -> LiveBoard:
         """Return it with what stands still, from a sheet and with scales that are traced."""
-        pictures = {
-            panel.name: Skeleton(
-                self.setting(sheet, panel), [panel], scales[panel.name], found.angle, found
-            )
-            for panel in sheet.panels
-            if isinstance(found := self.pictures.get(panel.name), Skeleton)
-        }
-        return replace(self, pictures={**self.pictures, **pictures})
+        pictures: dict[str, Skeleton | Views] = {}
+        for name, found in self.pictures.items():
+            panel = sheet.panel(name)
+            setting, scale = self.setting(sheet, panel), scales.get(name, found.scale)
+            if isinstance(found, Skeleton):
+                pictures[name] = Skeleton(setting, [panel], scale, found.angle, found)
+            else:
+                pictures[name] = Views(setting, [panel, *found.poses], scale, found)
+        return replace(self, pictures=pictures)
 
     def pose(self, sheet: Sheet, scales: Mapping[str, Scale], ways: Mapping[str, Ways]) -> LivePose:
         """Return a pose; ``scales`` and ``ways`` are those of the pose before, if there was one."""

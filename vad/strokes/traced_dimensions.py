@@ -8,7 +8,7 @@ come out differently, those stay as guards beyond which a number is wrong.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -16,10 +16,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.errors import VadError
+from vad.errors import InputError, VadError
 from vad.kinematics.any_solver import AnySolver, Evaluation, Result
 from vad.kinematics.program import Program
 from vad.kinematics.solver import solver_of
+from vad.kinematics.space.solver import SpaceSolver
 from vad.kinematics.traced import Guard, Traced, TracedTape, made_of
 
 if TYPE_CHECKING:
@@ -46,6 +47,7 @@ _WRONG = 1e-7
 
 _QUANTITIES = {
     "link": ("angle", "omega", "alpha"),
+    "joint": ("angle", "omega", "alpha"),
     "point": ("position", "velocity", "acceleration"),
     "slide": ("position", "velocity", "acceleration"),
 }
@@ -69,6 +71,8 @@ class TracedMotion:
         The record.
     guards
         The decisions with which its record holds.
+    lasting
+        How many of them, the first, are kept whatever the trials show: that axes are apart.
     """
 
     mechanism: Mechanism
@@ -77,6 +81,7 @@ class TracedMotion:
     sizes: Mapping[str, Traced]
     tape: TracedTape
     guards: tuple[Guard, ...] = ()
+    lasting: int = 0
 
 
 def traced_motion(mechanism: Mechanism, inputs: Values) -> TracedMotion:
@@ -87,7 +92,7 @@ def traced_motion(mechanism: Mechanism, inputs: Values) -> TracedMotion:
 
 
 def traced_dimensions(mechanism: Mechanism, inputs: Values, names: Sequence[str]) -> TracedMotion:
-    """Return a motion in the plane with traced inputs and dimensions.
+    """Return a motion with traced inputs and dimensions.
 
     If no other dimensions are right together, those stay as they are that cannot change alone: the
     mechanism's code makes a constant of one, or two have to be equal.
@@ -110,9 +115,12 @@ def _traced(mechanism: Mechanism, inputs: Values, sizes: Values) -> TracedMotion
     tape, given, traced = _inputs(inputs, sizes)
     with tape.watched():
         changed = mechanism.with_dimensions(traced)
+        if not changed.axes_apart():
+            raise InputError("its axes are not apart")
+        lasting = len(tape.guards)
         solver = solver_of(changed)
         _numbers(solver, tuple(given.values()), _results(solver))
-    return TracedMotion(changed, solver, given, traced, tape, tape.guards)
+    return TracedMotion(changed, solver, given, traced, tape, tape.guards, lasting)
 
 
 def _inputs(
@@ -129,24 +137,31 @@ def _inputs(
 
 
 def _results(solver: AnySolver) -> list[Result]:
-    """Return all that a solver in the plane can find."""
+    """Return all that a solver can find: of a body that turns about no fixed line no angle."""
     names = {"link": solver.links, "point": solver.letters, "slide": solver.slides}
+    free: Set[str] = frozenset()
+    if isinstance(solver, SpaceSolver):
+        names["joint"], free = solver.joints, solver.bodies
     return [
         (kind, name, quantity)
-        for kind, quantities in _QUANTITIES.items()
-        for name in sorted(names[kind])
-        for quantity in quantities
+        for kind, found in names.items()
+        for name in sorted(found)
+        for quantity in _QUANTITIES[kind]
+        if not (name in free and quantity == "angle")
     ]
 
 
 def _numbers(
     solver: AnySolver, inputs: tuple[float, ...], results: Sequence[Result]
 ) -> list[float]:
-    """Return results in numbers, of points in two coordinates each."""
+    """Return results in numbers, of vectors in two or three coordinates each."""
     evaluation, found = Evaluation(solver, inputs), list[Any]()
     for result in results:
         value = solver.evaluate(result, evaluation)
-        found += [value.real, value.imag] if result[0] == "point" else [value]
+        if isinstance(value, tuple):
+            found += value
+        else:
+            found += [value.real, value.imag] if result[0] == "point" else [value]
     return found
 
 
@@ -177,7 +192,7 @@ class _Trials:
                 continue
             found, holds = self._played(traced, sets)
             wrong = [not self._agree(*both) for both in zip(found, right, strict=True)]
-            guards = _needed(holds, np.array(wrong))
+            guards = _needed(holds, np.array(wrong), traced.lasting)
             if guards is None:
                 continue
             held = int(holds[exist][:, guards].all(axis=1).sum())
@@ -230,8 +245,11 @@ class _Trials:
     def _right(self, values: Values) -> Array | None:
         """Return the right numbers; None where the mechanism is refused, or does not close."""
         inputs = tuple(values[name] for name in self._inputs)
+        other = self._mechanism.with_dimensions(values)
+        if not other.axes_apart():
+            return None
         try:
-            solver = solver_of.__wrapped__(self._mechanism.with_dimensions(values))
+            solver = solver_of.__wrapped__(other)
             return np.array(_numbers(solver, inputs, self._results))
         except VadError:
             return None
@@ -269,20 +287,22 @@ class _Trials:
     @cached_property
     def _kinds(self) -> NDArray[np.str_]:
         """The quantity of each number."""
-        counts = [2 if kind == "point" else 1 for kind, _, _ in self._results]
+        solver, inputs = solver_of(self._mechanism), tuple(self._inputs.values())
+        counts = [len(_numbers(solver, inputs, [result])) for result in self._results]
         return np.repeat([quantity for _, _, quantity in self._results], counts)
 
 
-def _needed(holds: Array, wrong: Array) -> list[int] | None:
+def _needed(holds: Array, wrong: Array, lasting: int) -> list[int] | None:
     """Return the numbers of guards of which one at least fails wherever numbers are wrong.
 
-    None if there are no such guards.  Each of them is needed; an early decision, which a later one
-    repeats, is kept.
+    None if there are no such guards.  Each of them is needed, but the first ones, which are
+    ``lasting``; an early decision, which a later one repeats, is kept.
     """
     if holds[wrong].all(axis=1).any():
         return None
-    needed = [number for number in range(holds.shape[1]) if not holds[wrong, number].all()]
-    for number in reversed(needed):
+    rest = range(lasting, holds.shape[1])
+    needed = [*range(lasting), *(each for each in rest if not holds[wrong, each].all())]
+    for number in reversed(needed[lasting:]):
         others = [each for each in needed if each != number]
         if not holds[wrong][:, others].all(axis=1).any():
             needed = others

@@ -6,13 +6,13 @@ meets the coupler's about B's foot.  Rates are projected on BC, which keeps its 
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
 from vad.kinematics.closed_forms import TwoAngles
 from vad.kinematics.numbers import (
     Number,
+    copysign,
     direction,
     fold,
     nonzero,
@@ -58,7 +58,7 @@ class BallClosure:
         twist = direction(fold(sizes.ground_twist))
         self.cosine, self.sine = twist.real, twist.imag
         # The axis d is ±a, and a rest along y and z.
-        self.sign = math.copysign(1.0, self.cosine)
+        self.sign = copysign(1.0, self.cosine)
         self.rest = -self.sine, -self.sign * self.sine**2 / (1.0 + abs(self.cosine))
         one, other = sizes.crank_offset, sizes.rocker_offset
         # How high A is over the plane of C's circle, and D over that of B's.

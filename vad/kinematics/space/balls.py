@@ -33,7 +33,7 @@ class BallSolver(SpaceSolver):
     def __init__(self, sizes: BallJointed, side: float) -> None:
         super().__init__(sizes.driver)
         lengths = {name: getattr(sizes, name) for name in _LENGTHS}
-        self.scale = 2.0 ** math.frexp(max(map(abs, lengths.values())))[1]
+        self.scale = 2.0 ** math.frexp(max(abs(float(length)) for length in lengths.values()))[1]
         scaled_lengths = {name: length / self.scale for name, length in lengths.items()}
         sizes = replace(sizes, **scaled_lengths)
         self.closure: BallClosure = (CoaxialClosure if coaxial(sizes) else BallClosure)(side, sizes)

@@ -7,6 +7,7 @@ velocity is known what it has beside that of a point on the crank, and of ω₄ 
 from __future__ import annotations
 
 import math
+from dataclasses import astuple
 
 from vad.kinematics.numbers import Number
 from vad.kinematics.space.ball_closure import BallClosure, BallPose, Rate
@@ -19,9 +20,9 @@ NEAR = 0.1
 
 def coaxial(sizes: BallJointed) -> bool:
     """Tell whether the axes of crank and rocker are almost one."""
-    sine = math.sin(math.radians(sizes.ground_twist))
-    apart = abs(sizes.ground) + abs(sine) * (sizes.rocker + abs(sizes.rocker_offset))
-    return apart * sizes.coupler < NEAR * sizes.crank * sizes.rocker
+    ground, twist, _, offset, crank, coupler, rocker = map(float, astuple(sizes))
+    apart = abs(ground) + abs(math.sin(math.radians(twist))) * (rocker + abs(offset))
+    return apart * coupler < NEAR * crank * rocker
 
 
 class CoaxialClosure(BallClosure):

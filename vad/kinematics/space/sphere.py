@@ -22,7 +22,10 @@ from vad.kinematics.numbers import (
     direction,
     nearest,
     nonzero,
+    ray,
     sqrt,
+    total,
+    traced,
     vector,
 )
 from vad.kinematics.space.instant_axis import Turns, Z
@@ -75,8 +78,9 @@ class Sphere:
         units = [self._direction(*(float(i == k) for i in range(4))) for k in range(4)]
         self.sines, self.cosines = [u.imag for u in units], [u.real for u in units]
         ground, crank, coupler, rocker = self.sines
-        self.short_ground = abs(ground) < SHORT * abs(crank)
-        self.short_crank = abs(crank) < SHORT * min(abs(coupler), abs(ground))
+        sizes = [abs(float(sine)) for sine in self.sines]
+        self.short_ground = sizes[0] < SHORT * sizes[1]
+        self.short_crank = sizes[1] < SHORT * min(sizes[2], sizes[0])
         self._product = 0.5 * ground * crank
         # What is known of poses where the crank points away from D, to it, and across:
         # sine and cosine of half the diagonal BD, squared, and Heron's factors.
@@ -93,9 +97,9 @@ class Sphere:
         self._spreads = together, apart
         self._scales = 2.0 * together * together, 2.0 * apart * apart
         # The projections of the diagonal on ground and crank, and of rocker and coupler on it.
-        total, difference = half(2, 2, 0, 0), half(2, -2, 0, 0)
-        self._on_ground = _both(total, difference), self.cosines[0] * crank
-        self._on_crank = _both(total, -difference), self.cosines[1] * ground
+        both, apart = half(2, 2, 0, 0), half(2, -2, 0, 0)
+        self._on_ground = _both(both, apart), self.cosines[0] * crank
+        self._on_crank = _both(both, -apart), self.cosines[1] * ground
         # Of α at C: what stands beside cos φ_A, beside the square of what is short, and alone.
         both = coupler * rocker
         share, one, other = (
@@ -115,9 +119,11 @@ class Sphere:
 
         Half turns are taken off before the sum is rounded: thus a small sine keeps its digits.
         """
-        terms = [sign * arc for sign, arc in zip(signs, self._arcs, strict=True)]
-        turns = round(math.fsum(terms) / 180.0)
-        found: complex = direction(math.fsum([*terms, -180.0 * turns]))
+        terms = [sign * arc for sign, arc in zip(signs, self._arcs, strict=True) if sign]
+        if traced(terms):  # with other arcs they would be other turns
+            return ray(total(*terms))
+        turns = round(total(*terms) / 180.0)
+        found: complex = direction(total(*terms, -180.0 * turns))
         return -found if turns % 2 else found
 
     def _foot(self, arc: int, other: int) -> tuple[bool, float, float]:
@@ -128,7 +134,7 @@ class Sphere:
         signs = [0.0] * 4
         signs[arc] = 0.5
         own = self._direction(*signs)
-        if abs(own.imag) < abs(own.real):
+        if abs(float(own.imag)) < abs(float(own.real)):
             signs[arc], signs[other] = -0.5, 1.0
             return False, self._direction(*signs).imag * own.imag, own.imag * own.imag
         signs[other] = 1.0

@@ -11,6 +11,8 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from itertools import combinations
 
+from vad.kinematics.symbol import is_symbolic
+from vad.kinematics.traced import plain
 from vad.plan.anchors import RIGHT, Anchor, Beside, Chains, PointName, point_of
 from vad.plan.geometry import direction_of, normal_of
 from vad.plan.items import FOREVER, Level, Span
@@ -287,13 +289,17 @@ def add_tag(
     """
     runs, row = symbols(text), sketch.setting.row(stroke.link)
     start, end = sketch.solved.places(ends)
-    placed = _along(sketch.obstacles.during(span), start, end, runs, size)
+    first, last = plain(start), plain(end)
+    placed = _along(sketch.obstacles.during(span), first, last, runs, size)
+    if is_symbolic(end - start) and first != last and not placed.leader:  # it turns with the line
+        turn = (end - start) / (last - first)
+        placed = replace(placed, centre=start + (placed.centre - first) * (turn / abs(turn)))
     sketch.obstacles.box(placed.box, span)
     said = text_beside(ends[0], start, runs, placed.centre, size, "tag", row)
     marks = [replace(said, growth=growth)]
     if placed.leader:
         sketch.obstacles.line(placed.leader, PIXEL, span)
-        leader = leader_of(ends[0], start, placed.leader)
+        leader = leader_of(ends[0], first, placed.leader)
         marks.insert(0, replace(leader, growth=growth))
     sketch.add(stroke, Level.LABEL, since, marks, span[1])
     sketch.tags.append(Tag(text, placed.box, span))

@@ -15,6 +15,7 @@ from functools import cached_property
 import numpy as np
 
 from vad.kinematics.numbers import ray
+from vad.kinematics.symbol import is_symbolic
 from vad.plan.anchors import SWELLING, Anchor, Hung, Term, on_page
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.labels.choices import PLACED, LabelChoice
@@ -94,6 +95,8 @@ class Views:
 
     Attributes
     ----------
+    poses
+        The panel in all poses.
     scale, radius
         That of all poses, and that of a joint.
     still
@@ -111,7 +114,7 @@ class Views:
         scale: Scale,
         before: Views | None = None,
     ) -> None:
-        self._setting, self._poses, self.scale = setting, poses, scale
+        self._setting, self.poses, self.scale = setting, poses, scale
         self._unmoved: set[str] = before._unmoved if before else _unmoved(poses)
         self._before = before
         self._senses: dict[float, angles.SensePlace | None] = {}
@@ -157,24 +160,30 @@ class Views:
         """The obstacles of all poses together."""
         return self._standing[1]
 
+    @property
+    def asides(self) -> list[complex]:
+        """How far from its best place each note stands, on the page."""
+        return self._standing[2]
+
     @cached_property
-    def _standing(self) -> tuple[Sketch, Obstacles]:
-        frame = tuple(s for s in self._poses[0].strokes if s.name in self._unmoved)
-        setting = replace(self._setting, panel=replace(self._poses[0], strokes=frame))
+    def _standing(self) -> tuple[Sketch, Obstacles, list[complex]]:
+        frame = tuple(s for s in self.poses[0].strokes if s.name in self._unmoved)
+        setting = replace(self._setting, panel=replace(self.poses[0], strokes=frame))
         still = Sketch(setting, self.scale, Obstacles(setting.room), finished=True)
         for index in range(len(frame)):
             add_stroke(still, index)
-        moved = [line for pose in self._poses for line in self._moving(pose, still).obstacles.lines]
+        moved = [line for pose in self.poses for line in self._moving(pose, still).obstacles.lines]
         crowd = Obstacles(setting.room, list(dict.fromkeys(moved)))
         # What is written once for all poses keeps clear of all of them.
         written = Sketch(setting, self.scale, crowd, still.items, finished=True)
         add_pins(written, find_vertices(setting.panel, self.scale))
-        add_angles(written, angle_arcs(written, range(len(frame))), PLACED)
+        arcs = angle_arcs(written, range(len(frame)))
+        add_angles(written, [each for each in arcs if not is_symbolic(each[2].sweep)], PLACED)
         add_names(written)
-        add_notes(written)
+        asides = add_notes(written, self._before.asides if self._before else ())
         for tag in written.tags:
             still.obstacles.block(tag.box)
-        return still, crowd
+        return still, crowd, asides
 
     def pose(self, panel: Panel) -> Sketch:
         """Return what moves, in one pose; its obstacles hold what stands still, too."""
@@ -197,8 +206,11 @@ class Views:
         panel, sketch = setting.panel, self._moving(setting.panel, self.still, alone=True)
         sketch.setting = setting
         vars(sketch).pop("solved", None)
-        moving = [i for i, s in enumerate(panel.strokes) if s.name not in self._unmoved]
-        arcs = angle_arcs(sketch, moving)
+        arcs = [
+            each
+            for each in angle_arcs(sketch, range(len(panel.strokes)))
+            if panel.strokes[each[0]].name not in self._unmoved or is_symbolic(each[2].sweep)
+        ]
         for _, _, bow in arcs:
             sketch.obstacles.line(bow.line(), angles.LINE / 2)
         self._add_sense(sketch)
@@ -222,8 +234,8 @@ class Views:
         if self._before:
             return self._before._sense(sense)
         if sense not in self._senses:
-            index, place = self._poses[0].find(self._setting.sheet.driver.angle), None
-            shape = None if index is None else self._poses[0].strokes[index].shape
+            index, place = self.poses[0].find(self._setting.sheet.driver.angle), None
+            shape = None if index is None else self.poses[0].strokes[index].shape
             if isinstance(shape, Arc):
                 crank, centre = shape.start + shape.sweep, self.scale(shape.centre)
                 place = angles.free_place(self.crowd, centre, crank, sense)
@@ -325,19 +337,26 @@ def _add_dot(sketch: Sketch, index: int, at: complex) -> None:
         sketch.obstacles.disc(at, RADIUS, (setting.during(index), FOREVER))
 
 
-def add_notes(sketch: Sketch) -> None:
-    """Add the notes of a panel, clear of all that is there."""
-    setting = sketch.setting
-    for note in setting.panel.notes:
+def add_notes(sketch: Sketch, before: Sequence[complex] = ()) -> list[complex]:
+    """Add the notes of a panel, clear of all that is there, and return `Views.asides`.
+
+    They stay as they were ``before``.
+    """
+    setting, asides = sketch.setting, list(before)
+    for number, note in enumerate(setting.panel.notes):
         rows = wrap(pieces_of(note.text), NOTE, WIDEST)
         sizes = [ink_size(runs, NOTE) for runs in rows]
         wide = max(wide for wide, _ in sizes)
         high = max(high for _, high in sizes) + (len(rows) - 1) * NOTE_PITCH
-        centre = _nearest(sketch.obstacles, sketch.scale(note.at), (wide, high))
+        best = sketch.scale(note.at)
+        if not before:
+            asides.append(_nearest(sketch.obstacles, best, (wide, high)) - best)
+        centre = best + asides[number]
         sketch.add(None, Level.LABEL, setting.during(0), on_page(_rows(rows, centre)))
         box = Placed(centre, wide, high).box
         sketch.tags.append(Tag(note.text, box))
         sketch.obstacles.box(box)
+    return asides
 
 
 def _rows(rows: Sequence[Runs], centre: complex) -> list[Mark]:

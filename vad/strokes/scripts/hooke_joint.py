@@ -9,7 +9,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from vad.kinematics.numbers import ray, select_vector, wrap
+from vad.kinematics.elementary import unit_at
+from vad.kinematics.numbers import ray, select_vector, vector, wrap
 from vad.kinematics.space.numbers import added, over, scaled
 from vad.strokes.diagram import POSITION, VELOCITY, Drawing, Order, Spot
 from vad.strokes.sentences import Sentence
@@ -81,17 +82,17 @@ class Script(BodyScript):
     def views(self) -> Drawing:
         fixed, guide, known, construction, crossing, _, angle, bar = self.pens
         shafts, theta, at = self.given("shaft_angle"), self.angle("driven"), self.spots()
-        tilt, o, p, q, t = math.radians(shafts.value), PLAN.at, at["P"], at["Q"], at["T"]
+        o, p, q, t = PLAN.at, at["P"], at["Q"], at["T"]
         low = {letter: at[f"{letter}.plan"] for letter in "PQT"}
         away, circle = 1j * ray(shafts.value), Ellipse(0j, 1.0 + 0j, 1j, 90.0)
-        ellipse = replace(circle, first=complex(math.cos(tilt)))
+        ellipse = replace(circle, first=vector(unit_at(shafts.value).real, 0.0))
         ways = {"2": ("driving", -1j), "4": ("driven", away)}
         for shaft, (link, way) in ways.items():
             ends, phrase = (o + END * way, o + BACK * way), f"shaft {shaft}"
             self.shaft(shaft, ends, o + BEARING * way, way, link, phrase, shaft, shaft=shaft)
         axes = AXIS * 1j, o - AXIS * 1j, o - 0.35 * away, o + AXIS * away
         guide("shafts.axes", Curve(axes, breaks=(2,)), "axes")
-        arc, label = Arc(o, SHAFTS, 90.0, math.degrees(tilt)), self.degrees(shafts)
+        arc, label = Arc(o, SHAFTS, 90.0, shafts.value), self.degrees(shafts)
         angle("shafts.angle", arc, "angle", label=label, angle=shafts)
         fixed("O.fixed", Dot(0j), "O")
         guide("plane.axis", through(0j, AXIS + 0j), "plane")

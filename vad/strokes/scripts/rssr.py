@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from vad.kinematics.numbers import fold, ray
+from vad.kinematics.numbers import fold, minimum, ray, traced, vector
 from vad.kinematics.space.numbers import difference, dot
 from vad.strokes.arithmetic import Figure, leg
 from vad.strokes.diagram import POSITION, Drawing, Order, Spot
@@ -41,12 +41,24 @@ class Script(BarScript):
         _, y, z = self.axis("D")
         return View((1.0, 0.0, 0.0), (0.0, z, -y))
 
+    @property
+    def _layout(self) -> tuple[Layout, tuple[float, float]]:
+        """Return where the views stand, and over which angles the rocker's path is drawn."""
+        (drop, place, share), (low, high) = _layout(self.settled)
+        growth = self.growth
+        views = Layout(growth * drop, growth * place, share)
+        if not traced([growth]):
+            return views, (low, high)
+        middle = 0.5 * (low + high)
+        own = middle + fold(self.motion.link("rocker").angle - middle)
+        return views, (minimum(low, own), -minimum(-high, -own))
+
     def tracks(self, order: Order) -> Mapping[Spot, Any]:
         if order is not POSITION:
             return {Spot(letter): at for letter, at in self.vertices(order).items()}
         way = self.true.way(difference(self.at["C"], self.at["B"]))
-        views, _ = _layout(self.motion.mechanism)
-        top = replace(TOP, at=-1j * views.drop)
+        views, _ = self._layout
+        top = replace(TOP, at=vector(0.0, -views.drop))
         return {
             **{Spot(letter): self.front.way(at) for letter, at in self.at.items()},
             **{Spot(letter, "top"): top.point(at) for letter, at in self.at.items()},
@@ -57,7 +69,7 @@ class Script(BarScript):
     def views(self) -> Drawing:
         fixed, _, known, construction, crossing, _, _, bar = self.pens
         at, unit, say = self.spots(), self.scene.unit, self.scene.say
-        views, (low, high) = _layout(self.motion.mechanism)
+        views, (low, high) = self._layout
         crank, rocker = self.sizes["crank"], self.sizes["rocker"]
 
         def rod(tail: str, head: str) -> Arrow:
@@ -69,7 +81,7 @@ class Script(BarScript):
         known("AB.bar", rod("A.top", "B.top"), "crank", "crank", body=True, **sized)
         self.arc("AB.angle", "crank angle", at["A.top"], ANGLE * crank, self.driven, "crank")
         fixed("D.fixed", Dot(at["D"]), "D", label="D")
-        sweep = min(high - low + 2.0 * FARTHER, 360.0)
+        sweep = minimum(high - low + 2.0 * FARTHER, 360.0)
         known("C.path", circle(at["D"], rocker, low - FARTHER, sweep), "rocker path", "rocker")
         fixed("A.front", Dot(at["A"]), "A front", label="A")
         construction("B.projector", Curve((at["B.top"], at["B"])), "B front")
@@ -99,7 +111,7 @@ class Script(BarScript):
         construction("C.line", through(at["C.third"], along), "line", "rocker")
         right, length = max(at["C"].real, at["B"].real), views.share * size.value
         third = self.note(views.place + (self.tilt + 0.3) * length, "third", views.share)
-        front = self.note(complex(right, at["A"].imag + crank), "front")
+        front = self.note(vector(right, at["A"].imag + crank), "front")
         top = self.note(0.5 * (at["A.top"] + at["D.top"]), "top")
         return self.finished(("AB.bar", "BC.front"), ("AD", "DC.front"), front, top, third)
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import cached_property, lru_cache
 from typing import Any
 
-from vad.kinematics.numbers import copysign
+from vad.kinematics.numbers import copysign, vector
 from vad.kinematics.space.instant_axis import Z
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing, Spot
@@ -65,11 +65,11 @@ class Script(SlidingScript):
     def views(self) -> Drawing:
         fixed, guide, known, construction, crossing, result, _, bar = self.pens
         at, given, length, unit = self.ends, self.given, self.length, self.scene.unit
-        low, high = _reach(self.motion.mechanism)
+        low, high = (self.growth * corner for corner in _reach(self.settled))
         reach = max((high - low).real, (high - low).imag)
         top = high.imag + (ABOVE + RAY) * reach
-        star = complex(low.real + RAY * reach, top)
-        rose = complex(high.real - RAY * reach, top - ROSE * reach)
+        star = vector(low.real + RAY * reach, top)
+        rose = vector(high.real - RAY * reach, top - ROSE * reach)
 
         def axis(point: str, way: str) -> Curve:
             return through(at[point], AXIS * reach * at[way])

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property, partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -17,7 +17,7 @@ import numpy as np
 
 from vad.errors import UsageError
 from vad.kinematics.linkage import Scalar
-from vad.kinematics.numbers import ray
+from vad.kinematics.numbers import ray, traced
 from vad.kinematics.space.instant_axis import Z
 from vad.kinematics.space.numbers import Vector3
 from vad.strokes.arithmetic import Calculation, Figure
@@ -216,6 +216,24 @@ class Script(ABC):
             f"{letter}.{view}" if view else letter: at
             for (letter, view, _), at in self.tracks(POSITION).items()
         }
+
+    @property
+    def settled(self) -> Any:
+        """The mechanism with ordinary dimensions: where views stand is chosen for these alone."""
+        mechanism, own = self.motion.mechanism, self.sizes
+        if not traced(own.values()):
+            return mechanism
+        return mechanism.with_dimensions({name: float(value) for name, value in own.items()})
+
+    @property
+    def growth(self) -> float:
+        """How many times as long its lengths are as those for which the views stand."""
+        settled = self.settled
+        if settled is self.motion.mechanism:
+            return 1.0
+        quantities = {each.name: each.metadata["quantity"] for each in fields(settled)}
+        lengths = [abs(x) for name, x in self.sizes.items() if quantities[name] == "length"]
+        return sum(lengths) / sum(map(float, lengths))
 
     def begin(self) -> None:
         """Begin the views without any stroke."""

@@ -41,13 +41,13 @@ def speeds(
     """
     name, write = script.scene.driver.name, script.scene.write
     driver = script.motion.link(name)
-    omega, way = abs(driver.omega), math.radians(driver.angle)
+    omega, way = abs(float(driver.omega)), math.radians(driver.angle)
     low, high = (Figure(float(f"{ratio:.4g}"), given=True) for ratio in ratios)
     return PolarInset(
         name,
         driven,
         omega,
-        _over_a_turn(script.motion.mechanism, driven, omega),
+        _over_a_turn(script.settled, driven, omega),
         cmath.rect(abs(script.motion.link(driven).omega), way),
         tuple(cmath.rect(omega, angle) for angle in alike),
         write(f"{script.topic} speeds"),

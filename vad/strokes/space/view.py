@@ -10,7 +10,17 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
-from vad.kinematics.numbers import bearing, fold, minimum, not_below, plane, positive, ray, traced
+from vad.kinematics.numbers import (
+    bearing,
+    fold,
+    minimum,
+    not_below,
+    plane,
+    positive,
+    ray,
+    traced,
+    vector,
+)
 from vad.kinematics.space.numbers import Vector3, cross, difference, dot, over, root, scaled
 from vad.strokes.sheet import Arc, Curve, Ellipse
 
@@ -116,7 +126,7 @@ class View:
 
 def circle(centre: complex, radius: float, start: float = 0.0, sweep: float = 360.0) -> Ellipse:
     """Return a circle parallel to the paper, or an arc of it from ``start`` on."""
-    return Ellipse(centre, complex(radius), 1j * radius, start, sweep)
+    return Ellipse(centre, vector(radius, 0.0), vector(0.0, radius), start, sweep)
 
 
 def compass(centre: complex, at: complex, half: float) -> Arc:
