@@ -52,9 +52,9 @@ def feet(pose: LivePose) -> list[float]:
 @pytest.mark.parametrize(
     ("name", "changed"),
     [
-        ("slider-crank", {"crank": 53.0}),
-        ("four-bar", {"crank": 44.0}),
-        ("crank-slotted-lever", {"crank": 52.5}),
+        ("slider-crank", {"crank": 40.0}),
+        ("four-bar", {"crank": 25.0}),
+        ("crank-slotted-lever", {"crank": 60.0}),
         ("whitworth", {"arm": 67.0}),
     ],
 )
