@@ -15,8 +15,8 @@ import numpy as np
 import vad
 from tests.kinds import PLANE
 from vad.files.examples import example_names, example_path
+from vad.kinematics.bodies import bodies_of
 from vad.kinematics.solver import solver_of
-from vad.statics.forces import bodies_of
 from vad.units import metres_of
 
 EPSILON = 2.0**-52

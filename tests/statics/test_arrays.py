@@ -13,9 +13,10 @@ from tests.statics.machines import MACHINES, burden
 from tests.statics.test_equilibrium import pose
 from vad.errors import DeadCentreError, InputError
 from vad.kinematics import program
+from vad.kinematics.bodies import bodies_of
 from vad.kinematics.reach import closing_range
 from vad.kinematics.solver import solver_of
-from vad.statics.forces import _solver, bodies_of
+from vad.statics.forces import _solver
 
 pytestmark = pytest.mark.exhaustive
 

@@ -15,8 +15,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vad.errors import InputError
+from vad.kinematics.bodies import Dyad, Side
 from vad.kinematics.linkage import Slide
-from vad.statics.bodies import Dyad, Side
 
 if TYPE_CHECKING:
     from vad.statics.forces import Forces, JointForce

@@ -21,6 +21,7 @@ from dataclasses import dataclass
 from itertools import product
 from typing import TYPE_CHECKING, NamedTuple
 
+from vad.kinematics.bodies import FRAME, Dyad, Joint, Side, contact
 from vad.kinematics.linkage import Bar, Slide
 from vad.kinematics.numbers import (
     Number,
@@ -34,7 +35,6 @@ from vad.kinematics.numbers import (
     times,
     vector,
 )
-from vad.statics.bodies import FRAME, Dyad, Joint, Side, contact
 
 if TYPE_CHECKING:
     from vad.statics.solver import ForceEvaluation

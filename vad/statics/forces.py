@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 from vad.errors import InputError, UsageError, VadError, quoted, unknown
 from vad.kinematics.any_solver import Result
+from vad.kinematics.bodies import FRAME, Bodies, bodies_of
 from vad.kinematics.motion import Motion
 from vad.kinematics.numbers import Number, Real, Truth, Vector
 from vad.kinematics.solution import Solution
 from vad.kinematics.solver import Solver
-from vad.statics.bodies import FRAME, Bodies
 from vad.statics.burden import Burden, whole
 from vad.statics.dyads import DyadForces, dyads_of
 from vad.statics.listing import listed, table
@@ -117,12 +117,6 @@ def _by_name(what: str, given: Any) -> Mapping[str, Any]:
         as_in = '{"slider": 25}' if what == "masses" else '{"slider": 0.1}'
         raise InputError(f"{what}: must be numbers by name, got {quoted(given)}", f"as in {as_in}")
     return given
-
-
-@lru_cache(maxsize=64)
-def bodies_of(plane: Solver) -> Bodies:
-    """Return the bodies of a linkage; they are found once."""
-    return Bodies(plane)
 
 
 @lru_cache(maxsize=64)

@@ -9,10 +9,10 @@ import numpy as np
 
 from vad import gate
 from vad.errors import InputError, UsageError, quoted, unknown
+from vad.kinematics.bodies import Bodies
 from vad.kinematics.linkage import points_of
 from vad.kinematics.motion import checked
 from vad.kinematics.numbers import Number
-from vad.statics.bodies import Bodies
 from vad.statics.burden import load_of
 from vad.statics.solver import Acting
 from vad.statics.tables import at_table, checked_table, unit_of

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.kinematics.any_solver import AnySolver, Evaluation, Result
+from vad.kinematics.bodies import Bodies
 from vad.kinematics.numbers import (
     Number,
     cross,
@@ -20,7 +21,6 @@ from vad.kinematics.numbers import (
 )
 from vad.kinematics.solver import Solver
 from vad.kinematics.state import Pose, Rates
-from vad.statics.bodies import Bodies
 from vad.statics.equilibrium import Equilibrium, Reactions
 
 #: The kinds of results that are forces.

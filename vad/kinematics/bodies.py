@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import TypeVar
 
 from vad.errors import InputError
@@ -227,7 +228,7 @@ class Bodies:
         for name in names:
             if names.count(name) > 1:
                 raise InputError(
-                    f"forces: two bodies are called {name}", "call the link or the slide otherwise"
+                    f"bodies: two bodies are called {name}", "call the link or the slide otherwise"
                 )
 
     def _block(self, slide: Slide) -> str:
@@ -248,7 +249,7 @@ class Bodies:
             if other.head == slide.tail and isinstance(other.along, float):
                 return self._block(other)
         raise InputError(
-            f"forces: {slide.name} slides on a line through {slide.tail}, which no slider carries"
+            f"bodies: {slide.name} slides on a line through {slide.tail}, which no slider carries"
         )
 
     def _cycle(self, number: int) -> list[tuple[str, Joint]]:
@@ -318,7 +319,7 @@ class Bodies:
 
     def _dyad(self, number: int, cycle: list[tuple[str, Joint]], solver: LoopSolver) -> Dyad:
         """Hang the new bodies of a loop from both ends, and cut it where they meet."""
-        where = f"forces: loop {number + 1}"
+        where = f"bodies: loop {number + 1}"
         known = {FRAME, *self.bodies}
         old = [place for place, (body, _) in enumerate(cycle) if body in known]
         if not old:
@@ -356,7 +357,7 @@ class Bodies:
                 del self.bodies[name]
                 break
             if joint.slide and joint.other != name:
-                raise InputError(f"forces: {name} hangs on {parent}, which slides on it")
+                raise InputError(f"bodies: {name} hangs on {parent}, which slides on it")
             found += body.scalar in unknown
             hung.append(body)
             parent = name
@@ -426,3 +427,9 @@ def _paths(start: str, edges: Sequence[Step]) -> dict[str, Path]:
                 if tail in paths and head not in paths:
                     paths[head] = (*paths[tail], (way, step))
     return paths
+
+
+@lru_cache(maxsize=64)
+def bodies_of(plane: Solver) -> Bodies:
+    """Return the bodies of a linkage; they are found once."""
+    return Bodies(plane)
