@@ -17,6 +17,8 @@ from collections.abc import Iterable
 
 #: The most characters of a message, of a value in it, and how many of them are those of its end.
 _LONGEST, _LONGEST_VALUE = (500, 150), (60, 20)
+#: For a name of so few letters nearly every other one is near: all known names are listed.
+_SHORTEST_GUESSED = 2
 
 
 class VadError(Exception):
@@ -76,7 +78,8 @@ def unknown(what: str, given: object, known: Iterable[str]) -> UsageError:
     names = {name.lstrip("-"): name for name in known}  # dashes make no option like another
     text = given.lower().lstrip("-") if isinstance(given, str) else ""
     near = [name for name in names if text and name.startswith(text)]
-    near = near or difflib.get_close_matches(text, names, n=1, cutoff=0.5)
+    if len(text) > _SHORTEST_GUESSED:
+        near = near or difflib.get_close_matches(text, names, n=1, cutoff=0.5)
     if near:
         hint = "did you mean " + " or ".join(f"'{names[name]}'" for name in near) + "?"
     else:

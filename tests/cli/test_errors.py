@@ -41,6 +41,11 @@ def test_a_misspelt_word_is_answered_with_the_nearest(vad, words, nearest):
     assert hint == f"did you mean '{nearest}'?"
 
 
+def test_a_short_word_is_answered_with_all_that_there_are(vad):
+    _, hint = complaint(vad(*["draw", "four-bar", "--language", "es", "-o", "a.png"]), 2)
+    assert hint == "known: de, en, fr"
+
+
 @pytest.mark.parametrize(
     ("words", "part"),
     [
@@ -54,6 +59,7 @@ def test_a_misspelt_word_is_answered_with_the_nearest(vad, words, nearest):
         ("solve four-bar --omega 6Hz", "--omega: 'Hz' is not a unit of turning speed"),
         ("solve four-bar --length-unit bananas", "--length-unit: 'bananas' is not a unit of"),
         ("solve four-bar --length-unit s", "--length-unit: 's' is not a unit of length"),
+        ("solve four-bar --digits 0", "digits: must be a whole number from 1 to 17, got 0"),
         ("solve four-bar more", "unexpected extra argument"),
         ("solve four-bar --json=3", "--json"),
         ("solve", "needs the name of a mechanism"),

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -15,6 +16,7 @@ from vad.errors import ExportError, UsageError
 from vad.export import FORMATS, format_of, save
 from vad.lecture.lesson import Lesson
 from vad.painting.film import Frame
+from vad.strokes.sheet import Sheet
 
 FILMS = ["film.mp4", "film.gif", "film/"]
 ROOT = Path(__file__).resolve().parents[2]
@@ -57,17 +59,20 @@ def test_paths_may_be_paths(folder: Path) -> None:
 def test_misuse_is_answered_with_what_works(folder: Path, thing: object, path: str) -> None:
     with pytest.raises(UsageError, match=f"cannot be saved as '{path}'") as caught:
         save(thing, path)  # type: ignore[arg-type]
+    own = {".png", ".svg", ".json"} if thing is SHEET else {".mp4", ".gif", "(frames/)"}
     assert caught.value.hint is not None
-    assert {".png", ".svg", ".pdf", ".json", ".mp4", ".gif", "(frames/)"} <= set(
-        caught.value.hint.replace(",", " ").replace(";", " ").split()
-    )
+    assert {".pdf", ".html", *own} <= set(re.split("[ ,;]+", caught.value.hint))
     assert os.listdir() == []
 
 
-def test_what_can_be_saved_comes_first_in_the_hint() -> None:
+def test_the_hint_is_one_clause_unless_another_thing_has_the_format() -> None:
     with pytest.raises(UsageError) as caught:
-        format_of(Lesson, "film.mkv")
-    assert str(caught.value.hint).startswith("a film as .mp4, .gif")
+        format_of(Lesson, "film.eps")
+    assert str(caught.value.hint).startswith("as .mp4, .gif")
+    assert ";" not in str(caught.value.hint)
+    with pytest.raises(UsageError) as caught:
+        format_of(Sheet, "sheet.mp4")
+    assert str(caught.value.hint).endswith("; .mp4 is for a film")
 
 
 def test_other_things_cannot_be_saved(folder: Path) -> None:

@@ -109,6 +109,13 @@ def test_the_lesson_itself_is_right():
         (ROCKER, GUIDE + '{ y = "1/0" }', 9, "C: '1/0' has no value", None),
         # the driver
         ("crank = { angle", "crnk = { angle", 10, "unknown driver 'crnk'", "'crank'"),
+        (
+            "crank = { angle = 60, omega = 10 }",
+            "angle = 60",
+            10,
+            "unknown driver 'angle'",
+            "as in crank = { angle = 60, omega = 10 }",
+        ),
         (DRIVER, "angle = 60, omga = 10", 10, "unknown input of crank 'omga'", "'omega'"),
         (DRIVER, "angle = 60", 10, "crank: has no omega", "omega = 10"),
         (DRIVER, 'angle = 60, omega = "10 mm"', 10, "'mm' is not a unit of turning", "rpm"),

@@ -285,13 +285,16 @@ def format_of(kind: type, path: str | os.PathLike[str]) -> str:
         extension = FOLDER
     if extension in formats:
         return extension
-    raise UsageError(f"{_NAMES[kind]} cannot be saved as {quoted(text)}", hint=_what_works(kind))
+    raise UsageError(
+        f"{_NAMES[kind]} cannot be saved as {quoted(text)}", hint=_what_works(kind, extension)
+    )
 
 
-def _what_works(kind: type) -> str:
-    """Say what can be saved as what, ``kind`` first."""
-    kinds = sorted(FORMATS, key=lambda each: each is not kind)
-    return "; ".join(f"{_NAMES[each]} as {_listed(FORMATS[each])}" for each in kinds)
+def _what_works(kind: type, extension: str) -> str:
+    """Say as what a thing of type ``kind`` can be saved, and what can be saved as asked for."""
+    others = (each for each in FORMATS if extension in FORMATS[each])
+    fitting = [f"{extension} is for {_NAMES[each]}" for each in others]
+    return "; ".join([f"as {_listed(FORMATS[kind])}", *fitting[:1]])
 
 
 def _listed(formats: dict[str, str]) -> str:

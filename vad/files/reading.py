@@ -123,7 +123,9 @@ def _driver(
     slides = [guide.slide for guide in bound.values()]
     if name not in links and name not in slides:
         wrong = unknown("driver", name, (*links, *slides))
-        raise source.error("driver", name, str(wrong), wrong.hint)
+        first = next(iter(links), "crank")
+        how = f"as in {first} = {{ angle = 60, omega = 10 }}"
+        raise source.error("driver", name, str(wrong), f"{wrong.hint}; {how}")
     kind = "length" if name in slides or links[name].cylinder else "angle"
     known = INPUTS[kind]
     example = f"as in {name} = {{ {known[0]} = 60, {known[1]} = 10 }}"
