@@ -92,7 +92,8 @@ def _pixels(picture: Posed) -> str:
 
 def _drawing(thing: Thing, picture: Posed) -> str:
     """Return a drawing whose text is shapes: many viewers load no fonts out of a page."""
-    scope = "v" + sha256(repr(thing).encode()).hexdigest()[:12]
+    told = (type(thing), picture.description, picture.style, picture.board.form, picture.moment)
+    scope = "v" + sha256(repr(told).encode()).hexdigest()[:12]
     painter = SvgPainter(picture.sheet, "glyphs", picture.description, scope)
     picture.play(painter)
     return painter.svg

@@ -117,6 +117,11 @@ def lever() -> Sheet:
     return vad.draw(vad.solve(vad.CrankSlottedLever(rod=100, ram_height=180)))
 
 
+def all_of(sheet: vad.Sheet) -> str:
+    """Return everything that a sheet holds, but for what was drawn, as text."""
+    return repr([getattr(sheet, each.name) for each in dataclasses.fields(sheet) if each.compare])
+
+
 @pytest.mark.parametrize(
     ("mechanism", "code"),
     list(zip(MECHANISMS.values(), cycle(languages()), strict=False)),
@@ -126,7 +131,7 @@ def test_a_sheet_comes_back_equal_and_bit_for_bit(mechanism: Any, code: str) -> 
     for sheet in sheets(mechanism, steps=2, language=code):
         back = vad.sheet_from_json(sheet_json.to_text(sheet))
         assert back == sheet
-        assert repr(back) == repr(sheet)  # where -0.0 differs from 0.0
+        assert all_of(back) == all_of(sheet)  # where -0.0 differs from 0.0
 
 
 def test_some_panels_and_other_units_come_back() -> None:
@@ -139,8 +144,8 @@ def test_some_panels_and_other_units_come_back() -> None:
 def test_nothing_in_a_sheet_is_minus_zero_or_a_number_of_numpy() -> None:
     for mechanism in MECHANISMS.values():
         for sheet in sheets(mechanism):
-            assert not re.search(r"-0j|\(-0[+-]|[=(, ]-0\.0[,)]", repr(sheet))
-            assert "np." not in repr(sheet)
+            assert not re.search(r"-0j|\(-0[+-]|[=(, ]-0\.0[,)]", all_of(sheet))
+            assert "np." not in all_of(sheet)
 
 
 def test_a_path_a_text_and_a_dictionary(folder: Path) -> None:

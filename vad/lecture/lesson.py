@@ -48,7 +48,7 @@ class LessonStep:
         return self.panel.strokes[self.index]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Lesson(Displayed):
     """A sheet that is drawn stroke by stroke.
 
@@ -62,6 +62,12 @@ class Lesson(Displayed):
     fps: float
     size: tuple[int, int]
     style: str = "paper"
+
+    def __repr__(self) -> str:
+        """Return a line: what is drawn, in how many steps, and how long that takes."""
+        width, height = self.size
+        film = f"{self.duration:.1f} s, {self.fps:g} frames per second, {width}x{height}"
+        return f"<Lesson of {self.sheet.mechanism}: {len(self.steps)} steps, {film}>"
 
     @property
     def frames(self) -> int:
@@ -273,7 +279,7 @@ AT_WORK = 0.7
 _DIGITS = 9
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Still(Displayed):
     """The page of a lesson at a step, which is counted from 1.
 
@@ -282,6 +288,11 @@ class Still(Displayed):
 
     lesson: Lesson
     step: int
+
+    def __repr__(self) -> str:
+        """Return a line: which step of which lesson it is."""
+        steps = len(self.lesson.steps)
+        return f"<Still of {self.lesson.sheet.mechanism}: step {self.step} of {steps}>"
 
     @property
     def moment(self) -> Moment:

@@ -25,7 +25,7 @@ SECONDS = 8.0
 _LATER = 2e-4
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Turn(Displayed):
     """One turn as a film that begins again where it ends."""
 
@@ -37,6 +37,12 @@ class Turn(Displayed):
     style: str
     panels: tuple[str, ...]
     language: str
+
+    def __repr__(self) -> str:
+        """Return a line: what turns, and how long that takes."""
+        width, height = self.size
+        film = f"{self.duration:.1f} s, {self.fps:g} frames per second, {width}x{height}"
+        return f"<Turn of {self.mechanism.name}: {film}>"
 
     @property
     def duration(self) -> float:

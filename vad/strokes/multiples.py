@@ -13,6 +13,7 @@ from vad import gate
 from vad.displayed import Displayed
 from vad.errors import InputError, UsageError, quoted
 from vad.strokes.sheet import Cell, Sheet
+from vad.written import typed
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
@@ -21,12 +22,17 @@ if TYPE_CHECKING:
 FEWEST, MOST = 2, 6
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Multiples(Displayed):
     """The sheets of a few poses, and the places of the driver, which are their titles."""
 
     sheets: tuple[Sheet, ...]
     places: tuple[Cell, ...]
+
+    def __repr__(self) -> str:
+        """Return a line: what is drawn, and at which places of the driver."""
+        places = ", ".join(typed(cell.value) for cell in self.places)
+        return f"<Multiples of {self.sheets[0].mechanism}: at {places}>"
 
 
 def multiples(

@@ -439,7 +439,7 @@ class Row:
     cells: Mapping[str, tuple[Cell, ...]]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Sheet(Displayed):
     """Everything that is drawn for one pose of one mechanism: pure data, in drawing order.
 
@@ -457,7 +457,12 @@ class Sheet(Displayed):
     language: str = "en"
     notation: Notation = field(default_factory=Notation)
     driver: Driver = Driver()
-    source: Source | None = field(default=None, compare=False, repr=False)
+    source: Source | None = field(default=None, compare=False)
+
+    def __repr__(self) -> str:
+        """Return a line: what is drawn, and in how many strokes."""
+        panels = ", ".join(f"{half.name} {len(half.strokes)}" for half in self.halves)
+        return f"<Sheet of {self.mechanism}: strokes {panels}>"
 
     @property
     def halves(self) -> tuple[Panel, ...]:
