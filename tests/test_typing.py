@@ -77,6 +77,8 @@ def solved(kind: type[vad.Mechanism]) -> vad.Motion | vad.VadError:
         return error
 
 
+Press = vad.load("press.toml")
+print(vad.solve(Press(crank=175), angle=40).slide("ram").velocity, Press().links)
 print([solved(kind) for kind in vad.MECHANISMS.values()], vad.__version__)
 """
 

@@ -16,6 +16,8 @@ PRIME = "\N{PRIME}"
 THIN_SPACE = "\N{NARROW NO-BREAK SPACE}"
 #: Significant digits of a measured value, and the most that a given one shows.
 MEASURED, GIVEN = 4, 6
+#: Significant digits of a table in plain text, from which numbers are copied, and the most of them.
+DIGITS, MOST_DIGITS = 12, 17
 #: Powers of ten whose digits are written out: the first of them, and the first that is not.
 WRITTEN_OUT = (-4, 6)
 

@@ -61,3 +61,15 @@ def test_help(vad, verb, flag):
     assert result.out.startswith("Usage: vad")
     if verb not in ("", "list"):
         assert all(name in result.out for name in MECHANISMS)
+
+
+def test_help_is_a_verb_too(vad):
+    assert vad("help").out == vad("--help").out
+    assert vad("help", "solve", "four-bar").out == vad("solve", "four-bar", "--help").out
+    found = vad("help", "animate")
+    assert found.code == 0
+    for word in ("--style chalk|paper|print", "--speed", "slider-crank", "press.toml"):
+        assert word in found.out
+    assert (
+        vad("help", "sovle").err == "error: unknown command 'sovle'\nhint: did you mean 'solve'?\n"
+    )

@@ -59,7 +59,8 @@ def test_it_sweeps_and_compares(vad, press, tmp_path):
 @pytest.mark.parametrize(
     ("words", "code", "message", "hint"),
     [
-        (["solve", "pres.toml"], 1, "'pres.toml': No such file or directory", None),
+        (["solve", "pres.toml"], 1, "'pres.toml': No such file", "press.toml is a file"),
+        (["solve", "no.toml"], 1, "'no.toml': No such file", "vad example toggle-press > no.toml"),
         (["solve", "press"], 2, "unknown mechanism 'press'", "press.toml is a file"),
         (["solve", "watt-1"], 2, "unknown mechanism 'watt-1'", "vad example watt-1 > watt-1.toml"),
         (["solve", "press.toml", "--crnk", "3"], 2, "unknown option '--crnk'", "'--crank'"),
@@ -70,7 +71,6 @@ def test_it_sweeps_and_compares(vad, press, tmp_path):
         (["solve", "press.toml", "--assembly", "B=up"], 1, "B: 'up' is no place", "upper"),
         (["solve", "press.toml", "--assembly", "X=left"], 2, "with two places 'X'", "B, D"),
         (["solve", "press.toml", "--crank", "900"], 1, "angle 45°: the links miss by", "angle"),
-        (["check", "pres.toml"], 1, "'pres.toml': No such file or directory", None),
         (["check", "hooken.toml"], 1, "No such file", "vad example hoeken > hoeken.toml"),
         (
             ["batch", "press.toml", "-o", "out"],
@@ -110,6 +110,16 @@ def test_what_is_wrong_in_a_file_is_said_with_its_line(vad, tmp_path, monkeypatc
         f"error: bad.toml, line {line}: unknown table 'link'\nhint: did you mean 'links'?\n"
     )
     assert [each.name for each in tmp_path.iterdir()] == ["bad.toml"]
+
+
+def test_a_file_may_come_from_standard_input(vad, process):
+    text = vad("example", "toggle-press").out
+    read = process("check", "-", input=text)
+    assert (read.code, read.err) == (0, "")
+    assert read.out.startswith("standard input: 6 bodies, 7 joints, 1 degree of freedom")
+    wrong = process("check", "-", input=text.replace("[links]", "[link]"))
+    assert (wrong.code, wrong.out) == (1, "")
+    assert wrong.err.startswith("error: standard input, line ")
 
 
 def test_checking_prints_what_there_is_to_know(vad, tmp_path, monkeypatch):

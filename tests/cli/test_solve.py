@@ -11,9 +11,10 @@ import pytest
 from vad.mechanisms import MECHANISMS
 
 
-def solved(vad, *words):
+def solved(vad, *words, note=""):
     result = vad("solve", *words, "--json")
-    assert (result.code, result.err) == (0, "")
+    assert result.code == 0
+    assert result.err == note
     return json.loads(result.out)
 
 
@@ -97,7 +98,8 @@ def test_units_are_converted_to_the_scene_s(vad):
 def test_lengths_go_to_the_given_length_unit_wherever_it_stands(vad, first):
     unit, length = ["--length-unit", "in"], ["--crank", "5.08 cm"]
     words = [*unit, *length] if first else [*length, *unit]
-    found = solved(vad, "slider-crank", *words)
+    note = "note: with the unit in these numbers stay as they are: rod 140\n"
+    found = solved(vad, "slider-crank", *words, note=note)
     assert found["parameters"] == {"crank": 2.0, "rod": 140.0, "offset": 0.0}
     assert found["units"]["velocity"] == "in/s"
 
@@ -134,3 +136,20 @@ def test_json_holds_every_digit(vad):
 
 def test_two_dashes_end_the_options(vad):
     assert vad("solve", "--", "four-bar").code == 0
+
+
+def test_so_many_digits(vad):
+    found = vad("solve", "slider-crank", "--digits", "5")
+    assert (found.code, found.err) == (0, "")
+    assert "338.21       -2.3077          37.842" in found.out
+    loaded = vad("solve", "slider-crank", "--digits", "3", "--load", "800 N @ 180 at C")
+    assert "38.4" not in loaded.out
+    assert "frame on crank at A    800  -320      862" in loaded.out
+
+
+def test_numbers_that_are_in_another_unit_now_are_named(vad):
+    noted = vad("solve", "slider-crank", "--length-unit", "cm", "--crank", "6 cm")
+    assert noted.code == 0
+    assert noted.err == "note: with the unit cm these numbers stay as they are: rod 140\n"
+    assert vad("solve", "slider-crank", "--length-unit", "mm").err == ""
+    assert vad("solve", "scotch-yoke", "--length-unit", "cm", "--crank", "6").err == ""

@@ -21,7 +21,7 @@ from vad.errors import InputError, unknown
 from vad.files.examples import example_names, example_path, example_title
 from vad.mechanisms import MECHANISMS, Mechanism, mechanism_named, mechanism_names
 from vad.units import scene_unit
-from vad.written import typed
+from vad.written import DIGITS, typed
 
 CARD = """\
 vad draws velocity and acceleration polygons: as numbers, as a picture, as a film.
@@ -188,6 +188,16 @@ def app(ctx: click.Context) -> None:
         click.echo(CARD)
 
 
+@app.command("help", cls=HelpfulCommand)
+@click.argument("words", nargs=-1, metavar="[VERB] [NAME]")
+@click.pass_context
+def show_help(ctx: click.Context, words: tuple[str, ...]) -> None:
+    """Show the help of all, of a verb, or of a verb for one mechanism."""
+    root = ctx.find_root()
+    with app.make_context(str(root.info_name), [*words, "--help"]) as asked:
+        app.invoke(asked)
+
+
 @app.command("list", cls=HelpfulCommand)
 @click.option("--json", "as_json", is_flag=True, help="As JSON, with every default.")
 def list_mechanisms(as_json: bool) -> None:
@@ -207,17 +217,21 @@ def print_example(name: str | None) -> None:
 
 
 def _solve(
-    mechanism: Mechanism, inputs: dict[str, Any], as_json: bool = False, **given: Any
+    mechanism: Mechanism,
+    inputs: dict[str, Any],
+    as_json: bool = False,
+    digits: int = DIGITS,
+    **given: Any,
 ) -> None:
     """Print the numbers of one pose, and its forces if there is anything that makes some."""
     burden = take_burden(mechanism, given)
     motion = vad.solve(mechanism, **inputs)
     found = motion.to_dict()
-    text = "" if as_json else motion.table()
+    text = "" if as_json else motion.table(digits)
     if burden is not None:
         forces = vad.forces(motion, *burden)
         found |= {"forces": forces.to_dict()}
-        text = text and f"{text}\n\n{forces.table()}"
+        text = text and f"{text}\n\n{forces.table(digits)}"
     click.echo(json.dumps(found, ensure_ascii=False) if as_json else text)
 
 
@@ -228,6 +242,7 @@ app.add_command(
         _solve,
         [
             click.Option(["--json", "as_json"], is_flag=True, help="as JSON, with all digits"),
+            click.Option(["--digits"], type=int, help=f"significant digits  [{DIGITS}]"),
             *burden_options(),
         ],
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -14,6 +15,7 @@ from vad.files.places import PARALLEL
 
 if TYPE_CHECKING:
     from vad.files.examination import Choice, Examination, FoundDyad
+    from vad.files.loading import WrittenMechanism
 
 # A smaller sine is taken for that of a dead centre: a grid of poses rarely meets one exactly.
 _DEAD = 5e-4
@@ -23,7 +25,10 @@ _DEAD = 5e-4
 @click.argument("file", required=False, shell_complete=completion.a_file)
 @click.option("--json", "as_json", is_flag=True, help="as JSON, with all digits")
 def command(file: str | None, as_json: bool) -> None:
-    """Look at a mechanism's file: its joints, its dyads, and the range that closes."""
+    """Look at a mechanism's file: its joints, its dyads, and the range that closes.
+
+    For FILE - the text comes from standard input.
+    """
     if file is None:
         hint = "vad check press.toml; vad example prints some to begin with"
         raise UsageError("check needs a mechanism's file", hint)
@@ -34,8 +39,17 @@ def command(file: str | None, as_json: bool) -> None:
     if file in example_names():
         hint = f"vad example {file} > {file}{EXTENSION}"
         raise UsageError(f"'{file}' is an example, and no file yet", hint)
-    examined = examine(load(file))
+    examined = examine(_from_standard_input() if file == "-" else load(file))
     click.echo(json.dumps(_data(examined), ensure_ascii=False) if as_json else _text(examined))
+
+
+def _from_standard_input() -> type[WrittenMechanism]:
+    """Return the mechanism that standard input describes."""
+    from vad.files.loading import load_text
+    from vad.files.tables import LONGEST
+
+    data = b"" if sys.stdin is None else sys.stdin.buffer.read(LONGEST + 1)
+    return load_text(data, "standard input")
 
 
 def _text(examined: Examination) -> str:

@@ -13,8 +13,8 @@ import click
 from click.shell_completion import CompletionItem
 
 from vad.cli.options import build, kind_of, mechanism_options, own_option
-from vad.errors import UsageError, unknown
-from vad.mechanisms import mechanism_names
+from vad.errors import UsageError, VadError, unknown
+from vad.mechanisms import Mechanism, mechanism_names
 
 #: Under what name click's context holds the options of the format that is written.
 _OWN_OPTIONS = "vad.cli.own_options"
@@ -125,6 +125,34 @@ class MechanismGroup(click.Group):
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Return the names of all mechanisms."""
         return list(mechanism_names())
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the options that a verb has for every mechanism, and then the mechanisms."""
+        own = [*self.options, *self._own_options(None), *self.get_params(ctx)]
+        records = (option.get_help_record(ctx) for option in own)
+        with formatter.section("Options, for every NAME"):
+            formatter.write_dl([record for record in records if record])
+        self.format_commands(ctx, formatter)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write what NAME may be."""
+        names = self.list_commands(ctx)
+        titles = {name: getattr(self._found(name), "title", "") for name in names}
+        with formatter.section("NAME"):
+            formatter.write_dl(
+                [*titles.items(), ("press.toml", "A file; vad example prints some to begin with")]
+            )
+        with formatter.section("Dimensions and inputs"):
+            verb = ctx.command_path
+            formatter.write_text(f"{verb} NAME --help names those of a mechanism or a file.")
+
+    @staticmethod
+    def _found(name: str) -> type[Mechanism] | None:
+        """Return a mechanism's class; None for one of another package that cannot be loaded."""
+        try:
+            return kind_of(name)
+        except VadError:
+            return None
 
     def _own_options(self, output: str | None) -> list[click.Option]:
         """Return the options of the format of a file; those of all formats where none is named."""

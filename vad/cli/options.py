@@ -36,6 +36,7 @@ Callback = Callable[[click.Context, click.Parameter, Any], Any]
 #: The options of the verbs: no parameter may have such a name as an option.
 OWN = {
     *("help", "from", "to", "start", "stop", "point", "json", "as_json", "o", "output"),
+    "digits",
     *("panels", "style", "language", "size", "paper", "blank", "at", "turn"),
     *("fps", "speed", "still", "loop", "subtitles", "steps", "port", "no_browser"),
     *("load", "mass", "inertia", "gravity", "friction"),
@@ -301,7 +302,27 @@ def build(
     rest = {name: value for name, value in given.items() if value not in (None, ())}
     parameters = {names[name]: rest.pop(name) for name in list(rest) if name in names}
     inputs = {name: rest.pop(name) for name in list(rest) if name in kind.inputs}
+    note_new_unit(kind, parameters)
     return kind(**parameters), inputs, rest
+
+
+def note_new_unit(kind: type[Mechanism], given: Mapping[str, Any]) -> None:
+    """Write on standard error which default lengths keep their numbers in another unit."""
+    unit = given.get("length_unit")
+    if unit in (None, length_unit_of(kind)):
+        return
+    kept = [
+        f"{field.name} {typed(cast(float, field.default))}"
+        for field in dataclasses.fields(kind)
+        if field.metadata["quantity"] == "length"
+        and field.name not in given
+        and field.default  # no unit changes a length of zero
+    ]
+    if kept:
+        numbers = ", ".join(kept)
+        click.echo(
+            f"note: with the unit {unit} these numbers stay as they are: {numbers}", err=True
+        )
 
 
 def length_unit_of(kind: type[Mechanism]) -> str:

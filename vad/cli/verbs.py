@@ -74,13 +74,15 @@ _SHEET = [
         metavar="NAME,NAME",
         help=f"some of {', '.join(DIAGRAMS)}  [all of motion; with loads position, force, drive]",
     ),
-    NamedOption("style", "style", style_names(), "how it looks  [paper]", STYLES),
-    NamedOption("language", "language", languages(), "of titles and captions  [en]", LANGUAGES),
+    NamedOption("style", "style", style_names(), "colours and lines  [paper]", STYLES),
+    NamedOption("language", "language", languages(), "of all words  [en]", LANGUAGES),
 ]
-_SIZE = click.Option(["--size"], callback=size(), metavar="WxH", help="in pixels  [1280x720]")
+_SIZE = click.Option(
+    ["--size"], callback=size(), metavar="WxH", help="of a picture in pixels  [1280x720]"
+)
 _PAPER = NamedOption("paper", "paper", paper_names(), "a PDF in true scale, to be measured")
 _POSITIONS = click.Option(
-    ["--turn"], is_flag=True, help="a full turn: the ways of all points, in twelve positions"
+    ["--turn"], is_flag=True, help="a full turn: the paths of all points, in twelve positions"
 )
 _BLANK = click.Option(
     ["--blank"],
@@ -88,7 +90,7 @@ _BLANK = click.Option(
     shell_complete=completion.several(DIAGRAMS),
     multiple=True,
     metavar="NAME,NAME",
-    help="a problem sheet: these panels are left to be drawn  [none]",
+    help="a problem sheet: students draw these panels  [none]",
 )
 _FILM = [
     click.Option(["--fps"], type=float, help="frames per second  [30]"),
@@ -98,14 +100,14 @@ _FILM = [
         metavar="STEP",
         help="one step as a picture (.png, .svg, .pdf): 4, or velocity:4  [the film]",
     ),
-    click.Option(["--turn"], is_flag=True, help="a full turn, and the polygons live with it"),
+    click.Option(["--turn"], is_flag=True, help="a full turn, with the polygons of every pose"),
     click.Option(
         ["--loop"],
         type=int,
         metavar="NUMBER",
-        help="the dyad with which the pencil starts; those before it are there  [1]",
+        help="begin with this dyad; those before it are drawn already  [1]",
     ),
-    click.Option(["--subtitles"], is_flag=True, help="FILE.srt and FILE.vtt beside the film, too"),
+    click.Option(["--subtitles"], is_flag=True, help="FILE.srt and FILE.vtt beside the film"),
 ]
 _HELP = """\
 Make problem sheets with their keys by the hundred.

@@ -14,7 +14,8 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, make_dataclass
 from functools import lru_cache
-from typing import Any, ClassVar
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from vad.errors import InputError, VadError, quoted, unknown
 from vad.files.assembling import Assembly, UnplacedError, assemble
@@ -23,7 +24,7 @@ from vad.files.linkage import check_numbers, linkage_of, names_under
 from vad.files.places import HINT, PARALLEL, WORDS, Place, opposite, place_of
 from vad.files.reading import describe
 from vad.files.structure import Dyad, Mobility, check_dyads, check_mobility
-from vad.files.tables import Source, read_file, sorted_out
+from vad.files.tables import Source, decoded, read_file, read_text, sorted_out, with_tables
 from vad.kinematics.linkage import Linkage
 from vad.kinematics.motion import solve
 from vad.kinematics.solver import solver_of
@@ -54,6 +55,19 @@ def load(path: str | os.PathLike[str]) -> type[WrittenMechanism]:
     540.0
     """
     return class_of(read_file(path))
+
+
+def load_text(data: bytes, name: str) -> type[WrittenMechanism]:
+    """Return the mechanism that the bytes of a file describe; errors call the file ``name``.
+
+    Tables of loads that it names are looked for in the working folder.
+
+    Raises
+    ------
+    vad.errors.InputError
+        As for `load`.
+    """
+    return class_of(with_tables(read_text(decoded(data, name), name), Path()))
 
 
 def mechanism(
@@ -207,6 +221,10 @@ class WrittenMechanism(Mechanism, listed=False, metaclass=_WrittenType):
     """A mechanism that a file describes; `vad.load` and `vad.mechanism` make its subclasses."""
 
     written: ClassVar[Written]
+
+    if TYPE_CHECKING:  # a checker does not know the numbers of a file
+
+        def __init__(self, **values: Any) -> None: ...
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__(listed=False)

@@ -13,7 +13,7 @@ import os
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from datetime import date, time
 from difflib import get_close_matches
@@ -192,26 +192,45 @@ def text_of(path: object, longest: int = LONGEST) -> str:
     name = os.path.basename(place)
     try:
         with open(place, "rb") as file:
-            data = file.read(longest + 1)
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        raise InputError(f"{name}: is no text in UTF-8") from None
+            return decoded(file.read(longest + 1), name, longest)
     except OSError as error:
         raise InputError(f"'{place}': {error.strerror or error}", _nearly(place)) from None
     except ValueError:
         raise InputError(f"{quoted(place)}: is no name of a file") from None
+
+
+def decoded(data: bytes, name: str, longest: int = LONGEST) -> str:
+    """Return bytes from outside, which errors call ``name``, as text of at most so many bytes.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For more bytes, and for what is no text.
+    """
     if len(data) > longest:
         raise InputError(f"{name}: is longer than {longest} bytes")
-    return text
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise InputError(f"{name}: is no text in UTF-8") from None
 
 
 def _nearly(path: str) -> str | None:
     """Return the hint for a file that does not exist: a file or an example of a similar name."""
+    folder, name = os.path.split(path)
     if os.path.isfile(path + EXTENSION):
-        return f"{os.path.basename(path)}{EXTENSION} is a file"
+        return f"{name}{EXTENSION} is a file"
     stem = Path(path).stem
-    near = get_close_matches(stem, example_names(), n=1, cutoff=0.7) if len(stem) < 100 else []
-    return f"vad example {near[0]} > {near[0]}{EXTENSION}" if near else None
+    if len(stem) < 100:
+        with suppress(OSError):
+            files = [each for each in os.listdir(folder or ".") if each.endswith(EXTENSION)]
+            for near in get_close_matches(name, files, n=1, cutoff=0.8):
+                return f"{near} is a file"
+        for near in get_close_matches(stem, example_names(), n=1, cutoff=0.7):
+            return f"vad example {near} > {near}{EXTENSION}"
+    if name.endswith(EXTENSION):
+        return f"vad example toggle-press > {name} makes a file to begin with"
+    return None
 
 
 def read_text(text: str, name: str) -> Source:

@@ -20,6 +20,7 @@ from vad.kinematics.numbers import Number, Real, Truth, Vector
 from vad.kinematics.results import Joint, Link, Point, Slider, plain, table, units
 from vad.kinematics.solution import Solution
 from vad.kinematics.solver import Solver, solver_of
+from vad.written import DIGITS, MOST_DIGITS
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism, MechanismInSpace
@@ -153,9 +154,15 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
         names = (*self.mechanism.letters, *self.mechanism.points)
         return tuple(letter for letter in names if letter in self.solver.letters)
 
-    def table(self) -> str:
-        """Return the results as a table in plain text, with units."""
-        return table(self.to_dict(), self.mechanism)
+    def table(self, digits: int = DIGITS) -> str:
+        """Return the results as a table in plain text, with units and so many significant digits.
+
+        Raises
+        ------
+        vad.errors.InputError
+            If ``digits`` is no whole number from 1 to 17.
+        """
+        return table(self.to_dict(), self.mechanism, gate.whole("digits", digits, 1, MOST_DIGITS))
 
     def to_dict(self) -> dict[str, Any]:
         """Return the results as the JSON object of ``vad solve --json``.

@@ -5,13 +5,14 @@ Values are in the units of the user; they are numbers or new arrays, never views
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Any, Generic
 
 import numpy as np
 
 from vad.kinematics.numbers import Number, Real, Vector
 from vad.units import scene_unit
-from vad.written import typed
+from vad.written import DIGITS, typed
 
 if TYPE_CHECKING:
     from vad.kinematics.solution import Solution
@@ -125,9 +126,6 @@ class Slider(Generic[Real]):
         return self._motion.read(("slide", self._name, "coriolis"))
 
 
-_DIGITS = 12  # of the text table, from which numbers are copied
-
-
 def units(length_unit: str) -> dict[str, str]:
     """Return the unit of every quantity."""
     quantities = ("length", "angle", "omega", "alpha", "velocity", "acceleration")
@@ -150,10 +148,11 @@ def plain(value: Number) -> Any:
     return value + 0.0
 
 
-def table(data: dict[str, Any], mechanism: Mechanism) -> str:
+def table(data: dict[str, Any], mechanism: Mechanism, digits: int = DIGITS) -> str:
     """Return the results of `Motion.to_dict` as aligned columns of text."""
     unit = data["units"]
     titled = f"{mechanism.title}  ({_inputs(data)})"
+    rows = partial(block, digits=digits)
     turning = [f"{name}, {unit[name]}" for name in ("angle", "omega", "alpha")]
     names = ("position", "velocity", "acceleration")
     sliding = [f"{name}, {unit.get(name, unit['length'])}" for name in names]
@@ -168,11 +167,11 @@ def table(data: dict[str, Any], mechanism: Mechanism) -> str:
     moving = [("", unit["length"]), ("v_", unit["velocity"]), ("a_", unit["acceleration"])]
     spinning = [(f"{name}_", unit[name]) for name in ("omega", "alpha")]
     blocks = [
-        block(["link", *turning], lines),
-        block(["body", *_by_axis(spinning, axes)], bodies),
-        block(["joint", *turning], joints),
-        block(["slide", *sliding], slides),
-        block(["point", *_by_axis(moving, axes)], data["points"]),
+        rows(["link", *turning], lines),
+        rows(["body", *_by_axis(spinning, axes)], bodies),
+        rows(["joint", *turning], joints),
+        rows(["slide", *sliding], slides),
+        rows(["point", *_by_axis(moving, axes)], data["points"]),
     ]
     return "\n\n".join([titled, *filter(None, blocks)])
 
@@ -181,13 +180,13 @@ def _by_axis(quantities: list[tuple[str, str]], axes: str) -> list[str]:
     return [f"{name}{axis}, {unit}" for name, unit in quantities for axis in axes]
 
 
-def block(head: list[str], rows: dict[str, dict[str, Any]]) -> str:
+def block(head: list[str], rows: dict[str, dict[str, Any]], digits: int = DIGITS) -> str:
     """Return rows under a head, a vector's parts in columns of their own; nothing without rows."""
     cells = [
         [
             name,
             *(
-                _number(part, "°" if quantity == "angle" else "")
+                _number(part, "°" if quantity == "angle" else "", digits)
                 for quantity, value in row.items()
                 for part in _parts(value)
             ),
@@ -214,8 +213,8 @@ def _inputs(data: dict[str, Any]) -> str:
     return ", ".join(given)
 
 
-def _number(value: Any, unit: str = "") -> str:
-    return typed(value, unit, _DIGITS) if isinstance(value, float) else str(value)
+def _number(value: Any, unit: str = "", digits: int = DIGITS) -> str:
+    return typed(value, unit, digits) if isinstance(value, float) else str(value)
 
 
 def _columns(rows: list[list[str]]) -> str:

@@ -9,6 +9,7 @@ from typing import Any, Generic, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from vad import gate
 from vad.errors import InputError, UsageError, VadError, quoted, unknown
 from vad.kinematics.any_solver import Result
 from vad.kinematics.bodies import FRAME, Bodies, bodies_of
@@ -23,6 +24,7 @@ from vad.statics.loads import Given, gravity_of
 from vad.statics.solver import Acting, StaticSolver
 from vad.statics.turn import Turning
 from vad.units import metres_of, read
+from vad.written import DIGITS, MOST_DIGITS
 
 
 def forces(
@@ -340,9 +342,10 @@ class Forces(Solution[Truth], Generic[Real, Vector, Truth]):
         """Return the forces as ``vad solve --json`` has them under ``forces``."""
         return listed(self)
 
-    def table(self) -> str:
-        """Return the forces of one pose as a table in plain text, with units."""
-        return table(self.to_dict(), self.bodies.driver.name)
+    def table(self, digits: int = DIGITS) -> str:
+        """Return the forces of one pose as a table in plain text; digits as in `Motion.table`."""
+        checked = gate.whole("digits", digits, 1, MOST_DIGITS)
+        return table(self.to_dict(), self.bodies.driver.name, checked)
 
     @property
     def moment_unit(self) -> str:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.results import block, plain
+from vad.written import DIGITS
 
 if TYPE_CHECKING:
     from vad.statics.forces import Forces, JointForce
@@ -39,15 +41,16 @@ def _acting(found: Forces[Any, Any, Any], number: int) -> dict[str, Any]:
     return named | ({"at": point, "force": value} if point else {"couple": value})
 
 
-def table(data: dict[str, Any], driver: str) -> str:
+def table(data: dict[str, Any], driver: str, digits: int = DIGITS) -> str:
     """Return forces, as `listed` has them, in aligned columns of text."""
     newton, moment = data["units"]["force"], data["units"]["moment"]
     axes = [f"{axis}, {newton}" for axis in ("x", "y", "size")]
+    rows = partial(block, digits=digits)
     blocks = [
-        block(["drive", data["units"]["drive"]], {driver: {"drive": data["drive"]}}),
-        block(["force in a joint", *axes], _rows(data["joints"])),
-        block(["friction", *axes], _rows(data.get("friction", []))),
-        block(
+        rows(["drive", data["units"]["drive"]], {driver: {"drive": data["drive"]}}),
+        rows(["force in a joint", *axes], _rows(data["joints"])),
+        rows(["friction", *axes], _rows(data.get("friction", []))),
+        rows(
             ["shaking", *axes[:2], f"moment, {moment}"],
             {"frame": {"force": data["shaking"]["force"], "moment": data["shaking"]["moment"]}},
         ),
