@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from vad.export import save
     from vad.export.sheet_json import sheet_from_json
     from vad.files.loading import load, mechanism
+    from vad.kinematics.centres import Centres, centres
+    from vad.kinematics.klein import klein
     from vad.kinematics.motion import Motion, Motions, solve
     from vad.lecture.lesson import Lesson, Still, animate, still
     from vad.lecture.turn import Turn, turn
@@ -57,6 +59,7 @@ __all__ = [
     "MECHANISMS",
     "RSSR",
     "AssemblyError",
+    "Centres",
     "CrankSlottedLever",
     "DeadCentreError",
     "DoubleSlider",
@@ -84,8 +87,10 @@ __all__ = [
     "Whitworth",
     "animate",
     "batch",
+    "centres",
     "draw",
     "forces",
+    "klein",
     "load",
     "mechanism",
     "multiples",
@@ -104,6 +109,9 @@ _HOMES = {
     "solve": "vad.kinematics.motion",
     "Motion": "vad.kinematics.motion",
     "Motions": "vad.kinematics.motion",
+    "centres": "vad.kinematics.centres",
+    "Centres": "vad.kinematics.centres",
+    "klein": "vad.kinematics.klein",
     "forces": "vad.statics.forces",
     "Forces": "vad.statics.forces",
     "draw": "vad.strokes.draw",

@@ -229,6 +229,8 @@ class Evaluation:
         # Not functools.cached_property: its lock takes a tenth of the time of a pose.
         self._pose: Pose | None = None
         self._found: tuple[Rates, ...] = ()
+        #: What formulas have found of the pose and need again.
+        self.kept: dict[Any, Any] = {}
 
     @property
     def pose(self) -> Pose:

@@ -175,6 +175,8 @@ class Bodies:
 
     Attributes
     ----------
+    solver, linkage
+        What is solved.
     bodies
         By name, each after the one on which it hangs.
     dyads
@@ -194,7 +196,7 @@ class Bodies:
     """
 
     def __init__(self, solver: Solver) -> None:
-        self.linkage = solver.linkage
+        self.solver, self.linkage = solver, solver.linkage
         self._places = frozenset(solver.frame.fixed)
         self._steps = solver.frame.steps
         self._slides = {s.name: s for s in self._steps if isinstance(s, Slide)}

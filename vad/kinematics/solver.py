@@ -287,6 +287,20 @@ def _coriolis(evaluation: Evaluation, name: str, order: int) -> Number:
     return twist * evaluation.solver.plane.frame.scale
 
 
+def _centre(evaluation: Evaluation, name: str, order: int) -> Number:
+    """Return the instantaneous centre of two bodies, in homogeneous coordinates."""
+    from vad.kinematics.kennedy import kennedy_of  # most motions do not need it
+
+    return kennedy_of(evaluation.solver.plane).named(name, evaluation)
+
+
+def _klein(evaluation: Evaluation, name: str, order: int) -> Number:
+    """Return a point of Klein's construction."""
+    from vad.kinematics.klein import figure_of  # most motions do not need it
+
+    return figure_of(evaluation)[name]
+
+
 _FORMULAS: dict[tuple[str, str], Callable[[Evaluation, str, int], Number]] = {
     ("link", "angle"): _angle,
     ("link", "omega"): _turning,
@@ -298,4 +312,6 @@ _FORMULAS: dict[tuple[str, str], Callable[[Evaluation, str, int], Number]] = {
     ("slide", "velocity"): _sliding,
     ("slide", "acceleration"): _sliding,
     ("slide", "coriolis"): _coriolis,
+    ("centre", "position"): _centre,
+    ("klein", "position"): _klein,
 }
