@@ -90,11 +90,11 @@ def test_a_given_value_has_the_digits_that_a_calculation_needs_wherever_it_stand
     ("code", "name", "sentence"),
     [
         ("de", "AB.bar", "Die Kurbel AB = 60 mm steht bei 60,5°."),
-        ("de", "AB.angle", "Der Winkel der Kurbel wird von der x-Achse gegen den Uhrzeigersinn"),
+        ("de", "AB.angle", "Der Winkel zählt von x aus gegen den Uhrzeigersinn."),
         ("de", "BC.bar", "Die Stange BC steht bei θ₃ = 338,1°."),
         ("de", "DC.block", "Der Schieber C steht bei x = 159,4 mm."),
         ("fr", "AB.bar", "La manivelle AB = 60 mm fait un angle de 60,5° avec l’axe x."),
-        ("fr", "AB.angle", "L’angle de la manivelle se mesure depuis l’axe x"),
+        ("fr", "AB.angle", "L’angle se mesure depuis x, dans le sens trigonométrique."),
         ("fr", "DC.block", "Le coulisseau C se trouve en x = 159,4 mm."),
     ],
 )
@@ -109,7 +109,7 @@ def test_nouns_have_their_articles_and_numbers_their_comma(
 
 @in_every_language
 def test_a_name_that_nobody_has_translated_stands_in_a_whole_sentence(code: str) -> None:
-    sentence = Voice(code).text(Sentence("angle", {"link": Noun("geneva_wheel")}))
+    sentence = Voice(code).text(Sentence("slot", {"head": "B", "link": Noun("geneva_wheel")}))
     start = {"en": "of the geneva", "de": "des Glieds geneva", "fr": "de la barre geneva"}
     assert f"{start[code]} wheel" in sentence
 
@@ -149,10 +149,10 @@ def test_letters_are_the_same_where_a_coupler_does_not_turn() -> None:
 @pytest.mark.parametrize(
     ("mechanism", "angle", "stroke", "sentence"),
     [
-        (vad.SliderCrank(), 90.0, "C", "c is where the two lines cross: at b, so ω₃ is zero."),
-        (vad.SliderCrank(), 0.0, "C", "c is where the two lines cross: at d, so v is zero."),
-        (vad.ScotchYoke(), 90.0, "C", "c is where the two lines cross: at b, so v is zero."),
-        (vad.FourBar(), 60.0, "C", "c is where the two lines cross."),
+        (vad.SliderCrank(), 90.0, "C", "c is where both lines cross: at b, so ω₃ is zero."),
+        (vad.SliderCrank(), 0.0, "C", "c is where both lines cross: at d, so v is zero."),
+        (vad.ScotchYoke(), 90.0, "C", "c is where both lines cross: at b, so v is zero."),
+        (vad.FourBar(), 60.0, "C", "c is where both lines cross."),
     ],
 )
 def test_what_vanishes_is_said_where_the_lines_cross(

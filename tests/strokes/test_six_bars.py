@@ -111,8 +111,8 @@ def test_velocity_lines_are_square_to_the_link_and_acceleration_lines_at_its_ang
     ("code", "said"),
     [
         ("en", "b′c′e′ is similar to BCE, lettered in the same sense: b′e′ = b′c′·BE/BC = "),
-        ("de", "b′c′e′ ist ähnlich zu BCE, im gleichen Sinn beschriftet: b′e′ = b′c′·BE/BC = "),
-        ("fr", "b′c′e′ est semblable à BCE, désigné dans le même sens : b′e′ = b′c′·BE/BC = "),
+        ("de", "b′c′e′ ist ähnlich zu BCE, mit gleichem Umlaufsinn: b′e′ = b′c′·BE/BC = "),
+        ("fr", "b′c′e′ est semblable à BCE, de même sens : b′e′ = b′c′·BE/BC = "),
     ],
 )
 def test_the_image_is_said(code: str, said: str):
@@ -260,7 +260,7 @@ def captions(name: str, panel: str = "position") -> str:
 
 def test_a_rod_through_a_fixed_block_is_found_by_a_line_not_by_its_unknown_length():
     said = captions("trunnion.toml")
-    assert "The rod from B passes through D. Q is the point of the rod that lies under D" in said
+    assert "The rod from B passes through D. Q is the point of the rod under D" in said
     assert "circle" not in said
 
 

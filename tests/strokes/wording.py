@@ -99,7 +99,7 @@ WORDING = {
             "die (?:Geschwindigkeit|Beschleunigung) von (?P<head>[A-Z])"
             "(?: gegenüber (?P<tail>[A-Z]))?"
         ),
-        bound=re.compile("gegenüber (?P<tail>[A-Z]) kann sich (?P<head>[A-Z]) nur so bewegen"),
+        bound=re.compile("relativ zu (?P<tail>[A-Z]) kann sich (?P<head>[A-Z]) nur so bewegen"),
         carried=re.compile(
             r"(?:auf der|im) (?P<carrier>\w+) kann sich der \w+ [A-Z] nur so bewegen"
         ),

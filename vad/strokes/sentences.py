@@ -105,9 +105,9 @@ class Sentence:
     --------
     >>> said = Sentence("crossing", {"letter": "c"})
     >>> str(said)
-    'c is where the two lines cross.'
+    'c is where both lines cross.'
     >>> Voice("de").text(said)
-    'c liegt, wo sich die beiden Geraden schneiden.'
+    'c ist der Schnittpunkt der Geraden.'
     """
 
     phrase: str

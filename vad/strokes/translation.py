@@ -28,7 +28,7 @@ def translated(sheet: Sheet, code: str) -> Sheet:
     >>> import vad
     >>> sheet = translated(vad.draw(vad.solve(vad.FourBar())), "de")
     >>> sheet.title, sheet.panel("velocity").strokes[4].caption
-    ('Gelenkviereck', 'c liegt, wo sich die beiden Geraden schneiden.')
+    ('Gelenkviereck', 'c ist der Schnittpunkt der Geraden.')
     """
     voice = Voice(code, replace(sheet.notation, point=Language(code).point))
     with_words = said_by(sheet, lambda words: _in_voice(words, voice))

@@ -19,11 +19,8 @@ PHRASES = {
     "fixed": "{letter} ist ein festes Gelenk.",
     "fixed point": "{letter} ist ein fester Punkt.",
     "guides cross": "{letter}, wo sich die Führungen schneiden, ist fest.",
-    "guide": "{head} kann sich nur längs seiner Führung bewegen.",
-    "guide point": (
-        "{head} kann sich nur längs seiner Führung bewegen; {tail} ist ein fester Punkt der "
-        "Führung."
-    ),
+    "guide": "{head} gleitet längs seiner Führung.",
+    "guide point": "{head} gleitet längs seiner Führung; {tail} ist ein fester Punkt von ihr.",
     "slot": "{head} gleitet im Schlitz {link:des}.",
     "driven bar": "{link:Der} {bar} = {size} {unit} steht bei {angle}°.",
     "driven slide": "{slide:Der} {head} steht bei {symbol} = {value} {unit} auf seiner Führung.",
@@ -31,29 +28,26 @@ PHRASES = {
         "{slide:Der} {head} steht bei {symbol} = {value} {unit} auf seiner Führung, von {tail} aus "
         "gemessen."
     ),
-    "angle": "Der Winkel {link:des} wird von der *x*-Achse gegen den Uhrzeigersinn gemessen.",
-    "compass": "{head} liegt auf dem Kreis um {tail} mit dem Radius {bar} = {size} {unit}.",
+    "angle": "Der Winkel zählt von *x* aus gegen den Uhrzeigersinn.",
+    "compass": "{head} liegt auf dem Kreis um {tail}, Radius {bar} = {size} {unit}.",
     "compass strut": (
-        "{head} liegt auf dem Kreis um {tail} mit dem Radius {bar} = {size} {unit}, der gegebenen "
-        "Länge {link:des}."
+        "{head} liegt auf dem Kreis um {tail}, Radius {bar} = {size} {unit}, der gegebenen Länge "
+        "{link:des}."
     ),
     "lever line": "{link:Der} geht von {tail} aus durch {pin}.",
     "slot line": "Der Schlitz {link:des} geht durch {pin}, und {head} liegt auf seiner Geraden.",
     "found": "{letter} liegt im Schnittpunkt.",
-    "arcs cross": "{letter} liegt, wo sich die beiden Bögen schneiden.",
+    "arcs cross": "{letter} ist der Schnittpunkt der Bögen.",
     "on guide": "{letter} liegt, wo der Bogen die Führung schneidet.",
     "on slot": "{letter} liegt, wo die Gerade des Schlitzes die Führung schneidet.",
-    "on lever": "{letter} ist der Punkt {link:des}, der in dieser Lage unter {pin} liegt.",
+    "on lever": "{letter} ist der Punkt {link:des}, der jetzt unter {pin} liegt.",
     "bar": "{link:Der} {bar} steht bei {symbol} = {angle}°.",
     "block": "{slide:Der} {head} steht bei {symbol} = {value} {unit}.",
     "block from": (
         "{slide:Der} {head} steht bei {symbol} = {value} {unit}, von {tail} aus gemessen."
     ),
     "plate": "{link:Der} ist ein starres Stück mit den Ecken {corners}.",
-    "third point": (
-        "{letter} liegt, wo sich die beiden Bögen schneiden: das Dreieck {corners} behält seinen "
-        "Sinn."
-    ),
+    "third point": "{letter} ist der Schnittpunkt der Bögen: {corners} behält seinen Umlaufsinn.",
     "on link slot": "{letter} liegt, wo der Bogen die Gerade des Schlitzes schneidet.",
     "in slot": "{head} liegt auf der Geraden des Schlitzes {link:des}.",
     "tip": "{letter} liegt auf {link:dem}, {size} {unit} von {tail} entfernt.",
@@ -62,16 +56,16 @@ PHRASES = {
     ),
     # Polygone
     "pole velocity": (
-        "Der Pol: feste Punkte haben die Geschwindigkeit null, also liegen {letters} hier."
+        "Der Pol: feste Punkte haben keine Geschwindigkeit, also liegen {letters} hier."
     ),
     "pole acceleration": (
-        "Der Pol: feste Punkte haben die Beschleunigung null, also liegen {letters} hier."
+        "Der Pol: feste Punkte haben keine Beschleunigung, also liegen {letters} hier."
     ),
     "pole velocity one": (
-        "Der Pol: der feste Punkt {point} hat die Geschwindigkeit null, also liegt {letters} hier."
+        "Der Pol: der feste Punkt {point} hat keine Geschwindigkeit, also liegt {letters} hier."
     ),
     "pole acceleration one": (
-        "Der Pol: der feste Punkt {point} hat die Beschleunigung null, also liegt {letters} hier."
+        "Der Pol: der feste Punkt {point} hat keine Beschleunigung, also liegt {letters} hier."
     ),
     "on the guide": "{letter} ({point} auf der Führung)",
     "still": "Der Antrieb steht still und mit ihm alles andere: das Polygon ist sein Pol.",
@@ -108,62 +102,56 @@ PHRASES = {
         "gedreht."
     ),
     "across velocity": (
-        "Durch {point} senkrecht zu {bar}: gegenüber {tail} kann sich {head} nur so bewegen, also "
-        "liegt {meeting} auf dieser Geraden."
+        "⟂ {bar} durch {point}: relativ zu {tail} kann sich {head} nur so bewegen, also liegt "
+        "{meeting} darauf."
     ),
     "across velocity strut": (
-        "Durch {point} senkrecht zu {bar}: außer längs {bar} zu gleiten kann sich {head} nur quer "
-        "dazu bewegen, also liegt {meeting} auf dieser Geraden."
+        "⟂ {bar} durch {point}: außer längs {bar} zu gleiten kann sich {head} nur quer dazu "
+        "bewegen, also liegt {meeting} darauf."
     ),
     "across acceleration": (
-        "Durch {point} senkrecht zu {bar}: der Tangentialanteil {alpha}·{bar} ist noch unbekannt, "
-        "also liegt {meeting} auf dieser Geraden."
+        "⟂ {bar} durch {point}: von {alpha}·{bar} ist die Richtung bekannt, die Länge nicht, also "
+        "liegt {meeting} darauf."
     ),
     "along velocity": (
-        "Durch {point} parallel {line:zum}: anders kann sich {slide:der} {head} nicht bewegen, "
-        "also liegt {meeting} auf dieser Geraden."
+        "∥ {line} durch {point}: anders kann sich {slide:der} {head} nicht bewegen, also liegt "
+        "{meeting} darauf."
     ),
     "along velocity slot": (
-        "Durch {point} parallel {line:zum}: {line:im} kann sich {slide:der} {head} nur so bewegen, "
-        "also liegt {meeting} auf dieser Geraden."
+        "∥ {line} durch {point}: {line:im} kann sich {slide:der} {head} nur so bewegen, also "
+        "liegt {meeting} darauf."
     ),
     "along velocity link": (
-        "Durch {point} parallel {line:zum}: auf {line:dem} kann sich {slide:der} {head} nur so "
-        "bewegen, also liegt {meeting} auf dieser Geraden."
+        "∥ {line} durch {point}: auf {line:dem} kann sich {slide:der} {head} nur so bewegen, also "
+        "liegt {meeting} darauf."
     ),
     "along acceleration": (
-        "Durch {point} parallel {line:zum}: der Gleitanteil ist noch unbekannt, also liegt "
-        "{meeting} auf dieser Geraden."
+        "∥ {line} durch {point}: vom Gleitanteil ist die Richtung bekannt, die Länge nicht, also "
+        "liegt {meeting} darauf."
     ),
-    "crossing": "{letter} liegt, wo sich die beiden Geraden schneiden.",
-    "crossing zero": "{letter} liegt, wo sich die beiden Geraden schneiden: {found}.",
+    "crossing": "{letter} ist der Schnittpunkt der Geraden.",
+    "crossing zero": "{letter} ist der Schnittpunkt der Geraden: {found}.",
     "zero": "bei {point}, also ist {symbol} null",
-    "pole crossing": (
-        "Der Pol {letter} liegt, wo sich die beiden Geraden schneiden: {point} steht still."
-    ),
+    "pole crossing": "Der Pol {letter} ist der Schnittpunkt der Geraden: {point} steht still.",
     "measured omega": (
-        "{label} = {value} {unit}, also {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
-        "{sense}: von {tail} aus gesehen läuft {head} {way}."
+        "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense}: von {tail} aus "
+        "gesehen läuft {head} {way}."
     ),
     "measured omega absolute": (
-        "{label} = {value} {unit}, also {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
-        "{sense}: {label} ist die Geschwindigkeit von {head}, {way}."
+        "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense}: {label} ist die "
+        "Geschwindigkeit von {head}, {way}."
     ),
     "measured omega strut": (
-        "{label} = {value} {unit}, also {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
-        "{sense}: quer zu {bar} läuft {head} {way}."
+        "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense}: quer zu {bar} läuft "
+        "{head} {way}."
     ),
-    "measured alpha": (
-        "{label} = {value} {unit}, also {alpha} = {label}/{bar} = {value}/{size} = {rate} "
-        "{rad/s²}, {sense}."
-    ),
+    "measured alpha": "{alpha} = {label}/{bar} = {value}/{size} = {rate} {rad/s²}, {sense}.",
     "measured sliding velocity": (
         "{label} = {value} {unit}: {slide:der} {head} gleitet längs {line:des} {way}, {symbol} = "
         "{rate} {unit}."
     ),
     "measured sliding acceleration": (
-        "{label} = {value} {unit}, {way}: längs {line:des} hat {slide:der} {head} die "
-        "Beschleunigung {symbol} = {rate} {unit}."
+        "{label} = {value} {unit}, {way}: {slide:der} {head} hat {symbol} = {rate} {unit}."
     ),
     "whole": "{label} = {value} {unit}, {whose}.",
     "image velocity": "dem Geschwindigkeitsbild",
@@ -177,12 +165,12 @@ PHRASES = {
         "{known} × {size}/{length} = {own} {unit}{also}."
     ),
     "image similar": (
-        "{letter} aus {image} {link:des}: {triangle} ist ähnlich zu {corners}, im gleichen Sinn "
-        "beschriftet: {part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
+        "{letter} aus {image} {link:des}: {triangle} ist ähnlich zu {corners}, mit gleichem "
+        "Umlaufsinn: {part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
-        "Durch {point} unter dem Winkel {corner} = {angle}° gegen {side}, im Sinn des Glieds: "
-        "{meeting} liegt auf dieser Geraden."
+        "Durch {point} unter {corner} = {angle}° gegen {side}, im Drehsinn des Glieds: {meeting} "
+        "liegt darauf."
     ),
     "image alike velocity": (
         "{letter} fällt auf {point}: {link:der} dreht sich in diesem Augenblick nicht, alle Punkte "

@@ -30,46 +30,44 @@ PHRASES = {
     "fixed": "{letter} is a fixed pivot.",
     "fixed point": "{letter} is a fixed point.",
     "guides cross": "{letter}, where the guides cross, is fixed.",
-    "guide": "{head} can only move along its guide.",
-    "guide point": "{head} can only move along its guide; {tail} is a fixed point of the guide.",
+    "guide": "{head} slides along its guide.",
+    "guide point": "{head} slides along its guide; {tail} is a fixed point of it.",
     "slot": "{head} slides in the slot of the {link}.",
     "driven bar": "The {link} {bar} = {size} {unit} stands at {angle}°.",
     "driven slide": "The {slide} {head} stands at {symbol} = {value} {unit} on its guide.",
     "driven slide from": (
         "The {slide} {head} stands at {symbol} = {value} {unit} on its guide, measured from {tail}."
     ),
-    "angle": "The angle of the {link} is measured counter-clockwise from the *x* axis.",
-    "compass": "{head} lies on the circle about {tail} with radius {bar} = {size} {unit}.",
+    "angle": "The angle counts counter-clockwise from *x*.",
+    "compass": "{head} lies on the circle about {tail}, radius {bar} = {size} {unit}.",
     "compass strut": (
-        "{head} lies on the circle about {tail} with radius {bar} = {size} {unit}, the given "
-        "length of the {link}."
+        "{head} lies on the circle about {tail}, radius {bar} = {size} {unit}, the given length "
+        "of the {link}."
     ),
     "lever line": "The {link} from {tail} passes through {pin}.",
     "slot line": "The slot of the {link} passes through {pin}, and {head} lies on its line.",
     "found": "{letter} is where they meet.",
-    "arcs cross": "{letter} is where the two arcs cross.",
+    "arcs cross": "{letter} is where both arcs cross.",
     "on guide": "{letter} is where the arc meets the guide.",
     "on slot": "{letter} is where the line of the slot meets the guide.",
-    "on lever": "{letter} is the point of the {link} that lies under {pin} in this pose.",
+    "on lever": "{letter} is the point of the {link} under {pin} in this pose.",
     "bar": "The {link} {bar} stands at {symbol} = {angle}°.",
     "block": "The {slide} {head} stands at {symbol} = {value} {unit}.",
     "block from": "The {slide} {head} stands at {symbol} = {value} {unit}, measured from {tail}.",
     "plate": "The {link} is one rigid piece with the corners {corners}.",
-    "third point": "{letter} is where the two arcs cross: the triangle {corners} keeps its sense.",
+    "third point": "{letter} is where both arcs cross: {corners} keeps its sense.",
     "on link slot": "{letter} is where the arc meets the line of the slot.",
     "in slot": "{head} lies on the line of the slot of the {link}.",
     "tip": "{letter} lies on the {link}, {size} {unit} from {tail}.",
     "tip against": "{letter} lies on the {link}, {size} {unit} from {tail} on the other side.",
     # polygons
-    "pole velocity": "The pole: every fixed point has zero velocity, so {letters} lie here.",
-    "pole acceleration": (
-        "The pole: every fixed point has zero acceleration, so {letters} lie here."
-    ),
+    "pole velocity": "The pole: fixed points have no velocity, so {letters} lie here.",
+    "pole acceleration": "The pole: fixed points have no acceleration, so {letters} lie here.",
     "pole velocity one": (
-        "The pole: the fixed point {point} has zero velocity, so {letters} lies here."
+        "The pole: the fixed point {point} has no velocity, so {letters} lies here."
     ),
     "pole acceleration one": (
-        "The pole: the fixed point {point} has zero acceleration, so {letters} lies here."
+        "The pole: the fixed point {point} has no acceleration, so {letters} lies here."
     ),
     "on the guide": "{letter} ({point} on the guide)",
     "still": "The driver stands still, and so does everything else: the polygon is its pole.",
@@ -105,60 +103,56 @@ PHRASES = {
         "{omega}."
     ),
     "across velocity": (
-        "Through {point}, perpendicular to {bar}: relative to {tail}, {head} can move no other "
-        "way, so {meeting} lies on this line."
+        "⟂ {bar} through {point}: relative to {tail}, {head} can move no other way, so {meeting} "
+        "lies on it."
     ),
     "across velocity strut": (
-        "Through {point}, perpendicular to {bar}: besides sliding along {bar}, {head} can only "
-        "move across it, so {meeting} lies on this line."
+        "⟂ {bar} through {point}: besides sliding along {bar}, {head} can only move across it, so "
+        "{meeting} lies on it."
     ),
     "across acceleration": (
-        "Through {point}, perpendicular to {bar}: the tangential part {alpha}·{bar} is not known "
-        "yet, so {meeting} lies on this line."
+        "⟂ {bar} through {point}: the direction of {alpha}·{bar} is known, its length is not, so "
+        "{meeting} lies on it."
     ),
     "along velocity": (
-        "Through {point}, parallel to the {line}: the {slide} {head} can move no other way, so "
-        "{meeting} lies on this line."
+        "∥ {line} through {point}: the {slide} {head} can move no other way, so {meeting} lies on "
+        "it."
     ),
     "along velocity slot": (
-        "Through {point}, parallel to the {line}: in the {line} the {slide} {head} can move no "
-        "other way, so {meeting} lies on this line."
+        "∥ {line} through {point}: in the {line} the {slide} {head} can move no other way, so "
+        "{meeting} lies on it."
     ),
     "along velocity link": (
-        "Through {point}, parallel to the {line}: on the {line} the {slide} {head} can move no "
-        "other way, so {meeting} lies on this line."
+        "∥ {line} through {point}: on the {line} the {slide} {head} can move no other way, so "
+        "{meeting} lies on it."
     ),
     "along acceleration": (
-        "Through {point}, parallel to the {line}: the sliding part is not known yet, so {meeting} "
-        "lies on this line."
+        "∥ {line} through {point}: the direction of the sliding part is known, its length is not, "
+        "so {meeting} lies on it."
     ),
-    "crossing": "{letter} is where the two lines cross.",
-    "crossing zero": "{letter} is where the two lines cross: {found}.",
+    "crossing": "{letter} is where both lines cross.",
+    "crossing zero": "{letter} is where both lines cross: {found}.",
     "zero": "at {point}, so {symbol} is zero",
-    "pole crossing": "The pole {letter} is where the two lines cross: {point} stands still.",
+    "pole crossing": "The pole {letter} is where both lines cross: {point} stands still.",
     "measured omega": (
-        "{label} = {value} {unit}, so {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
-        "{sense}: {head} moves {way} as seen from {tail}."
+        "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense}: {head} moves {way} "
+        "as seen from {tail}."
     ),
     "measured omega absolute": (
-        "{label} = {value} {unit}, so {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
-        "{sense}: {label} is the velocity of {head}, {way}."
+        "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense}: {label} is the "
+        "velocity of {head}, {way}."
     ),
     "measured omega strut": (
-        "{label} = {value} {unit}, so {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
-        "{sense}: across {bar}, {head} moves {way}."
+        "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense}: across {bar}, {head} "
+        "moves {way}."
     ),
-    "measured alpha": (
-        "{label} = {value} {unit}, so {alpha} = {label}/{bar} = {value}/{size} = {rate} {rad/s²}, "
-        "{sense}."
-    ),
+    "measured alpha": "{alpha} = {label}/{bar} = {value}/{size} = {rate} {rad/s²}, {sense}.",
     "measured sliding velocity": (
         "{label} = {value} {unit}: the {slide} {head} slides {way} along the {line}, {symbol} = "
         "{rate} {unit}."
     ),
     "measured sliding acceleration": (
-        "{label} = {value} {unit}, {way}: along the {line} the {slide} {head} has {symbol} = "
-        "{rate} {unit}."
+        "{label} = {value} {unit}, {way}: the {slide} {head} has {symbol} = {rate} {unit}."
     ),
     "whole": "{label} = {value} {unit}, {whose}.",
     "image velocity": "the velocity image",
@@ -176,8 +170,8 @@ PHRASES = {
         "same sense: {part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
-        "Through {point} at the angle {corner} = {angle}° from {side}, in the sense of the link: "
-        "{meeting} lies on this line."
+        "Through {point} at {corner} = {angle}° from {side}, in the sense of the link: {meeting} "
+        "lies on it."
     ),
     "image alike velocity": (
         "{letter} falls on {point}: the {link} does not turn at this instant, so all its points "

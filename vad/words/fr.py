@@ -19,11 +19,8 @@ PHRASES = {
     "fixed": "{letter} est un pivot fixe.",
     "fixed point": "{letter} est un point fixe.",
     "guides cross": "{letter}, où se croisent les glissières, est fixe.",
-    "guide": "{head} ne peut se déplacer que le long de sa glissière.",
-    "guide point": (
-        "{head} ne peut se déplacer que le long de sa glissière ; {tail} est un point fixe de la "
-        "glissière."
-    ),
+    "guide": "{head} glisse le long de sa glissière.",
+    "guide point": "{head} glisse le long de sa glissière ; {tail} en est un point fixe.",
     "slot": "{head} glisse dans la rainure {link:du}.",
     "driven bar": "{link:Le} {bar} = {size} {unit} fait un angle de {angle}° avec l’axe *x*.",
     "driven slide": "{slide:Le} {head} se trouve en {symbol} = {value} {unit} sur sa glissière.",
@@ -31,10 +28,10 @@ PHRASES = {
         "{slide:Le} {head} se trouve en {symbol} = {value} {unit} sur sa glissière, mesuré depuis "
         "{tail}."
     ),
-    "angle": "L’angle {link:du} se mesure depuis l’axe *x*, dans le sens trigonométrique.",
-    "compass": "{head} est sur le cercle de centre {tail} et de rayon {bar} = {size} {unit}.",
+    "angle": "L’angle se mesure depuis *x*, dans le sens trigonométrique.",
+    "compass": "{head} est sur le cercle de centre {tail}, de rayon {bar} = {size} {unit}.",
     "compass strut": (
-        "{head} est sur le cercle de centre {tail} et de rayon {bar} = {size} {unit}, la longueur "
+        "{head} est sur le cercle de centre {tail}, de rayon {bar} = {size} {unit}, la longueur "
         "donnée {link:du}."
     ),
     "lever line": "{link:Le} part de {tail} et passe par {pin}.",
@@ -43,28 +40,26 @@ PHRASES = {
     "arcs cross": "{letter} est à l’intersection des deux arcs.",
     "on guide": "{letter} est à l’intersection de l’arc et de la glissière.",
     "on slot": "{letter} est à l’intersection de la glissière et de l’axe de la rainure.",
-    "on lever": "{letter} est le point {link:du} qui se trouve sous {pin} dans cette position.",
+    "on lever": "{letter} est le point {link:du} sous {pin} dans cette position.",
     "bar": "{link:Le} {bar} fait un angle {symbol} = {angle}° avec l’axe *x*.",
     "block": "{slide:Le} {head} se trouve en {symbol} = {value} {unit}.",
     "block from": "{slide:Le} {head} se trouve en {symbol} = {value} {unit}, mesuré depuis {tail}.",
     "plate": "{link:Le} est une pièce rigide de sommets {corners}.",
-    "third point": (
-        "{letter} est à l’intersection des deux arcs : le triangle {corners} garde son sens."
-    ),
+    "third point": "{letter} est à l’intersection des deux arcs : {corners} garde son sens.",
     "on link slot": "{letter} est à l’intersection de l’arc et de l’axe de la rainure.",
     "in slot": "{head} est sur l’axe de la rainure {link:du}.",
     "tip": "{letter} est sur {link:le}, à {size} {unit} de {tail}.",
     "tip against": "{letter} est sur {link:le}, à {size} {unit} de {tail}, de l’autre côté.",
     # polygones
-    "pole velocity": "Le pôle : la vitesse de tout point fixe est nulle, donc {letters} sont ici.",
+    "pole velocity": "Le pôle : les points fixes n’ont pas de vitesse, donc {letters} sont ici.",
     "pole acceleration": (
-        "Le pôle : l’accélération de tout point fixe est nulle, donc {letters} sont ici."
+        "Le pôle : les points fixes n’ont pas d’accélération, donc {letters} sont ici."
     ),
     "pole velocity one": (
-        "Le pôle : la vitesse du point fixe {point} est nulle, donc {letters} est ici."
+        "Le pôle : le point fixe {point} n’a pas de vitesse, donc {letters} est ici."
     ),
     "pole acceleration one": (
-        "Le pôle : l’accélération du point fixe {point} est nulle, donc {letters} est ici."
+        "Le pôle : le point fixe {point} n’a pas d’accélération, donc {letters} est ici."
     ),
     "on the guide": "{letter} ({point} sur la glissière)",
     "still": (
@@ -100,32 +95,32 @@ PHRASES = {
         "le sens de {omega}."
     ),
     "across velocity": (
-        "Par {point}, perpendiculairement à {bar} : par rapport à {tail}, {head} ne peut pas se "
-        "déplacer autrement, donc {meeting} est sur cette droite."
+        "⟂ {bar} par {point} : par rapport à {tail}, {head} ne peut pas se déplacer autrement, "
+        "donc {meeting} y est."
     ),
     "across velocity strut": (
-        "Par {point}, perpendiculairement à {bar} : hormis son glissement le long de {bar}, {head} "
-        "ne peut se déplacer qu’en travers, donc {meeting} est sur cette droite."
+        "⟂ {bar} par {point} : hormis son glissement le long de {bar}, {head} ne peut se déplacer "
+        "qu’en travers, donc {meeting} y est."
     ),
     "across acceleration": (
-        "Par {point}, perpendiculairement à {bar} : la composante tangentielle {alpha}·{bar} n’est "
-        "pas encore connue, donc {meeting} est sur cette droite."
+        "⟂ {bar} par {point} : la direction de {alpha}·{bar} est connue, sa longueur non, donc "
+        "{meeting} y est."
     ),
     "along velocity": (
-        "Par {point}, parallèlement {line:au} : {slide:le} {head} ne peut pas se déplacer "
-        "autrement, donc {meeting} est sur cette droite."
+        "∥ {line} par {point} : {slide:le} {head} ne peut pas se déplacer autrement, donc "
+        "{meeting} y est."
     ),
     "along velocity slot": (
-        "Par {point}, parallèlement {line:au} : dans {line:le}, {slide:le} {head} ne peut pas se "
-        "déplacer autrement, donc {meeting} est sur cette droite."
+        "∥ {line} par {point} : dans {line:le}, {slide:le} {head} ne peut pas se déplacer "
+        "autrement, donc {meeting} y est."
     ),
     "along velocity link": (
-        "Par {point}, parallèlement {line:au} : sur {line:le}, {slide:le} {head} ne peut pas se "
-        "déplacer autrement, donc {meeting} est sur cette droite."
+        "∥ {line} par {point} : sur {line:le}, {slide:le} {head} ne peut pas se déplacer "
+        "autrement, donc {meeting} y est."
     ),
     "along acceleration": (
-        "Par {point}, parallèlement {line:au} : la composante de glissement n’est pas encore "
-        "connue, donc {meeting} est sur cette droite."
+        "∥ {line} par {point} : la direction du glissement est connue, sa longueur non, donc "
+        "{meeting} y est."
     ),
     "crossing": "{letter} est à l’intersection des deux droites.",
     "crossing zero": "{letter} est à l’intersection des deux droites : {found}.",
@@ -134,28 +129,24 @@ PHRASES = {
         "Le pôle {letter} est à l’intersection des deux droites : {point} est immobile."
     ),
     "measured omega": (
-        "{label} = {value} {unit}, donc {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
-        "{sense} : vu de {tail}, {head} se déplace {way}."
+        "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense} : vu de {tail}, "
+        "{head} se déplace {way}."
     ),
     "measured omega absolute": (
-        "{label} = {value} {unit}, donc {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
-        "{sense} : {label} est la vitesse de {head}, {way}."
+        "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense} : {label} est la "
+        "vitesse de {head}, {way}."
     ),
     "measured omega strut": (
-        "{label} = {value} {unit}, donc {omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, "
-        "{sense} : perpendiculairement à {bar}, {head} se déplace {way}."
+        "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense} : perpendiculairement "
+        "à {bar}, {head} se déplace {way}."
     ),
-    "measured alpha": (
-        "{label} = {value} {unit}, donc {alpha} = {label}/{bar} = {value}/{size} = {rate} "
-        "{rad/s²}, {sense}."
-    ),
+    "measured alpha": "{alpha} = {label}/{bar} = {value}/{size} = {rate} {rad/s²}, {sense}.",
     "measured sliding velocity": (
         "{label} = {value} {unit} : {slide:le} {head} glisse {way} le long {line:du}, {symbol} = "
         "{rate} {unit}."
     ),
     "measured sliding acceleration": (
-        "{label} = {value} {unit}, {way} : le long {line:du}, l’accélération {slide:du} {head} est "
-        "{symbol} = {rate} {unit}."
+        "{label} = {value} {unit}, {way} : {slide:le} {head} a {symbol} = {rate} {unit}."
     ),
     "whole": "{label} = {value} {unit}, {whose}.",
     "image velocity": "l’image des vitesses",
@@ -169,12 +160,11 @@ PHRASES = {
         "× {size}/{length} = {own} {unit}{also}."
     ),
     "image similar": (
-        "{letter} par {image} {link:du} : {triangle} est semblable à {corners}, désigné dans le "
-        "même sens : {part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
+        "{letter} par {image} {link:du} : {triangle} est semblable à {corners}, de même sens : "
+        "{part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
-        "Par {point}, à l’angle {corner} = {angle}° de {side}, dans le sens de la pièce : "
-        "{meeting} est sur cette droite."
+        "Par {point}, à {corner} = {angle}° de {side}, dans le sens de la pièce : {meeting} y est."
     ),
     "image alike velocity": (
         "{letter} tombe sur {point} : {link:le} ne tourne pas à cet instant, tous ses points ont "
