@@ -11,6 +11,8 @@ from typing import Any
 
 from hatchling.metadata.plugin.interface import MetadataHookInterface
 
+#: No project is at home there: an address with this host waits for the real one.
+PLACEHOLDER = "//example.org"
 _PICTURE = re.compile(r"!\[(?P<words>[^]]*)\]\((?P<path>[^)]+)\)")
 _LINK = re.compile(r"(?<!!)\[(?P<words>[^]]*)\]\((?P<path>[^)]+)\)")
 
@@ -28,6 +30,8 @@ class Readme(MetadataHookInterface):
         """
         text = Path(self.root, "README.md").read_text("utf-8")
         address = metadata.get("urls", {}).get("Repository")
+        if address is not None and PLACEHOLDER in address:
+            address = None
         metadata["readme"] = {"content-type": "text/markdown", "text": on_its_own(text, address)}
 
 
