@@ -143,3 +143,10 @@ def test_in_space(vad):
     result = vad("solve", "hooke-joint", "--load", "3 N at P")
     assert result.err.startswith("error: forces: hooke-joint moves in space")
     assert "hint: " in result.err
+
+
+@pytest.mark.parametrize("poses", [["--turn"], ["--at", "30,60"]])
+def test_several_poses_have_the_loads_of_one(vad, tmp_path, poses):
+    path = tmp_path / "poses.svg"
+    words = ["slider-crank", "--load", "800 N @ 180 at C", *poses, "-o", str(path)]
+    assert (vad("draw", *words).code, "N m" in path.read_text("utf-8")) == (0, "--turn" in poses)

@@ -249,18 +249,6 @@ def take_burden(mechanism: Mechanism, given: dict[str, Any]) -> Burden | None:
     return found if both else None
 
 
-def burden_of_one_pose(
-    mechanism: Mechanism, options: dict[str, Any], several: bool
-) -> Burden | None:
-    """Take what a mechanism has to bear; options of loads are refused where poses are several."""
-    given = next((name for name in _BURDEN if options.get(name)), None)
-    if several and given:
-        raise UsageError(
-            f"--{given} is for one pose", hint="leave out --turn and --at; vad sweep has all poses"
-        )
-    return take_burden(mechanism, options)
-
-
 def mechanism_options(kind: type[Mechanism], ranged: bool = False) -> list[click.Parameter]:
     """Return the options that set a mechanism's parameters and its input.
 

@@ -20,7 +20,6 @@ from vad.cli import completion
 from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import (
     NamedOption,
-    burden_of_one_pose,
     burden_options,
     path,
     places,
@@ -43,6 +42,7 @@ from vad.lecture.turn import Turn
 from vad.mechanisms import Mechanism
 from vad.plan.format import paper_names
 from vad.strokes.diagrams import DIAGRAMS
+from vad.strokes.draw import with_forces
 from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
 from vad.style import GROUP as STYLES
@@ -240,7 +240,7 @@ def draw(
         raise UsageError("--turn and --at: choose one of them")
     if turn and "blank" in options:
         raise UsageError("--blank is for one pose, not for a turn")
-    burden = burden_of_one_pose(mechanism, options, turn or at is not None)
+    burden = take_burden(mechanism, options)
     made = Turn if turn else Sheet if at is None else Multiples
     kind = format_of(Sheet, output)  # before anything is calculated
     format_of(made, output)
@@ -253,30 +253,31 @@ def draw(
     look = _pop(options, "style", "size", "paper", "blank", *own_options([FORMATS[made][kind]]))
     drawn: Sheet | Multiples | Turn
     if at is not None:
-        drawn = _multiples(mechanism, inputs, at, **options)
+        drawn = _multiples(mechanism, inputs, at, burden, **options)
     elif turn:
-        drawn = vad.turn(vad.solve(mechanism, **inputs), **options)
+        drawn = vad.turn(_pose(mechanism, inputs, burden), **options)
     else:
-        drawn = _sheet(mechanism, inputs, burden, **options)
+        drawn = vad.draw(_pose(mechanism, inputs, burden), **options)
     vad.save(drawn, output, **look)
     say_written(output)
     if turn:
         note_change_points(mechanism)
 
 
-def _sheet(mechanism: Mechanism, inputs: Inputs, burden: Burden | None, **options: Any) -> Sheet:
-    """Draw one pose, and the forces in it if there is anything that makes some."""
-    motion = vad.solve(mechanism, **inputs)
-    return vad.draw(motion if burden is None else vad.forces(motion, *burden), **options)
+def _pose(mechanism: Mechanism, inputs: Inputs, burden: Burden | None) -> Any:
+    """Return one pose, or the forces in it if there is anything that makes some."""
+    return with_forces(vad.solve(mechanism, **inputs), burden)
 
 
-def _multiples(mechanism: Mechanism, inputs: Inputs, at: list[float], **options: Any) -> Multiples:
+def _multiples(
+    mechanism: Mechanism, inputs: Inputs, at: list[float], burden: Burden | None, **options: Any
+) -> Multiples:
     """Draw a few poses; an error about their places names the option."""
     driven = next(iter(mechanism.inputs))
     if driven in inputs:
         raise UsageError(f"--at: takes the place of --{driven}", hint=f"leave out --{driven}")
     try:
-        return vad.multiples(vad.solve(mechanism, **inputs), at, **options)
+        return vad.multiples(_pose(mechanism, inputs, burden), at, **options)
     except VadError as error:
         raise type(error)(f"--at: {str(error).removeprefix('at: ')}", error.hint) from None
 
@@ -291,14 +292,14 @@ def animate(
     **options: Any,
 ) -> None:
     """Write the film in which one pose is drawn stroke by stroke, one step of it, or a turn."""
-    burden = burden_of_one_pose(mechanism, options, turn)
+    burden = take_burden(mechanism, options)
     if turn:
         of_strokes = {"--still": still is not None, "--subtitles": subtitles}
         for name, given in (of_strokes | {"--loop": "loop" in options}).items():
             if given:
                 why = "which draws no strokes one by one"
                 raise UsageError(f"{name} does not go with --turn, {why}")
-        _turn(mechanism, inputs, output, **options)
+        _turn(_pose(mechanism, inputs, burden), output, **options)
         return
     thing = Lesson if still is None else Still
     kind = format_of(thing, output)
@@ -307,7 +308,7 @@ def animate(
         raise UsageError(f"--subtitles go beside a film, not beside '{output}'", hint)
     own = _pop(options, *own_options([FORMATS[thing][kind]]))
     timing = _pop(options, "fps", "size", "speed", "style", "loop")
-    sheet = _sheet(mechanism, inputs, burden, **options)
+    sheet = vad.draw(_pose(mechanism, inputs, burden), **options)
     lesson = vad.animate(sheet, **timing)
     if still is not None:
         vad.save(_still(lesson, still), output, **own)
@@ -326,14 +327,14 @@ def _still(lesson: Lesson, step: str) -> Still:
         raise UsageError(f"--still: {error}", error.hint) from None
 
 
-def _turn(mechanism: Mechanism, inputs: Inputs, output: str, **options: Any) -> None:
+def _turn(pose: Any, output: str, **options: Any) -> None:
     """Write the film in which the mechanism runs through a full turn."""
     own = _pop(options, *own_options([FORMATS[Turn][format_of(Turn, output)]]))
-    film = vad.turn(vad.solve(mechanism, **inputs), **options)
+    film = vad.turn(pose, **options)
     with progress(output) as moved:
         vad.save(film, output, progress=moved, **own)
     say_written(output, f"{film.duration:.1f} s, {film.frames} frames")
-    note_change_points(mechanism)
+    note_change_points(film.mechanism)
 
 
 def sweep(mechanism: Mechanism, inputs: Inputs, output: str, **ends: Any) -> None:

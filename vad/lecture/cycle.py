@@ -17,16 +17,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.errors import AssemblyError
-from vad.kinematics.motion import Motion, solve
+from vad.kinematics.motion import Motion
 from vad.kinematics.reach import change_points, closing_range
 from vad.kinematics.results import place_unit
+from vad.statics.turn import Turning
 from vad.strokes.diagram import POSITION, Spot
 from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.draw import scene_of
 from vad.strokes.sheet import BELOW
-from vad.words import Language
 
 if TYPE_CHECKING:
+    from vad.lecture.turn import Turn
     from vad.mechanisms.mechanism import Mechanism
     from vad.strokes.draw import AnyScene
 
@@ -151,6 +151,13 @@ Reals = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
 
 SAMPLES = 720
+#: The coefficient of fluctuation for which a flywheel is stated.
+FLUCTUATION = 0.02
+#: A mean below this share of the largest is none but for rounding.
+_NOTHING = 1e-9
+#: The unit of couples with which energy is in joules.
+JOULE = "N m"
+_SHARES = np.linspace(0.0, 1.0, SAMPLES + 1)
 #: If the ratio of forward to return time is below this, the mechanism has no quick return.
 LEAST_RATIO = 1.005
 _WHOLE = 359.0  # degrees: an angle with at least this range goes round
@@ -158,11 +165,36 @@ _WHOLE = 359.0  # degrees: an angle with at least this range goes round
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Series:
-    """One quantity over the cycle, an angle without jumps; NaN where there is none."""
+    """One quantity of a row over the cycle, an angle without jumps; NaN where there is none."""
 
+    row: str
     symbol: str
     unit: str
     values: Reals
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """What the drive gives over a turn.
+
+    Attributes
+    ----------
+    mean
+        Its mean, in the unit of its curve.
+    energy
+        The greatest excess energy, in J.
+    least, greatest
+        The shares of the cycle between which it is given.
+    flywheel
+        The moment of inertia with which the speed fluctuates by `FLUCTUATION`, in kg·m²; None where
+        nothing turns.
+    """
+
+    mean: float
+    energy: float
+    least: float
+    greatest: float
+    flywheel: float | None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -184,6 +216,8 @@ class Cycle:
         Where the lettered points of each panel are, as complex arrays of shape (n,).
     back
         The shares at which a quick return begins and ends, or None.  The second may be above 1.
+    work
+        What the drive gives, where a torque is drawn of a driver that goes round.
     """
 
     shares: Reals
@@ -193,6 +227,7 @@ class Cycle:
     curves: Mapping[str, Series]
     tracks: Mapping[str, Mapping[Spot, Complexes]]
     back: tuple[float, float] | None
+    work: Work | None = None
 
     @property
     def ratio(self) -> float:
@@ -203,37 +238,50 @@ class Cycle:
         return (1.0 - part) / part
 
 
-def cycle_of(
-    mechanism: Mechanism, course: Course, panels: Sequence[str], language: str, later: float
-) -> Cycle:
-    """Return the cycle of a mechanism.
+def cycle_of(turn: Turn, later: float) -> Cycle:
+    """Return the cycle of a turn.
 
     A pose without rates is replaced by the pose that is ``later`` by that phase.
     """
-    shares = np.linspace(0.0, 1.0, SAMPLES + 1)
-    phases = course.opening + shares
-    scene = _scene(mechanism, course, phases, language)
+    course, panels = turn.course, turn.panels
+    scene = whole_turn(turn)
     tracks = _tracks(scene, panels)
     stuck = ~np.isfinite(sum(sum(each.values()) for each in tracks.values()))
     if stuck.any():
-        scene = _scene(mechanism, course, phases + later * stuck, language)
+        scene = whole_turn(turn, later * stuck)
         tracks = _tracks(scene, panels)
     motion, output = scene.motion, scene.output
     part: Any = motion.slide(output) if output in motion.slides else motion.link(output)
     rate = part.velocity if output in motion.slides else part.omega
-    curves = {name: curve for name in panels if (curve := _curve(scene, name, output))}
     driver = scene.driver.name
+    curves = {name: _curve(scene, name, output) or _curve(scene, name, driver) for name in panels}
     place = _curve(scene, POSITION.panel, driver)
     assert place is not None
-    back = _quick_return(np.broadcast_to(rate, shares.shape)) if course.swing is None else None
-    return Cycle(shares, driver, output, place, curves, tracks, back)
+    back = _quick_return(np.broadcast_to(rate, _SHARES.shape)) if course.swing is None else None
+    known = {name: curve for name, curve in curves.items() if curve}
+    work = _work(turn, scene, known["drive"].values) if "drive" in known else None
+    return Cycle(_SHARES, driver, output, place, known, tracks, back, work)
 
 
-def _scene(mechanism: Mechanism, course: Course, phases: Reals, language: str) -> AnyScene:
-    inputs = [course.inputs(phase) for phase in phases.tolist()]
-    arrays: dict[str, Any] = {n: np.array([each[n] for each in inputs]) for n in course.names}
-    motion: Any = solve(mechanism, **arrays)
-    return scene_of(motion, Language(language))
+def whole_turn(turn: Turn, later: Any = 0.0) -> AnyScene:
+    """Return the scene of all poses of a turn at once, each of them later by some phase."""
+    phases = turn.course.opening + _SHARES + later
+    inputs = [turn.course.inputs(phase) for phase in phases.tolist()]
+    names = turn.course.names
+    return turn.scene({name: np.array([each[name] for each in inputs]) for name in names})
+
+
+def _work(turn: Turn, scene: AnyScene, torque: Reals) -> Work | None:
+    """Return what the drive gives; None where the driver swings, or a torque does not exist."""
+    if turn.course.swing is not None or not np.isfinite(torque).all() or scene.forces is None:
+        return None
+    sense = math.copysign(1.0, turn.course.given[1])
+    turning = Turning(sense * 360.0 * _SHARES, torque)
+    mean = turning.mean if abs(turning.mean) > _NOTHING * np.abs(torque).max() else 0.0
+    rate = turn.course.given[1]
+    metres = scene.forces.moment_unit == JOULE
+    flywheel = turning.flywheel(FLUCTUATION, rate) if rate and metres else None
+    return Work(mean, *turning.excess, flywheel)
 
 
 def _tracks(scene: AnyScene, panels: Sequence[str]) -> dict[str, dict[Spot, Complexes]]:
@@ -257,7 +305,7 @@ def _curve(scene: AnyScene, panel: str, name: str) -> Series | None:
     values = np.broadcast_to(np.asarray(cells[0].value, dtype=np.float64), shape)
     if cells[0].unit == "°":
         values = _unwrapped(values)
-    return Series(cells[0].symbol, cells[0].unit, values)
+    return Series(name, cells[0].symbol, cells[0].unit, values)
 
 
 def _unwrapped(degrees: Reals) -> Reals:

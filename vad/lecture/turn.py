@@ -6,12 +6,12 @@ solver is imported only when a turn is made, because `vad.save` needs the class 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from vad.displayed import Displayed
-from vad.errors import DeadCentreError, InputError
+from vad.errors import DeadCentreError
 from vad.lecture.lesson import checked
 from vad.strokes.sheet import Sheet
 
@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
     from vad.lecture.cycle import Course, Cycle
     from vad.mechanisms.mechanism import Mechanism
+    from vad.statics.burden import Burden
+    from vad.statics.forces import Forces
+    from vad.strokes.draw import AnyScene
 
 SECONDS = 8.0
 #: A pose that has no rates is replaced by the one at this phase later: 1.6 ms of the 8 s of a turn.
@@ -27,7 +30,10 @@ _LATER = 2e-4
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Turn(Displayed):
-    """One turn as a film that begins again where it ends."""
+    """One turn as a film that begins again where it ends.
+
+    With a ``burden`` its sheets have forces, too, whose polygons keep their ``poles``.
+    """
 
     mechanism: Mechanism
     course: Course
@@ -37,6 +43,8 @@ class Turn(Displayed):
     style: str
     panels: tuple[str, ...]
     language: str
+    burden: Burden | None = None
+    poles: Mapping[int, complex] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         """Return a line: what turns, and how long that takes."""
@@ -57,18 +65,17 @@ class Turn(Displayed):
     @property
     def given(self) -> Sheet:
         """The sheet of the pose that was given, with its rates."""
-        from vad.kinematics.motion import solve
         from vad.strokes.draw import draw
 
         inputs: dict[str, Any] = dict(zip(self.course.names, self.course.given, strict=True))
-        return draw(solve(self.mechanism, **inputs), self.panels, self.language)
+        return draw(self._solved(inputs), self.panels, self.language)
 
     @property
     def cycle(self) -> Cycle:
         """The whole turn solved at once: the paths of its points, and the motion of its output."""
         from vad.lecture.cycle import cycle_of
 
-        return cycle_of(self.mechanism, self.course, self.panels, self.language, _LATER)
+        return cycle_of(self, _LATER)
 
     def share(self, frame: int) -> float:
         """Return the share of the cycle at a frame: 0 where the driver passes 0°."""
@@ -96,12 +103,25 @@ class Turn(Displayed):
         except DeadCentreError:
             return self._draw(phase + _LATER)
 
-    def _draw(self, phase: float) -> Sheet:
-        from vad.kinematics.motion import solve
-        from vad.strokes.draw import draw
+    def scene(self, inputs: Mapping[str, Any]) -> AnyScene:
+        """Return the scene of one motion of the driver, or of arrays of them."""
+        from vad.strokes.draw import parted, scene_of
+        from vad.words import Language
 
-        motion = solve(self.mechanism, **self.course.inputs(phase))
-        sheet = draw(motion, self.panels, self.language)
+        motion, forces = parted(self._solved(inputs))
+        return scene_of(motion, Language(self.language), forces, self.poles)
+
+    def _solved(self, inputs: Mapping[str, Any]) -> Any:
+        """Return a motion, or the forces in it."""
+        from vad.kinematics.motion import solve
+        from vad.strokes.draw import with_forces
+
+        return with_forces(solve(self.mechanism, **inputs), self.burden)
+
+    def _draw(self, phase: float) -> Sheet:
+        from vad.strokes.draw import sheet_of
+
+        sheet = sheet_of(self.scene(self.course.inputs(phase)), self.panels)
         if self.course.swing is None:
             return sheet
         # The rates of a swinging driver are the given ones at one instant only.
@@ -119,7 +139,7 @@ class Turn(Displayed):
 
 
 def turn(
-    mechanism: Mechanism | Motion,
+    mechanism: Mechanism | Motion | Forces[Any, Any, Any],
     fps: float = 30,
     size: tuple[int, int] = (1280, 720),
     speed: float = 1.0,
@@ -136,7 +156,8 @@ def turn(
     Parameters
     ----------
     mechanism
-        A mechanism, which moves as is usual for it, or one pose of `vad.solve`.
+        A mechanism, which moves as is usual for it, one pose of `vad.solve`, or the forces in one,
+        whose loads and masses act all through the turn.
     fps
         Frames per second, 1 to 240.
     size
@@ -146,7 +167,7 @@ def turn(
     style
         The name of a style.
     panels
-        Which of "position", "velocity" and "acceleration"; the usual ones if None.
+        As for `vad.draw`; the usual ones if None.
     language
         The language of the words on the page, as a two-letter code.
 
@@ -166,18 +187,16 @@ def turn(
     >>> film.frames, film.duration
     (200, 8.0)
     """
-    from vad.kinematics.motion import Motion, solve
-    from vad.lecture.cycle import course
-    from vad.strokes.draw import chosen
+    from vad.lecture.cycle import course, whole_turn
+    from vad.lecture.poles import poles_of
+    from vad.strokes.draw import chosen, started
     from vad.words import Language
 
     fps, size, speed = checked(fps, size, speed, style)
-    motion = mechanism if isinstance(mechanism, Motion) else solve(mechanism)
-    if motion.many:
-        raise InputError("motion: a turn begins with one pose, got arrays of poses")
-    names = chosen(panels, motion)
+    motion, forces = started(mechanism, "a turn begins with one pose")
+    names = chosen(panels, motion, forces)
     Language(language)
-    return Turn(
+    made = Turn(
         motion.mechanism,
         course(motion),
         max(2, round(SECONDS / speed * fps)),
@@ -186,4 +205,7 @@ def turn(
         style,
         names,
         language,
+        forces.burden if forces else None,
     )
+    found = whole_turn(made).forces if "force" in names else None
+    return replace(made, poles=poles_of(found)) if found else made

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from vad.lecture.cycle import Course, Cycle, Series
+from vad.lecture.cycle import FLUCTUATION, JOULE, Course, Cycle, Series
 from vad.plan.geometry import Rect
 from vad.plan.hodographs import thinned
 from vad.plan.lettering.glyphs import fitted, width
@@ -88,9 +88,9 @@ class Dial:
         return list(map(float, values[np.isfinite(values)])) or [0.0]
 
 
-def dial(sheet: Sheet, key: str, curve: Series) -> Dial:
-    """Return the dial of a row of the results."""
-    number = next(index for index, row in enumerate(sheet.rows) if row.key == key)
+def dial(sheet: Sheet, curve: Series) -> Dial:
+    """Return the dial of a curve, with the name of its row."""
+    number = next(index for index, row in enumerate(sheet.rows) if row.key == curve.row)
     return Dial(sheet.rows[number].title, number, curve, sheet.notation)
 
 
@@ -109,7 +109,10 @@ class Chart:
         self._cycle, self._place = cycle, place
         self._output, self._driver, self._first = output, driver, first
         known = output.known
-        self._low, self._high = min(known), max(known)
+        #: Of a drive, what it gives over the turn.
+        self._work = cycle.work if output.curve is cycle.curves.get("drive") else None
+        means = [self._work.mean] if self._work else []
+        self._low, self._high = min(known + means), max(known + means)
         self._ticks = {value: output.number(value, True) for value in (self._low, self._high)}
         if self._low < 0.0 < self._high:
             self._ticks[0.0] = roman("0")
@@ -146,7 +149,25 @@ class Chart:
             if value in (self._low, self._high) or near > CLOSEST:
                 at = complex(box.left - GAP - width(runs, TICK), y - 0.33 * TICK)
                 marks.append(Mark(Lettering(runs, at, TICK), "notes"))
-        return [*marks, lines(self._pieces(1.0), "curve ahead")]
+        return [*marks, *self._given(), lines(self._pieces(1.0), "curve ahead")]
+
+    def _given(self) -> list[Mark]:
+        """Return the mean of a drive, and the area of its greatest excess energy."""
+        work = self._work
+        if work is None:
+            return []
+        shares = self._cycle.shares
+        end = work.greatest + (work.greatest < work.least)
+        marks = []
+        for low, high in ((work.least, min(end, 1.0)), (0.0, end - 1.0)):
+            if high <= low:
+                continue
+            within = shares[(shares > low) & (shares < high)].tolist()
+            over = [self.at(share, self.value(share)) for share in (low, *within, high)]
+            under = [self.at(share, work.mean) for share in (high, low)]
+            marks.append(area([*over, *under], "excess", self._output.row))
+        level = [self.at(share, work.mean) for share in (0.0, 1.0)]
+        return [*marks, line(level, "mean")]
 
     def scale(self, ticks: Sequence[tuple[float, str]], row: int = 0) -> list[Mark]:
         """Return one row of the words below the curve, as many as have room."""
@@ -260,6 +281,24 @@ def _corners(box: Rect) -> list[complex]:
         complex(box.right, box.top),
         complex(box.left, box.top),
     ]
+
+
+def work_lines(cycle: Cycle, sheet: Sheet, room: Rect) -> list[Mark]:
+    """Return what stands above the driven link: mean and excess energy, below them the flywheel."""
+    work = cycle.work
+    if work is None:
+        return []
+    say, notation = Language(sheet.language).say, sheet.notation
+    unit = cycle.curves["drive"].unit
+    energy = notation.quantity(work.energy, "J" if unit == JOULE else unit)
+    words = [[say("mean", value=notation.quantity(work.mean, unit)), f"ΔE = {energy}"]]
+    if work.flywheel is not None:
+        share = notation.quantity(100.0 * FLUCTUATION, "%", given=True)
+        inertia = notation.quantity(work.flywheel, "kg m²")
+        words.append([say("flywheel", share=share, value=inertia)])
+    lower = Rect(room.left, room.bottom, room.right, room.top - HEIGHT)
+    rows = zip(words, (room, lower), strict=False)
+    return [Mark(text, "notes") for each, place in rows for text in _set(each, place)]
 
 
 class Clock:

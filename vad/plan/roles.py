@@ -131,6 +131,8 @@ ROLES: dict[str, Role] = {
     "numeral": Role(fill="row", halo=0.6 * HALO),
     "dimension": Role(line="grey", width=0.0020),
     "return": Role(fill="hairline", alpha=0.30),
+    "excess": Role(fill="tint"),
+    "mean": Role(line="grey", width=0.0024, dash=(6.0, 3.0)),
     "curve": Role(line="text", width=0.0046, join="round"),
     "curve ahead": Role(line="grey", width=0.0026, join="round", alpha=0.60),
     "axis line": Role(line="grey", width=0.0018),

@@ -13,8 +13,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-import numpy as np
-
+from vad.lecture.poles import usual_limit
 from vad.plan.geometry import Rect
 from vad.plan.lettering.glyphs import ink_size, width
 from vad.plan.lettering.runs import Runs, roman
@@ -40,9 +39,6 @@ SCALE_GAP = 0.0125  # from the bar to its value
 SCALE_RISE = 0.0098  # of the bar above the baseline
 SCALE_TICK = 0.008
 _CENTIMETRES = {"mm": 0.1, "cm": 1.0, "m": 100.0}
-#: If the largest polygon is very much larger than that of three poses in four, their polygons
-#: decide the scale.
-USUAL, DWARFED, ABOUT = 75.0, 2.2, 1.15
 SLACK = 0.020  # labels glide, and so a polygon needs less room around it than in a still
 #: In views letters seldom stand beyond what reaches farthest: the room for them is smaller by this.
 VIEWS_SLACK = 0.025
@@ -222,8 +218,7 @@ def polygon_scale(
     ``polygons`` are the corners of each of them.
     """
     sizes = [max(map(abs, points), default=0.0) for points in polygons]
-    usual, most = float(np.percentile(sizes, USUAL)), max(sizes)
-    limit = ABOUT * usual if most > DWARFED * usual else most
+    limit = usual_limit(sizes)
     kept = zip(polygons, sizes, strict=True)
     points = [point for points, size in kept if size <= limit for point in points]
     return fill(points, room.inside(-SLACK), False, centimetre)

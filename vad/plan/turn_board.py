@@ -12,7 +12,8 @@ from dataclasses import replace
 from vad.kinematics.linkage import points_of
 from vad.lecture.turn import Turn
 from vad.plan.board import rows_of
-from vad.plan.chart import Chart, Clock, dial, driver_ticks
+from vad.plan.chart import HEIGHT as LINE
+from vad.plan.chart import Chart, Clock, dial, driver_ticks, work_lines
 from vad.plan.format import Format, screen
 from vad.plan.geometry import Rect
 from vad.plan.hodographs import Hodographs
@@ -61,7 +62,7 @@ class TurnBoard:
         # Nobody could follow units that change from pose to pose.
         metres = any(pose.notation.metres for pose in poses)
         notation = Notation(poses[0].notation.point, metres)
-        sheet = replace(poses[0], notation=notation)
+        self.sheet = sheet = replace(poses[0], notation=notation)
         names = [panel.name for panel in sheet.panels]
         layout = lay_out_turn(self.form, names)
         self.page = layout.page
@@ -71,9 +72,12 @@ class TurnBoard:
         rows = rows_of(sheet)
         for panel in sheet.panels:
             drawing = self.page.panels[panel.name].drawing
-            if panel.picture != "vectors":
+            if panel is sheet.panels[0] and panel.picture != "vectors":
                 self.clock = Clock(self.cycle, turn.course, sheet, drawing)
                 top = drawing.top - self.clock.height
+                drawing = Rect(drawing.left, drawing.bottom, drawing.right, top)
+            elif panel.name == "drive" and self.cycle.work:
+                top = drawing.top - 2 * LINE
                 drawing = Rect(drawing.left, drawing.bottom, drawing.right, top)
             for half, room in rooms(panel, drawing):
                 setting = Setting(sheet, half, room, rows, 0, self.form.centimetre)
@@ -94,7 +98,7 @@ class TurnBoard:
         items = [*self.unmoved]
         for panel in sheet.halves:
             items += self.panels[panel.name].items(panel, phase)
-            if panel.picture != "vectors" and self.clock:
+            if panel.name == self.sheet.panels[0].name and self.clock:
                 items.append(self.item(panel.name, self.clock.marks(share)))
         for name, chart in self.charts.items():
             items.append(self.item(curve_of(name), [*chart.moving(share), *chart.words(share)]))
@@ -107,9 +111,9 @@ class TurnBoard:
     def _charts(self, sheet: Sheet, places: Mapping[str, Rect]) -> dict[str, Chart]:
         charts: dict[str, Chart] = {}
         cycle = self.cycle
-        driver = dial(sheet, cycle.driver, cycle.place)
+        driver = dial(sheet, cycle.place)
         for name, curve in cycle.curves.items():
-            output = dial(sheet, cycle.output, curve)
+            output = dial(sheet, curve)
             first = not charts
             charts[name] = Chart(cycle, output, driver, places[name], first, self.tick_rows)
         return charts
@@ -122,8 +126,10 @@ class TurnBoard:
             centimetre = self.form.centimetre
             marks = head(panel, place, moving.scale, centimetre, sheet.notation)
             yield head_of(panel.name), marks
-            if panel.picture != "vectors":
+            if panel.name == "position":
                 yield panel.name, self._return_way(moving)
+            elif panel.name == "drive":
+                yield panel.name, work_lines(self.cycle, sheet, place.drawing)
         for name, chart in self.charts.items():
             ticks = chart.scale(self.ticks, self.tick_rows - 1)
             yield curve_of(name), [*chart.still(), *ticks]
@@ -154,7 +160,7 @@ class NumberedTurn(TurnBoard):
             pairs = [(moving.pose(half, 0.0), moving) for moving, half in halves]
             _number(pairs, shares)
             items += [item for sketch, _ in pairs for item in sketch.items]
-            if panel.picture != "vectors" and self.clock:
+            if panel.name == self.sheet.panels[0].name and self.clock:
                 items.append(self.item(panel.name, self.clock.marks()))
         ticks = [(share, f"{number}") for number, share in enumerate([*shares, 1.0], 1)]
         ticks[-1] = (1.0, "1")
@@ -192,7 +198,8 @@ def _add_dots(sketch: Sketch, moving: TurnPanel, shares: Sequence[float]) -> lis
     spots = [
         (point, number, ways.at(point, share))
         for point in sorted(
-            (each for each in ways.drawn if not each.view), key=lambda each: each in ways.straight
+            (each for each in ways.drawn if not each.view and (each.lettered or each.row)),
+            key=lambda each: each in ways.straight,
         )
         for number, share in enumerate(shares, 1)
     ]

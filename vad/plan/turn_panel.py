@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -21,34 +22,49 @@ from vad.plan.labels.vertices import LETTER, SMALL_SIZE, lettered, text_beside
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
 from vad.plan.pictures import over_turn
-from vad.plan.pictures.polygon import CORIOLIS
+from vad.plan.pictures.polygon import CORIOLIS, name_of, principal
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.diagram import Spot
 from vad.strokes.sheet import Arrow, Block, Dot, Panel, Stroke
 
-#: The name of a Coriolis vector, in the place of a point.
-TWISTING = Spot(CORIOLIS)
 FADING = 0.025  # from the edge on, a label fades; and below that length, that of a vector
+
+
+#: The components of vectors that have a name of their own.
+NAMED = ("coriolis", "force", "load", "couple", "action")
 
 
 @dataclass(frozen=True, slots=True)
 class Name:
-    """A label in motion: the letters at its dot, or `TWISTING`; its row if it names a vector."""
+    """A label in motion: the letters at a dot, or the name of a vector.
 
+    Attributes
+    ----------
+    text
+        What is written.
+    letters
+        The points at the dot, none of a vector.
+    vector
+        The name of the vector's stroke, empty for a dot.
+    row
+        The row of the vector; None for a dot.
+    spring
+        Where it stands.
+    anchor
+        On what it hangs.
+    """
+
+    text: str
     letters: tuple[Spot, ...]
+    vector: str
     row: int | None
     spring: Spring
     anchor: Anchor
 
     @property
-    def text(self) -> str:
-        """What is written."""
-        return ", ".join(spot.letter for spot in self.letters)
-
-    @property
     def size(self) -> float:
         """The size of its type."""
-        return SMALL_SIZE if self.text == CORIOLIS else LETTER
+        return SMALL_SIZE if self.vector else LETTER
 
 
 class TurnPanel:
@@ -61,7 +77,9 @@ class TurnPanel:
         self.picture = over_turn(setting, poses)
         self.scale = scale = self.picture.scale
         fixed = {spot.letter for spot, way in tracks.items() if not spot.view and np.ptp(way) == 0}
-        rows = {spot: setting.row(owner_of(spot.letter, fixed, poses)) for spot in tracks}
+        rows = {
+            spot: setting.row(spot.row or owner_of(spot.letter, fixed, poses)) for spot in tracks
+        }
         self.hodographs = Hodographs(tracks, rows, scale, setting.room)
         drawn, straight = self.hodographs.drawn, self.hodographs.straight
         is_place = setting.panel.picture != "vectors"
@@ -99,7 +117,7 @@ class TurnPanel:
         """Return the labels that show at a phase, where they stand, and their share of ink."""
         found = []
         for name in self.names:
-            dot, alpha = self._dot(name.letters, panel, phase)
+            dot, alpha = self._spot(name.letters, name.vector, panel, phase)
             offset, ink = name.spring.at(phase)
             if alpha * ink > 0.0:
                 size = ink_size(symbols(name.text), name.size)
@@ -108,24 +126,24 @@ class TurnPanel:
 
     def dot(self, name: Name, panel: Panel, phase: float) -> complex:
         """Return what a label stands beside: its dot, or the middle of its vector."""
-        return self._dot(name.letters, panel, phase)[0]
+        return self._spot(name.letters, name.vector, panel, phase)[0]
 
     def _anchor(self, letters: tuple[Spot, ...], dot: complex, solved: Solved) -> Anchor:
-        """Return the anchor of a label; a point in two views has it in the view that it names."""
-        if TWISTING in letters:
-            twist = next(s for s in _all(solved.panel) if s.component == "coriolis")
-            return Anchor(((twist.name, "start"), (twist.name, "end")))
+        """Return the anchor of letters; a point in two views has it in the view that it names."""
         found = [Anchor((point,)) for point in lettered(solved.panel)[letters[0].letter]]
         return min(found, key=lambda anchor: abs(solved.place(anchor) - dot))
 
-    def _dot(self, letters: tuple[Spot, ...], panel: Panel, phase: float) -> tuple[complex, float]:
-        """Return the dot of a label and the label's share of ink."""
+    def _spot(
+        self, letters: tuple[Spot, ...], vector: str, panel: Panel, phase: float
+    ) -> tuple[complex, float]:
+        """Return the dot of a label, or the middle of its vector, and the label's share of ink."""
         alpha, room = 1.0, self._setting.room
-        if TWISTING in letters:
-            arrows = [arrow for arrow, _ in _coriolis(panel)]
-            if not arrows:
+        if vector:
+            stroke = _vectors(panel).get(vector)
+            if stroke is None:
                 return complex("nan"), 0.0
-            start, end = self.scale(arrows[0].start), self.scale(arrows[0].end)
+            shape: Any = stroke.shape
+            start, end = self.scale(shape.start), self.scale(shape.end)
             at = (start + end) / 2
             alpha = min(max(abs(end - start) / FADING - 1.0, 0.0), 1.0)
         else:
@@ -144,24 +162,36 @@ class TurnPanel:
                 ways.line(piece, 0.0)
         strokes = Crowd(room, [sketch.obstacles for sketch in sketches])
         among = Ballast(room, strokes, Crowd(room, [ways]), self.picture.radius)
-        dots = {}
-        twists = [link for pose in poses for _, link in _coriolis(pose)]
-        for letters in [*self._groups(), *([(TWISTING,)] if twists else [])]:
-            places = [self._dot(letters, *each) for each in zip(poses, phases, strict=True)]
-            dots[letters] = np.array([at if alpha > 0.0 else np.nan for at, alpha in places])
+        wanted: list[tuple[str, tuple[Spot, ...], str, int | None]] = [
+            (", ".join(spot.letter for spot in group), group, "", None) for group in self._groups()
+        ]
+        wanted += [
+            (name_of(stroke), (), stroke.name, self._setting.row(stroke.link))
+            for stroke in _named(poses)
+        ]
+        dots = []
+        for _, letters, vector, _ in wanted:
+            places = [
+                self._spot(letters, vector, *each) for each in zip(poses, phases, strict=True)
+            ]
+            dots.append(np.array([at if alpha > 0.0 else np.nan for at, alpha in places]))
         placed: Boxes = []
         names = []
-        for letters, own in dots.items():
-            text = ", ".join(spot.letter for spot in letters)
-            row = self._setting.row(twists[0]) if text == CORIOLIS else None
+        for (text, letters, vector, row), own in zip(wanted, dots, strict=True):
             # A vector's name belongs to no dot.
-            others = [o for o in dots if TWISTING not in o and o != letters]
-            rivals = [] if TWISTING in letters else [dots[other] for other in others]
-            size = ink_size(symbols(text), SMALL_SIZE if text == CORIOLIS else LETTER)
+            others = zip(wanted, dots, strict=True)
+            rivals = (
+                [] if vector else [at for (_, _, v, _), at in others if not v and at is not own]
+            )
+            size = ink_size(symbols(text), SMALL_SIZE if vector else LETTER)
             spring = find_spring(own, size, rivals, among, placed)
-            first = int(np.isfinite(own).argmax())  # where it is seen
-            anchor = self._anchor(letters, complex(own[first]), Solved(poses[first], self.scale))
-            names.append(Name(letters, row, spring, anchor))
+            anchor = Anchor(((vector, "start"), (vector, "end")))
+            if not vector:
+                first = int(np.isfinite(own).argmax())  # where it is seen
+                anchor = self._anchor(
+                    letters, complex(own[first]), Solved(poses[first], self.scale)
+                )
+            names.append(Name(text, letters, vector, row, spring, anchor))
         return names
 
     def _groups(self) -> list[tuple[Spot, ...]]:
@@ -169,6 +199,8 @@ class TurnPanel:
         tracks = self.hodographs.tracks
         found: list[list[Spot]] = []
         for letter, way in tracks.items():
+            if not letter.lettered:
+                continue
             same = [group for group in found if _apart(tracks[group[0]], way) < PIXEL]
             if not same:
                 found.append([letter])
@@ -192,10 +224,21 @@ def owner_of(letter: str, fixed: Collection[str], poses: Sequence[Panel]) -> str
     return next((stroke.link for stroke in (*direct, *blocks, *arrows, *dots)), None)
 
 
-def _coriolis(panel: Panel) -> list[tuple[Arrow, str | None]]:
-    """Return the Coriolis vectors of a pose and their links."""
-    strokes = [(s.shape, s.link) for s in panel.strokes if s.component == "coriolis"]
-    return [(shape, link) for shape, link in strokes if isinstance(shape, Arrow)]
+def _named(poses: Sequence[Panel]) -> list[Stroke]:
+    """Return the vectors that have a name, each once, of those of Coriolis the first alone."""
+    found: dict[str, Stroke] = {}
+    for pose in poses:
+        for stroke in _vectors(pose).values():
+            twist = stroke.component == "coriolis"
+            found.setdefault(CORIOLIS if twist else stroke.name, stroke)
+    return list(found.values())
+
+
+def _vectors(panel: Panel) -> dict[str, Stroke]:
+    """Return the vectors with a name that are drawn in a pose, by the names of their strokes."""
+    named = {s.name for s in (*panel.strokes, *panel.zeros) if s.component in NAMED}
+    strokes = principal(panel).strokes
+    return {s.name: s for s in strokes if s.name in named and name_of(s)}
 
 
 def _apart(one: Complexes, other: Complexes) -> float:

@@ -107,8 +107,30 @@ def dyads_of(found: Forces[Any, Any, Any]) -> tuple[DyadForces, ...]:
     return tuple(reader.dyad(dyad) for dyad in reversed(found.bodies.dyads))
 
 
+def chains_of(found: Forces[Any, Any, Any]) -> tuple[tuple[JointForce, tuple[Load, ...]], ...]:
+    """Return the first outer force of each dyad, and its loads from there on, of many poses too.
+
+    Both are in the order of drawing.  The second outer force closes their sum.
+    """
+    reader = _Reader(found)
+    return tuple(
+        (reader.outer(dyad.first), tuple(reader.along(dyad)))
+        for dyad in reversed(found.bodies.dyads)
+    )
+
+
+def outer_forces(found: Forces[Any, Any, Any]) -> list[tuple[str, JointForce]]:
+    """Return the force in each outer joint of all dyads with the body that it holds.
+
+    They are in the order of drawing, of one pose or of many.
+    """
+    reader = _Reader(found)
+    sides = (side for dyad in reversed(found.bodies.dyads) for side in (dyad.first, dyad.second))
+    return [(side.bodies[0], reader.outer(side)) for side in sides]
+
+
 class _Reader:
-    """The forces of one pose, by their joints."""
+    """Forces by their joints."""
 
     def __init__(self, found: Forces[Any, Any, Any]) -> None:
         self.found = found
@@ -124,9 +146,22 @@ class _Reader:
         halves = [self.half(dyad, side, within) for side in (dyad.first, dyad.second)]
         return DyadForces(dyad.loop, halves[0], halves[1], inner)
 
+    def outer(self, side: Side) -> JointForce:
+        """Return the force in the outer joint of a half."""
+        return self.joints[self.bodies[side.bodies[0]].joint]
+
+    def along(self, dyad: Dyad) -> list[Load]:
+        """Return all loads of a dyad in the order in which a polygon lays them."""
+        within = {*dyad.first.bodies, *dyad.second.bodies}
+        first, second = (
+            [load for name in side.bodies for load in self.loads(name, within)]
+            for side in (dyad.first, dyad.second)
+        )
+        return [*first, *reversed(second)]
+
     def half(self, dyad: Dyad, side: Side, within: set[str]) -> Half:
         joint = self.bodies[side.bodies[0]].joint
-        outer = self.joints[joint]
+        outer = self.outer(side)
         direction = self.direction(dyad, side)
         along = (outer.force * direction.conjugate()).real
         unknown = outer.force if joint.slide else along * direction

@@ -17,10 +17,10 @@ from vad.kinematics.motion import Motion
 from vad.kinematics.numbers import Number, Real, Truth, Vector
 from vad.kinematics.solution import Solution
 from vad.kinematics.solver import Solver
-from vad.statics.burden import Burden, whole
+from vad.statics.burden import NOTHING, Burden
 from vad.statics.dyads import DyadForces, dyads_of
 from vad.statics.listing import listed, table
-from vad.statics.loads import Given, gravity_of
+from vad.statics.loads import Given, gravity_of, listed_loads
 from vad.statics.solver import Acting, StaticSolver
 from vad.statics.turn import Turning
 from vad.units import metres_of, read
@@ -80,14 +80,16 @@ def forces(
             f"motion: must be a motion, got {quoted(motion)}",
             "as in vad.forces(vad.solve(vad.FourBar()), loads)",
         )
-    more = Burden((), _by_name("masses", masses), gravity, _by_name("friction", friction))
-    return forces_of(motion, whole(motion.mechanism.burden, more), loads)
+    given = Burden(
+        listed_loads(loads), _by_name("masses", masses), gravity, _by_name("friction", friction)
+    )
+    return forces_of(motion, motion.mechanism.burden or NOTHING, given)
 
 
 def forces_of(
-    motion: Motion[Real, Vector, Truth], burden: Burden, more: Iterable[Any] = ()
+    motion: Motion[Real, Vector, Truth], burden: Burden, more: Burden = NOTHING
 ) -> Forces[Real, Vector, Truth]:
-    """Return the forces of a burden alone, and of more loads.
+    """Return the forces of a burden alone, and of more that comes to it.
 
     Raises
     ------
@@ -100,16 +102,16 @@ def forces_of(
             f"forces: {mechanism.name} moves in space, and forces are found in the plane",
             "draw its velocity and acceleration; a mechanism in the plane is slider-crank",
         )
+    both = burden.beside(more)
     bodies, place = bodies_of(plane), next(iter(motion.inputs.values()))
     given = Given(bodies, mechanism.links, mechanism.slides, mechanism.length_unit, place)
-    given.loads(burden.loads)
-    given.loads(more)
-    given.masses(burden.masses, gravity_of(burden.gravity))
-    given.friction(burden.friction)
+    given.loads(both.loads)
+    given.masses(both.masses, gravity_of(both.gravity))
+    given.friction(both.friction)
     metres = metres_of(mechanism.length_unit) or 1.0
     solver = _solver(plane, tuple(given.acting), tuple(given.rough), metres)
     numbers = {name: given.numbers[name] for name in solver.further}
-    return Forces(motion, solver, numbers)
+    return Forces(motion, solver, numbers, more)
 
 
 def _by_name(what: str, given: Any) -> Mapping[str, Any]:
@@ -152,6 +154,8 @@ class Forces(Solution[Truth], Generic[Real, Vector, Truth]):
     ----------
     motion
         The motion.
+    burden
+        What was given beside what its mechanism has to bear of its own.
     """
 
     solver: StaticSolver
@@ -161,8 +165,10 @@ class Forces(Solution[Truth], Generic[Real, Vector, Truth]):
         motion: Motion[Real, Vector, Truth],
         solver: StaticSolver,
         numbers: dict[str, Number],
+        burden: Burden = NOTHING,
     ) -> None:
         self.motion = motion
+        self.burden = burden
         super().__init__(motion.mechanism, solver, {**motion.inputs, **numbers})
 
     @property

@@ -62,11 +62,9 @@ class Given:
         self._place = place
         self._order = {name: number for number, name in enumerate(bodies.bodies)}
 
-    def loads(self, loads: Any) -> None:
+    def loads(self, loads: Iterable[Any]) -> None:
         """Add loads: forces at points, and couples."""
-        if isinstance(loads, Mapping | str | bytes) or not isinstance(loads, Iterable):
-            raise InputError(f"loads: must be a list of loads, got {quoted(loads)}", _AS_LOAD)
-        for number, load in enumerate(gate.several("loads", loads, "a list of loads")):
+        for number, load in enumerate(loads):
             what = f"load {number + 1}"
             self._load(what, load_of(load, what) if isinstance(load, str) else load)
 
@@ -248,6 +246,19 @@ def _read(what: str, value: Any, quantity: str, unit: str = "mm") -> Number:
     if isinstance(value, str):
         return number_of(what, value, quantity, unit)
     return checked(what, value, gate.LARGEST_LOAD)
+
+
+def listed_loads(loads: Any) -> tuple[Any, ...]:
+    """Return loads that are given as a list, or one by one, as a tuple.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For what is no list.
+    """
+    if isinstance(loads, Mapping | str | bytes) or not isinstance(loads, Iterable):
+        raise InputError(f"loads: must be a list of loads, got {quoted(loads)}", _AS_LOAD)
+    return tuple(gate.several("loads", loads, "a list of loads"))
 
 
 def gravity_of(gravity: Any) -> tuple[Number, Number] | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,7 +50,9 @@ class Turning:
             raise InputError("angle: must run through one turn, no more and no less", hint)
         if not np.isfinite(drive).all():
             raise InputError("forces: the drive is not known at every angle of the turn", None)
+        # Energy is gained in the sense in which the driver turns.
         self._drive = drive[..., :count]
+        self._sense = math.copysign(1.0, step)
         self._count = count
 
     @cached_property
@@ -63,8 +65,13 @@ class Turning:
     def fluctuation(self) -> Any:
         """The difference of the greatest and the least excess energy, in J."""
         rows = self._drive.reshape(-1, self._count)
-        found = np.array([_excess(row) for row in rows])
+        found = np.array([_excess(row).energy for row in rows])
         return found.reshape(self._drive.shape[:-1]) if self._drive.ndim > 1 else float(found[0])
+
+    @property
+    def excess(self) -> Excess:
+        """Between which samples of a single turn the drive gives most beyond its mean."""
+        return _excess(self._sense * self._drive)
 
     def flywheel(self, ratio: float, speed: float) -> Any:
         """Return the moment of inertia that keeps the speed within a ratio of its mean."""
@@ -76,7 +83,23 @@ class Turning:
         return self.fluctuation / (ratio * speed * speed)
 
 
-def _excess(drive: NDArray[np.float64]) -> float:
+class Excess(NamedTuple):
+    """The greatest excess energy of a turn.
+
+    Attributes
+    ----------
+    energy
+        The difference of the greatest and the least sum of what the drive gives beyond its mean.
+    least, greatest
+        Where these are, as shares of the turn from its first sample.
+    """
+
+    energy: float
+    least: float
+    greatest: float
+
+
+def _excess(drive: NDArray[np.float64]) -> Excess:
     """Return the range of the integral of the drive less its mean, from samples of one turn."""
     count = drive.size
     waves = np.fft.rfft(drive)
@@ -87,7 +110,7 @@ def _excess(drive: NDArray[np.float64]) -> float:
     energy = np.zeros_like(waves)
     energy[1:] = waves[1:] / (1j * order[1:])
     samples = np.fft.irfft(energy, count)
-    ends = []
+    ends = []  # of the greatest and of the least: between samples, and the sample
     for place in (int(samples.argmax()), int(samples.argmin())):
         angle = start = 2.0 * math.pi * place / count
         for _ in range(_ROUNDS):
@@ -98,5 +121,7 @@ def _excess(drive: NDArray[np.float64]) -> float:
                 break  # it is a corner, and the sample is the best that is known
             angle -= step
         value = float((energy * np.exp(1j * order * angle)).real.sum()) * 2.0 / count
-        ends.append((value, float(samples[place])))
-    return max(ends[0]) - min(ends[1])
+        found = (value, angle / (2.0 * math.pi) % 1.0)
+        ends.append((found, (float(samples[place]), place / count)))
+    (most, greatest), (lowest, least) = max(ends[0]), min(ends[1])
+    return Excess(most - lowest, least, greatest)

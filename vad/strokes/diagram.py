@@ -97,15 +97,18 @@ class Drawing:
 
 
 class Spot(NamedTuple):
-    """A lettered point of a diagram, in one of its views.
+    """A point of a diagram, in one of its views.
 
     ``view`` is the name of the view, empty for the first.  ``below`` is true for a point of the
-    polygon below.
+    polygon below.  One that is not ``lettered`` has a name that is not written beside it.  ``row``
+    is that whose ink its path has, where no vector tells it that ends there.
     """
 
     letter: str
     view: str = ""
     below: bool = False
+    lettered: bool = True
+    row: str | None = None
 
 
 def in_plane(motion: Motion[Any, Any, Any]) -> bool:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from vad import gate
@@ -34,6 +35,7 @@ from vad.words import Language
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
+    from vad.statics.burden import Burden
     from vad.statics.forces import Forces
     from vad.strokes.space.scene import SceneInSpace
 
@@ -44,6 +46,8 @@ if TYPE_CHECKING:
 _TWIST = "_twist"
 #: The panels of forces that are drawn where nobody asks for others.
 OF_FORCES = "position", "force", "drive"
+#: The poles of force polygons in one pose: each stands beside the last one.
+NO_POLES: Mapping[int, complex] = MappingProxyType({})
 #: The largest number of parameters in a title.
 MOST = 8
 #: The most further points on links: with their number, the time to place their letters grows by its
@@ -84,17 +88,59 @@ def draw(
     >>> [stroke.label for stroke in sheet.panel("velocity").strokes]
     ['a,d', 'ab', '⟂ BC', '⟂ DC', 'c', 'bc', 'dc']
     """
-    forces = None if isinstance(motion, Motion) else _forces(motion)
-    if forces is not None:
-        motion = forces.motion
-        if panels is None:
-            panels = [name for name in OF_FORCES if DIAGRAMS[name].applies(forces.motion)]
-    if not isinstance(motion, Motion):
-        raise InputError(f"motion: must be what vad.solve returns, got {quoted(motion)}")
-    if motion.many:
+    motion, forces = parted(motion)
+    if motion.many or (forces is not None and forces.many):
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
-    diagrams = [DIAGRAMS[name] for name in chosen(panels, motion)]
     scene = scene_of(motion, Language(language), forces)
+    return sheet_of(scene, chosen(panels, motion, forces))
+
+
+def parted(
+    given: Motion | Forces[Any, Any, Any],
+) -> tuple[Motion, Forces[Any, Any, Any] | None]:
+    """Return a motion and the forces in it, None where a motion alone is given.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For anything else.
+    """
+    forces = None if isinstance(given, Motion) else _forces(given)
+    motion = given if forces is None else forces.motion
+    if not isinstance(motion, Motion):
+        raise InputError(f"motion: must be what vad.solve returns, got {quoted(given)}")
+    return motion, forces
+
+
+def started(
+    given: Mechanism | Motion | Forces[Any, Any, Any], what: str
+) -> tuple[Motion, Forces[Any, Any, Any] | None]:
+    """Return one pose with which something starts, and the forces in it, None without any.
+
+    A mechanism starts as it moves usually.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For many poses, of which the message says what is done with one; and for no mechanism.
+    """
+    alone = isinstance(given, Motion) or _forces(given)
+    motion, forces = parted(given if alone else solve(given))  # type: ignore[arg-type]
+    if motion.many or (forces is not None and forces.many):
+        raise InputError(f"motion: {what}, got arrays of poses")
+    return motion, forces
+
+
+def sheet_of(scene: AnyScene, panels: Sequence[str]) -> Sheet:
+    """Return the sheet of a scene of one pose, with panels that apply to it.
+
+    Raises
+    ------
+    vad.errors.AssemblyError, vad.errors.DeadCentreError
+        For a pose that does not exist, or has no rates.
+    """
+    motion, diagrams = scene.motion, [DIAGRAMS[name] for name in panels]
+    language, forces = scene.language.code, scene.forces
     drawn = tuple(diagram.panel(scene) for diagram in diagrams)
     rows = scene.rows(diagrams)
     largest = _largest(rows, drawn)
@@ -118,7 +164,9 @@ def draw(
 
 
 def chosen(
-    panels: Sequence[str] | str | None, motion: Motion[Any, Any, Any] | None = None
+    panels: Sequence[str] | str | None,
+    motion: Motion[Any, Any, Any] | None = None,
+    forces: Forces[Any, Any, Any] | None = None,
 ) -> tuple[str, ...]:
     """Return the names of panels in the order of the page, each once.
 
@@ -128,6 +176,8 @@ def chosen(
         Names, or None for the usual ones that apply.
     motion
         The motion that is to be drawn, if it is known.
+    forces
+        The forces in it, if there are any.
 
     Raises
     ------
@@ -135,7 +185,7 @@ def chosen(
         For an unknown name, or none; for a diagram that does not apply to the mechanism.
     """
     fitting = [name for name, each in DIAGRAMS.items() if motion is None or each.applies(motion)]
-    usual = tuple(name for name in fitting if DIAGRAMS[name].usual)
+    usual = tuple(n for n in fitting if (n in OF_FORCES if forces else DIAGRAMS[n].usual))
     given = usual if panels is None else gate.several("panels", panels, "names of panels")
     names = [one_of("panel", name, DIAGRAMS) for name in given]
     if not names:
@@ -224,6 +274,20 @@ class PlaneScene(Scene):
         return polygon(self, order.number) if order.number else construct(self)
 
 
+def with_forces(
+    motion: Motion[Any, Any, Any], burden: Burden | None
+) -> Motion[Any, Any, Any] | Forces[Any, Any, Any]:
+    """Return the forces in a motion, where there is a burden beside that of its mechanism.
+
+    Without one, not even an empty one, return the motion.
+    """
+    if burden is None:
+        return motion
+    from vad.statics.forces import forces  # most drawings have none
+
+    return forces(motion, *burden)
+
+
 def _forces(given: Any) -> Forces[Any, Any, Any] | None:
     """Return forces that are to be drawn; None for anything else."""
     from vad.statics.forces import Forces  # most drawings have none
@@ -235,8 +299,11 @@ def scene_of(
     motion: Motion[Any, Any, Any],
     language: Language,
     forces: Forces[Any, Any, Any] | None = None,
+    poles: Mapping[int, complex] = NO_POLES,
 ) -> AnyScene:
     """Return the scene of a motion, in the plane or in space, and of the forces in it.
+
+    The ``poles`` of the force polygons are those of a whole turn.
 
     Raises
     ------
@@ -250,7 +317,7 @@ def scene_of(
                 f"points: a drawing has room for {MOST_POINTS} on links, got {count}",
                 hint="leave some out; vad solve and vad sweep take them all",
             )
-        return PlaneScene(motion, language, forces=forces)
+        return PlaneScene(motion, language, forces=forces, poles=poles)
     from vad.strokes.space.scene import SceneInSpace  # the plane does not need it
 
     in_space: Any = motion

@@ -59,7 +59,7 @@ class ForceNames:
     """
 
     def __init__(self, scene: Scene) -> None:
-        self.members, self.voice = scene.members, scene.voice
+        self.members, self.voice, self.poles = scene.members, scene.voice, scene.poles
         self.forces = forces_of_scene(scene)
         self.bodies = self.forces.bodies.bodies
         self._rows = {*self.members.links, *self.members.slides}
@@ -170,9 +170,10 @@ class ForceNames:
             mine = dict.fromkeys((self.load(each), abs(each.force)) for each in given)
             cells = [Cell(symbol, size, "N", given=True) for symbol, size in mine]
             return tuple(cells[:MOST])  # captions say them all
+        from vad.statics.dyads import outer_forces  # most drawings have none
+
         return tuple(
-            Cell(self.force(half.outer.one, half.outer.other), abs(half.outer.force), "N")
-            for dyad in self.forces.dyads
-            for half in (dyad.first, dyad.second)
-            if self.row(half.bodies[0]) == key
+            Cell(self.force(outer.one, outer.other), abs(outer.force), "N")
+            for body, outer in outer_forces(self.forces)
+            if self.row(body) == key
         )

@@ -48,7 +48,16 @@ class Force(Vector):
 
 
 class DyadEquation:
-    """The equation of a dyad, and the places of its vertices, of which the first is at 0."""
+    """The equation of a dyad, and the places of its vertices, of which the first is at 0.
+
+    Attributes
+    ----------
+    places
+        The places by the names of vertices.
+    pole
+        The name of the vertex at which the loads begin: about it the force in the first outer joint
+        turns while the mechanism moves.
+    """
 
     def __init__(self, dyad: DyadForces, names: ForceNames) -> None:
         self.names, self.dyad = names, dyad
@@ -65,6 +74,7 @@ class DyadEquation:
         known = self._outer(one, start, head)
         first.append(known)
         parts.append(self._part(known, "tangential", one.known, head))
+        self.pole = self._tip
         for half, loads in ((one, one.loads), (two, two.loads[::-1])):
             for load in loads:
                 tail, head = self._tip, self._after(load.force)
@@ -199,7 +209,17 @@ class _Polygons(Player[Force]):
 
     @cached_property
     def _places(self) -> dict[str, complex]:
-        """The places of all vertices: polygon after polygon from left to right."""
+        """The places of all vertices: polygon after polygon from left to right.
+
+        Over a turn, each polygon keeps its pole.
+        """
+        fixed = self.names.poles
+        if fixed:
+            return {
+                name: place - each.places[each.pole] + fixed[each.dyad.number]
+                for each in self.dyads
+                for name, place in each.places.items()
+            }
         boxes = []
         for each in self.dyads:
             across = [place.real for place in each.places.values()]

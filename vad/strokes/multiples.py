@@ -7,17 +7,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vad import gate
 from vad.displayed import Displayed
-from vad.errors import InputError, UsageError, quoted
+from vad.errors import UsageError, quoted
 from vad.strokes.sheet import Cell, Sheet
 from vad.written import typed
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
     from vad.mechanisms.mechanism import Mechanism
+    from vad.statics.forces import Forces
 
 FEWEST, MOST = 2, 6
 
@@ -36,7 +37,7 @@ class Multiples(Displayed):
 
 
 def multiples(
-    mechanism: Mechanism | Motion,
+    mechanism: Mechanism | Motion | Forces[Any, Any, Any],
     at: Sequence[float],
     panels: Sequence[str] | str | None = None,
     language: str = "en",
@@ -46,8 +47,8 @@ def multiples(
     Parameters
     ----------
     mechanism
-        A mechanism, which moves as is usual for it, or one pose of `vad.solve`, whose rates all
-        poses take.
+        A mechanism, which moves as is usual for it, one pose of `vad.solve`, whose rates all poses
+        take, or the forces in one, whose loads and masses they take, too.
     at
         The places of the driver: angles in degrees, or positions of a driven slide.
     panels, language
@@ -69,16 +70,15 @@ def multiples(
     >>> [place.value for place in poses.places], len(poses.sheets)
     ([30.0, 60.0, 90.0], 3)
     """
-    from vad.kinematics.motion import Motion, solve
-    from vad.strokes.draw import draw
+    from vad.kinematics.motion import solve
+    from vad.strokes.draw import draw, started, with_forces
 
-    start = mechanism if isinstance(mechanism, Motion) else solve(mechanism)
-    if start.many:
-        raise InputError("motion: its rates are those of one pose, got arrays of poses")
+    start, forces = started(mechanism, "its rates are those of one pose")
     driven, *_ = start.mechanism.inputs
     motions = [solve(start.mechanism, **{**start.inputs, driven: each}) for each in _checked(at)]
+    burden = forces.burden if forces else None
     return Multiples(
-        tuple(draw(motion, panels, language) for motion in motions),
+        tuple(draw(with_forces(motion, burden), panels, language) for motion in motions),
         tuple(_place(motion) for motion in motions),
     )
 

@@ -213,10 +213,20 @@ STILL = 1e-9
 
 @dataclass(frozen=True)
 class Scene(CaptionedMotion, ABC):
-    """A motion, the language of its captions, and the names of everything in it."""
+    """A motion, the language of its captions, and the names of everything in it.
+
+    Attributes
+    ----------
+    forces
+        The forces in it, where there are any.
+    poles
+        The poles of the force polygons by the numbers of their dyads, where they are the same over
+        a whole turn; empty where each polygon stands beside the last one.
+    """
 
     motion: Motion
     forces: Forces[Any, Any, Any] | None = field(default=None, kw_only=True)
+    poles: Mapping[int, complex] = field(default_factory=dict, kw_only=True)
     # The places and images that were read before.
     _places: dict[str, complex] = field(default_factory=dict, init=False, compare=False)
     _images: dict[tuple[str, int], complex] = field(default_factory=dict, init=False, compare=False)

@@ -13,6 +13,8 @@ PHRASES = {
     "forward": "Hinlauf",
     "return": "Rücklauf",
     "ratio": "Verhältnis",
+    "mean": "Mittel {value}",
+    "flywheel": "Schwungrad für {share}: {value}",
     "swings": "{part} schwingt zwischen {low} und {high}",
     "slides": "{part} läuft zwischen {low} und {high}",
     # Lageplan

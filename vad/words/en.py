@@ -24,6 +24,8 @@ PHRASES = {
     "forward": "forward",
     "return": "return",
     "ratio": "ratio",
+    "mean": "mean {value}",
+    "flywheel": "flywheel for {share}: {value}",
     "swings": "{part} swings between {low} and {high}",
     "slides": "{part} moves between {low} and {high}",
     # position

@@ -13,6 +13,8 @@ PHRASES = {
     "forward": "aller",
     "return": "retour",
     "ratio": "rapport",
+    "mean": "moyenne {value}",
+    "flywheel": "volant pour {share} : {value}",
     "swings": "{part} oscille entre {low} et {high}",
     "slides": "{part} se déplace entre {low} et {high}",
     # position

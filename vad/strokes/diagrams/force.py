@@ -1,6 +1,7 @@
 """The force polygons of the dyads."""
 
 from vad.strokes.diagram import Diagram, in_plane
+from vad.strokes.force_tracks import force_tracks
 from vad.strokes.forces import force_cells, force_polygons
 
 DIAGRAM = Diagram(
@@ -11,6 +12,7 @@ DIAGRAM = Diagram(
     lambda scene: "N",
     force_polygons,
     force_cells,
+    force_tracks,
     usual=False,
     applies=in_plane,
 )

@@ -53,6 +53,8 @@ class SceneInSpace(CaptionedMotion):
     """A motion in space, and the language of its captions; its script draws it."""
 
     motion: MotionInSpace[Any, Any]
+    #: Those in the plane alone are found.
+    forces: ClassVar[None] = None
 
     @cached_property
     def script(self) -> Script:
@@ -214,7 +216,7 @@ class Script(ABC):
         """Return where lettered points are in the views of one pose, as ``C`` or ``C.top``."""
         return {
             f"{letter}.{view}" if view else letter: at
-            for (letter, view, _), at in self.tracks(POSITION).items()
+            for (letter, view, *_), at in self.tracks(POSITION).items()
         }
 
     @property
