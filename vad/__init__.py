@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from vad.mechanisms.spatial_four_bar import SpatialFourBar
     from vad.mechanisms.spherical_four_bar import SphericalFourBar
     from vad.mechanisms.whitworth import Whitworth
+    from vad.merits.merit import Merit, merit
     from vad.showing import show, widget
     from vad.statics.forces import Forces, forces
     from vad.strokes.draw import draw
@@ -72,6 +73,7 @@ __all__ = [
     "InputError",
     "Lesson",
     "Mechanism",
+    "Merit",
     "Motion",
     "Motions",
     "Multiples",
@@ -93,6 +95,7 @@ __all__ = [
     "klein",
     "load",
     "mechanism",
+    "merit",
     "multiples",
     "save",
     "sheet_from_json",
@@ -114,6 +117,8 @@ _HOMES = {
     "klein": "vad.kinematics.klein",
     "forces": "vad.statics.forces",
     "Forces": "vad.statics.forces",
+    "merit": "vad.merits.merit",
+    "Merit": "vad.merits.merit",
     "draw": "vad.strokes.draw",
     "Sheet": "vad.strokes.sheet",
     "multiples": "vad.strokes.multiples",

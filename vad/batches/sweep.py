@@ -21,8 +21,6 @@ from vad.mechanisms import Mechanism
 from vad.statics.forces import DRIVE, FORCE, Forces, forces
 from vad.statics.solver import KINDS
 
-_LINK = ("angle", "omega", "alpha")
-_POINT = ("position", "velocity", "acceleration")
 Solved = Motion[Any, Any, Any]
 Loaded = Forces[Any, Any, Any]
 _HINT = 'as in ("rocker.omega", "C.acceleration")'
@@ -170,21 +168,7 @@ def _field(solution: Solved | Loaded, name: str) -> tuple[str, type, tuple[int, 
 def _result(solution: Solved | Loaded, name: str) -> Result:
     """Return the link, joint, point or slide that has a result, and which of its quantities."""
     motion = solution.motion if isinstance(solution, Forces) else solution
-    bodies = [part for part in motion.links if part in motion.solver.bodies]
-    lines = [part for part in motion.links if part not in bodies]
-    joints = motion.joints if isinstance(motion, MotionInSpace) else ()
-    known = {
-        f"{part}.{quantity}": (kind, part, quantity)
-        for kind, parts, quantities in (
-            ("link", lines, _LINK),
-            ("link", bodies, _LINK[1:]),
-            ("point", motion.points, _POINT),
-            ("slide", motion.slides, (*_POINT, "coriolis")),
-            ("joint", joints, _LINK),
-        )
-        for part in parts
-        for quantity in quantities
-    }
+    known = motion.results
     if isinstance(solution, Forces):
         known |= solution.results
     if name not in known:

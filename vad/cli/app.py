@@ -8,7 +8,7 @@ import json
 import textwrap
 from collections.abc import Iterator
 from itertools import zip_longest
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -16,12 +16,22 @@ import vad
 from vad import __version__
 from vad.cli import check, compare, completion
 from vad.cli.groups import HelpfulCommand, MechanismGroup
-from vad.cli.options import burden_options, flag, length_unit_of, take_burden
+from vad.cli.options import (
+    burden_options,
+    flag,
+    length_unit_of,
+    pin_option,
+    take_burden,
+    words_of,
+)
 from vad.errors import InputError, unknown
 from vad.files.examples import example_names, example_path, example_title
 from vad.mechanisms import MECHANISMS, Mechanism, mechanism_named, mechanism_names
 from vad.units import scene_unit
 from vad.written import DIGITS, typed
+
+if TYPE_CHECKING:
+    from vad.statics.burden import Burden
 
 CARD = """\
 vad draws velocity and acceleration polygons: as numbers, as a picture, as a film.
@@ -224,15 +234,43 @@ def _solve(
     **given: Any,
 ) -> None:
     """Print the numbers of one pose, and its forces if there is anything that makes some."""
+    asked = {name: given.pop(name, None) for name in ("merit", "extremes", "pin")}
+    figures = {name: value for name, value in asked.items() if value}
     burden = take_burden(mechanism, given)
     motion = vad.solve(mechanism, **inputs)
     found = motion.to_dict()
-    text = "" if as_json else motion.table(digits)
+    texts = [] if as_json else [motion.table(digits)]
     if burden is not None:
         forces = vad.forces(motion, *burden)
         found |= {"forces": forces.to_dict()}
-        text = text and f"{text}\n\n{forces.table(digits)}"
-    click.echo(json.dumps(found, ensure_ascii=False) if as_json else text)
+        texts += [] if as_json else [forces.table(digits)]
+    if figures:
+        data, text = _figures(motion, burden, digits, **figures)
+        found |= data
+        texts.append(text)
+    click.echo(json.dumps(found, ensure_ascii=False) if as_json else "\n\n".join(texts))
+
+
+def _figures(
+    motion: vad.Motion,
+    burden: Burden | None,
+    digits: int,
+    merit: bool = False,
+    extremes: tuple[str, ...] = (),
+    pin: dict[str, float] | None = None,
+) -> tuple[dict[str, Any], str]:
+    """Return figures of merit, or the rubbing of pins alone, as data and as text."""
+    from vad.merits.listing import rubbing_table  # most commands need no figures
+    from vad.merits.pins import listed, rubbing
+
+    if not merit and not extremes:
+        rubs = listed(rubbing(motion, pin or {}))
+        return {"rubbing": rubs}, rubbing_table(rubs, motion.mechanism.length_unit, digits)
+    loads, masses, gravity, friction = burden or ((), None, None, None)
+    found = vad.merit(
+        motion, pins=pin, loads=loads, masses=masses, gravity=gravity, friction=friction
+    )
+    return {"merit": found.to_dict(extremes)}, found.table(extremes, digits)
 
 
 app.add_command(
@@ -243,6 +281,19 @@ app.add_command(
         [
             click.Option(["--json", "as_json"], is_flag=True, help="as JSON, with all digits"),
             click.Option(["--digits"], type=int, help=f"significant digits  [{DIGITS}]"),
+            click.Option(
+                ["--merit"],
+                is_flag=True,
+                help="figures of merit, too: stroke, transmission angle …",
+            ),
+            click.Option(
+                ["--extremes"],
+                callback=words_of(),
+                multiple=True,
+                metavar="RESULT,RESULT",
+                help="figures of merit with the ends of results: rocker.omega  [none]",
+            ),
+            pin_option(),
             *burden_options(),
         ],
     )

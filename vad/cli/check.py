@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+import vad
 from vad.cli import completion
 from vad.cli.groups import HelpfulCommand
 from vad.errors import UsageError
@@ -40,7 +41,12 @@ def command(file: str | None, as_json: bool) -> None:
         hint = f"vad example {file} > {file}{EXTENSION}"
         raise UsageError(f"'{file}' is an example, and no file yet", hint)
     examined = examine(_from_standard_input() if file == "-" else load(file))
-    click.echo(json.dumps(_data(examined), ensure_ascii=False) if as_json else _text(examined))
+    figures = vad.merit(examined.mechanism)
+    if as_json:
+        data = _data(examined) | {"merit": figures.to_dict()}
+        click.echo(json.dumps(data, ensure_ascii=False))
+    else:
+        click.echo(f"{_text(examined)}\n\n{figures.table()}")
 
 
 def _from_standard_input() -> type[WrittenMechanism]:

@@ -40,6 +40,7 @@ OWN = {
     *("panels", "style", "language", "size", "paper", "blank", "at", "turn"),
     *("fps", "speed", "still", "loop", "subtitles", "steps", "port", "no_browser"),
     *("load", "mass", "inertia", "gravity", "friction"),
+    *("merit", "extremes", "pin"),
 }
 #: The options that say what a mechanism has to bear: how each is written, and what it is.
 _BURDEN = {
@@ -166,6 +167,16 @@ def one_of(what: str, names: Collection[str], group: str = "") -> Callback:
     return _callback(lambda word, _: errors.one_of(what, word, names))
 
 
+def words_of() -> Callback:
+    """Read words with commas between them, each once."""
+
+    def words_in(words: tuple[str, ...], _: click.Context) -> tuple[str, ...]:
+        parts = (part.strip() for word in words for part in word.split(","))
+        return tuple(dict.fromkeys(part for part in parts if part))
+
+    return _callback(words_in)
+
+
 def several(what: str, names: Collection[str]) -> Callback:
     """Read some of a few names, from words with commas between them, each name once."""
 
@@ -212,6 +223,38 @@ def _callback(read: Callable[[Any, click.Context], Any]) -> Callback:
             raise UsageError(f"{param.opts[0]}: {error}", error.hint) from None
 
     return called
+
+
+def pin_option() -> click.Option:
+    """Return the option of pins with their diameters."""
+    return click.Option(
+        ["--pin"],
+        callback=pins(),
+        multiple=True,
+        metavar="'POINT DIAMETER'",
+        help="a pin, whose velocity of rubbing is found, as in 'B 50'; may be given again  [none]",
+    )
+
+
+def pins() -> Callback:
+    """Read pins, each with its diameter in the unit of lengths or in one of its own."""
+
+    def pins_of(words: tuple[str, ...], ctx: click.Context) -> dict[str, float]:
+        unit, found = ctx.params.get("length_unit") or _unit_of(ctx), {}
+        for word in words:
+            point, _, diameter = word.strip().partition(" ")
+            if not diameter.strip():
+                raise UsageError(f"{quoted(word)} is no pin", hint="as in 'B 50'")
+            if point in found:
+                raise UsageError(f"pin {point}: is given twice")
+            found[point] = units.read(diameter.strip(), "length", unit)
+        return found
+
+    return _callback(pins_of)
+
+
+def _unit_of(ctx: click.Context) -> str:
+    return length_unit_of(kind_of(str(ctx.info_name)))
 
 
 def burden_options() -> list[click.Option]:

@@ -26,7 +26,7 @@ from vad.kinematics.state import Pose, Rates
 if TYPE_CHECKING:
     from vad.kinematics.solver import Solver
 
-# A result: its kind (link, joint, point or slide), its name, and which quantity of it.
+# A result: its kind (link, joint, point, slide or dyad), its name, and which quantity of it.
 Result = tuple[str, str, str]
 
 
@@ -48,6 +48,7 @@ _ORDERS = {
     "velocity": 1,
     "acceleration": 2,
     "coriolis": 1,
+    "transmission": 0,
     # Forces, by what they need: the pose alone, the sense in which blocks slide, accelerations.
     "static": 0,
     "rubbing": 1,

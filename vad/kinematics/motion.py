@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from vad import gate
 from vad.errors import InputError, quoted, unknown
+from vad.kinematics.any_solver import Result
 from vad.kinematics.numbers import Number, Real, Truth, Vector
 from vad.kinematics.results import Joint, Link, Point, Slider, plain, table, units
 from vad.kinematics.solution import Solution
@@ -75,6 +76,11 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
         usual = type(value) is float and -most <= value <= most
         given[name] = value if usual else checked(name, value, most)
     return kind(mechanism, solver, given)
+
+
+#: The quantities of what turns, and of what moves or slides.
+_TURNING = ("angle", "omega", "alpha")
+_MOVING = ("position", "velocity", "acceleration")
 
 
 class _Prepared(NamedTuple):
@@ -154,6 +160,24 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
         names = (*self.mechanism.letters, *self.mechanism.points)
         return tuple(letter for letter in names if letter in self.solver.letters)
 
+    @property
+    def results(self) -> dict[str, Result]:
+        """All results by name: ``"rocker.omega"``, ``"C.acceleration"``, ``"slider.position"``."""
+        bodies = [part for part in self.links if part in self.solver.bodies]
+        lines = [part for part in self.links if part not in bodies]
+        return {
+            f"{part}.{quantity}": (kind, part, quantity)
+            for kind, parts, quantities in (
+                ("link", lines, _TURNING),
+                ("link", bodies, _TURNING[1:]),
+                ("point", self.points, _MOVING),
+                ("slide", self.slides, (*_MOVING, "coriolis")),
+                ("joint", self.solver.joints, _TURNING),
+            )
+            for part in parts
+            for quantity in quantities
+        }
+
     def table(self, digits: int = DIGITS) -> str:
         """Return the results as a table in plain text, with units and so many significant digits.
 
@@ -171,8 +195,6 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
         [x, y] or [x, y, z].  An array of poses gives nested lists.
         """
         mechanism = self.mechanism
-        turning = ("angle", "omega", "alpha")
-        positions = ("position", "velocity", "acceleration")
         return {
             "mechanism": mechanism.name,
             "parameters": mechanism.parameters(),
@@ -180,12 +202,12 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
             "assembly": self.assembly,
             "units": units(mechanism.length_unit),
             "links": {
-                name: _listed(self.link(name), turning[name in self.solver.bodies :])
+                name: _listed(self.link(name), _TURNING[name in self.solver.bodies :])
                 for name in self.links
             },
-            "points": {letter: _listed(self.point(letter), positions) for letter in self.points},
+            "points": {letter: _listed(self.point(letter), _MOVING) for letter in self.points},
             "slides": {
-                name: _listed(self.slide(name), (*positions, "coriolis")) for name in self.slides
+                name: _listed(self.slide(name), (*_MOVING, "coriolis")) for name in self.slides
             },
         }
 
@@ -225,8 +247,7 @@ class MotionInSpace(Motion[Any, Any, Any], Generic[Real, Truth]):
     def to_dict(self) -> dict[str, Any]:
         """Return the results as the JSON object of ``vad solve --json``, with its joints."""
         found = super().to_dict()
-        turning = ("angle", "omega", "alpha")
-        joints = {letter: _listed(self.joint(letter), turning) for letter in self.joints}
+        joints = {letter: _listed(self.joint(letter), _TURNING) for letter in self.joints}
         points, slides = found.pop("points"), found.pop("slides")
         return found | {"joints": joints, "points": points, "slides": slides}
 

@@ -137,7 +137,7 @@ def _steepness(frame: ReferenceFrame) -> float:
     return min((sine for sine in sines if sine), default=1.0)
 
 
-def _grid(low: float, high: float) -> Array:
+def grid_between(low: float, high: float) -> Array:
     """Return places between two limits, close together near both of them.
 
     Near a limit what a loop moves goes as the square root of the distance from it.  On this grid
@@ -157,24 +157,31 @@ def _limits(solver: AnySolver, loop: int, marks: Array) -> list[float]:
     def misses(places: Array) -> Array:
         return solver.misses(places)[loop]
 
-    found: list[float] = []
-    for low, high in pairwise(marks):
-        grid = _grid(low, high)
-        miss = misses(grid)
-        beyond = _beyond(misses, grid, miss)
-        if beyond.size:
-            grid = np.union1d(grid, beyond)
-            miss = misses(grid)
-        closes, opens = miss <= 0.0, miss > 0.0  # neither where an earlier loop does not close
-        (ends,) = np.nonzero(closes[:-1] & opens[1:])
-        (starts,) = np.nonzero(opens[:-1] & closes[1:])
-        inside = np.concatenate([grid[ends], grid[starts + 1]])
-        outside = np.concatenate([grid[ends + 1], grid[starts]])
-        found += _edges(misses, inside, outside).tolist()
-    return found
+    ends = (crossings(misses, grid_between(low, high)) for low, high in pairwise(marks))
+    return [place for found in ends for place in found.tolist()]
 
 
 Measure = Callable[[Array], Array]
+
+
+def crossings(measure: Measure, grid: Array) -> Array:
+    """Return the places, along a grid, at which a measure goes from ≤ 0 to > 0 or back.
+
+    Each is narrowed down to the last bit, from the side on which the measure is not positive.  None
+    is left out between which there is a point of the grid, nor any pair where the measure comes
+    nearest to zero but once within two steps of the grid.
+    """
+    measured = measure(grid)
+    beyond = _beyond(measure, grid, measured)
+    if beyond.size:
+        grid = np.union1d(grid, beyond)
+        measured = measure(grid)
+    below, above = measured <= 0.0, measured > 0.0  # neither where it is not known
+    (ends,) = np.nonzero(below[:-1] & above[1:])
+    (starts,) = np.nonzero(above[:-1] & below[1:])
+    inside = np.concatenate([grid[ends], grid[starts + 1]])
+    outside = np.concatenate([grid[ends + 1], grid[starts]])
+    return _edges(measure, inside, outside)
 
 
 def _beyond(misses: Measure, grid: Array, miss: Array) -> Array:
@@ -314,7 +321,7 @@ def _flat_places(solver: Solver, number: int, low: float, high: float) -> Iterat
         marks = np.append(exact, 0.0)  # symmetry puts change points at zero, too
         same = marks[np.abs(marks - place) < _SAME * (high - low)]
         found = float(same[0]) if same.size else place
-        yield float(positive(found - 360.0 * (found >= 360.0)) if turns else found)
+        yield float(positive(found - 360.0 * (found >= 360.0)) if turns else found) + 0.0
 
 
 def _can_be_parallel(solver: Solver, number: int) -> bool:

@@ -17,19 +17,22 @@ from numpy.typing import NDArray
 from vad.kinematics.any_solver import AnySolver, Evaluation, Result, order_of, round_the_turn
 from vad.kinematics.closed_forms import OpenLoopError
 from vad.kinematics.frame import ReferenceFrame, Route, Routes
-from vad.kinematics.linkage import Linkage, Slide, angle_of
+from vad.kinematics.linkage import Bar, Linkage, Slide, angle_of
 from vad.kinematics.loop import LoopSolver
 from vad.kinematics.loop_kinds import loop_solver
 from vad.kinematics.numbers import (
     Number,
+    across,
     degrees_of,
     difference,
     direction,
+    dot,
     fold,
     positive,
     select_vector,
     times,
     turned,
+    vector,
 )
 from vad.kinematics.state import GROUND, Pose, Rates
 from vad.kinematics.symbol import as_float
@@ -301,6 +304,33 @@ def _klein(evaluation: Evaluation, name: str, order: int) -> Number:
     return figure_of(evaluation)[name]
 
 
+def _transmission(evaluation: Evaluation, name: str, order: int) -> Number:
+    """Return the transmission angle of the dyad that loop number ``name`` finds, in degrees.
+
+    Between two bars it is the angle at their common pin, between a bar and a guide that from the
+    guide's normal, which lies 90° counter-clockwise from the guide, to the bar, seen from the pin:
+    both within 0 and 180.  Of other dyads it is the angle at which the construction lines of the
+    velocities cross, at most 90.
+    """
+    pose, loop = evaluation.pose, evaluation.solver.plane.loops[int(name)]
+    frame, one, other = loop.frame, loop.step, loop.other
+    guided = isinstance(other, Slide) and isinstance(other.along, float)
+    if isinstance(one, Bar) and isinstance(other, Bar):
+        level = dot(_from_pin(frame, one, pose), _from_pin(frame, other, pose))
+    elif isinstance(one, Bar) and isinstance(one.length, float) and guided:
+        level = dot(_from_pin(frame, one, pose), across(frame.unknown_direction(other, pose)))
+    else:
+        p, q = (frame.unknown_direction(step, pose) for step in (one, other))
+        level = abs(dot(p, q))
+    return degrees_of(vector(level, abs(pose.sine[int(name)])))
+
+
+def _from_pin(frame: ReferenceFrame, bar: Bar, pose: Pose) -> Number:
+    """Return the unit vector of a bar from the pin in which its dyad closes to its other end."""
+    heading = frame.heading(bar, pose)
+    return heading if bar.reverse else -heading
+
+
 _FORMULAS: dict[tuple[str, str], Callable[[Evaluation, str, int], Number]] = {
     ("link", "angle"): _angle,
     ("link", "omega"): _turning,
@@ -314,4 +344,5 @@ _FORMULAS: dict[tuple[str, str], Callable[[Evaluation, str, int], Number]] = {
     ("slide", "coriolis"): _coriolis,
     ("centre", "position"): _centre,
     ("klein", "position"): _klein,
+    ("dyad", "transmission"): _transmission,
 }

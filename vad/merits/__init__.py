@@ -1,0 +1,1 @@
+"""Figures of merit: what a mechanism is worth, in numbers that hold for its whole motion."""
