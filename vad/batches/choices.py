@@ -20,7 +20,7 @@ from typing import Any
 from vad import gate
 from vad.batches.job import Value
 from vad.errors import InputError, UsageError, VadError, quoted, unknown
-from vad.files.examples import example_names
+from vad.files.examples import example_names, exercise_names, exercise_path
 from vad.files.loading import class_of
 from vad.files.tables import Source, read_file
 from vad.mechanisms import Mechanism, mechanism_named
@@ -193,6 +193,8 @@ def text_beside(sheets: Path, mechanism: str) -> str | None:
     vad.errors.InputError
         If there is neither such a file nor such a mechanism.
     """
+    if mechanism in exercise_names():
+        return read_file(exercise_path(mechanism)).packed()
     if mechanism.lower().endswith(_FILE):
         return read_file(sheets.parent / mechanism).packed()
     try:

@@ -20,7 +20,7 @@ from vad import errors, units
 from vad.cli import completion
 from vad.discovery import all_names, one_of_all
 from vad.errors import UsageError, quoted
-from vad.files.examples import EXTENSION, example_names
+from vad.files.examples import EXTENSION, example_names, exercise_names
 from vad.files.places import WORDS
 from vad.mechanisms import Mechanism, mechanism_named
 from vad.mechanisms.mechanism import NUMBERS
@@ -70,7 +70,7 @@ def kind_of(name: str) -> type[Mechanism]:
     vad.errors.InputError
         For a file that describes none.
     """
-    if name.endswith(EXTENSION):
+    if name.endswith(EXTENSION) or name in exercise_names():
         from vad.files.loading import load
 
         return load(name)

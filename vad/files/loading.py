@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from vad.errors import InputError, VadError, quoted, unknown
 from vad.files.assembling import Assembly, UnplacedError, assemble
 from vad.files.description import Description, Parameter, Values
+from vad.files.examples import exercise_names, exercise_path
 from vad.files.linkage import check_numbers, linkage_of, names_under
 from vad.files.places import HINT, PARALLEL, WORDS, Place, opposite, place_of
 from vad.files.reading import describe
@@ -40,7 +41,7 @@ def load(path: str | os.PathLike[str]) -> type[WrittenMechanism]:
     Parameters
     ----------
     path
-        A file in TOML, such as those that ``vad example`` prints.
+        A file in TOML, such as those that ``vad example`` prints, or the name of an exercise.
 
     Raises
     ------
@@ -54,7 +55,7 @@ def load(path: str | os.PathLike[str]) -> type[WrittenMechanism]:
     >>> Press(crank=170).parameters()["rod"]
     540.0
     """
-    return class_of(read_file(path))
+    return class_of(read_file(exercise_path(path) if path in exercise_names() else path))
 
 
 def load_text(data: bytes, name: str) -> type[WrittenMechanism]:

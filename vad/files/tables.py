@@ -32,7 +32,7 @@ from vad.units import number_of
 WORDS = ("title", "unit", "about", "source")
 TABLES = (
     *("dimensions", "fixed", "links", "guides", "driver", "assembly", "pose"),
-    *("loads", "masses", "friction"),
+    *("loads", "masses", "friction", "exercise", "answers"),
 )
 #: What stands beside the words, and is a number or two.
 GRAVITY = "gravity"
