@@ -39,8 +39,8 @@ def plain(*words: str) -> list[str]:
 
 def test_the_verbs(offered):
     assert offered("vad ") == plain(
-        *("animate", "batch", "check", "compare", "draw", "example", "gui", "help", "list"),
-        *("solve", "sweep"),
+        *("animate", "batch", "check", "compare", "draw", "example", "exercise", "gui", "help"),
+        *("list", "solve", "sweep"),
     )
 
 

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from vad.cli import completion
 from vad.cli.groups import HelpfulCommand
 from vad.files.examples import exercise_names
-from vad.files.exercises import CHAPTERS, quantity_of, read_exercise
 
 if TYPE_CHECKING:
     from vad.files.exercises import Exercise
@@ -29,6 +28,8 @@ def command(name: str | None, no_answers: bool) -> None:
 
     NAME is one of these, or a mechanism's file with a table [exercise].
     """
+    from vad.files.exercises import read_exercise
+
     if name is None:
         click.echo("\n".join(_listed()))
         return
@@ -40,6 +41,8 @@ def command(name: str | None, no_answers: bool) -> None:
 
 def _listed() -> Iterator[str]:
     """Yield the names of all exercises under the titles of their chapters."""
+    from vad.files.exercises import CHAPTERS, read_exercise
+
     exercises = {name: read_exercise(name) for name in exercise_names()}
     indent = max(map(len, exercises)) + 4
     for chapter, title in CHAPTERS.items():
@@ -65,11 +68,13 @@ def _answers(exercise: Exercise, name: str) -> Iterator[str]:
     """Yield a table of the answers, the program's and the book's, and why they differ."""
     from vad.batches.sweep import sweep
     from vad.cli.options import kind_of
+    from vad.files.exercises import quantity_of
     from vad.units import scene_unit
     from vad.written import typed
 
     mechanism = kind_of(name)()
-    found = sweep(mechanism, [each.result for each in exercise.answers], **mechanism.inputs)
+    inputs: dict[str, Any] = dict(mechanism.inputs)
+    found = sweep(mechanism, [each.result for each in exercise.answers], **inputs)
     rows = [("answer", "vad", "the book")]
     for each in exercise.answers:
         quantity = quantity_of(each.result, "position" in mechanism.inputs)
