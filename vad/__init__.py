@@ -16,6 +16,8 @@ Each part is loaded when it is first used.
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from vad.balancing.balance import Balance
+    from vad.balancing.engine import Engine
     from vad.batches.batch import batch
     from vad.batches.sweep import sweep
     from vad.errors import (
@@ -28,6 +30,7 @@ if TYPE_CHECKING:
     )
     from vad.export import save
     from vad.export.sheet_json import sheet_from_json
+    from vad.files.balancing import balance, engine
     from vad.files.loading import load, mechanism
     from vad.kinematics.centres import Centres, centres
     from vad.kinematics.klein import klein
@@ -60,11 +63,13 @@ __all__ = [
     "MECHANISMS",
     "RSSR",
     "AssemblyError",
+    "Balance",
     "Centres",
     "CrankSlottedLever",
     "DeadCentreError",
     "DoubleSlider",
     "EllipticalTrammel",
+    "Engine",
     "ExportError",
     "Forces",
     "FourBar",
@@ -88,9 +93,11 @@ __all__ = [
     "VadError",
     "Whitworth",
     "animate",
+    "balance",
     "batch",
     "centres",
     "draw",
+    "engine",
     "forces",
     "klein",
     "load",
@@ -117,6 +124,10 @@ _HOMES = {
     "klein": "vad.kinematics.klein",
     "forces": "vad.statics.forces",
     "Forces": "vad.statics.forces",
+    "balance": "vad.files.balancing",
+    "Balance": "vad.balancing.balance",
+    "engine": "vad.files.balancing",
+    "Engine": "vad.balancing.engine",
     "merit": "vad.merits.merit",
     "Merit": "vad.merits.merit",
     "draw": "vad.strokes.draw",

@@ -20,7 +20,8 @@ from typing import Any
 from vad import gate
 from vad.batches.job import Value
 from vad.errors import InputError, UsageError, VadError, quoted, unknown
-from vad.files.examples import example_names, exercise_names, exercise_path
+from vad.files.examples import all_names as example_names
+from vad.files.examples import exercise_names, exercise_path
 from vad.files.loading import class_of
 from vad.files.tables import Source, read_file
 from vad.mechanisms import Mechanism, mechanism_named

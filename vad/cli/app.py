@@ -25,7 +25,7 @@ from vad.cli.options import (
     words_of,
 )
 from vad.errors import InputError, unknown
-from vad.files.examples import example_names, example_path, example_title
+from vad.files.examples import all_names, example_names, example_path, example_title, rotor_names
 from vad.mechanisms import MECHANISMS, Mechanism, mechanism_named, mechanism_names
 from vad.units import scene_unit
 from vad.written import DIGITS, typed
@@ -61,13 +61,15 @@ def table() -> str:
         ]
     how = "Mechanisms from files; vad example NAME prints one:"
     names = textwrap.wrap(", ".join(example_names()), _WIDTH - 2, break_on_hyphens=False)
-    return "\n".join([*lines, "", how, *(f"  {line}" for line in names)])
+    rotors = f"Shafts and engines, likewise: {', '.join(rotor_names())}"
+    more = textwrap.wrap(rotors, _WIDTH, subsequent_indent="  ", break_on_hyphens=False)
+    return "\n".join([*lines, "", how, *(f"  {line}" for line in names), *more])
 
 
 def examples() -> str:
     """Return the names of the examples with what they are, as text for a terminal."""
-    indent = max(map(len, example_names())) + 2
-    return "\n".join(f"{name:{indent}}{example_title(name)}" for name in example_names())
+    indent = max(map(len, all_names())) + 2
+    return "\n".join(f"{name:{indent}}{example_title(name)}" for name in all_names())
 
 
 def entries() -> list[dict[str, Any]]:
@@ -219,7 +221,7 @@ def list_mechanisms(as_json: bool) -> None:
 
 
 @app.command("example", cls=HelpfulCommand)
-@click.argument("name", required=False, shell_complete=completion.one_of(example_names()))
+@click.argument("name", required=False, shell_complete=completion.one_of(all_names()))
 def print_example(name: str | None) -> None:
     """Print an example of a mechanism's file; without NAME, name them all."""
     text = examples() if name is None else example_path(name).read_text("utf-8")
@@ -233,13 +235,17 @@ def _solve(
     digits: int = DIGITS,
     **given: Any,
 ) -> None:
-    """Print the numbers of one pose, and its forces if there is anything that makes some."""
+    """Print the numbers of one pose, its forces if anything makes some, and what is balanced."""
     asked = {name: given.pop(name, None) for name in ("merit", "extremes", "pin")}
     figures = {name: value for name, value in asked.items() if value}
     burden = take_burden(mechanism, given)
     motion = vad.solve(mechanism, **inputs)
     found = motion.to_dict()
     texts = [] if as_json else [motion.table(digits)]
+    balancing = mechanism.balancing(motion)
+    if balancing is not None:
+        found |= {balancing.kind: balancing.to_dict()}
+        texts += [] if as_json else [balancing.table(digits)]
     if burden is not None:
         forces = vad.forces(motion, *burden)
         found |= {"forces": forces.to_dict()}

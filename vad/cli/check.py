@@ -34,10 +34,10 @@ def command(file: str | None, as_json: bool) -> None:
         hint = "vad check press.toml; vad example prints some to begin with"
         raise UsageError("check needs a mechanism's file", hint)
     from vad.files.examination import examine
-    from vad.files.examples import EXTENSION, example_names
+    from vad.files.examples import EXTENSION, all_names
     from vad.files.loading import load
 
-    if file in example_names():
+    if file in all_names():
         hint = f"vad example {file} > {file}{EXTENSION}"
         raise UsageError(f"'{file}' is an example, and no file yet", hint)
     examined = examine(_from_standard_input() if file == "-" else load(file))

@@ -20,7 +20,8 @@ from vad import errors, units
 from vad.cli import completion
 from vad.discovery import all_names, one_of_all
 from vad.errors import UsageError, quoted
-from vad.files.examples import EXTENSION, example_names, exercise_names
+from vad.files.examples import EXTENSION, exercise_names
+from vad.files.examples import all_names as example_names
 from vad.files.places import WORDS
 from vad.mechanisms import Mechanism, mechanism_named
 from vad.mechanisms.mechanism import NUMBERS

@@ -1,4 +1,7 @@
-"""The files that ship with the program: examples to begin with, and exercises of textbooks."""
+"""The files that ship with the program: examples to begin with, and exercises of textbooks.
+
+Among the examples mechanisms stand in one folder, shafts and engines in another.
+"""
 
 from __future__ import annotations
 
@@ -10,12 +13,28 @@ from vad.errors import one_of
 EXTENSION = ".toml"
 _EXAMPLES = Path(__file__).parents[1] / "examples"
 _EXERCISES = _EXAMPLES.with_name("exercises")
+_ROTORS = _EXAMPLES / "balancing"
 
 
 @cache
 def example_names() -> tuple[str, ...]:
-    """Return the names of all examples, in the order of the alphabet."""
-    return tuple(sorted(path.stem for path in _EXAMPLES.glob(f"*{EXTENSION}")))
+    """Return the names of all mechanisms among the examples, in the order of the alphabet."""
+    return _names(_EXAMPLES)
+
+
+@cache
+def rotor_names() -> tuple[str, ...]:
+    """Return the names of all shafts and engines among the examples, likewise."""
+    return _names(_ROTORS)
+
+
+def all_names() -> tuple[str, ...]:
+    """Return the names of all examples: mechanisms, then shafts and engines."""
+    return *example_names(), *rotor_names()
+
+
+def _names(folder: Path) -> tuple[str, ...]:
+    return tuple(sorted(path.stem for path in folder.glob(f"*{EXTENSION}")))
 
 
 def example_path(name: str) -> Path:
@@ -26,7 +45,8 @@ def example_path(name: str) -> Path:
     vad.errors.UsageError
         For a name that no example has.
     """
-    return _EXAMPLES / (one_of("example", name, example_names()) + EXTENSION)
+    folder = _ROTORS if one_of("example", name, all_names()) in rotor_names() else _EXAMPLES
+    return folder / (name + EXTENSION)
 
 
 def example_title(name: str) -> str:

@@ -10,7 +10,7 @@ import copyreg
 import keyword
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, make_dataclass
 from functools import lru_cache
@@ -25,11 +25,20 @@ from vad.files.linkage import check_numbers, linkage_of, names_under
 from vad.files.places import HINT, PARALLEL, WORDS, Place, opposite, place_of
 from vad.files.reading import describe
 from vad.files.structure import Dyad, Mobility, check_dyads, check_mobility
-from vad.files.tables import Source, decoded, read_file, read_text, sorted_out, with_tables
+from vad.files.tables import (
+    ROTORS,
+    Source,
+    decoded,
+    read_file,
+    read_text,
+    sorted_out,
+    with_tables,
+)
 from vad.kinematics.linkage import Linkage
 from vad.kinematics.motion import solve
 from vad.kinematics.solver import solver_of
-from vad.mechanisms.mechanism import Mechanism, unit
+from vad.mechanisms.mechanism import Mechanism
+from vad.mechanisms.mechanism import unit as length_unit
 from vad.statics.burden import Burden
 
 FileTable = Mapping[str, Any]
@@ -254,7 +263,7 @@ class WrittenMechanism(Mechanism, listed=False, metaclass=_WrittenType):
         return {name: getattr(self, name) for name in self.written.description.parameters}
 
     @property
-    def burden(self) -> Burden:
+    def burden(self) -> Burden | None:
         """What the file says that it has to bear, with the numbers of this mechanism."""
         return self.written.description.burden.burden(self._values)
 
@@ -302,6 +311,10 @@ def class_of(source: Source) -> type[WrittenMechanism]:
 @lru_cache(maxsize=64)
 def _unpacked(text: str) -> type[WrittenMechanism]:
     source = Source.unpacked(text)
+    if not source.tables.keys().isdisjoint(ROTORS):
+        from vad.files.balancing import rotor_class  # most files have neither shaft nor engine
+
+        return rotor_class(text)
     description = describe(source)
     mobility = check_mobility(source, description)
     dyads = tuple(check_dyads(source, description))
@@ -324,41 +337,72 @@ def _unpacked(text: str) -> type[WrittenMechanism]:
 def _made(written: Written, assembly: Assembly) -> type[WrittenMechanism]:
     """Return the dataclass."""
     description = written.description
-    name = written.source.name.removesuffix(".toml") or _slug(description.title)
+    cylinders = {each.name: each.base[1] for each in description.links.values() if each.cylinder}
+    slides = {guide.slide: guide.point for guide in description.guides.values()}
+    words = dict(assembly.words)
+    places = {"quantity": "places", "help": "the place of a point", "optional": False}
+    made: type[WrittenMechanism] = declared(
+        WrittenMechanism,
+        written,
+        title=description.title,
+        about=description.about,
+        unit=description.unit,
+        parameters=description.parameters.values(),
+        assembly=("assembly", dict, field(default_factory=words.copy, hash=False, metadata=places)),
+        letters=(*description.points, *names_under(description).values()),
+        links={each.name: "".join(each.base) for each in description.links.values()},
+        slides=slides | cylinders,
+        inputs=description.driver.inputs,
+    )
+    return made
+
+
+def declared(
+    base: Any,
+    written: Any,
+    *,
+    title: str,
+    about: str,
+    unit: str,
+    parameters: Iterable[Parameter],
+    assembly: tuple[str, Any, Any],
+    **names: Any,
+) -> Any:
+    """Return the dataclass of what a file says.
+
+    Parameters
+    ----------
+    base
+        Its base class.
+    written
+        What the file says; its ``source`` is the text.
+    title, about, unit
+        The words of the file.
+    parameters
+        Its numbers, each of which becomes a field.
+    assembly
+        The field of its assembly.
+    names
+        What the class states: its letters, links, slides and inputs.
+    """
+    name = written.source.name.removesuffix(".toml") or _slug(title)
     parts = [word.capitalize() for word in re.findall("[A-Za-z0-9]+", name)]
     class_name = "".join(parts)
     if not class_name.isidentifier() or keyword.iskeyword(class_name):
         class_name = "Written"
-    cylinders = {each.name: each.base[1] for each in description.links.values() if each.cylinder}
-    slides = {guide.slide: guide.point for guide in description.guides.values()}
-    fields: list[tuple[str, Any, Any]] = [
-        (each.name, float, _field(each)) for each in description.parameters.values()
-    ]
-    words = dict(assembly.words)
-    places = {"quantity": "places", "help": "the place of a point", "optional": False}
-    fields += [
-        ("assembly", dict, field(default_factory=words.copy, hash=False, metadata=places)),
-        ("length_unit", str, unit(description.unit)),
-    ]
-    made = make_dataclass(
-        class_name,
-        fields,
-        bases=(WrittenMechanism,),
-        namespace={
-            "__doc__": description.about or f"{description.title}.",
-            "__module__": __name__,
-            "name": name,
-            "title": description.title,
-            "letters": (*description.points, *names_under(description).values()),
-            "links": {each.name: "".join(each.base) for each in description.links.values()},
-            "slides": slides | cylinders,
-            "inputs": description.driver.inputs,
-            "written": written,
-        },
-        frozen=True,
-        kw_only=True,
+    fields = [(each.name, float, _field(each)) for each in parameters]
+    namespace = {
+        "__doc__": about or f"{title}.",
+        "__module__": __name__,
+        "name": name,
+        "title": title,
+        "written": written,
+        **names,
+    }
+    every: list[Any] = [*fields, assembly, ("length_unit", str, length_unit(unit))]
+    return make_dataclass(
+        class_name, every, bases=(base,), namespace=namespace, frozen=True, kw_only=True
     )
-    return made
 
 
 def _reduced(kind: Any) -> tuple[Any, ...]:

@@ -23,7 +23,7 @@ from typing import Any
 from vad import gate
 from vad.errors import InputError, VadError, quoted, unknown
 from vad.files.description import Cartesian, Expression, Parameter
-from vad.files.examples import EXTENSION, example_names
+from vad.files.examples import EXTENSION, all_names
 from vad.mechanisms.mechanism import Mechanism
 from vad.statics.tables import LONGEST_TABLE, table_of
 from vad.units import number_of
@@ -34,6 +34,8 @@ TABLES = (
     *("dimensions", "fixed", "links", "guides", "driver", "assembly", "pose"),
     *("loads", "masses", "friction", "exercise", "answers"),
 )
+#: The tables of a file that describes a shaft or an engine.
+ROTORS = ("shaft", "engine", "cylinders", "locomotive")
 #: What stands beside the words, and is a number or two.
 GRAVITY = "gravity"
 #: A mechanism fits on a page; a longer file is probably the wrong one.
@@ -226,7 +228,7 @@ def _nearly(path: str) -> str | None:
             files = [each for each in os.listdir(folder or ".") if each.endswith(EXTENSION)]
             for near in get_close_matches(name, files, n=1, cutoff=0.8):
                 return f"{near} is a file"
-        for near in get_close_matches(stem, example_names(), n=1, cutoff=0.7):
+        for near in get_close_matches(stem, all_names(), n=1, cutoff=0.7):
             return f"vad example {near} > {near}{EXTENSION}"
     if name.endswith(EXTENSION):
         return f"vad example toggle-press > {name} makes a file to begin with"
@@ -282,21 +284,24 @@ def sorted_out(source: Source) -> Source:
     tables: dict[str, Mapping[str, Any]] = {"": words}
     for key, value in source.table("").items():
         if isinstance(value, Mapping):
-            if key not in TABLES:
-                wrong = unknown("table", key, TABLES)
+            if key not in (*TABLES, *ROTORS):
+                wrong = unknown("table", key, (*TABLES, *ROTORS))
                 table, inside = (key, "") if (key, "") in source.lines else ("", key)
                 raise source.error(table, inside, str(wrong), wrong.hint)
             _check_count(source, key, value)
             tables[key] = value
+            if key == ROTORS[0] and isinstance(value.get("masses"), Mapping):
+                tables[f"{key}.masses"] = value["masses"]
+                _check_count(source, f"{key}.masses", value["masses"])
         elif key in WORDS:
             with source.at("", key):
                 words[key] = gate.line(key, value)
         elif key == GRAVITY:
             words[key] = value
-        elif key in TABLES:
+        elif key in (*TABLES, *ROTORS):
             raise source.error("", key, f"{key}: must be a table", f"write [{key}]")
         else:
-            wrong = unknown("word", key, (*WORDS, GRAVITY, *TABLES))
+            wrong = unknown("word", key, (*WORDS, GRAVITY, *TABLES, *ROTORS))
             raise source.error("", key, str(wrong), wrong.hint)
     return Source(source.name, tables, source.lines)
 
@@ -318,11 +323,14 @@ def _lines(text: str) -> dict[tuple[str, str], int]:
         if header := _HEADER.match(line):
             table = path = _parts(header[1])
             lines.setdefault((path[0], ""), number)
+            lines.setdefault((".".join(path[:2]), ""), number)
         elif key := _KEY.match(line):
             path = [*table, *_parts(key[1])]
         else:
             continue
         lines.setdefault((path[0], path[1]) if len(path) > 1 else ("", path[0]), number)
+        if len(path) > 2:
+            lines.setdefault((".".join(path[:2]), path[2]), number)
     return lines
 
 

@@ -35,7 +35,7 @@ def check(linkage: Linkage) -> None:
         For the first thing that is wrong, with the number of its loop.
     """
     _check_fixed(linkage)
-    if not linkage.loops:
+    if not linkage.loops and not linkage.images:
         raise InputError("there is no loop", hint="a driver alone moves nothing else")
     fixed = _fixed(linkage)
     moving, known = {linkage.driver}, {linkage.driver}

@@ -178,6 +178,10 @@ class Mechanism:
         """What it has to bear of its own: None, but for one from a file."""
         return None
 
+    def balancing(self, motion: Any) -> Any:
+        """Return what is balanced in a motion: None, but for a shaft or an engine from a file."""
+        return None
+
     def parameters(self) -> dict[str, float]:
         """Return the numeric parameters that are set, by name."""
         return {

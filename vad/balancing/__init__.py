@@ -1,0 +1,1 @@
+"""Balancing: the masses of a shaft, and the inertia forces of an engine."""
