@@ -11,7 +11,7 @@ import pytest
 from vad.cli.app import app
 from vad.cli.groups import MechanismGroup
 from vad.cli.options import OWN
-from vad.files.examples import example_names, example_path
+from vad.files.examples import all_names, example_path
 
 FOUR_BAR = example_path("four-bar").read_text("utf-8")
 
@@ -160,7 +160,7 @@ def test_checking_tells_a_change_point(vad, tmp_path, monkeypatch):
 
 def test_the_examples_are_named_and_printed(vad):
     names = [line.split()[0] for line in vad("example").out.splitlines()]
-    assert names == list(example_names())
+    assert names == list(all_names())
     assert vad("example", "watt-1").out == example_path("watt-1").read_text("utf-8")
     listed = vad("list").out
     assert all(name in listed for name in names)
