@@ -167,9 +167,7 @@ def test_a_four_bar_of_the_board():
     sheet = vad.draw(vad.forces(vad.solve(machine, angle=120), ["80 N @ 150 at E"]))
     assert [panel.name for panel in sheet.panels] == ["position", "force", "drive"]
     captions = {stroke.name: stroke.caption for stroke in sheet.panel("force").strokes}
-    assert captions["F14D.tangential"] == (
-        "Moments about C: F₁₄ₜ = 31.285 N m/(0.7500 m) = 41.713 N, ⟂ DC."
-    )
+    assert captions["F14D.line"] == "F₁₄ passes through D and O, too."
     assert captions["F23B.normal"] == "F₂₃ = 47.247 N: the crank pushes the coupler."
     assert captions["F23B.line"] == "The coupler BC has two forces only: both lie along BC."
     (load,) = [s for s in sheet.panel("position").strokes if s.component == "load"]
@@ -177,6 +175,18 @@ def test_a_four_bar_of_the_board():
     assert load.label == "P" and load.shape.end == e
     cells = [[cell.symbol for cell in row.cells["force"]] for row in sheet.rows]
     assert cells == [[], ["F₂₃"], ["F₁₄"], ["P"]]
+
+
+def test_with_two_loads_tangential_parts_follow_by_moments():
+    machine = vad.FourBar(
+        ground=500, crank=400, coupler=1000, rocker=750, points={"E": ("rocker", 350)}
+    )
+    loads = ["80 N @ 150 at E", "0.001 N @ 0 at C on rocker"]
+    panel = vad.draw(vad.forces(vad.solve(machine, angle=120), loads)).panel("force")
+    captions = {stroke.name: stroke.caption for stroke in panel.strokes}
+    assert captions["F14D.tangential"] == (
+        "Moments about C: F₁₄ₜ = 31.285 N m/(0.7500 m) = 41.713 N, ⟂ DC."
+    )
 
 
 def test_the_torque_is_force_times_arm():

@@ -121,9 +121,10 @@ class _Construction:
             equations.append(position_equation(self.scene, loop, self.ink.strokes))
         for bar in self.linkage.images:
             self.further.draw(bar)
-        strokes = (*self.ink.strokes, *loads_at_points(self.scene))
+        loads, zeros = loads_at_points(self.scene)
         return Drawing(
-            strokes,
+            (*self.ink.strokes, *loads),
+            tuple(zeros),
             equations=tuple(equations),
             loops=tuple(begins),
             bodies=self.ink.bodies,

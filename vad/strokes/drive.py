@@ -13,7 +13,6 @@ from vad.strokes.arithmetic import Figure, product
 from vad.strokes.construct import construct
 from vad.strokes.diagram import Drawing, in_plane
 from vad.strokes.force_captions import NEWTON, ForceCaptions
-from vad.strokes.force_names import ForceNames
 from vad.strokes.sentences import Sentence, SentencePart, Unit
 from vad.strokes.sheet import (
     LOADS,
@@ -56,7 +55,7 @@ def drive_drawing(scene: Any) -> Drawing:
 
 def drive_cells(scene: Any, key: str, slides: bool) -> tuple[Cell, ...]:
     """Return the torque in the row of the driven link."""
-    forces = ForceNames(scene).forces
+    forces = scene.force_names.forces
     if key != forces.bodies.driver.name:
         return ()
     return (Cell(TORQUE, forces.drive, forces.moment_unit),)
@@ -64,7 +63,7 @@ def drive_cells(scene: Any, key: str, slides: bool) -> tuple[Cell, ...]:
 
 class _Drive:
     def __init__(self, scene: Scene) -> None:
-        self.scene, self.names = scene, ForceNames(scene)
+        self.scene, self.names = scene, scene.force_names
         self.words = ForceCaptions(scene, self.names)
         self.forces = self.names.forces
         self.driver = self.forces.bodies.driver

@@ -72,6 +72,12 @@ class ForceCaptions:
         """Say why the last part of a force lies on a line."""
         half = part.of.half
         inner = self.names.inner(half)
+        three = self.names.meeting(half)
+        if three:
+            letter = self.names.letter_of(three)
+            return self._sentence(
+                "force three", label=part.symbol, point=half.outer.point, meeting=letter
+            )
         parts: dict[str, SentencePart] = {
             "label": part.symbol,
             "link": self.names.noun(half.bodies[0]),

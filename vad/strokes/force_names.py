@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 from vad.errors import InputError
 from vad.strokes.sentences import Noun, Sentence, Text
 from vad.strokes.sheet import LOADS, Cell
+from vad.strokes.three_forces import LETTERS, ThreeForces, directed, three_forces
 from vad.written import subscript
 
 if TYPE_CHECKING:
     from vad.kinematics.linkage import Slide
-    from vad.statics.dyads import Half, Load
+    from vad.statics.dyads import DyadForces, Half, Load
     from vad.statics.forces import Forces
     from vad.strokes.scene import Scene
 
@@ -59,10 +60,43 @@ class ForceNames:
     """
 
     def __init__(self, scene: Scene) -> None:
-        self.members, self.voice, self.poles = scene.members, scene.voice, scene.poles
+        self.scene, self.members, self.voice = scene, scene.members, scene.voice
+        self.poles = scene.poles
         self.forces = forces_of_scene(scene)
         self.bodies = self.forces.bodies.bodies
         self._rows = {*self.members.links, *self.members.slides}
+
+    @cached_property
+    def found_dyads(self) -> tuple[DyadForces, ...]:
+        """The dyads as the forces have them, the last one first."""
+        return self.forces.dyads
+
+    @cached_property
+    def meetings(self) -> dict[int, ThreeForces]:
+        """Where three forces on a member meet, by the numbers of the dyads."""
+        found = ((each.number, three_forces(each, self)) for each in self.found_dyads)
+        return {number: meeting for number, meeting in found if meeting}
+
+    @cached_property
+    def dyads(self) -> tuple[DyadForces, ...]:
+        """The dyads as they are drawn, the last one first."""
+        return tuple(
+            directed(each, self.meetings[each.number], self)
+            if each.number in self.meetings
+            else each
+            for each in self.found_dyads
+        )
+
+    def meeting(self, half: Half) -> ThreeForces | None:
+        """Return where the forces on the body of a half meet, if it has three."""
+        mine = (each for each in self.meetings.values() if each.held.bodies == half.bodies)
+        return next(mine, None)
+
+    def meeting_letter(self, number: int) -> str:
+        """Return the letter of the point of a dyad in which three forces meet: O, or O₁."""
+        letter = next((each for each in LETTERS if each not in self.members.points), LETTERS[0])
+        others = self.meetings.keys() - {number}
+        return letter + (subscript(number + 1) if others else "")
 
     @cached_property
     def numbers(self) -> dict[str, int]:
@@ -94,7 +128,7 @@ class ForceNames:
 
     @cached_property
     def _on_dyads(self) -> list[Load]:
-        halves = (half for dyad in self.forces.dyads for half in (dyad.first, dyad.second))
+        halves = (half for dyad in self.found_dyads for half in (dyad.first, dyad.second))
         return [load for half in halves for load in half.loads if load.kind != "joint"]
 
     def load(self, load: Load) -> str:
@@ -135,8 +169,16 @@ class ForceNames:
 
     def line(self, half: Half) -> str:
         """Return the label of the line of the unknown part of an outer force."""
+        meeting = self.meeting(half)
+        if meeting:
+            return f"∥ {half.outer.point}{self.letter_of(meeting)}"
         inner = self.inner(half)
         return f"∥ {half.outer.point}{inner}" if inner else self._square(half)
+
+    def letter_of(self, meeting: ThreeForces) -> str:
+        """Return the letter of the point in which three forces meet."""
+        number = next(n for n, each in self.meetings.items() if each is meeting)
+        return self.meeting_letter(number)
 
     def _square(self, half: Half) -> str:
         """Return that of a line square to the one on which a body slides."""

@@ -202,7 +202,7 @@ class _Polygons(Player[Force]):
 
     def __init__(self, scene: Any, names: ForceNames) -> None:
         self.names = names
-        self.dyads = [DyadEquation(each, names) for each in names.forces.dyads]
+        self.dyads = [DyadEquation(each, names) for each in names.dyads]
         self.longest = max(each.equation.longest for each in self.dyads)
         self.words = ForceCaptions(scene, names)
         super().__init__(ForcePencil(self.words, self._places, self.longest))
@@ -272,11 +272,11 @@ class _Polygons(Player[Force]):
         return {vector.name: vector.symbol for vector in vectors}
 
     def _written(self, each: DyadEquation) -> Equation:
-        """Return the sum of all forces on a dyad, which is zero."""
+        """Return the sum of all forces on a dyad, which is zero: what is known comes first."""
         drawn = {stroke.name for stroke in self.pencil.strokes}
         terms = []
         first, _ = each.equation.chains
-        for vector in first.vectors:
+        for vector in (*first.vectors[1:], first.vectors[0]):
             for which in ("whole", "load", "normal", "tangential"):
                 name = f"{vector.name}.{which}"
                 if name in drawn:
@@ -293,10 +293,10 @@ def _named(stroke: Stroke, symbols: Mapping[str, str]) -> Stroke:
 
 def force_polygons(scene: Any) -> Drawing:
     """Return the force polygons of a pose."""
-    return _Polygons(scene, ForceNames(scene)).draw()
+    return _Polygons(scene, scene.force_names).draw()
 
 
 def force_cells(scene: Any, key: str, slides: bool) -> tuple[Cell, ...]:
     """Return the force in the outer joint of the body of a row; of the row of loads, these."""
-    names = ForceNames(scene)
-    return names.cells(key)
+    cells: tuple[Cell, ...] = scene.force_names.cells(key)
+    return cells

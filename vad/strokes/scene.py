@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
     from vad.statics.forces import Forces
     from vad.strokes.diagram import Diagram, Drawing, Order
+    from vad.strokes.force_names import ForceNames
 
 
 def _check_drawable(linkage: Linkage) -> None:
@@ -235,6 +236,19 @@ class Scene(CaptionedMotion, ABC):
     def members(self) -> Members:
         """The links, slides and points of the mechanism."""
         return members_of(self.motion.mechanism)
+
+    @cached_property
+    def force_names(self) -> ForceNames:
+        """The forces of the pose with their names.
+
+        Raises
+        ------
+        vad.errors.InputError
+            If there is nothing that makes forces.
+        """
+        from vad.strokes.force_names import ForceNames  # most drawings have none
+
+        return ForceNames(self)
 
     @property
     def unit(self) -> str:

@@ -368,6 +368,12 @@ PHRASES = {
     ),
     "force square": "{label} steht senkrecht zur Geraden, auf der {link:der} gleitet.",
     "force two": "An {link:dem} {bar} wirken nur zwei Kräfte: beide liegen längs {bar}.",
+    "force line": "Die Wirkungslinie von {label}.",
+    "force meeting": (
+        "Drei Kräfte im Gleichgewicht gehen durch einen Punkt: an {link:dem} schneiden sich "
+        "{label} und {force} in {letter}."
+    ),
+    "force three": "Also geht auch {label} durch {point} und {meeting}.",
     "force rest": "Der Rest der Kraft, {label}, liegt längs {bar}.",
     "force closes": "Die beiden Geraden schneiden sich: das Polygon schließt sich.",
     "force part": "{label} = {value} {unit}, gemessen.",

@@ -361,6 +361,12 @@ PHRASES = {
     ),
     "force square": "{label} is square to the line on which the {link} slides.",
     "force two": "The {link} {bar} has two forces only: both lie along {bar}.",
+    "force line": "The line of action of {label}.",
+    "force meeting": (
+        "Three forces in equilibrium meet in a point: on the {link} {label} and {force} meet in "
+        "{letter}."
+    ),
+    "force three": "{label} passes through {point} and {meeting}, too.",
     "force rest": "The rest of the force, {label}, lies along {bar}.",
     "force closes": "The two lines cross: the polygon closes.",
     "force part": "{label} = {value} {unit}, measured.",

@@ -364,6 +364,12 @@ PHRASES = {
     ),
     "force square": "{label} est perpendiculaire à la ligne sur laquelle {link:le} coulisse.",
     "force two": "Deux forces seulement agissent sur {link:le} {bar} : elles sont suivant {bar}.",
+    "force line": "La ligne d’action de {label}.",
+    "force meeting": (
+        "Trois forces en équilibre passent par un même point : sur {link:le}, {label} et {force} "
+        "se coupent en {letter}."
+    ),
+    "force three": "{label} passe donc aussi par {point} et {meeting}.",
     "force rest": "Le reste de la force, {label}, est suivant {bar}.",
     "force closes": "Les deux droites se coupent : le polygone se ferme.",
     "force part": "{label} = {value} {unit}, mesuré.",
