@@ -100,9 +100,9 @@ def test_captions_are_said_in_every_language(name, language):
 #: What a caption calculates: the numbers that are typed, and the one that is printed.
 NUMBER = r"(\d[\d.,\s]*?(?:×10[⁻⁰¹²³⁴-⁹]+)?)"
 SUMS = [
-    (rf"= {NUMBER} N m/\({NUMBER} m\) = {NUMBER} N", lambda moment, arm: moment / arm),
+    (rf"= {NUMBER} N·m/\({NUMBER} m\) = {NUMBER} N", lambda moment, arm: moment / arm),
     (rf"= √\({NUMBER}² \+ {NUMBER}²\) = {NUMBER} N", math.hypot),
-    (rf"= {NUMBER} N × {NUMBER} m = {NUMBER} N m", lambda force, arm: force * arm),
+    (rf"= {NUMBER} N × {NUMBER} m = {NUMBER} N·m", lambda force, arm: force * arm),
 ]
 
 
@@ -185,7 +185,7 @@ def test_with_two_loads_tangential_parts_follow_by_moments():
     panel = vad.draw(vad.forces(vad.solve(machine, angle=120), loads)).panel("force")
     captions = {stroke.name: stroke.caption for stroke in panel.strokes}
     assert captions["F14D.tangential"] == (
-        "Moments about C: F₁₄ₜ = 31.285 N m/(0.7500 m) = 41.713 N, ⟂ DC."
+        "Moments about C: F₁₄ₜ = 31.285 N·m/(0.7500 m) = 41.713 N, ⟂ DC."
     )
 
 
@@ -204,7 +204,7 @@ def test_the_torque_is_force_times_arm():
     size = abs(found.force("coupler", "crank"))
     assert size * abs(span) / 1000 == pytest.approx(abs(found.drive), rel=1e-12)
     assert strokes["h.arm"].caption == (
-        "T = F₃₂·h = 47.247 N × 0.39567 m = 18.69 N m, clockwise, must act on the crank."
+        "T = F₃₂·h = 47.247 N × 0.39567 m = 18.69 N·m, clockwise, must act on the crank."
     )
 
 

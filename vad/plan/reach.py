@@ -6,6 +6,7 @@ The strokes of a panel tell which body carries which block, and which points mus
 from __future__ import annotations
 
 from vad.strokes.sheet import (
+    Arc,
     Arrow,
     Bearing,
     Block,
@@ -25,6 +26,11 @@ def is_load(stroke: Stroke) -> bool:
     """Tell whether an arrow in the picture of a mechanism is a force or its arm, and no bar."""
     forces = "load", "action", "couple"
     return isinstance(stroke.shape, Arrow) and stroke.component in forces
+
+
+def is_couple(stroke: Stroke) -> bool:
+    """Tell whether an arc in the picture of a mechanism is a couple."""
+    return isinstance(stroke.shape, Arc) and stroke.component == "couple"
 
 
 def carries_block(panel: Panel, stroke: Stroke) -> bool:

@@ -104,6 +104,7 @@ ROLES: dict[str, Role] = {
     "angle": Role(line="grey", width=0.0024),
     "sense": Role(line="row", width=0.0032),
     "speed": Role(line="row", width=0.0032),
+    "couple": Role(line="row", width=0.0050),
     # a mechanism in space
     "bar far": Role(line="row", width=0.6 * BAR, dash=(2.6, 1.6)),
     "path": Role(line="row", width=PATH, join="round"),

@@ -68,7 +68,8 @@ def draw(
         One pose, or the forces in one; its rates are solved only as far as the panels need them.
     panels
         Which of "position", "velocity", "acceleration" and, for forces, "force" and "drive", in any
-        order; if None, those of a motion, or the position and what is of forces.
+        order; if None, those of a motion, or the position and what is of forces: with masses that
+        move the accelerations, too.
     language
         The language of the captions, as a two-letter code.
 
@@ -185,16 +186,17 @@ def chosen(
         For an unknown name, or none; for a diagram that does not apply to the mechanism.
     """
     fitting = [name for name, each in DIAGRAMS.items() if motion is None or each.applies(motion)]
-    usual = tuple(n for n in fitting if (n in OF_FORCES if forces else DIAGRAMS[n].usual))
+    names = usual_of(forces) if forces else [n for n in fitting if DIAGRAMS[n].usual]
+    usual = tuple(name for name in fitting if name in names)
     given = usual if panels is None else gate.several("panels", panels, "names of panels")
-    names = [one_of("panel", name, DIAGRAMS) for name in given]
-    if not names:
+    asked = [one_of("panel", name, DIAGRAMS) for name in given]
+    if not asked:
         raise UsageError("panels: none given", hint="known: " + ", ".join(fitting))
-    for name in (name for name in names if name not in fitting):
+    for name in (name for name in asked if name not in fitting):
         mechanism = motion.mechanism.name if motion else ""
         hint = f"known for {mechanism}: {', '.join(fitting)}"
         raise UsageError(f"panel {name!r} does not apply to {mechanism}", hint)
-    return tuple(name for name in DIAGRAMS if name in names)
+    return tuple(name for name in DIAGRAMS if name in asked)
 
 
 @lru_cache(maxsize=64)
@@ -286,6 +288,18 @@ def with_forces(
     from vad.statics.forces import forces  # most drawings have none
 
     return forces(motion, *burden)
+
+
+def usual_of(forces: Forces[Any, Any, Any]) -> tuple[str, ...]:
+    """Return the panels of forces where nobody asks for others, in the order of the page.
+
+    Where masses move, and so have inertia forces, the polygon of the accelerations comes before.
+    """
+    _, *rates = forces.motion.inputs.values()
+    masses = any(each.kind == "inertia" for each in forces.acting)
+    if masses and any(rate.any() if hasattr(rate, "any") else rate for rate in rates):
+        return (OF_FORCES[0], ACCELERATION.panel, *OF_FORCES[1:])
+    return OF_FORCES
 
 
 def _forces(given: Any) -> Forces[Any, Any, Any] | None:

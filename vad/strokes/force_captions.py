@@ -5,16 +5,19 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from vad.strokes.arithmetic import Figure, hypotenuse, product
+from vad.strokes.diagram import ACCELERATION
 from vad.strokes.force_names import ForceNames
 from vad.strokes.sentences import Sentence, SentencePart, Unit
 from vad.strokes.vector_equations import NOTHING, Part
 from vad.units import metres_of
+from vad.written import per_second
 
 if TYPE_CHECKING:
     from vad.statics.dyads import Half, Load
+    from vad.strokes.force_names import Couple
     from vad.strokes.forces import Force
 
-NEWTON = "N"
+NEWTON, KILOGRAM_METRE = "N", "kg m²"
 
 
 class ForceCaptions:
@@ -56,6 +59,8 @@ class ForceCaptions:
 
     def load(self, symbol: str, load: Load) -> Sentence:
         """Say what acts on a body from outside, or what a later dyad hands on."""
+        if load.kind == "inertia":
+            return self._inertia(symbol, load)
         joint = load.kind == "joint"
         return self._sentence(
             f"force {load.kind}",
@@ -66,6 +71,73 @@ class ForceCaptions:
             point=load.point,
             other=self.names.noun(load.name) if joint else "",
             opposite=self.names.force(load.body, load.name) if joint else "",
+        )
+
+    def couple(self, symbol: str, couple: Couple) -> Sentence:
+        """Say what couple acts on a body from outside, or calculate that of its inertia."""
+        unit = self.names.forces.moment_unit
+        parts: dict[str, SentencePart] = {
+            "label": symbol,
+            "value": Figure(abs(couple.value), unit, couple.kind == "couple"),
+            "unit": Unit(unit),
+            "sense": self.sense(couple.value),
+            "link": self.names.noun(couple.body),
+        }
+        if couple.kind == "couple":
+            return self._sentence("force couple", **parts)
+        link = str(self.names.bodies[couple.body].link)
+        alpha = abs(self.scene.rate(link, 2))
+        return self._sentence(
+            "force spin",
+            product("value", "inertia", "alpha"),
+            **parts,
+            inertia=Figure(couple.inertia, KILOGRAM_METRE, given=True),
+            heavy=Unit(KILOGRAM_METRE),
+            alpha=Figure(alpha, ACCELERATION.unit),
+            turning=Unit(ACCELERATION.unit),
+            symbol=self.scene.members.symbol("α", link),
+        )
+
+    def moved(self, symbol: str, load: Load, couple: Couple, away: complex) -> Sentence:
+        """Say how far a force is moved so that it has the moment of a couple, too."""
+        metres = metres_of(self.scene.unit)
+        unit, turning = "m" if metres else self.scene.unit, self.names.forces.moment_unit
+        return self._sentence(
+            "force moved",
+            product("arm", "moment", "value"),
+            label=symbol,
+            couple=self.names.couple(couple),
+            moment=Figure(abs(couple.value), turning, couple.kind == "couple"),
+            turning=Unit(turning),
+            value=Figure(abs(load.force), NEWTON, load.kind == "force", power=-1),
+            unit=Unit(NEWTON),
+            arm=Figure(abs(away) * (metres or 1.0), unit),
+            length=Unit(unit),
+        )
+
+    def sense(self, turning: float) -> Sentence:
+        """Say in which sense something turns."""
+        return self._sentence("counter-clockwise" if turning > 0.0 else "clockwise")
+
+    def _inertia(self, symbol: str, load: Load) -> Sentence:
+        """Calculate an inertia force from the mass and its acceleration."""
+        acting = self.names.forces.acting
+        mine = next(e for e in acting if e.kind == "inertia" and e.body == load.body)
+        mass = float(self.names.forces.inputs[mine.inputs[0]])
+        size = abs(self.scene.image(load.point, 2)) * (metres_of(self.scene.unit) or 1.0)
+        unit = per_second("m", 2)
+        return self._sentence(
+            "force inertia",
+            product("value", "mass", "size"),
+            label=symbol,
+            point=load.point,
+            link=self.names.noun(load.body),
+            mass=Figure(mass, "kg", given=True),
+            heavy=Unit("kg"),
+            size=Figure(size, unit),
+            fast=Unit(unit),
+            value=Figure(abs(load.force), NEWTON),
+            unit=Unit(NEWTON),
         )
 
     def line(self, part: Part[Force], point: str, meeting: str) -> Sentence:

@@ -1,24 +1,33 @@
-"""The loads of a mechanism at their points, in its position diagram.
+"""The loads of a mechanism at their points, in its position diagram, and couples as arcs.
 
-Where three forces on a member meet, the lines that meet there are drawn, too.
+An inertia force is moved by the couple of its body.  Where three forces on a member meet, the
+lines that meet there are drawn, too.
 """
 
 from __future__ import annotations
 
 import cmath
+import math
 from typing import TYPE_CHECKING
 
+from vad.kinematics.linkage import points_of
 from vad.strokes.force_captions import ForceCaptions
-from vad.strokes.sheet import LOADS, Arrow, Dot, Line, Stroke, StrokePart
+from vad.strokes.sheet import LOADS, Arc, Arrow, Dot, Line, Stroke, StrokePart
 from vad.strokes.vector_equations import NOTHING
 
 if TYPE_CHECKING:
     from vad.statics.dyads import DyadForces, Load
+    from vad.strokes.force_names import Couple
     from vad.strokes.scene import Scene
+    from vad.strokes.sentences import Sentence
     from vad.strokes.three_forces import ThreeForces
 
 #: The length of every arrow, as a share of the mechanism's.
 LENGTH = 0.22
+#: The arc of a couple, in degrees.
+START, SWEEP = 30.0, 270.0
+#: How far a force may be moved by a couple, in such lengths, so that its line is drawn.
+FAR = 3.0
 
 
 class _AtPoints:
@@ -39,6 +48,11 @@ class _AtPoints:
         largest = max((abs(load.force) for load in self.names.loads), default=0.0)
         for load in self.names.loads:
             self._load(load, abs(load.force) > NOTHING * largest)
+        for couple in self.names.couples:
+            self._couple(couple)
+        for load in self.names.loads:
+            if load.kind == "inertia":
+                self._moved(load, abs(load.force) > NOTHING * largest)
         for dyad in self.names.dyads:
             self._lines(dyad, self.names.meetings.get(dyad.number))
 
@@ -53,6 +67,43 @@ class _AtPoints:
         else:
             shape = Arrow(at, at, "", "")
             self.zeros.append(Stroke("known", symbol, shape, "", LOADS, "load", part=part))
+
+    def _couple(self, couple: Couple) -> None:
+        """Draw a couple as an arc about the middle of its link, that of an inertia about its mass.
+
+        Its radius is chosen where it is painted.
+        """
+        centre = self._middle(couple)
+        symbol = self.names.couple(couple)
+        sweep = math.copysign(SWEEP, couple.value) if couple.value else 0.0
+        arc = Arc(centre, self.length / 2, START, sweep)
+        part = StrokePart(self.names.plain_couple(couple), "couple")
+        said = self.words.couple(symbol, couple) if couple.value else ""
+        stroke = Stroke("known", symbol, arc, said, LOADS, "couple", part=part)
+        (self.strokes if couple.value else self.zeros).append(stroke)
+
+    def _middle(self, couple: Couple) -> complex:
+        acting = (each for each in self.names.forces.acting if each.body == couple.body)
+        masses = (each.point for each in acting if each.kind == "inertia")
+        if couple.kind == "spin":
+            return self.scene.at(next(masses))
+        link = str(self.names.bodies[couple.body].link)
+        ends = points_of(self.scene.motion.mechanism.links[link])
+        return sum(map(self.scene.at, ends), 0j) / 2
+
+    def _moved(self, load: Load, shown: bool) -> None:
+        """Draw the line on which an inertia force alone has the moment of its couple, too."""
+        part = StrokePart(self.names.plain_load(load), "moved")
+        arm = self.names.arm(load) if shown else None
+        meeting = any(each.load == load for each in self.names.meetings.values())
+        if not arm or arm[0].kind != "spin" or meeting or abs(arm[1]) > FAR * self.length:
+            at = self.scene.at(load.point)
+            self.zeros.append(Stroke("construction", "", Line(at, 1.0, at), "", part=part))
+            return
+        foot, way = self.scene.at(load.point) + arm[1], load.force / abs(load.force)
+        line = Line(foot - self.length * way, way, foot)
+        said = self.words.moved(self.names.load(load), load, *arm)
+        self.strokes.append(Stroke("construction", "", line, said, LOADS, "action", part=part))
 
     def _lines(self, dyad: DyadForces, meeting: ThreeForces | None) -> None:
         """Draw the two known lines of a member with three forces, and the one that they give."""
@@ -71,10 +122,17 @@ class _AtPoints:
         load, other, held = meeting.load, meeting.other, meeting.held
         action = names.load(load)
         row = LOADS if load.kind != "joint" else names.row(load.name)
-        self._line(of, "load line", self.scene.at(load.point), at, row, "force line", action)
+        arm = names.arm(load)
+        said = (
+            self.words.moved(action, load, *arm)
+            if arm
+            else self.scene.say("force line", label=action)
+        )
+        self._line(of, "load line", meeting.start, at, row, said)
         force = names.force(other.outer.one, other.outer.other)
         joint, row = self.scene.at(meeting.joint), names.row(other.bodies[-1])
-        self._line(of, "known line", joint, at, row, "force line", force)
+        said = self.scene.say("force line", label=force)
+        self._line(of, "known line", joint, at, row, said)
         between = names.force(other.bodies[-1], held.bodies[-1])
         said = self.scene.say(
             "force meeting",
@@ -87,7 +145,8 @@ class _AtPoints:
         self.strokes.append(Stroke("intersection", letter, Dot(at), said, part=part))
         force, row = names.force(held.outer.one, held.outer.other), names.row(held.bodies[-1])
         pin = held.outer.point
-        self._line(of, "line", self.scene.at(pin), at, row, "force three", force, pin, letter)
+        said = self.scene.say("force three", label=force, point=pin, meeting=letter)
+        self._line(of, "line", self.scene.at(pin), at, row, said)
 
     def _line(
         self,
@@ -96,14 +155,10 @@ class _AtPoints:
         start: complex,
         at: complex,
         row: str,
-        phrase: str,
-        force: str,
-        point: str = "",
-        letter: str = "",
+        said: Sentence,
     ) -> None:
         """Draw a line of action from a point to the one in which three lines meet."""
         away, part = at - start, StrokePart(of, which)
-        said = self.scene.say(phrase, label=force, point=point, meeting=letter)
         shown = abs(away) > NOTHING * self.length
         line = Line(start, away / abs(away) if shown else 1.0 + 0j, at)
         stroke = Stroke("construction", "", line, said if shown else "", row, "action", part=part)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vad.errors import InputError
 from vad.strokes.sentences import Noun, Sentence, Text
 from vad.strokes.sheet import LOADS, Cell
 from vad.strokes.three_forces import LETTERS, ThreeForces, directed, three_forces
+from vad.units import metres_of
 from vad.written import subscript
 
 if TYPE_CHECKING:
@@ -17,10 +18,41 @@ if TYPE_CHECKING:
     from vad.statics.forces import Forces
     from vad.strokes.scene import Scene
 
-#: The symbols of loads that have no name of their own.
-SYMBOLS = {"force": "P", "weight": "W", "inertia": "I", "friction": "R"}
+#: The symbols of loads that have no name of their own; the couple of a moment of inertia is C₃.
+SYMBOLS = {
+    "force": "P",
+    "weight": "W",
+    "inertia": "Fᵢ",
+    "friction": "R",
+    "couple": "M",
+    "spin": "C",
+}
 #: The most loads in the table of results.
 MOST = 2
+
+
+class Couple(NamedTuple):
+    """A couple on a body.
+
+    Attributes
+    ----------
+    kind
+        ``couple`` of a load, ``spin`` of a moment of inertia.
+    name
+        What the user calls it.
+    body
+        The body on which it acts.
+    value
+        In newton metres, counter-clockwise.
+    inertia
+        The moment of inertia in kg·m²; 0 for a load.
+    """
+
+    kind: str
+    name: str
+    body: str
+    value: float
+    inertia: float
 
 
 def outside(forces: Forces[Any, Any, Any], body: str) -> list[Load]:
@@ -124,12 +156,50 @@ class ForceNames:
     @cached_property
     def loads(self) -> list[Load]:
         """All forces from outside, body by body, those on the driver first."""
-        return [*outside(self.forces, self.forces.bodies.driver.name), *self._on_dyads]
+        halves = [half for dyad in self.found_dyads for half in (dyad.first, dyad.second)]
+        found = [load for half in halves for load in half.loads if load.kind != "joint"]
+        driver = self.forces.bodies.driver.name
+        if any(driver in half.bodies for half in halves):
+            return found
+        return [*outside(self.forces, driver), *found]
 
     @cached_property
-    def _on_dyads(self) -> list[Load]:
-        halves = (half for dyad in self.found_dyads for half in (dyad.first, dyad.second))
-        return [load for half in halves for load in half.loads if load.kind != "joint"]
+    def couples(self) -> list[Couple]:
+        """All couples from outside, in the order in which they were given."""
+        found = []
+        for number, each in enumerate(self.forces.acting):
+            if not each.point:
+                inertia = float(self.forces.inputs[each.inputs[0]]) if each.kind == "spin" else 0.0
+                value = self.forces.acts(number)
+                found.append(Couple(each.kind, each.name, each.body, value, inertia))
+        return found
+
+    def couple(self, couple: Couple) -> str:
+        """Return the symbol of a couple: its own name, M₁, C₃ for that of an inertia."""
+        if couple.kind == "spin":
+            return SYMBOLS["spin"] + subscript(self.numbers[couple.body])
+        if couple.name:
+            return couple.name
+        unnamed = [each for each in self.couples if each.kind == "couple" and not each.name]
+        number = subscript(unnamed.index(couple) + 1) if len(unnamed) > 1 else ""
+        return SYMBOLS["couple"] + number
+
+    def plain_couple(self, couple: Couple) -> str:
+        """Return the name of a couple for the names of its strokes."""
+        number = self.couples.index(couple)
+        return f"{SYMBOLS[couple.kind]}{self.numbers[couple.body]}-{number + 1}"
+
+    def arm(self, load: Load) -> tuple[Couple, complex] | None:
+        """Return the one couple on the body of a load, and where the load alone has its moment.
+
+        None where no couple acts on the body, or several do, or the load is none.
+        """
+        mine = [each for each in self.couples if each.body == load.body and each.value]
+        if len(mine) != 1 or not load.force:
+            return None
+        metres = metres_of(self.scene.unit) or 1.0
+        across = -1j * load.force / abs(load.force)
+        return mine[0], across * (mine[0].value / (abs(load.force) * metres))
 
     def load(self, load: Load) -> str:
         """Return the symbol of a load: its own name, P₁, W₃ for the weight of body 3, F₃₄."""
@@ -151,7 +221,8 @@ class ForceNames:
     def _plain(self, load: Load) -> str:
         if load.kind == "force" and load.name:
             return load.name
-        return f"{SYMBOLS[load.kind]}{self.numbers[load.body]}{load.point}"
+        letter = "I" if load.kind == "inertia" else SYMBOLS[load.kind]
+        return f"{letter}{self.numbers[load.body]}{load.point}"
 
     def row(self, body: str) -> str:
         """Return the row of the results whose ink a body has."""

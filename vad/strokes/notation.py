@@ -36,15 +36,24 @@ class Notation:
     digits: Mapping[str, int] = field(default_factory=dict)
 
     def unit(self, unit: str) -> str:
-        """Return the unit in which the numbers of ``unit`` are written."""
-        if not self.metres:
-            return unit
-        length, per, time = unit.partition("/")
-        return f"m/{time}" if per and length in _TO_A_METRE else unit
+        """Return the unit in which the numbers of ``unit`` are written.
+
+        Examples
+        --------
+        >>> Notation().unit("N m"), Notation(metres=True).unit("mm/s")
+        ('N·m', 'm/s')
+        """
+        time = unit.partition("/")[2]
+        return f"m/{time}" if self._changes(unit) else unit.replace(" ", "·")
+
+    def _changes(self, unit: str) -> bool:
+        """Tell whether the numbers of a unit are written in another one."""
+        length, per, _ = unit.partition("/")
+        return bool(self.metres and per and length in _TO_A_METRE)
 
     def scaled(self, value: float, unit: str) -> float:
         """Return a value of ``unit`` in the unit in which it is written."""
-        if not self.metres or self.unit(unit) == unit:
+        if not self._changes(unit):
             return value
         return value / _TO_A_METRE[unit.partition("/")[0]]
 

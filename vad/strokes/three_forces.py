@@ -37,6 +37,9 @@ class ThreeForces:
         The half of the dyad that bears the load, and the one with two forces only.
     joint
         A point of the line of the force between both.
+    start
+        A point of the line of the load: that at which it acts, or with a couple on its body the
+        place at which the load alone has the moment of both.
     at
         The point in which the lines meet, in the user's unit.
     """
@@ -45,14 +48,15 @@ class ThreeForces:
     held: Half
     other: Half
     joint: str
+    start: complex
     at: complex
 
 
 def three_forces(dyad: DyadForces, names: ForceNames) -> ThreeForces | None:
     """Return the point of a dyad in which three forces meet; None where there is no such point.
 
-    There is none with more than one load, with a couple, if the loaded body hangs on a guide, or if
-    the lines meet too far away to be drawn.
+    There is none with more than one load, with a couple on another body, if the loaded body hangs
+    on a guide, or if the lines meet too far away to be drawn.
     """
     largest = max(abs(half.outer.force) for half in (dyad.first, dyad.second))
     loaded = [
@@ -61,7 +65,7 @@ def three_forces(dyad: DyadForces, names: ForceNames) -> ThreeForces | None:
         for load in half.loads
         if abs(load.force) > NOTHING * largest
     ]
-    if len(loaded) != 1 or dyad.first.couples or dyad.second.couples:
+    if len(loaded) != 1 or loaded[0][1].couples:
         return None
     ((held, other, load),) = loaded
     alone = len(held.bodies) == 1 and names.inner(held)
@@ -69,6 +73,10 @@ def three_forces(dyad: DyadForces, names: ForceNames) -> ThreeForces | None:
         return None
     scene, joint = names.scene, dyad.inner.point
     start, pin, through = (scene.at(point) for point in (load.point, held.outer.point, joint))
+    moved = names.arm(load)
+    if held.couples and not moved:
+        return None
+    start += moved[1] if moved else 0j
     way = load.force / abs(load.force)
     sine = cross(way, other.direction)
     if abs(sine) < PARALLEL:
@@ -81,7 +89,7 @@ def three_forces(dyad: DyadForces, names: ForceNames) -> ThreeForces | None:
     near = near and min(ys) - reach <= at.imag <= max(ys) + reach
     if not near or abs(at - pin) <= PARALLEL * reach:
         return None
-    return ThreeForces(load, held, other, joint, complex(at))
+    return ThreeForces(load, held, other, joint, start, complex(at))
 
 
 def directed(dyad: DyadForces, found: ThreeForces, names: ForceNames) -> DyadForces:

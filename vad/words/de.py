@@ -355,7 +355,19 @@ PHRASES = {
     "force nothing": "Kein Gelenk trägt eine Kraft: nur der Antrieb ist belastet.",
     "force force": "{label} = {value} {unit}, die Last an {link:dem} in {point}.",
     "force weight": "{label} = {value} {unit}, das Gewicht {link:des} in {point}.",
-    "force inertia": "{label} = {value} {unit}, die Trägheitskraft {link:des} in {point}.",
+    "force inertia": (
+        "{label} = *m*·*a* = {mass} {heavy} × {size} {fast} = {value} {unit}, die Trägheitskraft "
+        "{link:des}, gegen die Beschleunigung von {point}."
+    ),
+    "force couple": "{label} = {value} {unit}, {sense}, das Moment an {link:dem}.",
+    "force spin": (
+        "{label} = *I*·{symbol} = {inertia} {heavy} × {alpha} {turning} = {value} {unit}, {sense}, "
+        "das Moment der Trägheitskräfte {link:des}, gegen {symbol}."
+    ),
+    "force moved": (
+        "Um *h* = {couple}/{label} = {moment} {turning}/({value} {unit}) = {arm} {length} "
+        "verschoben, hat {label} allein auch das Moment {couple}."
+    ),
     "force friction": "{label} = {value} {unit}, die Reibung an {link:dem} in {point}.",
     "force joint": (
         "{label} = {value} {unit}: die Gegenkraft {other:des} an {link:dem}, entgegengesetzt zu "

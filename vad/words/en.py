@@ -349,7 +349,19 @@ PHRASES = {
     "force nothing": "No joint bears a force: the loads act on the driver alone.",
     "force force": "{label} = {value} {unit}, the load on the {link} at {point}.",
     "force weight": "{label} = {value} {unit}, the weight of the {link} at {point}.",
-    "force inertia": "{label} = {value} {unit}, the inertia force of the {link} at {point}.",
+    "force inertia": (
+        "{label} = *m*·*a* = {mass} {heavy} × {size} {fast} = {value} {unit}, the inertia force of "
+        "the {link}, against the acceleration of {point}."
+    ),
+    "force couple": "{label} = {value} {unit}, {sense}, the couple on the {link}.",
+    "force spin": (
+        "{label} = *I*·{symbol} = {inertia} {heavy} × {alpha} {turning} = {value} {unit}, {sense}, "
+        "the inertia couple of the {link}, against {symbol}."
+    ),
+    "force moved": (
+        "Moved by *h* = {couple}/{label} = {moment} {turning}/({value} {unit}) = {arm} {length}, "
+        "{label} alone has the moment of {couple}, too."
+    ),
     "force friction": "{label} = {value} {unit}, the friction on the {link} at {point}.",
     "force joint": (
         "{label} = {value} {unit}: the {other} acts back on the {link}, opposite to {opposite}."

@@ -351,7 +351,19 @@ PHRASES = {
     "force nothing": "Aucune liaison ne porte d’effort : seul l’entraînement est chargé.",
     "force force": "{label} = {value} {unit}, la charge appliquée {link:au} en {point}.",
     "force weight": "{label} = {value} {unit}, le poids {link:du} en {point}.",
-    "force inertia": "{label} = {value} {unit}, la force d’inertie {link:du} en {point}.",
+    "force inertia": (
+        "{label} = *m*·*a* = {mass} {heavy} × {size} {fast} = {value} {unit}, la force d’inertie "
+        "{link:du}, opposée à l’accélération de {point}."
+    ),
+    "force couple": "{label} = {value} {unit}, {sense}, le couple appliqué {link:au}.",
+    "force spin": (
+        "{label} = *I*·{symbol} = {inertia} {heavy} × {alpha} {turning} = {value} {unit}, {sense}, "
+        "le couple d’inertie {link:du}, opposé à {symbol}."
+    ),
+    "force moved": (
+        "Déplacée de *h* = {couple}/{label} = {moment} {turning}/({value} {unit}) = {arm} "
+        "{length}, {label} a aussi, à elle seule, le moment de {couple}."
+    ),
     "force friction": "{label} = {value} {unit}, le frottement appliqué {link:au} en {point}.",
     "force joint": (
         "{label} = {value} {unit} : la réaction {other:du} appliquée {link:au}, opposée à "

@@ -20,7 +20,7 @@ from vad.words import TextPiece
 Face = Literal["roman", "italic", "bold", "bolditalic"]
 
 _BOLD: dict[Face, Face] = {"roman": "bold", "italic": "bolditalic"}
-_SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑₙₚₛₜₓ", "0123456789aenpstx", strict=True))
+_SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑᵢₙₚₛₜₓ", "0123456789aeinpstx", strict=True))
 _SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−", strict=True))
 _LOW, _HIGH = (
     {sign: each for each, sign in signs.items()} for signs in (_SUBSCRIPTS, _SUPERSCRIPTS)

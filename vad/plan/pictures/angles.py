@@ -96,26 +96,33 @@ class SensePlace:
         """Return points along the arrow."""
         return Bow(centre, self.radius, self.middle - self.span / 2, self.span).line()
 
-    def letter(self, centre: complex) -> Placed:
-        """Return the place of its ω."""
-        wide, high = ink_size(symbols("ω"), SIZE)
+    def letter(self, centre: complex, name: str = "ω") -> Placed:
+        """Return the place of its ω, or of another name."""
+        wide, high = ink_size(symbols(name), SIZE)
         out = cmath.exp(1j * math.radians(self.middle))
         return Placed(beside(centre + self.radius * out, out, 0.010, wide, high), wide, high)
 
 
 def free_place(
-    obstacles: Obstacles, centre: complex, crank: float, sense: float
+    obstacles: Obstacles,
+    centre: complex,
+    crank: float,
+    sense: float,
+    name: str = "ω",
+    largest: float = math.inf,
 ) -> SensePlace | None:
     """Return a free place for the arrow of ω, best ahead of a crank that stands at so many degrees.
 
-    ``sense`` is ±1, the sense in which it turns.  None where no place is free.
+    ``sense`` is ±1, the sense in which it turns, ``name`` what is written beside it, ``largest``
+    the largest radius.  None where no place is free.
     """
     turns = sorted(range(0, 360, 15), key=lambda t: min(t, 360 - t))
     places = [
         SensePlace(radius, span, crank + sense * (SENSE_LEAD + turn))
         for (radius, span), turn in itertools.product(SENSE_SIZES, turns)
+        if radius <= largest
     ]
-    letters = [place.letter(centre) for place in places]
+    letters = [place.letter(centre, name) for place in places]
     spots, first = [letter.centre for letter in letters], letters[0]
     clear = obstacles.free(spots, first.wide, first.high, CLEARANCE, APART)
     for strict, number in itertools.product((True, False), np.flatnonzero(clear)):
@@ -169,7 +176,7 @@ def add_sense(sketch: Sketch, index: int | None, angle: Stroke, place: SensePlac
     sense = driver.omega / abs(driver.omega)  # no number at rest: then nothing of it is anywhere
     at, sweep = sketch.solved.place(centre) * abs(sense), place.span * sense
     letter, runs = place.letter(at), symbols("ω")
-    bow, head = _arrow(place.radius, place.middle, sweep)
+    bow, head = curved_arrow(place.radius, place.middle, sweep)
     arrow = [
         Hung(Arch(centre, bow.radius, bow.start, bow.sweep), "sense", row),
         Hung(Area(tuple(centre + RIGHT * corner for corner in head)), "head", row),
@@ -198,14 +205,14 @@ def sense_arrow(
     size: float = 1.0,
 ) -> list[Mark]:
     """Return a curved arrow about ``centre``, ``sweep`` degrees with its middle at ``middle``."""
-    bow, head = _arrow(radius, middle, sweep, size)
+    bow, head = curved_arrow(radius, middle, sweep, size)
     return [
         Mark(replace(bow, centre=centre), role, row),
         area([centre + corner for corner in head], "head", row),
     ]
 
 
-def _arrow(
+def curved_arrow(
     radius: float, middle: float, sweep: float, size: float = 1.0
 ) -> tuple[Bow, list[complex]]:
     """Return the arc of a curved arrow about the origin, and the corners of its head."""

@@ -1,12 +1,24 @@
-"""The loads of a mechanism, as arrows at their points."""
+"""The loads of a mechanism: forces as arrows at their points, couples as curved arrows."""
 
 from __future__ import annotations
 
-from vad.plan.anchors import Anchor
+import math
+from dataclasses import replace
+
+from vad.plan.anchors import RIGHT, Anchor, Arch, Area, Hung
 from vad.plan.items import Level
+from vad.plan.labels.vertices import text_beside
+from vad.plan.lettering.runs import symbols
+from vad.plan.marks import Trimming
+from vad.plan.pictures import angles
 from vad.plan.pictures.vectors import PlacedVector
-from vad.plan.sketch import Sketch
-from vad.strokes.sheet import Arrow
+from vad.plan.sketch import Sketch, Tag
+from vad.strokes.sheet import Arc, Arrow
+
+#: The largest radius of a couple.
+NEAR = 0.09
+#: The place of a couple while the mechanism turns.
+CALM = angles.SensePlace(0.062, 78.0, 60.0)
 
 
 def add_load(sketch: Sketch, index: int) -> None:
@@ -22,3 +34,39 @@ def add_load(sketch: Sketch, index: int) -> None:
         sketch.add(stroke, Level.BLOCK, during, [placed.light()], setting.over(index))
     sketch.add(stroke, Level.BLOCK, during, placed.marks(sketch.solved, not sketch.finished))
     placed.block(sketch.obstacles, during)
+
+
+def free_couple(sketch: Sketch, index: int) -> angles.SensePlace:
+    """Return the place of a curved arrow about its centre, clear of everything where it can be."""
+    stroke = sketch.setting.panel.strokes[index]
+    shape = stroke.shape
+    assert isinstance(shape, Arc)
+    centre, sense = sketch.scale(shape.centre), math.copysign(1.0, shape.sweep)
+    found = angles.free_place(sketch.obstacles, centre, shape.start, sense, stroke.label, NEAR)
+    return found or replace(CALM, middle=shape.start + 63.0 * sense)
+
+
+def add_couple(sketch: Sketch, index: int, place: angles.SensePlace) -> None:
+    """Add one couple as a curved arrow with its name, at a place about its centre."""
+    setting, stroke = sketch.setting, sketch.setting.panel.strokes[index]
+    shape = stroke.shape
+    assert isinstance(shape, Arc)
+    if not shape.sweep:
+        return
+    centre, row = Anchor.of(stroke.name, "centre"), setting.row(stroke.link)
+    at = sketch.solved.place(centre)
+    bow, head = angles.curved_arrow(
+        place.radius, place.middle, math.copysign(place.span, shape.sweep)
+    )
+    arch = Arch(centre, bow.radius, bow.start, bow.sweep)
+    sketch.hang(index, Level.BLOCK, [Hung(arch, "couple", row, Trimming())])
+    letter, runs = place.letter(at, stroke.label), symbols(stroke.label)
+    marks = [Hung(Area(tuple(centre + RIGHT * corner for corner in head)), "head", row)]
+    sketch.hang(index, Level.BLOCK, marks, since="after")
+    if sketch.finished:
+        return
+    name = text_beside(centre, at, runs, letter.centre, angles.SIZE, "tag", row)
+    sketch.add(stroke, Level.LABEL, setting.after(index), [name])
+    sketch.tags.append(Tag(stroke.label, letter.box))
+    sketch.obstacles.box(letter.box)
+    sketch.obstacles.line(place.line(at), 0.004)

@@ -27,9 +27,9 @@ from vad.plan.pictures.constructions import (
     line_of,
 )
 from vad.plan.pictures.links import Links
-from vad.plan.pictures.loads import add_load
+from vad.plan.pictures.loads import CALM, add_couple, add_load, free_couple
 from vad.plan.pictures.supports import Foot, PlacedRail, Rail
-from vad.plan.reach import is_load, is_yoke
+from vad.plan.reach import is_couple, is_load, is_yoke
 from vad.plan.scale import Scale
 from vad.plan.sketch import Piece, Setting, Sketch
 from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Stroke
@@ -220,6 +220,8 @@ class Skeleton:
         for index, stroke in enumerate(panel.strokes):
             if is_load(stroke):
                 add_load(sketch, index)
+            elif is_couple(stroke) and sketch.finished:
+                add_couple(sketch, index, CALM)
 
     def _add_other(self, sketch: Sketch, index: int) -> None:
         """Add what stands still in a turn, or passes while a lesson is drawn."""
@@ -269,6 +271,10 @@ class Skeleton:
             if not sketch.finished:
                 turned = panel.find(sketch.setting.sheet.driver.stroke)
                 angles.add_free_sense(sketch, turned, panel.strokes[index])
+        if not sketch.finished:
+            for index, stroke in enumerate(panel.strokes):
+                if is_couple(stroke):
+                    add_couple(sketch, index, free_couple(sketch, index))
         angles.add_speed(sketch, self.size)
 
     def _add_pivots(self, sketch: Sketch, vertices: Sequence[Vertex]) -> None:
