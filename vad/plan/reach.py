@@ -28,9 +28,9 @@ def is_load(stroke: Stroke) -> bool:
     return isinstance(stroke.shape, Arrow) and stroke.component in forces
 
 
-def is_couple(stroke: Stroke) -> bool:
-    """Tell whether an arc in the picture of a mechanism is a couple."""
-    return isinstance(stroke.shape, Arc) and stroke.component == "couple"
+def is_curved_arrow(stroke: Stroke) -> bool:
+    """Tell whether an arc in the picture of a mechanism is a couple, or the ω of its check."""
+    return isinstance(stroke.shape, Arc) and stroke.kind in ("known", "result")
 
 
 def carries_block(panel: Panel, stroke: Stroke) -> bool:

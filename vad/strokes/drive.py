@@ -1,21 +1,24 @@
-"""The driven link alone, with the forces on it, the arm of their couple, and the torque.
+"""The driven body alone, with the forces on it, and what must drive it.
 
-Where the link has two forces only, they are equal and opposite, and the torque is one of them times
-their distance h.
+A link that has two forces only has equal and opposite ones, and the torque is one of them times
+their distance h.  With more forces the torque follows by moments.  A driven slide is
+`vad.strokes.slide_drive`.
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from vad.kinematics.linkage import Bar, scalar_of
-from vad.strokes.arithmetic import Figure, product
+from vad.kinematics.numbers import cross
+from vad.strokes.arithmetic import Figure, product, total
 from vad.strokes.construct import construct
-from vad.strokes.diagram import Drawing, in_plane
+from vad.strokes.diagram import Drawing
 from vad.strokes.force_captions import NEWTON, ForceCaptions
-from vad.strokes.sentences import Sentence, SentencePart, Unit
+from vad.strokes.power import check_by_power
+from vad.strokes.sentences import Sentence, SentencePart, Terms, Unit
 from vad.strokes.sheet import (
     LOADS,
+    Arc,
     Arrow,
     Body,
     Cell,
@@ -28,6 +31,7 @@ from vad.strokes.sheet import (
     StrokePart,
     Term,
 )
+from vad.strokes.slide_drive import SLIDING, slide_drawing
 from vad.strokes.vector_equations import NOTHING
 from vad.units import metres_of
 
@@ -37,28 +41,24 @@ if TYPE_CHECKING:
 #: The length of the largest force, as a share of the link's.
 LENGTH = 0.7
 TORQUE = "T"
-
-
-def turns_on_the_frame(motion: Any) -> bool:
-    """Tell whether a link is driven that turns about a pivot of the frame."""
-    if not in_plane(motion) or motion.linkage.driver.kind != "angle":
-        return False
-    bars = (step for step in motion.frame.steps if isinstance(step, Bar))
-    mine = (bar for bar in bars if scalar_of(bar) == motion.linkage.driver)
-    return any({bar.tail, bar.head} & motion.frame.fixed.keys() for bar in mine)
+#: The arcs of the torque and of ω, in degrees.
+SWEEP = 270.0
+#: The most moments that are listed one by one.
+MOST = 5
 
 
 def drive_drawing(scene: Any) -> Drawing:
-    """Return the driven link with the forces on it."""
-    return _Drive(scene).drawing()
+    """Return the driven body with the forces on it."""
+    return _Drive(scene).drawing() if scene.driver.kind == "angle" else slide_drawing(scene)
 
 
 def drive_cells(scene: Any, key: str, slides: bool) -> tuple[Cell, ...]:
-    """Return the torque in the row of the driven link."""
+    """Return the torque in the row of the driven link, or the force in that of what slides."""
     forces = scene.force_names.forces
-    if key != forces.bodies.driver.name:
+    if key != scene.driver.name or slides is (scene.driver.kind == "angle"):
         return ()
-    return (Cell(TORQUE, forces.drive, forces.moment_unit),)
+    symbol = TORQUE if scene.driver.kind == "angle" else SLIDING
+    return (Cell(symbol, forces.drive, forces.drive_unit, below=scene.driver.kind != "angle"),)
 
 
 class _Drive:
@@ -67,23 +67,20 @@ class _Drive:
         self.words = ForceCaptions(scene, self.names)
         self.forces = self.names.forces
         self.driver = self.forces.bodies.driver
+        self.pivot = self.driver.joint.point
         self.strokes: list[Stroke] = []
         self.zeros: list[Stroke] = []
 
     def drawing(self) -> Drawing:
         bodies = self._link()
-        pivot = self.driver.joint.point
-        mine = [each for each in self.forces.joints if self.driver.name in (each.one, each.other)]
-        mine.sort(key=lambda each: each.point == pivot)
-        on = [each if each.other == self.driver.name else _turned(each) for each in mine]
-        loads = [each for each in self.names.loads if each.body == self.driver.name]
-        sizes = [abs(each.force) for each in (*on, *loads)]
+        on = self.names.on_driver
+        loads = self.names.loads_on_driver
+        sizes = [*(abs(each.force) for each in on), *(abs(each.force) for each in loads)]
         self.largest = max(sizes, default=0.0)
         seen = [each for each in on if self._shows(each.force)]
-        couples = any(
-            each.body == self.driver.name and not each.point for each in self.forces.acting
-        )
-        simple = len(seen) == 2 and not couples and not any(self._shows(e.force) for e in loads)
+        couples = [each for each in self.names.couples if each.body == self.driver.name]
+        simple = len(seen) == 2 and not any(each.value for each in couples)
+        simple = simple and not any(self._shows(each.force) for each in loads)
         simple = simple and self._has_arm(seen[0])
         for load in loads:
             symbol, part = self.names.load(load), StrokePart(self.names.plain_load(load), "load")
@@ -91,29 +88,54 @@ class _Drive:
             self._arrow(symbol, load.point, load.force, said, LOADS, part, "load")
         for each in on:
             symbol = self.names.force(each.one, each.other)
-            said = self._said(each, symbol, last=each is on[-1] and not simple)
             part = StrokePart(self.names.plain(each.one, each.other, each.point), "action")
-            reveals = (self.driver.name,) if each is on[-1] and not simple else ()
             row = self.driver.name
-            self._arrow(symbol, each.point, each.force, said, row, part, "action", reveals)
-        equations = (self._arm(seen[0]),) if simple else ()
+            self._arrow(symbol, each.point, each.force, self._said(each), row, part, "action")
+        if simple:
+            equation, said = self._arm(seen[0])
+        else:
+            equation, said = None, self._by_moments([*loads, *on], couples)
+            pivot = self.scene.at(self.pivot)
+            self.zeros += [
+                Stroke(
+                    "construction", "", Line(pivot, 1.0, pivot), "", part=StrokePart("h", "line")
+                ),
+                Stroke("result", "h", Arrow(pivot, pivot, "", ""), "", part=StrokePart("h", "arm")),
+            ]
+        self._torque_arc(said)
+        self._check()
+        equations = (equation,) if equation else ()
         return Drawing(tuple(self.strokes), tuple(self.zeros), equations, bodies=bodies)
 
     def _link(self) -> tuple[Body, ...]:
-        """Take the driven link and its pivot from the position diagram."""
+        """Take the driven link, its pivot and the couples on it from the position diagram."""
         whole, name = construct(self.scene), self.driver.name
         letters = {point for body in whole.bodies if body.row == name for point in body.points}
+        own_couples = {
+            self.names.plain_couple(each) for each in self.names.couples if each.body == name
+        }
+        couples = []
         for stroke in whole.strokes:
+            if stroke.part.which == "couple":
+                couples += [stroke] if stroke.part.of in own_couples else []
+                continue
             own = stroke.link == name and isinstance(stroke.shape, Arrow | Plate)
             pivot = stroke.kind == "fixed" and stroke.label in letters
             found = isinstance(stroke.shape, Dot) and stroke.label in letters
             if own or pivot or found:
                 self.strokes.append(stroke)
+        self.strokes += couples
         # The others are not drawn, but their pins are those of the link.
         return tuple(Body(body.row, body.points) for body in whole.bodies)
 
     def _shows(self, force: complex) -> bool:
         return self.largest > 0.0 and abs(force) > NOTHING * self.largest
+
+    @property
+    def _span(self) -> float:
+        """The length of the link, from its pivot."""
+        pivot = self.scene.at(self.pivot)
+        return max(abs(self.scene.at(letter) - pivot) for letter in self.driver.paths)
 
     def _arrow(
         self,
@@ -124,85 +146,118 @@ class _Drive:
         row: str,
         part: StrokePart,
         component: Component,
-        reveals: tuple[str, ...] = (),
     ) -> None:
         at = self.scene.at(point)
-        pivot = self.scene.at(self.driver.joint.point)
-        span = max(abs(self.scene.at(letter) - pivot) for letter in self.driver.paths)
-        arrow = force * (LENGTH * span / self.largest) if self.largest else 0j
+        arrow = force * (LENGTH * self._span / self.largest) if self.largest else 0j
         shape = Arrow(at, at + arrow, "", "")
-        if self._shows(force) or reveals:
-            label = symbol if self._shows(force) else ""
-            kinds: Any = {"link": row, "component": component, "reveals": reveals, "part": part}
-            self.strokes.append(Stroke("result", label, shape, said, **kinds))
+        if self._shows(force):
+            stroke = Stroke("result", symbol, shape, said, row, component, part=part)
+            self.strokes.append(stroke)
         else:
             self.zeros.append(Stroke("result", symbol, shape, "", row, component, part=part))
 
-    def _said(self, each: Any, symbol: str, last: bool) -> Sentence:
-        parts: dict[str, SentencePart] = {
-            "label": symbol,
-            "value": Figure(abs(each.force), NEWTON),
-            "unit": Unit(NEWTON),
-            "one": self.names.noun(each.one),
-            "other": self.names.noun(each.other),
-        }
-        if last:
-            return self.scene.say("force drive", **parts, **self._torque())
-        return self.scene.say("force on", **parts)
+    def _said(self, each: Any) -> Sentence:
+        return self.scene.say(
+            "force on",
+            label=self.names.force(each.one, each.other),
+            value=Figure(abs(each.force), NEWTON),
+            unit=Unit(NEWTON),
+            one=self.names.noun(each.one),
+            other=self.names.noun(each.other),
+        )
 
-    def _torque(self) -> dict[str, SentencePart]:
+    def _torque(self, signed: bool = False) -> dict[str, SentencePart]:
         drive, unit = self.forces.drive, self.forces.moment_unit
-        way = "counter-clockwise" if drive > 0.0 else "clockwise"
         return {
-            "torque": Figure(abs(drive), unit),
+            "torque": Figure(drive if signed else abs(drive), unit),
             "turning": Unit(unit),
-            "sense": self.scene.say(way),
+            "sense": self.words.sense(drive),
             "link": self.names.noun(self.driver.name),
         }
 
+    def _by_moments(self, forces: list[Any], couples: list[Any]) -> Sentence:
+        """Calculate the torque from the moments about the pivot."""
+        metres, unit = metres_of(self.scene.unit) or 1.0, self.forces.moment_unit
+        pivot = self.scene.at(self.pivot)
+        moments = [cross(self.scene.at(each.point) - pivot, each.force) * metres for each in forces]
+        moments += [each.value for each in couples]
+        largest = max(map(abs, moments), default=0.0)
+        seen = [each for each in moments if abs(each) > NOTHING * largest]
+        if not largest or abs(self.forces.drive) <= NOTHING * largest:
+            return self.scene.say("torque none", point=self.pivot, **self._torque())
+        if not 1 < len(seen) <= MOST:
+            return self.scene.say("torque", point=self.pivot, **self._torque())
+        terms = Terms(tuple(Figure(-each, unit) for each in seen))
+        calculated = total("torque", "terms")
+        parts = self._torque(signed=True)
+        return self.scene.say("torque sum", calculated, point=self.pivot, terms=terms, **parts)
+
     def _foot(self, force: Any) -> complex:
         """Return the foot of the perpendicular from the pivot to the line of a force."""
-        pivot, at = (self.scene.at(p) for p in (self.driver.joint.point, force.point))
+        pivot, at = (self.scene.at(p) for p in (self.pivot, force.point))
         way = force.force / abs(force.force)
         foot: complex = at + ((pivot - at) * way.conjugate()).real * way
         return foot
 
     def _has_arm(self, force: Any) -> bool:
         """Tell whether a force does not pass through the pivot."""
-        pivot, at = (self.scene.at(p) for p in (self.driver.joint.point, force.point))
+        pivot, at = (self.scene.at(p) for p in (self.pivot, force.point))
         return abs(self._foot(force) - pivot) > NOTHING * abs(at - pivot)
 
-    def _arm(self, force: Any) -> Equation:
+    def _arm(self, force: Any) -> tuple[Equation, Sentence]:
         """Draw the arm of the couple of both forces, and calculate the torque."""
-        pivot, at = (self.scene.at(p) for p in (self.driver.joint.point, force.point))
+        pivot, at = (self.scene.at(p) for p in (self.pivot, force.point))
         way = force.force / abs(force.force)
         foot = self._foot(force)
         metres = metres_of(self.scene.unit)
         unit = "m" if metres else self.scene.unit
         symbol, row = self.names.force(force.one, force.other), self.driver.name
-        symbol_part = self.names.plain(force.one, force.other, force.point)
-        said = self.scene.say(
+        arm = Figure(abs(foot - pivot) * (metres or 1.0), unit)
+        torque = self.scene.say(
             "force torque",
             product("torque", "value", "arm"),
             label=symbol,
             value=Figure(abs(force.force), NEWTON),
             unit=Unit(NEWTON),
-            arm=Figure(abs(foot - pivot) * (metres or 1.0), unit),
+            arm=arm,
             length=Unit(unit),
             **self._torque(),
         )
         past = foot - at
         line = Line(at, past / abs(past) if past else way, foot)
-        along = self.scene.say("force arm", label=symbol, point=self.driver.joint.point)
-        own = StrokePart(symbol_part, "line")
+        along = self.scene.say("force line", label=symbol)
+        own = StrokePart("h", "line")
         self.strokes.append(Stroke("construction", "", line, along, row, "action", part=own))
+        said = self.scene.say(
+            "force arm", label=symbol, point=self.pivot, arm=arm, length=Unit(unit)
+        )
         part, shape = StrokePart("h", "arm"), Arrow(pivot, foot, "", "")
-        stroke = Stroke("result", "h", shape, said, None, "couple", reveals=(row,), part=part)
-        self.strokes.append(stroke)
+        self.strokes.append(Stroke("result", "h", shape, said, None, "couple", part=part))
         terms = (Term(f"{symbol}·h", row, None),)
-        return Equation((Term(TORQUE, row, None),), terms)
+        return Equation((Term(TORQUE, row, f"{TORQUE}.couple"),), terms), torque
 
+    def _torque_arc(self, said: Sentence) -> None:
+        """Draw the torque as an arc about the pivot."""
+        drive, row = self.forces.drive, self.driver.name
+        part = StrokePart(TORQUE, "couple")
+        arc = self._arc(drive, 1.0)
+        label = TORQUE if drive else ""
+        stroke = Stroke("result", label, arc, said, row, "couple", reveals=(row,), part=part)
+        self.strokes.append(stroke)
 
-def _turned(joint: Any) -> Any:
-    """Return the force in a joint as that of the other body."""
-    return joint._replace(one=joint.other, other=joint.one, force=-joint.force)
+    def _check(self) -> None:
+        """Draw ω, with which the torque does work, and check the torque by power."""
+        name = self.driver.name
+        symbol = self.scene.members.symbol("ω", name)
+        said, part = check_by_power(self.scene, TORQUE, symbol), StrokePart("ω", "check")
+        arc = self._arc(self.scene.rate(name, 1), 0.5)
+        if said:
+            self.strokes.append(Stroke("known", symbol, arc, said, None, part=part))
+        else:
+            self.zeros.append(Stroke("known", symbol, arc, "", None, part=part))
+
+    def _arc(self, turning: float, share: float) -> Arc:
+        """Return an arc about the pivot, in the sense of what turns the link."""
+        sweep = (SWEEP if turning > 0.0 else -SWEEP) if turning else 0.0
+        start = float(self.scene.motion.link(self.driver.name).angle)
+        return Arc(self.scene.at(self.pivot), share * self._span, start, sweep)

@@ -15,7 +15,7 @@ from vad.written import subscript
 if TYPE_CHECKING:
     from vad.kinematics.linkage import Slide
     from vad.statics.dyads import DyadForces, Half, Load
-    from vad.statics.forces import Forces
+    from vad.statics.forces import Forces, JointForce
     from vad.strokes.scene import Scene
 
 #: The symbols of loads that have no name of their own; the couple of a moment of inertia is C₃.
@@ -158,10 +158,34 @@ class ForceNames:
         """All forces from outside, body by body, those on the driver first."""
         halves = [half for dyad in self.found_dyads for half in (dyad.first, dyad.second)]
         found = [load for half in halves for load in half.loads if load.kind != "joint"]
+        return [*(each for each in self.loads_on_driver if each not in found), *found]
+
+    @cached_property
+    def loads_on_driver(self) -> list[Load]:
+        """The forces from outside on the driven body, and the friction on it."""
+        from vad.statics.dyads import Load  # most drawings have none
+
         driver = self.forces.bodies.driver.name
-        if any(driver in half.bodies for half in halves):
-            return found
-        return [*outside(self.forces, driver), *found]
+        found = outside(self.forces, driver)
+        for one, other, point, force in self.forces.friction:
+            if driver == other:
+                found.append(Load("friction", one, driver, point, force))
+            elif driver == one:
+                found.append(Load("friction", other, driver, point, -force))
+        return found
+
+    @cached_property
+    def on_driver(self) -> list[JointForce]:
+        """The forces of other bodies on the driven one, that in its own joint last."""
+        driver = self.forces.bodies.driver
+        mine = [each for each in self.forces.joints if driver.name in (each.one, each.other)]
+        mine.sort(key=lambda each: each.point == driver.joint.point)
+        return [
+            each
+            if each.other == driver.name
+            else each._replace(one=each.other, other=each.one, force=-each.force)
+            for each in mine
+        ]
 
     @cached_property
     def couples(self) -> list[Couple]:

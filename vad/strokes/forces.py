@@ -181,12 +181,9 @@ class ForcePencil(Pencil[Force]):
         """Begin another polygon; nothing of one without forces is drawn."""
         self.resting = self.none or equation.longest <= self._nothing
 
-    def bare(self, strokes: list[Stroke]) -> tuple[Stroke, ...]:
-        """Return strokes without the letters of vertices, which forces do not have."""
-        return tuple(map(_bare, strokes))
 
-
-def _bare(stroke: Stroke) -> Stroke:
+def bare(stroke: Stroke) -> Stroke:
+    """Return a stroke without the letters of vertices, which forces do not have."""
     shape = stroke.shape
     if isinstance(shape, Arrow):
         whole = stroke.part.which == "whole"
@@ -253,8 +250,8 @@ class _Polygons(Player[Force]):
             pole = Stroke("pole", "", Dot(0j), said, reveals=self.rows, part=StrokePart("", "pole"))
             pencil.strokes.append(pole)
         return Drawing(
-            pencil.bare([_named(stroke, self.symbols) for stroke in pencil.strokes]),
-            pencil.bare([_named(stroke, self.symbols) for stroke in pencil.zeros]),
+            tuple(bare(_named(stroke, self.symbols)) for stroke in pencil.strokes),
+            tuple(bare(_named(stroke, self.symbols)) for stroke in pencil.zeros),
             tuple(equations),
             loops=tuple(self.begins) if equations else (),
         )
@@ -297,6 +294,11 @@ def force_polygons(scene: Any) -> Drawing:
 
 
 def force_cells(scene: Any, key: str, slides: bool) -> tuple[Cell, ...]:
-    """Return the force in the outer joint of the body of a row; of the row of loads, these."""
+    """Return the force in the outer joint of the body of a row; of the row of loads, these.
+
+    A cylinder has two rows, of which that of its link has the force.
+    """
+    if slides and key in scene.members.links:
+        return ()
     cells: tuple[Cell, ...] = scene.force_names.cells(key)
     return cells

@@ -387,15 +387,31 @@ PHRASES = {
     ),
     "force three": "Also geht auch {label} durch {point} und {meeting}.",
     "force rest": "Der Rest der Kraft, {label}, liegt längs {bar}.",
+    "drive along": "{label} liegt längs der Geraden, auf der {link:der} gleitet.",
+    "drive force": "{label} = {value} {unit}: so viel muss der Antrieb an {link:dem} aufbringen.",
     "force closes": "Die beiden Geraden schneiden sich: das Polygon schließt sich.",
     "force part": "{label} = {value} {unit}, gemessen.",
     "force pushes": "{label} = {value} {unit}: {one:der} drückt an {other:dem}.",
     "force pulls": "{label} = {value} {unit}: {one:der} zieht an {other:dem}.",
     "force on": "{label} = {value} {unit}: die Kraft {one:des} an {other:dem}.",
-    "force arm": "*h* ist der Abstand des Punktes {point} von der Wirkungslinie von {label}.",
-    "force drive": (
-        "{label} = {value} {unit}: die Kraft {one:des} an {other:dem}; aus den Momenten: *T* = "
-        "{torque} {turning}, {sense}, muss an {link:dem} wirken."
+    "force arm": "*h* = {arm} {length} ist der Abstand des Punktes {point} von dieser Geraden.",
+    "torque none": "Die Momente um {point} heben sich auf: es braucht kein Drehmoment.",
+    "torque": "Momente um {point}: *T* = {torque} {turning}, {sense}, muss an {link:dem} wirken.",
+    "torque sum": (
+        "Momente um {point}: *T* = {terms} = {torque} {turning}, {sense}, muss an {link:dem} "
+        "wirken."
+    ),
+    "power one": (
+        "{drive}·{symbol} = {value} {unit} × {rate} {fast} = {power} {watt}; {symbols} = {taken} "
+        "{watt}: zusammen null."
+    ),
+    "power": (
+        "{drive}·{symbol} = {value} {unit} × {rate} {fast} = {power} {watt}; {symbols} = {terms} = "
+        "{taken} {watt}: zusammen null."
+    ),
+    "power all": (
+        "{drive}·{symbol} = {value} {unit} × {rate} {fast} = {power} {watt}; die Leistung aller "
+        "Lasten ist {taken} {watt}: zusammen null."
     ),
     "force torque": (
         "*T* = {label}·*h* = {value} {unit} × {arm} {length} = {torque} {turning}, {sense}, muss "
@@ -585,7 +601,7 @@ NAMES = {
     "Position": "Lage",
     "Velocity": "Geschwindigkeit",
     "Acceleration": "Beschleunigung",
-    "Torque": "Drehmoment",
+    "Drive": "Antrieb",
     "Forces": "Kräfte",
     "loads": "Lasten",
     "Four-bar": "Gelenkviereck",

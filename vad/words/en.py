@@ -380,15 +380,31 @@ PHRASES = {
     ),
     "force three": "{label} passes through {point} and {meeting}, too.",
     "force rest": "The rest of the force, {label}, lies along {bar}.",
+    "drive along": "{label} lies along the line on which the {link} slides.",
+    "drive force": "{label} = {value} {unit} must drive the {link} along its line.",
     "force closes": "The two lines cross: the polygon closes.",
     "force part": "{label} = {value} {unit}, measured.",
     "force pushes": "{label} = {value} {unit}: the {one} pushes the {other}.",
     "force pulls": "{label} = {value} {unit}: the {one} pulls the {other}.",
     "force on": "{label} = {value} {unit}: the force of the {one} on the {other}.",
-    "force arm": "*h* is the distance of {point} from the line of {label}.",
-    "force drive": (
-        "{label} = {value} {unit}: the force of the {one} on the {other}; by moments, *T* = "
-        "{torque} {turning}, {sense}, must act on the {link}."
+    "force arm": "*h* = {arm} {length} is the distance of {point} from this line.",
+    "torque none": "The moments about {point} add up to zero: no torque is needed.",
+    "torque": "Moments about {point}: *T* = {torque} {turning}, {sense}, must act on the {link}.",
+    "torque sum": (
+        "Moments about {point}: *T* = {terms} = {torque} {turning}, {sense}, must act on the "
+        "{link}."
+    ),
+    "power one": (
+        "{drive}·{symbol} = {value} {unit} × {rate} {fast} = {power} {watt}; {symbols} = {taken} "
+        "{watt}: together zero."
+    ),
+    "power": (
+        "{drive}·{symbol} = {value} {unit} × {rate} {fast} = {power} {watt}; {symbols} = {terms} "
+        "= {taken} {watt}: together zero."
+    ),
+    "power all": (
+        "{drive}·{symbol} = {value} {unit} × {rate} {fast} = {power} {watt}; the power of all "
+        "loads is {taken} {watt}: together zero."
     ),
     "force torque": (
         "*T* = {label}·*h* = {value} {unit} × {arm} {length} = {torque} {turning}, {sense}, must "

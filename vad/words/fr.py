@@ -383,15 +383,33 @@ PHRASES = {
     ),
     "force three": "{label} passe donc aussi par {point} et {meeting}.",
     "force rest": "Le reste de la force, {label}, est suivant {bar}.",
+    "drive along": "{label} est suivant la ligne sur laquelle {link:le} coulisse.",
+    "drive force": "{label} = {value} {unit} doit entraîner {link:le} suivant sa ligne.",
     "force closes": "Les deux droites se coupent : le polygone se ferme.",
     "force part": "{label} = {value} {unit}, mesuré.",
     "force pushes": "{label} = {value} {unit} : {one:le} pousse {other:le}.",
     "force pulls": "{label} = {value} {unit} : {one:le} tire {other:le}.",
     "force on": "{label} = {value} {unit} : l’effort {one:du} sur {other:le}.",
-    "force arm": "*h* est la distance de {point} à la ligne d’action de {label}.",
-    "force drive": (
-        "{label} = {value} {unit} : l’effort {one:du} sur {other:le} ; par les moments, *T* = "
-        "{torque} {turning}, {sense}, doit agir sur {link:le}."
+    "force arm": "*h* = {arm} {length} est la distance de {point} à cette droite.",
+    "torque none": "Les moments autour de {point} s’annulent : aucun couple n’est nécessaire.",
+    "torque": (
+        "Moments autour de {point} : *T* = {torque} {turning}, {sense}, doit agir sur {link:le}."
+    ),
+    "torque sum": (
+        "Moments autour de {point} : *T* = {terms} = {torque} {turning}, {sense}, doit agir sur "
+        "{link:le}."
+    ),
+    "power one": (
+        "{drive}·{symbol} = {value} {unit} × {rate} {fast} = {power} {watt} ; {symbols} = {taken} "
+        "{watt} : au total zéro."
+    ),
+    "power": (
+        "{drive}·{symbol} = {value} {unit} × {rate} {fast} = {power} {watt} ; {symbols} = {terms} "
+        "= {taken} {watt} : au total zéro."
+    ),
+    "power all": (
+        "{drive}·{symbol} = {value} {unit} × {rate} {fast} = {power} {watt} ; la puissance de "
+        "toutes les charges est {taken} {watt} : au total zéro."
     ),
     "force torque": (
         "*T* = {label}·*h* = {value} {unit} × {arm} {length} = {torque} {turning}, {sense}, doit "
@@ -582,7 +600,7 @@ NAMES = {
     "Position": "Position",
     "Velocity": "Vitesse",
     "Acceleration": "Accélération",
-    "Torque": "Couple",
+    "Drive": "Entraînement",
     "Forces": "Forces",
     "loads": "charges",
     "Four-bar": "Quadrilatère articulé",

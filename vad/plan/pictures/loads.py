@@ -58,8 +58,9 @@ def add_couple(sketch: Sketch, index: int, place: angles.SensePlace) -> None:
     bow, head = angles.curved_arrow(
         place.radius, place.middle, math.copysign(place.span, shape.sweep)
     )
+    role = "couple" if stroke.component == "couple" else "sense"
     arch = Arch(centre, bow.radius, bow.start, bow.sweep)
-    sketch.hang(index, Level.BLOCK, [Hung(arch, "couple", row, Trimming())])
+    sketch.hang(index, Level.BLOCK, [Hung(arch, role, row, Trimming())])
     letter, runs = place.letter(at, stroke.label), symbols(stroke.label)
     marks = [Hung(Area(tuple(centre + RIGHT * corner for corner in head)), "head", row)]
     sketch.hang(index, Level.BLOCK, marks, since="after")

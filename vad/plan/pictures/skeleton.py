@@ -29,7 +29,7 @@ from vad.plan.pictures.constructions import (
 from vad.plan.pictures.links import Links
 from vad.plan.pictures.loads import CALM, add_couple, add_load, free_couple
 from vad.plan.pictures.supports import Foot, PlacedRail, Rail
-from vad.plan.reach import is_couple, is_load, is_yoke
+from vad.plan.reach import is_curved_arrow, is_load, is_yoke
 from vad.plan.scale import Scale
 from vad.plan.sketch import Piece, Setting, Sketch
 from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Stroke
@@ -220,7 +220,7 @@ class Skeleton:
         for index, stroke in enumerate(panel.strokes):
             if is_load(stroke):
                 add_load(sketch, index)
-            elif is_couple(stroke) and sketch.finished:
+            elif is_curved_arrow(stroke) and sketch.finished:
                 add_couple(sketch, index, CALM)
 
     def _add_other(self, sketch: Sketch, index: int) -> None:
@@ -273,7 +273,7 @@ class Skeleton:
                 angles.add_free_sense(sketch, turned, panel.strokes[index])
         if not sketch.finished:
             for index, stroke in enumerate(panel.strokes):
-                if is_couple(stroke):
+                if is_curved_arrow(stroke):
                     add_couple(sketch, index, free_couple(sketch, index))
         angles.add_speed(sketch, self.size)
 

@@ -1,16 +1,16 @@
-"""The driven link alone: the forces on it, and the torque that must turn it."""
+"""The driven body alone: the forces on it, and what must drive it."""
 
-from vad.strokes.diagram import Diagram
-from vad.strokes.drive import drive_cells, drive_drawing, turns_on_the_frame
+from vad.strokes.diagram import Diagram, in_plane
+from vad.strokes.drive import drive_cells, drive_drawing
 
 DIAGRAM = Diagram(
     "drive",
-    "Torque",
+    "Drive",
     4,
     "skeleton",
     lambda scene: scene.unit,
     drive_drawing,
     drive_cells,
     usual=False,
-    applies=turns_on_the_frame,
+    applies=in_plane,
 )
