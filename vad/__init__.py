@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from vad.balancing.balance import Balance
     from vad.balancing.engine import Engine
     from vad.batches.batch import batch
+    from vad.batches.quiz import quiz
     from vad.batches.sweep import sweep
     from vad.errors import (
         AssemblyError,
@@ -104,6 +105,7 @@ __all__ = [
     "mechanism",
     "merit",
     "multiples",
+    "quiz",
     "save",
     "sheet_from_json",
     "show",
@@ -142,6 +144,7 @@ _HOMES = {
     "Still": "vad.lecture.lesson",
     "save": "vad.export",
     "batch": "vad.batches.batch",
+    "quiz": "vad.batches.quiz",
     "sweep": "vad.batches.sweep",
     "show": "vad.showing",
     "widget": "vad.showing",

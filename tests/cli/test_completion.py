@@ -40,7 +40,7 @@ def plain(*words: str) -> list[str]:
 def test_the_verbs(offered):
     assert offered("vad ") == plain(
         *("animate", "batch", "check", "compare", "draw", "example", "exercise", "gui", "help"),
-        *("list", "solve", "sweep"),
+        *("list", "quiz", "solve", "sweep"),
     )
 
 

@@ -37,6 +37,10 @@ class Recipe:
         The panels that a problem leaves to be drawn.
     options
         Those of `vad.draw`, `vad.animate` and `vad.save`, by name.
+    ask
+        The results for which a question bank asks; none for those that are drawn by the student.
+    tolerance
+        How far off a right answer may be, as a share of it.
     """
 
     mechanism: str
@@ -47,6 +51,8 @@ class Recipe:
     files: tuple[str, ...]
     blank: tuple[str, ...]
     options: tuple[tuple[str, Any], ...]
+    ask: tuple[str, ...] = ()
+    tolerance: float = 0.03
 
 
 @dataclass(frozen=True)

@@ -41,11 +41,13 @@ PROBLEM = "problem"
 MOST = 100_000
 _BLANK = ("velocity", "acceleration")
 #: Words that are not options of `vad.draw`, `vad.animate` and `vad.save`.
-_OF_THE_BATCH = ("count", "seed", "files", "blank")
+_OF_THE_BATCH = ("count", "seed", "files", "blank", "ask", "tolerance")
 #: The least sine unless [keep] says another: lines cross at more than 11.5°.
 KEEP = 0.2
+#: How far off an answer may be that is read from a drawing, as a share of it.
+TOLERANCE = 0.03
 _TABLES = ("sheet", "vary", "keep")
-_LISTS = ("files", "blank", "panels")
+_LISTS = ("files", "blank", "panels", "ask")
 _NUMBER = re.compile(r"[+-]?\d+")
 #: What no name of a file can hold on some system, or begin or end with; and how long it may be.
 _NOT_IN_NAMES, _NOT_AT_ENDS, _LONGEST_NAME = frozenset('<>:"/\\|?*'), (".", " ", ""), 200
@@ -102,6 +104,12 @@ def _is_name(name: str) -> bool:
     return fits and not ends and name.isprintable() and not _NOT_IN_NAMES.intersection(name)
 
 
+def _tolerance(value: object) -> float:
+    if not isinstance(value, int | float) or isinstance(value, bool) or not 0 < value < 1:
+        raise InputError(f"must be between 0 and 1, got {quoted(value)}", "0.03 is 3 %")
+    return float(value)
+
+
 def _panels(value: object) -> tuple[str, ...]:
     return tuple(one_of("panel", name, DIAGRAMS) for name in names(value))
 
@@ -123,6 +131,8 @@ WORDS: dict[str, Callable[[object], Any]] = {
     "files": _files,
     "blank": _panels,
     "panels": _panels,
+    "ask": names,
+    "tolerance": _tolerance,
     "language": lambda value: one_of_all("language", value, languages(), LANGUAGES),
     "style": lambda value: one_of_all("style", value, style_names(), STYLES),
     "paper": lambda value: one_of("paper", value, paper_names()),
@@ -207,6 +217,8 @@ def recipe(
         files,
         words.get("blank", tuple(usual)),
         tuple(sorted(options.items())),
+        words.get("ask", ()),
+        words.get("tolerance", TOLERANCE),
     )
 
 

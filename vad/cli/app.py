@@ -119,7 +119,7 @@ def _what(kind: type[Mechanism]) -> str:
 
 
 #: The verbs that draw, which `vad.cli.verbs` has.
-_DRAWING = ("draw", "animate", "sweep", "gui", "batch")
+_DRAWING = ("draw", "animate", "sweep", "gui", "batch", "quiz")
 
 
 class App(click.Group):

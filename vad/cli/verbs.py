@@ -438,6 +438,30 @@ def make_batch(
         ctx.exit(1)
 
 
+@click.command("quiz", cls=HelpfulCommand)
+@click.argument("sheets", metavar="SHEETS", required=False, shell_complete=completion.a_file)
+@click.option(
+    "-o",
+    "--output",
+    required=True,
+    callback=path(),
+    shell_complete=completion.a_file,
+    metavar="FILE",
+    help="FILE.xml (Moodle), FILE.gift, FILE.zip (QTI 2.1) or FILE.md",
+)
+def make_quiz(sheets: str | None, output: str) -> None:
+    """Make a question bank for a learning platform, with pictures and numerical answers.
+
+    SHEETS is a file as for vad batch; in [sheet], ask = ["rocker.omega"] names what is asked for,
+    and tolerance = 0.03 says how far off an answer may be.
+    """
+    if sheets is None:
+        raise UsageError("quiz needs a file of sheets", "vad quiz sheets.toml -o bank.xml")
+    with progress(output) as moved:
+        made = vad.quiz(sheets, output, progress=moved)
+    say_written(output, f"{len(made)} questions")
+
+
 #: These verbs by name.
 VERBS: tuple[click.Command, ...] = (
     MechanismGroup(
@@ -487,4 +511,5 @@ VERBS: tuple[click.Command, ...] = (
         usual="slider-crank",
     ),
     make_batch,
+    make_quiz,
 )

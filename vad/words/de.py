@@ -8,6 +8,27 @@ PHRASES = {
     "colon": ": ",
     "legend": "grau: gegeben",
     "coriolis rule": "Coriolis: *v* um 90° mit *ω* gedreht",
+    # eine Frage eines Fragenkatalogs
+    "quiz given": "{title}: {given}.",
+    "quiz angle": "Gesucht: der Winkel {link:des} in Grad, gegen den Uhrzeigersinn von *x* aus.",
+    "quiz omega": (
+        "Gesucht: die Winkelgeschwindigkeit {link:des} in {unit}, gegen den Uhrzeigersinn positiv."
+    ),
+    "quiz alpha": (
+        "Gesucht: die Winkelbeschleunigung {link:des} in {unit}, gegen den Uhrzeigersinn positiv."
+    ),
+    "quiz position": "Gesucht: die Lage {slide:des} in {unit}.",
+    "quiz velocity": (
+        "Gesucht: die Geschwindigkeit {slide:des} in {unit}, positiv, wenn die Lage zunimmt."
+    ),
+    "quiz acceleration": (
+        "Gesucht: die Beschleunigung {slide:des} in {unit}, positiv in der Richtung, in der die "
+        "Lage zunimmt."
+    ),
+    "quiz coriolis": "Gesucht: der Betrag der Coriolisbeschleunigung {slide:des} in {unit}.",
+    "quiz point velocity": "Gesucht: der Betrag der Geschwindigkeit von {point} in {unit}.",
+    "quiz point acceleration": "Gesucht: der Betrag der Beschleunigung von {point} in {unit}.",
+    "quiz key": "Die Zeichnung mit allen Ergebnissen:",
     # Umlauf
     "stroke": "Hub",
     "forward": "Hinlauf",

@@ -19,6 +19,27 @@ PHRASES = {
     "colon": ": ",
     "legend": "grey: given",
     "coriolis rule": "Coriolis: *v* turned 90° with *ω*",
+    # a question of a question bank
+    "quiz given": "{title}: {given}.",
+    "quiz angle": "Find the angle of the {link} in degrees, counter-clockwise from *x*.",
+    "quiz omega": (
+        "Find the angular velocity of the {link} in {unit}; counter-clockwise is positive."
+    ),
+    "quiz alpha": (
+        "Find the angular acceleration of the {link} in {unit}; counter-clockwise is positive."
+    ),
+    "quiz position": "Find the position of the {slide} in {unit}.",
+    "quiz velocity": (
+        "Find the velocity of the {slide} in {unit}; it is positive where its position grows."
+    ),
+    "quiz acceleration": (
+        "Find the acceleration of the {slide} in {unit}; it is positive in the direction in which "
+        "its position grows."
+    ),
+    "quiz coriolis": "Find the size of the Coriolis acceleration at the {slide} in {unit}.",
+    "quiz point velocity": "Find the size of the velocity of {point} in {unit}.",
+    "quiz point acceleration": "Find the size of the acceleration of {point} in {unit}.",
+    "quiz key": "The drawing with all answers:",
     # a turn
     "stroke": "stroke",
     "forward": "forward",

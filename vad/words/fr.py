@@ -8,6 +8,27 @@ PHRASES = {
     "legend": "gris : donné",
     "colon": " : ",
     "coriolis rule": "Coriolis : *v* tournée de 90° dans le sens de *ω*",
+    # une question d’une banque de questions
+    "quiz given": "{title} : {given}.",
+    "quiz angle": "Trouver l’angle {link:du} en degrés, dans le sens antihoraire depuis *x*.",
+    "quiz omega": (
+        "Trouver la vitesse angulaire {link:du} en {unit}, positive dans le sens antihoraire."
+    ),
+    "quiz alpha": (
+        "Trouver l’accélération angulaire {link:du} en {unit}, positive dans le sens antihoraire."
+    ),
+    "quiz position": "Trouver la position {slide:du} en {unit}.",
+    "quiz velocity": (
+        "Trouver la vitesse {slide:du} en {unit}, positive quand sa position augmente."
+    ),
+    "quiz acceleration": (
+        "Trouver l’accélération {slide:du} en {unit}, positive dans la direction où sa position "
+        "augmente."
+    ),
+    "quiz coriolis": "Trouver la norme de l’accélération de Coriolis {slide:du} en {unit}.",
+    "quiz point velocity": "Trouver la norme de la vitesse de {point} en {unit}.",
+    "quiz point acceleration": "Trouver la norme de l’accélération de {point} en {unit}.",
+    "quiz key": "Le tracé avec toutes les réponses :",
     # un tour
     "stroke": "course",
     "forward": "aller",

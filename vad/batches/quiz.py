@@ -1,0 +1,175 @@
+"""The verb `quiz`: from a file that says what a class is to get to a question bank.
+
+Each sheet of the file becomes questions: the picture of the problem, and one result to be found.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+import vad
+from vad.batches.choices import written_at
+from vad.batches.job import Job
+from vad.batches.making import picked
+from vad.batches.sheets import read_sheets
+from vad.batches.sweep import sweep
+from vad.errors import unknown
+from vad.export import picture_png
+from vad.export.quiz import Question, format_of, save_quiz
+from vad.kinematics.motion import Motion
+from vad.strokes.description import parameters
+from vad.strokes.sheet import Sheet
+from vad.units import scene_unit
+from vad.words import Gap, Language
+from vad.written import sign
+
+#: The pictures of a question in pixels: readable beside the text of a platform.
+SIZE = (1024, 576)
+#: A result that is small beside the largest of its kind is drawn no better than so much of that.
+_LEAST_SHARE = 0.1
+_OF_LINKS = {"position": "angle", "velocity": "omega", "acceleration": "alpha"}
+_OF_POINTS = ("velocity", "acceleration")
+
+
+def quiz(
+    path: str | os.PathLike[str],
+    output: str | os.PathLike[str],
+    *,
+    progress: Callable[[int, int], None] | None = None,
+) -> list[Question]:
+    """Make a question bank of a file of sheets: pictures, numerical answers, keys as feedback.
+
+    Parameters
+    ----------
+    path
+        A file as for `batch`.  Two of its words are for question banks.  ``ask`` has the names of
+        results, such as ``"rocker.omega"`` or ``"C.velocity"``, whose size is asked for; left out,
+        these are the rates of the links and slides in the panels that are left blank.
+        ``tolerance`` says how far off a right answer may be, as a share of it; it is 0.03.
+    output
+        A file: Moodle XML (.xml), GIFT (.gift), a package of QTI 2.1 (.zip) or Markdown (.md).
+    progress
+        Called with how many sheets are done and their total.
+
+    Returns
+    -------
+    list of Question
+        In the order of the file.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For what cannot be in the file, with its line, and for a sheet that cannot be made.
+    vad.errors.UsageError
+        For another kind of output.
+    vad.errors.ExportError
+        If it cannot be written.
+    """
+    format_of(output)
+    sheets = read_sheets(path)
+    for failed in sheets.failed:
+        assert failed.error is not None
+        raise failed.error
+    questions: list[Question] = []
+    for number, job in enumerate(sheets.jobs, start=1):
+        with written_at(job.place):
+            questions += _questions(job)
+        if progress is not None:
+            progress(number, len(sheets.jobs))
+    save_quiz(questions, output)
+    return questions
+
+
+def _questions(job: Job) -> Iterator[Question]:
+    """Yield the questions of one sheet."""
+    motion, options = picked(job), dict(job.recipe.options)
+    wanted = {name: options[name] for name in ("panels", "language") if name in options}
+    sheet = vad.draw(motion, **wanted)
+    language, style = Language(sheet.language), options.get("style")
+    numbered = replace(sheet, title=f"{sheet.title} · {job.label}")
+    problem = _png(numbered, style, job.recipe.blank)
+    key, title = _png(numbered, style, ()), f"{sheet.title} · {job.label}"
+    given = language.say("quiz given", title=sheet.title, given=", ".join(_given(sheet)))
+    found = _values(motion, job.recipe.ask or tuple(_usual(motion, job.recipe.blank)))
+    for result, (phrase, unit, value) in found.items():
+        kind = result.rpartition(".")[2]
+        largest = max(abs(each) for name, (*_, each) in found.items() if name.endswith(kind))
+        yield Question(
+            name=f"{job.recipe.mechanism.removesuffix('.toml')} {job.label} {result}",
+            category=sheet.title,
+            task=f"{given} {_find(language, phrase, result.partition('.')[0], unit)}",
+            picture=problem,
+            key=key,
+            title=title,
+            feedback=language.say("quiz key"),
+            value=value,
+            unit=unit,
+            tolerance=job.recipe.tolerance * max(abs(value), _LEAST_SHARE * largest),
+        )
+
+
+def _png(sheet: Sheet, style: str | None, blank: tuple[str, ...]) -> bytes:
+    target = io.BytesIO()
+    picture_png.write(sheet, target, SIZE, style, blank or None)
+    return target.getvalue()
+
+
+def _given(sheet: Sheet) -> Iterator[str]:
+    """Yield the dimensions, and the driver's place and rates, as the sheet writes them."""
+    yield from parameters(sheet)
+    for panel in sheet.panels:
+        for row in sheet.rows:
+            for cell in row.cells.get(panel.name, ()):
+                if cell.given:
+                    value = sheet.notation.quantity(cell.value, cell.unit, given=True)
+                    yield f"{cell.symbol} = {value}"
+
+
+def _usual(motion: Motion, blank: tuple[str, ...]) -> Iterator[str]:
+    """Yield the results that a student draws: rates of links and slides that are not driven."""
+    driven = motion.solver.driver.name
+    for panel in blank:
+        if panel not in _OF_LINKS:
+            continue
+        for name in motion.links:
+            if name != driven and name not in motion.solver.bodies:
+                yield f"{name}.{_OF_LINKS[panel]}"
+        for name in motion.slides:
+            if name != driven:
+                yield f"{name}.{panel}"
+
+
+def _values(motion: Motion, names: tuple[str, ...]) -> Mapping[str, tuple[str, str, float]]:
+    """Return for each result the phrase that asks for it, its unit and its value."""
+    found: dict[str, tuple[str, str, float]] = {}
+    inputs: dict[str, Any] = {name: float(value) for name, value in motion.inputs.items()}
+    swept = sweep(motion.mechanism, names, **inputs)
+    for name in names:
+        owner, _, kind = name.partition(".")
+        of_point = owner in motion.points
+        if (of_point and kind not in _OF_POINTS) or owner in motion.solver.bodies:
+            known = [f"{point}.velocity" for point in motion.points]
+            raise unknown("result of a question", name, [*_usual(motion, ("velocity",)), *known])
+        value = swept[name].item()
+        unit = scene_unit(
+            "acceleration" if kind == "coriolis" else kind, motion.mechanism.length_unit
+        )
+        phrase = f"quiz point {kind}" if of_point else f"quiz {kind}"
+        found[name] = phrase, unit, abs(value) if isinstance(value, complex) else value
+    return found
+
+
+def _find(language: Language, phrase: str, owner: str, unit: str) -> str:
+    """Return what is to be found, in words."""
+    speaker = language.speaker(phrase)
+    texts = {"unit": sign(unit), "point": owner}
+    return "".join(
+        (texts.get(each.name) or speaker.noun(owner, each.article, each.name))
+        if isinstance(each, Gap)
+        else each.text
+        for each in language.template(phrase)
+    )
