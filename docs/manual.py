@@ -61,6 +61,7 @@ def _options(command: click.Command) -> Iterator[str]:
 def _text(words: str) -> str:
     """Return words as man reads them: it takes some signs for its own."""
     line = " ".join(words.split()).replace("\\", r"\e").replace("-", r"\-")
+    line = "".join(each if each.isascii() else f"\\[u{ord(each):04X}]" for each in line)
     return rf"\&{line}" if line.startswith((".", "'")) else line
 
 

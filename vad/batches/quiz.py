@@ -5,10 +5,10 @@ Each sheet of the file becomes questions: the picture of the problem, and one re
 
 from __future__ import annotations
 
-import io
 import os
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import vad
@@ -18,7 +18,7 @@ from vad.batches.making import picked
 from vad.batches.sheets import read_sheets
 from vad.batches.sweep import sweep
 from vad.errors import unknown
-from vad.export import picture_png
+from vad.export.files import temporary_folder
 from vad.export.quiz import Question, format_of, save_quiz
 from vad.kinematics.motion import Motion
 from vad.strokes.description import parameters
@@ -113,9 +113,11 @@ def _questions(job: Job) -> Iterator[Question]:
 
 
 def _png(sheet: Sheet, style: str | None, blank: tuple[str, ...]) -> bytes:
-    target = io.BytesIO()
-    picture_png.write(sheet, target, SIZE, style, blank or None)
-    return target.getvalue()
+    """Return a picture; panels named in ``blank`` are left to be drawn."""
+    with temporary_folder() as folder:
+        path = Path(folder, "picture.png")
+        vad.save(sheet, path, size=SIZE, style=style, blank=blank or None)
+        return path.read_bytes()
 
 
 def _given(sheet: Sheet) -> Iterator[str]:
