@@ -268,3 +268,66 @@ def test_json_there_and_back(tmp_path):
     sheet = press()
     vad.save(sheet, tmp_path / "press.json")
     assert sheet_from_json((tmp_path / "press.json").read_text()) == sheet
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", NAMES)
+def test_every_vector_is_the_force_whose_name_it_bears(name):
+    """Loads, what later dyads hand on, and both parts of outer forces, each in its sense."""
+    found = forces_of(name)
+    drawn = arrows(vad.draw(found, panels="force").panel("force"))
+    largest = max(abs(h.outer.force) for d in found.dyads for h in (d.first, d.second))
+
+    def has(ending, vector):
+        vectors = [v for n, v in drawn.items() if n.endswith(ending)]
+        return min(abs(each - vector) for each in vectors) < CLOSE * largest
+
+    for dyad in found.dyads:
+        for half in (dyad.first, dyad.second):
+            point = half.outer.point
+            assert has(f"{point}.tangential", half.known)
+            assert has(f"{point}.normal", half.unknown)
+            for load in half.loads:
+                assert any(
+                    has(f"{load.point}{ending}.load", load.force) for ending in ("", "-2", "-3")
+                ) or any(
+                    abs(v - load.force) < CLOSE * largest
+                    for n, v in drawn.items()
+                    if n.endswith(".load")
+                )
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", NAMES)
+def test_the_mechanism_shows_loads_and_couples_in_their_sense(name):
+    found = forces_of(name)
+    panel = vad.draw(found, panels="position").panel("position")
+    acting = list(enumerate(found.acting))
+    arrows_of_loads = [s.shape.end - s.shape.start for s in panel.strokes if s.component == "load"]
+    forces = [found.acts(n) for n, each in acting if each.point and abs(found.acts(n)) > 1e-9]
+    for force in forces:
+        ways = [way / abs(way) for way in arrows_of_loads]
+        assert min(abs(way - force / abs(force)) for way in ways) < 1e-9
+    couples = [found.acts(n) for n, each in acting if not each.point and found.acts(n)]
+    sweeps = [s.shape.sweep for s in panel.strokes if s.component == "couple"]
+    assert [sweep > 0.0 for sweep in sweeps] == [couple > 0.0 for couple in couples]
+
+
+def test_a_moved_inertia_force_has_the_moment_of_both():
+    points = {"G": ("coupler", 90, 45), "P": ("rocker", 50)}
+    machine = vad.FourBar(ground=190, crank=50, coupler=150, rocker=100, points=points)
+    motion = vad.solve(machine, angle=60, omega=24)
+    mass = {"coupler": {"mass": 1.5, "at": "G", "inertia": 0.006}}
+    found = vad.forces(motion, ["80 N @ 330 at P on rocker"], mass)
+    panel = vad.draw(found).panel("position")
+    (line,) = [s.shape for s in panel.strokes if s.name == "I3G.moved"]
+    g = motion.point("G")
+    force = -1.5 * g.acceleration / 1000
+    couple = -0.006 * motion.link("coupler").alpha
+    arm = (line.until - g.position) / 1000
+    assert (arm.conjugate() * force).imag == pytest.approx(couple, rel=1e-12)
+    assert abs(line.direction - force / abs(force)) < 1e-12
+    (arc,) = [s.shape for s in panel.strokes if s.part.which == "couple"]
+    assert arc.sweep * motion.link("coupler").alpha < 0.0
+    names = [panel.name for panel in vad.draw(found).panels]
+    assert names == ["position", "acceleration", "force", "drive"]

@@ -74,6 +74,12 @@ _SHEET = [
         metavar="NAME,NAME",
         help=f"some of {', '.join(DIAGRAMS)}  [all of motion; with loads position, force, drive]",
     ),
+    click.Option(
+        ["--superpose"],
+        is_flag=True,
+        default=None,
+        help="forces load by load, and then their sums  [all loads together]",
+    ),
     NamedOption("style", "style", style_names(), "colours and lines  [paper]", STYLES),
     NamedOption("language", "language", languages(), "of all words  [en]", LANGUAGES),
 ]

@@ -59,6 +59,7 @@ def draw(
     motion: Motion | Forces[Any, Any, Any],
     panels: Sequence[str] | str | None = None,
     language: str = "en",
+    superpose: bool = False,
 ) -> Sheet:
     """Draw one pose: the strokes of its panels in the order in which a teacher draws them.
 
@@ -72,6 +73,8 @@ def draw(
         move the accelerations, too.
     language
         The language of the captions, as a two-letter code.
+    superpose
+        Whether forces are drawn by superposition: load by load, and then their sums.
 
     Raises
     ------
@@ -92,7 +95,9 @@ def draw(
     motion, forces = parted(motion)
     if motion.many or (forces is not None and forces.many):
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
-    scene = scene_of(motion, Language(language), forces)
+    if superpose and forces is None:
+        raise InputError("superpose: there are no loads", "as in --load '80 N @ 150 at E'")
+    scene = scene_of(motion, Language(language), forces, superpose=superpose)
     return sheet_of(scene, chosen(panels, motion, forces))
 
 
@@ -314,6 +319,7 @@ def scene_of(
     language: Language,
     forces: Forces[Any, Any, Any] | None = None,
     poles: Mapping[int, complex] = NO_POLES,
+    superpose: bool = False,
 ) -> AnyScene:
     """Return the scene of a motion, in the plane or in space, and of the forces in it.
 
@@ -331,7 +337,7 @@ def scene_of(
                 f"points: a drawing has room for {MOST_POINTS} on links, got {count}",
                 hint="leave some out; vad solve and vad sweep take them all",
             )
-        return PlaneScene(motion, language, forces=forces, poles=poles)
+        return PlaneScene(motion, language, forces=forces, poles=poles, superpose=superpose)
     from vad.strokes.space.scene import SceneInSpace  # the plane does not need it
 
     in_space: Any = motion

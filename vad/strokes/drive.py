@@ -15,7 +15,7 @@ from vad.strokes.construct import construct
 from vad.strokes.diagram import Drawing
 from vad.strokes.force_captions import NEWTON, ForceCaptions
 from vad.strokes.power import check_by_power
-from vad.strokes.sentences import Sentence, SentencePart, Terms, Unit
+from vad.strokes.sentences import Listed, Sentence, SentencePart, Terms, Unit
 from vad.strokes.sheet import (
     LOADS,
     Arc,
@@ -102,7 +102,7 @@ class _Drive:
                 ),
                 Stroke("result", "h", Arrow(pivot, pivot, "", ""), "", part=StrokePart("h", "arm")),
             ]
-        self._torque_arc(said)
+        self._torque_arc(self._superposed() or said)
         self._check()
         equations = (equation,) if equation else ()
         return Drawing(tuple(self.strokes), tuple(self.zeros), equations, bodies=bodies)
@@ -191,6 +191,17 @@ class _Drive:
         calculated = total("torque", "terms")
         parts = self._torque(signed=True)
         return self.scene.say("torque sum", calculated, point=self.pivot, terms=terms, **parts)
+
+    def _superposed(self) -> Sentence | None:
+        """Return the torque as the sum of those of each load alone, where loads are superposed."""
+        parts = self.scene.force_parts
+        if not parts:
+            return None
+        unit = self.forces.moment_unit
+        terms = Terms(tuple(Figure(float(each.forces.drive), unit) for _, each in parts))
+        symbols = Listed(tuple(TORQUE + each.primes for _, each in parts), " + ")
+        more = self._torque(signed=True) | {"terms": terms, "symbols": symbols}
+        return self.scene.say("torque superposed", total("torque", "terms"), **more)
 
     def _foot(self, force: Any) -> complex:
         """Return the foot of the perpendicular from the pivot to the line of a force."""

@@ -197,7 +197,9 @@ class ForceCaptions:
 
     def _two(self, half: Half) -> bool:
         """Tell whether a body has two forces only."""
-        one = len(half.bodies) == 1 and not half.loads and not half.couples
+        least = NOTHING * abs(half.outer.force)
+        one = len(half.bodies) == 1 and not half.couples
+        one = one and all(abs(load.force) <= least for load in half.loads)
         return one and abs(half.known) <= NOTHING * abs(half.outer.force)
 
     def _common(self, part: Part[Force]) -> dict[str, SentencePart]:

@@ -53,8 +53,10 @@ class _AtPoints:
         for load in self.names.loads:
             if load.kind == "inertia":
                 self._moved(load, abs(load.force) > NOTHING * largest)
-        for dyad in self.names.dyads:
-            self._lines(dyad, self.names.meetings.get(dyad.number))
+        for names in [each for _, each in self.scene.force_parts] or [self.names]:
+            self.names = names
+            for dyad in names.dyads:
+                self._lines(dyad, names.meetings.get(dyad.number))
 
     def _load(self, load: Load, shown: bool) -> None:
         """Draw a load with its head at its point, a weight with its tail."""
@@ -107,7 +109,7 @@ class _AtPoints:
 
     def _lines(self, dyad: DyadForces, meeting: ThreeForces | None) -> None:
         """Draw the two known lines of a member with three forces, and the one that they give."""
-        of = f"dyad{dyad.number + 1}"
+        of = f"dyad{dyad.number + 1}{self.names.alone}"
         if meeting is None:
             at = self.scene.at(dyad.inner.point)
             for which in ("load line", "known line", "line"):

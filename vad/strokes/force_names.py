@@ -10,7 +10,7 @@ from vad.strokes.sentences import Noun, Sentence, Text
 from vad.strokes.sheet import LOADS, Cell
 from vad.strokes.three_forces import LETTERS, ThreeForces, directed, three_forces
 from vad.units import metres_of
-from vad.written import subscript
+from vad.written import PRIME, subscript
 
 if TYPE_CHECKING:
     from vad.kinematics.linkage import Slide
@@ -27,6 +27,8 @@ SYMBOLS = {
     "couple": "M",
     "spin": "C",
 }
+#: The primes of forces that are due to the first, second and third load alone.
+PRIMES = "", PRIME, "\N{DOUBLE PRIME}", "\N{TRIPLE PRIME}"
 #: The most loads in the table of results.
 MOST = 2
 
@@ -89,12 +91,17 @@ class ForceNames:
     ----------
     scene
         The pose, with its forces.
+    part, number
+        The forces of one load alone and its number, from 1, where loads are superposed.
     """
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(
+        self, scene: Scene, part: Forces[Any, Any, Any] | None = None, number: int = 0
+    ) -> None:
         self.scene, self.members, self.voice = scene, scene.members, scene.voice
         self.poles = scene.poles
-        self.forces = forces_of_scene(scene)
+        self.forces = part or forces_of_scene(scene)
+        self.number = number
         self.bodies = self.forces.bodies.bodies
         self._rows = {*self.members.links, *self.members.slides}
 
@@ -128,7 +135,7 @@ class ForceNames:
         """Return the letter of the point of a dyad in which three forces meet: O, or O₁."""
         letter = next((each for each in LETTERS if each not in self.members.points), LETTERS[0])
         others = self.meetings.keys() - {number}
-        return letter + (subscript(number + 1) if others else "")
+        return letter + (subscript(number + 1) if others else "") + self.primes
 
     @cached_property
     def numbers(self) -> dict[str, int]:
@@ -146,12 +153,23 @@ class ForceNames:
         """Return the symbol of the force of one body on another: F₂₃."""
         pair = [self.numbers[name] for name in (one, other)]
         between = "," if max(pair) > 9 else ""
-        return "F" + between.join(map(subscript, pair))
+        return "F" + between.join(map(subscript, pair)) + self.primes
 
     def plain(self, one: str, other: str, point: str) -> str:
         """Return the name of a force in a joint for the names of its strokes: F23B."""
         pair = [self.numbers[name] for name in (one, other)]
-        return f"F{('-' if max(pair) > 9 else '').join(map(str, pair))}{point}"
+        between = "-" if max(pair) > 9 else ""
+        return f"F{between.join(map(str, pair))}{point}{self.alone}"
+
+    @property
+    def primes(self) -> str:
+        """The primes behind the symbols of one load alone; nothing for all loads together."""
+        return PRIMES[self.number] if self.number < len(PRIMES) else PRIME * self.number
+
+    @property
+    def alone(self) -> str:
+        """The end of the names of strokes of one load alone."""
+        return f"-alone{self.number}" if self.number else ""
 
     @cached_property
     def loads(self) -> list[Load]:
@@ -240,7 +258,7 @@ class ForceNames:
         """Return the name of a load for the names of its strokes."""
         alike = [each for each in self.loads if self._plain(each) == self._plain(load)]
         again = alike.index(load)
-        return self._plain(load) + (f"-{again + 1}" if again else "")
+        return self._plain(load) + (f"-{again + 1}" if again else "") + self.alone
 
     def _plain(self, load: Load) -> str:
         if load.kind == "force" and load.name:

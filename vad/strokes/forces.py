@@ -8,7 +8,7 @@ the right of it, at the same scale.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -61,7 +61,7 @@ class DyadEquation:
 
     def __init__(self, dyad: DyadForces, names: ForceNames) -> None:
         self.names, self.dyad = names, dyad
-        self.prefix = f"{dyad.number}:"
+        self.prefix = f"{names.number}-{dyad.number}:"
         self.places: dict[str, complex] = {self.prefix + "0": 0j}
         self._tip = self.prefix + "0"
         self.equation = self._equation()
@@ -94,7 +94,7 @@ class DyadEquation:
         return VectorEquation(
             Chain(start, end, tuple(first), tuple(parts)),
             Chain(start, end, (back,), (other,)),
-            f"dyad{self.dyad.number + 1}",
+            f"dyad{self.dyad.number + 1}{self.names.alone}",
         )
 
     def _after(self, vector: complex) -> str:
@@ -122,6 +122,7 @@ class DyadEquation:
             reverse,
             lettered=False,
             whole=whole,
+            measured=not self.names.number,
             symbol=symbol,
             dyad=self.dyad,
             half=half,
@@ -192,16 +193,27 @@ def bare(stroke: Stroke) -> Stroke:
     return replace(stroke, label="") if isinstance(shape, Dot) else stroke
 
 
-class _Polygons(Player[Force]):
-    """The polygons of all dyads."""
+class Polygons(Player[Force]):
+    """The polygons of all dyads, of all loads together or of each alone.
+
+    Parameters
+    ----------
+    scene
+        The pose.
+    parts
+        The names of all forces, or those of each load alone, whose polygons stand below those of
+        the load before.
+    """
 
     pencil: ForcePencil
 
-    def __init__(self, scene: Any, names: ForceNames) -> None:
-        self.names = names
-        self.dyads = [DyadEquation(each, names) for each in names.dyads]
+    def __init__(self, scene: Any, parts: Sequence[ForceNames]) -> None:
+        self.names = parts[0]
+        self.lines = [[DyadEquation(each, names) for each in names.dyads] for names in parts]
+        self.dyads = [each for line in self.lines for each in line]
         self.longest = max(each.equation.longest for each in self.dyads)
-        self.words = ForceCaptions(scene, names)
+        self.captions = {names.number: ForceCaptions(scene, names) for names in parts}
+        self.words = self.captions[self.names.number]
         super().__init__(ForcePencil(self.words, self._places, self.longest))
 
     @cached_property
@@ -217,27 +229,45 @@ class _Polygons(Player[Force]):
                 for each in self.dyads
                 for name, place in each.places.items()
             }
-        boxes = []
-        for each in self.dyads:
-            across = [place.real for place in each.places.values()]
-            boxes.append((min(across), max(across)))
-        width = sum(high - low for low, high in boxes) or self.longest
-        places, left = {}, 0.0
-        for each, (low, high) in zip(self.dyads, boxes, strict=True):
-            if each.equation.longest <= NOTHING * self.longest:
-                places.update(each.places)
-                continue
-            middle = sum(place.imag for place in each.places.values()) / len(each.places)
-            for name, place in each.places.items():
-                places[name] = place - complex(low - left, middle)
-            left += high - low + APART * width
+        lines = [[each.places for each in line] for line in self.lines]
+        lines += [sums] if (sums := self.further()) else []
+        widths = [sum(_width(each) for each in line) for line in lines]
+        width = max(widths) or self.longest
+        places: dict[str, complex] = {}
+        top = 0.0
+        for line in lines:
+            left, tall = 0.0, 0.0
+            seen = [each for each in line if _size(each) > NOTHING * self.longest]
+            height = max((_height(each) for each in seen), default=0.0)
+            for each in line:
+                if each not in seen:
+                    places.update(each)
+                    continue
+                low = min(place.real for place in each.values())
+                middle = sum(place.imag for place in each.values()) / len(each)
+                if len(lines) > 1:
+                    ups = [place.imag for place in each.values()]
+                    middle = (min(ups) + max(ups)) / 2 - top + height / 2
+                for name, place in each.items():
+                    places[name] = place - complex(low - left, middle)
+                left += _width(each) + APART * width
+                tall = max(tall, height)
+            top -= tall + APART * width if seen else 0.0
         return places
+
+    def further(self) -> list[dict[str, complex]]:
+        """Return the vertices of what stands below the polygons of dyads."""
+        return []
+
+    def last(self) -> None:
+        """Draw what comes after the polygons of dyads."""
 
     def draw(self) -> Drawing:
         """Draw dyad after dyad; where none has a force, say so."""
         pencil = self.pencil
         equations = []
         for each in self.dyads:
+            pencil.words = self.captions[each.names.number]
             pencil.turn_to(each.equation)
             self.play(each.equation)
             whole, half = each.whole, each.dyad.first
@@ -245,6 +275,7 @@ class _Polygons(Player[Force]):
             pencil.whole(whole, several)
             if not pencil.resting:
                 equations.append(self._written(each))
+        self.last()
         if not equations:
             said = self.words.nothing()
             pole = Stroke("pole", "", Dot(0j), said, reveals=self.rows, part=StrokePart("", "pole"))
@@ -282,6 +313,21 @@ class _Polygons(Player[Force]):
         return Equation(tuple(terms), (Term("0", None, None),))
 
 
+def _width(places: Mapping[str, complex]) -> float:
+    across = [place.real for place in places.values()]
+    return max(across) - min(across)
+
+
+def _height(places: Mapping[str, complex]) -> float:
+    up = [place.imag for place in places.values()]
+    return max(up) - min(up)
+
+
+def _size(places: Mapping[str, complex]) -> float:
+    """Return how large a polygon is at most."""
+    return abs(complex(_width(places), _height(places)))
+
+
 def _named(stroke: Stroke, symbols: Mapping[str, str]) -> Stroke:
     """Return a whole force with its symbol."""
     whole = stroke.part.which == "whole"
@@ -289,8 +335,12 @@ def _named(stroke: Stroke, symbols: Mapping[str, str]) -> Stroke:
 
 
 def force_polygons(scene: Any) -> Drawing:
-    """Return the force polygons of a pose."""
-    return _Polygons(scene, scene.force_names).draw()
+    """Return the force polygons of a pose, or of each load alone and the sums of all."""
+    if scene.force_parts:
+        from vad.strokes.superposition import superposed_polygons  # few drawings have it
+
+        return superposed_polygons(scene)
+    return Polygons(scene, [scene.force_names]).draw()
 
 
 def force_cells(scene: Any, key: str, slides: bool) -> tuple[Cell, ...]:

@@ -223,11 +223,14 @@ class Scene(CaptionedMotion, ABC):
     poles
         The poles of the force polygons by the numbers of their dyads, where they are the same over
         a whole turn; empty where each polygon stands beside the last one.
+    superpose
+        Whether forces are drawn load by load, and then their sums.
     """
 
     motion: Motion
     forces: Forces[Any, Any, Any] | None = field(default=None, kw_only=True)
     poles: Mapping[int, complex] = field(default_factory=dict, kw_only=True)
+    superpose: bool = field(default=False, kw_only=True)
     # The places and images that were read before.
     _places: dict[str, complex] = field(default_factory=dict, init=False, compare=False)
     _images: dict[tuple[str, int], complex] = field(default_factory=dict, init=False, compare=False)
@@ -249,6 +252,18 @@ class Scene(CaptionedMotion, ABC):
         from vad.strokes.force_names import ForceNames  # most drawings have none
 
         return ForceNames(self)
+
+    @cached_property
+    def force_parts(self) -> list[tuple[str, ForceNames]]:
+        """The forces of each load alone by its name, where several loads are superposed."""
+        from vad.strokes.force_names import ForceNames  # most drawings have none
+
+        if not self.superpose or self.forces is None:
+            return []
+        found = self.forces.superposed()
+        parts = enumerate(found.items(), start=1)
+        named = [(name, ForceNames(self, part, number)) for number, (name, part) in parts]
+        return named if len(named) > 1 else []
 
     @property
     def unit(self) -> str:

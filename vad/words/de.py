@@ -422,6 +422,13 @@ PHRASES = {
         "Momente um {point}: *T* = {terms} = {torque} {turning}, {sense}, muss an {link:dem} "
         "wirken."
     ),
+    "superposed part": "{label} = {value} {unit} gehört zu dieser Last allein.",
+    "superposed sum": (
+        "{label} = {terms} = {value} {unit} als Vektoren: die Kraft {one:des} an {other:dem}."
+    ),
+    "torque superposed": (
+        "*T* = {symbols} = {terms} = {torque} {turning}, {sense}, muss an {link:dem} wirken."
+    ),
     "power one": (
         "{drive}·{symbol} = {value} {unit} × {rate} {fast} = {power} {watt}; {symbols} = {taken} "
         "{watt}: zusammen null."

@@ -415,6 +415,13 @@ PHRASES = {
         "Moments about {point}: *T* = {terms} = {torque} {turning}, {sense}, must act on the "
         "{link}."
     ),
+    "superposed part": "{label} = {value} {unit} is due to this load alone.",
+    "superposed sum": (
+        "{label} = {terms} = {value} {unit} as vectors: the force of the {one} on the {other}."
+    ),
+    "torque superposed": (
+        "*T* = {symbols} = {terms} = {torque} {turning}, {sense}, must act on the {link}."
+    ),
     "power one": (
         "{drive}·{symbol} = {value} {unit} × {rate} {fast} = {power} {watt}; {symbols} = {taken} "
         "{watt}: together zero."

@@ -420,6 +420,13 @@ PHRASES = {
         "Moments autour de {point} : *T* = {terms} = {torque} {turning}, {sense}, doit agir sur "
         "{link:le}."
     ),
+    "superposed part": "{label} = {value} {unit} est due à cette seule charge.",
+    "superposed sum": (
+        "{label} = {terms} = {value} {unit}, en vecteurs : l’effort {one:du} sur {other:le}."
+    ),
+    "torque superposed": (
+        "*T* = {symbols} = {terms} = {torque} {turning}, {sense}, doit agir sur {link:le}."
+    ),
     "power one": (
         "{drive}·{symbol} = {value} {unit} × {rate} {fast} = {power} {watt} ; {symbols} = {taken} "
         "{watt} : au total zéro."
