@@ -12,7 +12,10 @@ from tests.statics.machines import MACHINES, burden
 from tests.statics.test_equilibrium import pose
 from vad.errors import InputError, UsageError
 from vad.export.sheet_json import sheet_from_json
+from vad.strokes.draw import scene_of
+from vad.strokes.forces import DyadEquation
 from vad.strokes.sheet import Arrow
+from vad.words import Language
 
 NAMES = sorted(MACHINES)
 #: Of the largest force.
@@ -331,3 +334,17 @@ def test_a_moved_inertia_force_has_the_moment_of_both():
     assert arc.sweep * motion.link("coupler").alpha < 0.0
     names = [panel.name for panel in vad.draw(found).panels]
     assert names == ["position", "acceleration", "force", "drive"]
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", NAMES)
+def test_the_parts_of_an_equation_lead_from_vertex_to_vertex(name):
+    scene = scene_of(forces_of(name).motion, Language("en"), forces_of(name))
+    for dyad in scene.force_names.dyads:
+        each = DyadEquation(dyad, scene.force_names)
+        for chain in each.equation.chains:
+            at = each.places[chain.start]
+            for part in chain.parts:
+                at += -part.vector if part.reverse else part.vector
+                assert abs(at - each.places[part.stage]) <= CLOSE * each.equation.longest
+            assert abs(at - each.places[chain.end]) <= CLOSE * each.equation.longest
