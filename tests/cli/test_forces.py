@@ -151,3 +151,13 @@ def test_several_poses_have_the_loads_of_one(vad, tmp_path, poses):
     words = ["slider-crank", "--load", "800 N @ 180 at C", *poses, "-o", str(path)]
     assert vad("draw", *words).code == 0
     assert "N·m" in path.read_text("utf-8")
+
+
+def test_superposition_is_for_one_pose(vad, tmp_path):
+    loads = ["--load", "800 N @ 180 at C", "--load", "6 N m on rod", "--superpose"]
+    assert vad("draw", "slider-crank", *loads, "-o", str(tmp_path / "a.svg")).code == 0
+    assert vad("animate", "slider-crank", *loads, "-o", str(tmp_path / "a.html")).code == 0
+    for poses in (["--turn"], ["--at", "30,60"]):
+        result = vad("draw", "slider-crank", *loads, *poses, "-o", str(tmp_path / "b.svg"))
+        assert result.code == 2 and "--superpose is for one pose" in result.err
+    assert not (tmp_path / "b.svg").exists()

@@ -246,6 +246,7 @@ def draw(
         raise UsageError("--turn and --at: choose one of them")
     if turn and "blank" in options:
         raise UsageError("--blank is for one pose, not for a turn")
+    _check_superposed(options, turn or at is not None)
     burden = take_burden(mechanism, options)
     made = Turn if turn else Sheet if at is None else Multiples
     kind = format_of(Sheet, output)  # before anything is calculated
@@ -268,6 +269,12 @@ def draw(
     say_written(output)
     if turn:
         note_change_points(mechanism)
+
+
+def _check_superposed(options: dict[str, Any], several: bool) -> None:
+    """Refuse superposition where several poses are drawn."""
+    if "superpose" in options and several:
+        raise UsageError("--superpose is for one pose", "leave out --turn and --at")
 
 
 def _pose(mechanism: Mechanism, inputs: Inputs, burden: Burden | None) -> Any:
@@ -298,6 +305,7 @@ def animate(
     **options: Any,
 ) -> None:
     """Write the film in which one pose is drawn stroke by stroke, one step of it, or a turn."""
+    _check_superposed(options, turn)
     burden = take_burden(mechanism, options)
     if turn:
         of_strokes = {"--still": still is not None, "--subtitles": subtitles}
