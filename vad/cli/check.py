@@ -40,7 +40,15 @@ def command(file: str | None, as_json: bool) -> None:
     if file in all_names():
         hint = f"vad example {file} > {file}{EXTENSION}"
         raise UsageError(f"'{file}' is an example, and no file yet", hint)
-    examined = examine(_from_standard_input() if file == "-" else load(file))
+    kind = _from_standard_input() if file == "-" else load(file)
+    if kind.is_rotor:  # it closes in every pose, and what is balanced is all that there is to say
+        mechanism = kind()
+        found = mechanism.balancing(vad.solve(mechanism))
+        data = {"mechanism": mechanism.name, "title": mechanism.title, found.kind: found.to_dict()}
+        text = f"{mechanism.title}\n\n{found.table()}"
+        click.echo(json.dumps(data, ensure_ascii=False) if as_json else text)
+        return
+    examined = examine(kind)
     figures = vad.merit(examined.mechanism)
     if as_json:
         data = _data(examined) | {"merit": figures.to_dict()}

@@ -195,6 +195,7 @@ class RotorMechanism(WrittenMechanism):
     """A shaft or an engine; `rotor_class` makes its subclasses."""
 
     written: ClassVar[Any]
+    is_rotor: ClassVar[bool] = True
 
     @property
     def _values(self) -> dict[str, float]:
@@ -262,6 +263,7 @@ def rotor_class(text: str) -> type[RotorMechanism]:
         links=links,
         slides=slides,
         inputs={"angle": 0.0, "omega": rotor.speed, "alpha": 0.0},
+        diagrams=rotor.diagrams,
     )
     with source.at("", ""):
         made()

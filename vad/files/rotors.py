@@ -89,6 +89,16 @@ class Rotor:
         return bool(self.cylinders)
 
     @property
+    def diagrams(self) -> tuple[str, ...]:
+        """The names of the diagrams that can be drawn of it."""
+        if self.is_engine and "wheels" not in self.settings:
+            second = "rod" in self.numbers or "ratio" in self.numbers
+            return ("engine", "primary", *(("secondary",) if second else ()))
+        values = {name: each.default for name, each in self.parameters.items()}
+        planes = {mass.plane for mass in self.given_masses(values)}
+        return ("shaft", "force") if len(planes) == 1 else ("shaft", "couple", "force")
+
+    @property
     def title(self) -> str:
         """Its title."""
         usual = self.source.name.removesuffix(".toml") or ("Engine" if self.cylinders else "Shaft")

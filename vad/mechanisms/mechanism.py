@@ -115,6 +115,9 @@ class Mechanism:
     slides: ClassVar[dict[str, str]] = {}
     joints: ClassVar[dict[str, str]] = {}
     inputs: ClassVar[Mapping[str, float]] = CRANK
+    #: Whether it is a shaft or an engine, which is balanced, and the diagrams of such a one.
+    is_rotor: ClassVar[bool] = False
+    diagrams: ClassVar[tuple[str, ...]] = ()
 
     _: KW_ONLY
     assembly: str = way("open", "crossed")

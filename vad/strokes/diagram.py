@@ -115,12 +115,12 @@ def in_plane(motion: Motion[Any, Any, Any]) -> bool:
     """Tell whether the mechanism is one in the plane: a choice for `Diagram.applies`."""
     from vad.kinematics.motion import MotionInSpace  # a list of diagrams does not need it
 
-    return not isinstance(motion, MotionInSpace)
+    return everywhere(motion) and not isinstance(motion, MotionInSpace)
 
 
 def everywhere(motion: Motion[Any, Any, Any]) -> bool:
-    """Return True: the diagram applies to every mechanism."""
-    return True
+    """Tell whether a motion is that of a mechanism, and not of a shaft or an engine."""
+    return not motion.mechanism.is_rotor
 
 
 def no_cells(scene: AnyScene, key: str, slides: bool) -> tuple[Cell, ...]:
@@ -187,6 +187,52 @@ class Diagram:
             lambda scene, key, slides: scene.cells(order, key, slides),
             lambda scene: scene.tracks(order),
         )
+
+    @classmethod
+    def of_balancing(
+        cls,
+        name: str,
+        title: str,
+        rank: float,
+        picture: PictureKind,
+        otherwise: tuple[Any, ...] = (),
+    ) -> Diagram:
+        """Return a diagram of shafts or engines.
+
+        ``otherwise`` are the unit, the strokes, the cells and the tracks of the diagram of that
+        name of a mechanism in the plane.
+        """
+
+        def balancing(scene: Any) -> Any:
+            """Return the drawings of a shaft or an engine; None for a mechanism."""
+            return getattr(scene, "drawings", None)
+
+        def unit(scene: Any) -> str:
+            found = balancing(scene)
+            return str(found.unit(name) if found else otherwise[0])
+
+        def pose(scene: Any) -> Drawing:
+            found = balancing(scene)
+            drawn: Drawing = found.drawing(name) if found else otherwise[1](scene)
+            return drawn
+
+        def cells(scene: Any, key: str, slides: bool) -> tuple[Cell, ...]:
+            found = balancing(scene)
+            own: tuple[Cell, ...] = (
+                found.cells(name, key) if found else otherwise[2](scene, key, slides)
+            )
+            return own
+
+        def tracks(scene: Any) -> Mapping[Spot, Any]:
+            found: Mapping[Spot, Any] = {} if balancing(scene) else otherwise[3](scene)
+            return found
+
+        def applies(motion: Motion[Any, Any, Any]) -> bool:
+            if everywhere(motion):
+                return bool(otherwise) and in_plane(motion)
+            return name in motion.mechanism.diagrams
+
+        return cls(name, title, rank, picture, unit, pose, cells, tracks, False, applies)
 
     def panel(self, scene: AnyScene) -> Panel:
         """Return the panel of a pose, its title in the language of the scene."""

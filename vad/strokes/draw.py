@@ -34,12 +34,15 @@ from vad.units import DIMENSIONS
 from vad.words import Language
 
 if TYPE_CHECKING:
+    from vad.balancing.balance import Balance
+    from vad.balancing.engine import Engine
     from vad.mechanisms.mechanism import Mechanism
     from vad.statics.burden import Burden
     from vad.statics.forces import Forces
+    from vad.strokes.balancing.scene import BalancingScene
     from vad.strokes.space.scene import SceneInSpace
 
-    AnyScene = Scene | SceneInSpace
+    AnyScene = Scene | SceneInSpace | BalancingScene
 
 #: The ending of the name of the angle between two axes.  The name without it is that of their
 #: distance.
@@ -56,7 +59,7 @@ MOST_POINTS = 100
 
 
 def draw(
-    motion: Motion | Forces[Any, Any, Any],
+    motion: Motion | Forces[Any, Any, Any] | Balance | Engine,
     panels: Sequence[str] | str | None = None,
     language: str = "en",
     superpose: bool = False,
@@ -66,7 +69,8 @@ def draw(
     Parameters
     ----------
     motion
-        One pose, or the forces in one; its rates are solved only as far as the panels need them.
+        One pose, the forces in one, or what is balanced, a shaft or an engine; rates are solved
+        only as far as the panels need them.
     panels
         Which of "position", "velocity", "acceleration" and, for forces, "force" and "drive", in any
         order; if None, those of a motion, or the position and what is of forces: with masses that
@@ -102,7 +106,7 @@ def draw(
 
 
 def parted(
-    given: Motion | Forces[Any, Any, Any],
+    given: Motion | Forces[Any, Any, Any] | Balance | Engine,
 ) -> tuple[Motion, Forces[Any, Any, Any] | None]:
     """Return a motion and the forces in it, None where a motion alone is given.
 
@@ -113,6 +117,8 @@ def parted(
     """
     forces = None if isinstance(given, Motion) else _forces(given)
     motion = given if forces is None else forces.motion
+    if forces is None and not isinstance(given, Motion):
+        motion = _balanced(given)
     if not isinstance(motion, Motion):
         raise InputError(f"motion: must be what vad.solve returns, got {quoted(given)}")
     return motion, forces
@@ -134,6 +140,11 @@ def started(
     motion, forces = parted(given if alone else solve(given))  # type: ignore[arg-type]
     if motion.many or (forces is not None and forces.many):
         raise InputError(f"motion: {what}, got arrays of poses")
+    if motion.mechanism.is_rotor:
+        raise InputError(
+            f"motion: {what}, and a shaft or an engine is drawn in one pose",
+            "vad draw and vad animate draw it, --angle turns it",
+        )
     return motion, forces
 
 
@@ -165,7 +176,7 @@ def sheet_of(scene: AnyScene, panels: Sequence[str]) -> Sheet:
         language=language,
         notation=notation,
         driver=driver_of(scene.driver.name, scene.driver.kind == "angle", clean, drawn),
-        source=None if forces else Source(mechanism, dict(motion.inputs)),
+        source=None if forces or mechanism.is_rotor else Source(mechanism, dict(motion.inputs)),
     )
 
 
@@ -192,6 +203,8 @@ def chosen(
     """
     fitting = [name for name, each in DIAGRAMS.items() if motion is None or each.applies(motion)]
     names = usual_of(forces) if forces else [n for n in fitting if DIAGRAMS[n].usual]
+    if motion is not None and motion.mechanism.is_rotor:
+        names = fitting
     usual = tuple(name for name in fitting if name in names)
     given = usual if panels is None else gate.several("panels", panels, "names of panels")
     asked = [one_of("panel", name, DIAGRAMS) for name in given]
@@ -217,14 +230,15 @@ def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, 
     values = mechanism.parameters()
     for name, value in values.items():
         metadata = plain.__dataclass_fields__[name].metadata
-        if name.endswith(_TWIST):
-            continue  # it follows its length
+        if name.endswith(_TWIST) or (mechanism.is_rotor and "_" in name):
+            continue  # it follows its length, or is that of a mass, which stands in the table
         if metadata["quantity"] not in DIMENSIONS:
             continue  # it belongs to a load or a mass
         if metadata["quantity"] != "angle":
+            called = "crank" if mechanism.is_rotor and name == "radius" else name
             shown.append(
                 (
-                    named(name, language),
+                    named(called, language),
                     value,
                     unit if metadata["quantity"] == "length" else "",
                 )
@@ -314,6 +328,14 @@ def _forces(given: Any) -> Forces[Any, Any, Any] | None:
     return given if isinstance(given, Forces) else None
 
 
+def _balanced(given: Any) -> Any:
+    """Return the motion of what is balanced; anything else as it is."""
+    from vad.balancing.balance import Balance  # most drawings have neither shaft nor engine
+    from vad.balancing.engine import Engine
+
+    return given.motion if isinstance(given, Balance | Engine) else given
+
+
 def scene_of(
     motion: Motion[Any, Any, Any],
     language: Language,
@@ -330,6 +352,10 @@ def scene_of(
     vad.errors.InputError
         For more further points on links than a page has room for.
     """
+    if motion.mechanism.is_rotor:
+        from vad.strokes.balancing.scene import BalancingScene
+
+        return BalancingScene(motion, language)
     if isinstance(motion.solver, Solver):
         count = len(motion.solver.linkage.images)
         if count > MOST_POINTS:

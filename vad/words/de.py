@@ -298,6 +298,61 @@ PHRASES = {
         "{label} = {symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
         "{di}°."
     ),
+    # --- Wellen und Motoren
+    "balance axis": "*{axis}* ist die Achse der Welle, von ihrem Ende gesehen.",
+    "balance reference": "Von dieser Geraden an werden Winkel gemessen.",
+    "balance mass": "Masse {letter}: {mass} kg bei {radius} {unit} unter {angle}°.",
+    "balance open": "Masse {letter} bei {radius} {unit} ist gesucht.",
+    "balance side": "Von der Seite gesehen: die Ebenen längs der Welle.",
+    "balance plane": "Die Ebene von {letter}.",
+    "balance forces": "Die Vektoren *m·r* ergeben zusammen null.",
+    "balance couples": "Die Vektoren *m·r·l* um die Ebene von {reference} ergeben zusammen null.",
+    "balance known force": "{letter}: *m·r* = {mass} × {radius} = {value} {unit}, nach außen.",
+    "balance known couple": (
+        "{letter}: *m·r·l* = {mass} × {radius} × {arm} = {value} {unit}, nach außen."
+    ),
+    "balance known couple inward": (
+        "{letter}: *m·r·l* = {mass} × {radius} × {arm} = {value} {unit}, nach innen: "
+        "die Ebene liegt auf der anderen Seite."
+    ),
+    "balance from couples force": (
+        "{letter} ist aus den Momenten bekannt: *m·r* = {value} {unit}."
+    ),
+    "balance from couples couple": "{letter}: *m·r·l* = {value} {unit}.",
+    "balance closes": "Die Schlusslinie ist {letter}: {value} {unit} unter {angle}°.",
+    "balance line": "{letter} liegt auf dieser Geraden.",
+    "balance arc": "{letter} ist {value} {unit} lang: ein Bogen mit diesem Halbmesser.",
+    "balance meet": "Sie treffen sich: das Polygon schließt sich.",
+    "balance about": "um die Ebene von {reference}",
+    "engine zero": (
+        "Hier schließt es sich; im Umlauf ist die Resultierende höchstens {largest} {unit}."
+    ),
+    "engine rod": "Pleuel und Kolben von {letter}.",
+    "engine stroke": "Die Hubrichtung von {letter}.",
+    "engine crank": "Die Kurbel von {letter} steht unter {angle}°.",
+    "engine forces": "Die Kräfte werden aneinandergereiht.",
+    "engine couples": "Die Momente um die Bezugsebene werden aneinandergereiht.",
+    "engine primary": "{letter}: {value} {unit} unter dem Winkel seiner Kurbel, {angle}°.",
+    "engine secondary": (
+        "{letter}: {value} {unit} unter dem doppelten Winkel seiner Kurbel, {angle}°."
+    ),
+    "engine direct": (
+        "Gleichlaufende Kurbel von {letter}: die Hälfte, {value} {unit} unter {angle}°."
+    ),
+    "engine reverse": (
+        "Gegenlaufende Kurbel von {letter}: die Hälfte, {value} {unit} unter {angle}°."
+    ),
+    "engine turning": "Masse {letter} dreht sich mit der Welle: {value} {unit} unter {angle}°.",
+    "engine resultant": (
+        "Die Resultierende ist {value} {unit} unter {angle}°; im Umlauf höchstens {largest} und "
+        "mindestens {least} {unit}."
+    ),
+    "engine resultant in line": (
+        "Der Schlussvektor ist {value} {unit} unter {angle}°: höchstens so viel wirkt in der "
+        "Hubrichtung."
+    ),
+    "engine balanced": "Das Polygon schließt sich: ausgeglichen.",
+    "balance found": "{letter} = {value} {unit} unter {angle}°.",
     # --- das Kreuzgelenk
     # Lageplan
     "hooke along": "längs Welle 2 gesehen",
@@ -626,6 +681,13 @@ PHRASES = {
 
 #: Namen von Getrieben, Diagrammen, Gliedern, Schiebern und Maßen.
 NAMES = {
+    "Shaft": "Welle",
+    "Couples": "Momente",
+    "Engine": "Motor",
+    "Primary forces": "1. Ordnung",
+    "Secondary forces": "2. Ordnung",
+    "engine_cylinder": "Zylinder",
+    "largest": "größte",
     "Position": "Lage",
     "Velocity": "Geschwindigkeit",
     "Acceleration": "Beschleunigung",

@@ -296,6 +296,51 @@ PHRASES = {
         "{label} = {symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
         "{di}°."
     ),
+    # --- shafts and engines
+    "balance axis": "*{axis}* is the axis of the shaft, seen from its end.",
+    "balance reference": "Angles are measured from this line.",
+    "balance mass": "Mass {letter}: {mass} kg at {radius} {unit}, at {angle}°.",
+    "balance open": "Mass {letter} at {radius} {unit} is to be found.",
+    "balance side": "Seen from the side: the planes along the shaft.",
+    "balance plane": "The plane of {letter}.",
+    "balance forces": "The vectors *m·r* add up to zero.",
+    "balance couples": "The vectors *m·r·l* about the plane of {reference} add up to zero.",
+    "balance known force": "{letter}: *m·r* = {mass} × {radius} = {value} {unit}, outwards.",
+    "balance known couple": (
+        "{letter}: *m·r·l* = {mass} × {radius} × {arm} = {value} {unit}, outwards."
+    ),
+    "balance known couple inward": (
+        "{letter}: *m·r·l* = {mass} × {radius} × {arm} = {value} {unit}, inwards: "
+        "its plane is on the other side."
+    ),
+    "balance from couples force": "{letter} is known from the couples: *m·r* = {value} {unit}.",
+    "balance from couples couple": "{letter}: *m·r·l* = {value} {unit}.",
+    "balance closes": "The closing line is {letter}: {value} {unit} at {angle}°.",
+    "balance line": "{letter} lies along this line.",
+    "balance arc": "{letter} is {value} {unit} long: an arc of that radius.",
+    "balance meet": "They meet: the polygon closes.",
+    "balance about": "about the plane of {reference}",
+    "engine zero": "It closes here; over a turn the resultant is at most {largest} {unit}.",
+    "engine rod": "The rod and the piston of {letter}.",
+    "engine stroke": "The line of stroke of {letter}.",
+    "engine crank": "The crank of {letter} stands at {angle}°.",
+    "engine forces": "The forces are laid tip to tail.",
+    "engine couples": "The couples about the plane of reference are laid tip to tail.",
+    "engine primary": "{letter}: {value} {unit} at the angle of its crank, {angle}°.",
+    "engine secondary": "{letter}: {value} {unit} at twice the angle of its crank, {angle}°.",
+    "engine direct": "Direct crank of {letter}: half of it, {value} {unit}, at {angle}°.",
+    "engine reverse": "Reverse crank of {letter}: half of it, {value} {unit}, at {angle}°.",
+    "engine turning": "Mass {letter} turns with the shaft: {value} {unit} at {angle}°.",
+    "engine resultant": (
+        "The resultant is {value} {unit} at {angle}°; over a turn at most {largest} and at least "
+        "{least} {unit}."
+    ),
+    "engine resultant in line": (
+        "The closing vector is {value} {unit} at {angle}°: at most so much acts along the line of "
+        "stroke."
+    ),
+    "engine balanced": "The polygon closes: balanced.",
+    "balance found": "{letter} = {value} {unit} at {angle}°.",
     # --- Hooke’s joint
     # position
     "hooke along": "seen along shaft 2",
@@ -616,6 +661,7 @@ PHRASES = {
 
 #: Names of mechanisms, diagrams, links, slides and parameters that differ from the program's own.
 NAMES = {
+    "engine_cylinder": "cylinder",
     "guide_a": "guide A",
     "guide_b": "guide B",
     "driving": "driving shaft",

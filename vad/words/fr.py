@@ -291,6 +291,52 @@ PHRASES = {
         "{label} = {symbol} = {value} {unit} : *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
         "{di}°."
     ),
+    # --- arbres et moteurs
+    "balance axis": "*{axis}* est l’axe de l’arbre, vu de son bout.",
+    "balance reference": "Les angles se mesurent à partir de cette droite.",
+    "balance mass": "Masse {letter} : {mass} kg à {radius} {unit}, à {angle}°.",
+    "balance open": "La masse {letter}, à {radius} {unit}, est à trouver.",
+    "balance side": "Vu de côté : les plans le long de l’arbre.",
+    "balance plane": "Le plan de {letter}.",
+    "balance forces": "La somme des vecteurs *m·r* est nulle.",
+    "balance couples": ("La somme des vecteurs *m·r·l* autour du plan de {reference} est nulle."),
+    "balance known force": (
+        "{letter} : *m·r* = {mass} × {radius} = {value} {unit}, vers l’extérieur."
+    ),
+    "balance known couple": (
+        "{letter} : *m·r·l* = {mass} × {radius} × {arm} = {value} {unit}, vers l’extérieur."
+    ),
+    "balance known couple inward": (
+        "{letter} : *m·r·l* = {mass} × {radius} × {arm} = {value} {unit}, vers l’intérieur : "
+        "son plan est de l’autre côté."
+    ),
+    "balance from couples force": ("{letter} est connu par les moments : *m·r* = {value} {unit}."),
+    "balance from couples couple": "{letter} : *m·r·l* = {value} {unit}.",
+    "balance closes": "Le vecteur qui ferme est {letter} : {value} {unit} à {angle}°.",
+    "balance line": "{letter} est sur cette droite.",
+    "balance arc": "{letter} mesure {value} {unit} : un arc de ce rayon.",
+    "balance meet": "Ils se coupent : le polygone se ferme.",
+    "balance about": "autour du plan de {reference}",
+    "engine zero": "Ici il se ferme ; dans un tour la résultante atteint {largest} {unit}.",
+    "engine rod": "La bielle et le piston de {letter}.",
+    "engine stroke": "L’axe du cylindre {letter}.",
+    "engine crank": "La manivelle de {letter} est à {angle}°.",
+    "engine forces": "Les forces se portent bout à bout.",
+    "engine couples": "Les moments autour du plan de référence se portent bout à bout.",
+    "engine primary": "{letter} : {value} {unit} à l’angle de sa manivelle, {angle}°.",
+    "engine secondary": "{letter} : {value} {unit} au double de l’angle de sa manivelle, {angle}°.",
+    "engine direct": "Manivelle directe de {letter} : la moitié, {value} {unit}, à {angle}°.",
+    "engine reverse": "Manivelle inverse de {letter} : la moitié, {value} {unit}, à {angle}°.",
+    "engine turning": "La masse {letter} tourne avec l’arbre : {value} {unit} à {angle}°.",
+    "engine resultant": (
+        "La résultante est {value} {unit} à {angle}° ; dans un tour au plus {largest} et au moins "
+        "{least} {unit}."
+    ),
+    "engine resultant in line": (
+        "Le vecteur qui ferme est {value} {unit} à {angle}° : au plus autant agit suivant l’axe."
+    ),
+    "engine balanced": "Le polygone se ferme : équilibré.",
+    "balance found": "{letter} = {value} {unit} à {angle}°.",
     # --- le joint de Cardan
     # position
     "hooke along": "vu suivant l’arbre 2",
@@ -625,6 +671,13 @@ PHRASES = {
 
 #: Noms des mécanismes, des diagrammes, des pièces et des dimensions.
 NAMES = {
+    "Shaft": "Arbre",
+    "Couples": "Moments",
+    "Engine": "Moteur",
+    "Primary forces": "Forces primaires",
+    "Secondary forces": "Forces secondaires",
+    "engine_cylinder": "cylindre",
+    "largest": "maximum",
     "Position": "Position",
     "Velocity": "Vitesse",
     "Acceleration": "Accélération",

@@ -17,7 +17,12 @@ from vad.plan.items import FOREVER, Level
 from vad.plan.labels.choices import PLACED, LabelChoice, ends_of
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.vertices import find_vertices, vertices_by_letter
-from vad.plan.pictures.constructions import add_construction, line_of, name_construction
+from vad.plan.pictures.constructions import (
+    add_compass_arc,
+    add_construction,
+    line_of,
+    name_construction,
+)
 from vad.plan.pictures.inset import (
     SIZES,
     Inset,
@@ -33,7 +38,7 @@ from vad.plan.reach import corners
 from vad.plan.roles import DOT_RIM, ROLES
 from vad.plan.scale import Scale, bar_box, bar_marks, fill, polygon_scale, stated
 from vad.plan.sketch import Setting, Sketch
-from vad.strokes.sheet import Arrow, Dot, Line, Panel, PolarInset, Stroke, StrokePart
+from vad.strokes.sheet import Arc, Arrow, Dot, Line, Panel, PolarInset, Stroke, StrokePart
 
 CORIOLIS = "2ωv"
 DOT = 0.0068
@@ -75,6 +80,8 @@ class Polygon:
                 add_vector(sketch, index, placed[index])
             elif isinstance(stroke.shape, Line):
                 add_construction(sketch, index, line_of(sketch, index, placed))
+            elif isinstance(stroke.shape, Arc):
+                add_compass_arc(sketch, index)
             elif isinstance(stroke.shape, Dot):
                 mark = dot(Anchor.of(stroke.name, "at"), SWELLING)
                 sketch.hang(index, Level.DOT, [mark], until="after")

@@ -1,0 +1,109 @@
+"""Sheets of shafts and engines: polygons close, vectors are the results, captions calculate."""
+
+from __future__ import annotations
+
+import cmath
+import itertools
+import math
+
+import pytest
+
+import vad
+from tests.strokes.calculations import Figure, chains
+from vad.files.examples import example_path, rotor_names
+from vad.strokes.sheet import Arrow
+
+every = pytest.mark.parametrize("name", rotor_names())
+
+
+def sheet_of(name, angle=0.0, language="en"):
+    mechanism = vad.load(example_path(name))()
+    return vad.draw(vad.solve(mechanism, angle=angle), language=language)
+
+
+def arrows(panel):
+    return [stroke for stroke in panel.strokes if isinstance(stroke.shape, Arrow)]
+
+
+@every
+@pytest.mark.parametrize("angle", [0.0, 37.0])
+def test_vectors_stand_tip_to_tail(name, angle):
+    for half in sheet_of(name, angle).halves:
+        if half.picture != "vectors":
+            continue
+        drawn = arrows(half)
+        longest = max((abs(s.shape.end - s.shape.start) for s in drawn), default=1.0)
+        known = [stroke for stroke in drawn if stroke.kind == "known"]
+        for one, other in itertools.pairwise(known):
+            assert abs(one.shape.end - other.shape.start) < 1e-12 * longest
+        total = sum(s.shape.end - s.shape.start for s in drawn if s.link != "F")
+        closing = [s for s in drawn if s.link == "F"]
+        rest = closing[0].shape.end - closing[0].shape.start if closing else 0
+        assert abs(total - rest) < 1e-11 * longest
+
+
+def test_lengths_are_the_products_of_the_book():
+    sheet = sheet_of("shaft-two-planes")
+    found = vad.balance(
+        {
+            "A": {"mass": 200, "radius": 80, "angle": 0, "plane": 0},
+            "B": {"mass": 300, "radius": 70, "angle": 45, "plane": 300},
+            "C": {"mass": 400, "radius": 60, "angle": 115, "plane": 400},
+            "D": {"mass": 200, "radius": 80, "angle": 235, "plane": 700},
+            "X": {"radius": 100, "plane": 100},
+            "Y": {"radius": 100, "plane": 500},
+        }
+    )
+    assert [panel.name for panel in sheet.panels] == ["shaft", "couple", "force"]
+    for panel, arm in (("couple", lambda each: each["plane"] - 100), ("force", lambda each: 1)):
+        for stroke in arrows(sheet.panel(panel)):
+            each = found.masses[stroke.label]
+            size = each["mass"] * each["radius"] * arm(each)
+            vector = cmath.rect(size, math.radians(each["angle"]))
+            got = stroke.shape.end - stroke.shape.start
+            assert abs(got - vector) < 1e-12 * abs(vector), stroke.label
+    order = [stroke.label for stroke in arrows(sheet.panel("force"))]
+    assert order == ["A", "B", "C", "D", "Y", "X"]
+    assert [s.kind for s in arrows(sheet.panel("couple"))] == ["known"] * 4 + ["result"]
+
+
+def test_two_angles_are_found_by_two_arcs():
+    kinds = [stroke.kind for stroke in sheet_of("shaft-four-cranks").panel("couple").strokes]
+    assert kinds == ["pole", "known", *["construction"] * 2, "intersection", *["result"] * 2]
+
+
+@every
+@pytest.mark.parametrize("language", ["en", "de", "fr"])
+def test_a_calculator_confirms_every_caption(name, language):
+    sheet = sheet_of(name, language=language)
+    assert all(stroke.caption for half in sheet.halves for stroke in half.strokes)
+    for half in sheet.halves:
+        for stroke in half.strokes:
+            for chain in chains(stroke.caption):
+                for side in (each for each in chain.sides if each.in_figures and chain.result):
+                    product = math.prod(Figure(text).exact for text, _ in side.factors)
+                    most = chain.result.last_place / 2
+                    assert abs(product - chain.result.exact) <= most, stroke.caption
+
+
+def test_what_is_balanced_is_drawn():
+    """`vad.draw` takes what the verbs return, and clockwise books keep their angles."""
+    masses = {"A": {"mass": 5, "radius": 10, "angle": 30}, "X": {"radius": 10}}
+    sheet = vad.draw(vad.balance(masses, clockwise=True))
+    row = next(row for row in sheet.rows if row.key == "X")
+    assert [cell.value for cell in row.cells["shaft"]] == pytest.approx([5.0, 210.0])
+    twin = vad.engine([{"mass": 2, "line": 45}, {"mass": 2, "line": -45}], 50, 4, 600)
+    assert [panel.name for panel in vad.draw(twin).panels] == ["engine", "primary", "secondary"]
+
+
+@every
+def test_json_there_and_back(name, tmp_path):
+    sheet = sheet_of(name)
+    vad.save(sheet, tmp_path / "sheet.json")
+    assert vad.sheet_from_json(tmp_path / "sheet.json") == sheet
+
+
+def test_a_turn_is_refused():
+    mechanism = vad.load(example_path("v-twin"))()
+    with pytest.raises(vad.InputError, match="is drawn in one pose"):
+        vad.turn(mechanism)

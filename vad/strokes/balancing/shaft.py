@@ -1,0 +1,196 @@
+"""A shaft, its polygon of couples and its polygon of forces, in the order of the textbook.
+
+What is known is laid tip to tail in the order of the file.  The rest closes the polygon: a closing
+line, two lines, two arcs of a compass, or a line and an arc.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from vad.balancing.closing import unit
+from vad.balancing.shaft import Balanced, Laid, Mass, Polygon
+from vad.kinematics.numbers import bearing, degrees_of, ray, times
+from vad.strokes.arithmetic import Calculation, Figure, product
+from vad.strokes.balancing.scene import BalancingScene, Pen
+from vad.strokes.balancing.views import Arm, arm, end_view, side_view
+from vad.strokes.diagram import Drawing
+from vad.strokes.sentences import SentencePart, Unit
+from vad.strokes.sheet import Arc, Arrow, Cell, Component, Dot, Equation, Line, Term
+
+#: Half of an arc of the compass, in degrees.
+COMPASS = 12.0
+
+
+class ShaftDrawings:
+    """The drawings of a balanced shaft.
+
+    Attributes
+    ----------
+    rows
+        The title and the letters of each row of the results.
+    names
+        The names of its diagrams.
+    """
+
+    def __init__(self, scene: BalancingScene, found: Balanced, given: Sequence[Mass]) -> None:
+        self.scene, self.found = scene, found
+        self.clockwise = bool(getattr(scene.subject, "clockwise", False))
+        self.given = {each.name: each for each in given}
+        self.masses = {each.name: each for each in found.masses}
+        self.rows = {name: ("mass", name) for name in self.masses}
+        self.names = ("shaft", "couple", "force") if found.couple else ("shaft", "force")
+        self._turn = ray(scene.motion.inputs["angle"])
+        reference = self.masses.get(found.couple.reference) if found.couple else None
+        self.level = (reference.plane or 0.0) if reference else 0.0
+
+    def unit(self, panel: str) -> str:
+        """Return the unit of a diagram."""
+        length = self.scene.unit
+        return {"shaft": "", "couple": f"kg·{length}²", "force": f"kg·{length}"}[panel]
+
+    def drawing(self, panel: str) -> Drawing:
+        """Return a diagram."""
+        if panel == "shaft":
+            return self._shaft()
+        polygon = self.found.couple if panel == "couple" else self.found.force
+        assert polygon is not None
+        return self._polygon(polygon, "couple" if panel == "couple" else "force")
+
+    def cells(self, panel: str, key: str) -> tuple[Cell, ...]:
+        """Return what a diagram adds to the row of a mass."""
+        mass, given = self.masses[key], self.given[key]
+        size, arm = mass.size or 0.0, mass.arm(self.level) or 0.0
+        if panel == "shaft":
+            assert mass.mass is not None and mass.angle is not None
+            return (
+                Cell("m", mass.mass, "kg", given.mass is not None),
+                Cell("θ", self._counted(mass.angle), "°", given.angle is not None),
+            )
+        whole = given.size is not None
+        if panel == "couple":
+            return (Cell("M", size * arm, self.unit(panel), whole and given.plane is not None),)
+        return (Cell("mr", size, self.unit(panel), whole),)
+
+    # --- the shaft ----------------------------------------------------------------------------
+
+    def _shaft(self) -> Drawing:
+        pen = Pen(self.scene)
+        axis = self.scene.motion.mechanism.letters[0]
+        radius = max((each.radius or 0.0) for each in self.masses.values()) or 1.0
+        end_view(pen, axis, radius)
+        arms = []
+        for name, mass in self.masses.items():
+            loose = None in (self.given[name].mass, self.given[name].angle)
+            at = times(self._turn, (mass.radius or 0.0) * (mass.way or 1 + 0j))
+            arms.append(Arm(name, at, mass.plane, loose))
+            phrase = "balance open" if loose else "balance mass"
+            arm(pen, arms[-1], phrase, **self._numbers(mass))
+        notes = side_view(pen, arms, radius, self.scene.unit)
+        return Drawing(tuple(pen.strokes), picture="views", notes=notes)
+
+    def _numbers(self, mass: Mass) -> dict[str, SentencePart]:
+        return {
+            "mass": Figure(mass.mass or 0.0, "kg", given=True),
+            "radius": Figure(mass.radius or 0.0, self.scene.unit, given=True),
+            "angle": Figure(self._counted(mass.angle or 0.0), "°", given=True),
+            "unit": Unit(self.scene.unit),
+        }
+
+    # --- the polygons -------------------------------------------------------------------------
+
+    def _polygon(self, polygon: Polygon, what: Component) -> Drawing:
+        pen, tip = Pen(self.scene), 0j
+        pen.draw("pole", "pole", Dot(0j), f"balance {what}s", reference=polygon.reference)
+        for each in polygon.known:
+            tip = self._known(pen, each, tip, what)
+        found = polygon.found
+        if len(found) == 1:
+            self._closing(pen, found[0], tip, what)
+        elif found:
+            self._two(pen, found, tip, what)
+        terms = [Term(s.label, s.link, s.name) for s in pen.strokes if isinstance(s.shape, Arrow)]
+        total = Term("0", None, None)
+        equations = (Equation(tuple(terms), (total,)),) if not polygon.rest and terms else ()
+        remark = ""
+        if polygon.reference:
+            remark = self.scene.write("balance about", reference=polygon.reference)
+        return Drawing(tuple(pen.strokes), equations=equations, remark=remark)
+
+    def _known(self, pen: Pen, each: Laid, tip: complex, what: Component) -> complex:
+        """Lay a vector that is known at the tip, and return the new tip."""
+        vector: complex = times(self._turn, each.vector)
+        mass, given = self.masses[each.name], self.given[each.name]
+        length, unit = self.scene.unit, self.unit(str(what))
+        value = Figure(abs(each.vector), unit)
+        parts: dict[str, Any] = {"letter": each.name, "value": value, "unit": Unit(unit)}
+        if abs(each.vector) == 0.0:
+            return tip
+        calculations: list[Calculation] = []
+        if None in (given.mass, given.radius, given.angle):
+            phrase = f"balance from couples {what}"
+        else:
+            names = ("mass", "radius") if what == "force" else ("mass", "radius", "arm")
+            arm = mass.arm(self.level) or 0.0
+            numbers = {"mass": mass.mass, "radius": mass.radius, "arm": abs(arm)}
+            units = {"mass": "kg", "radius": length, "arm": length}
+            parts |= {name: Figure(numbers[name] or 0.0, units[name], given=True) for name in names}
+            calculations.append(product("value", *names))
+            inward = what == "couple" and arm < 0.0
+            phrase = f"balance known {what}{' inward' if inward else ''}"
+        shape = Arrow(tip, tip + vector, "", "")
+        pen.draw(
+            "known", f"{each.name}.{what}", shape, phrase, *calculations, link=each.name,
+            label=each.name, component=what, reveals=self._reveals(each.name), **parts,
+        )  # fmt: skip
+        return tip + vector
+
+    def _closing(self, pen: Pen, each: Laid, tip: complex, what: Component) -> None:
+        """Close the polygon by one vector."""
+        if not each.vector:
+            return
+        parts = self._parts(each, what)
+        pen.draw(
+            "result", f"{each.name}.{what}", Arrow(tip, 0j, "", ""), "balance closes",
+            link=each.name, label=each.name, component=what, reveals=(each.name,), **parts,
+        )  # fmt: skip
+
+    def _two(self, pen: Pen, found: Sequence[Laid], tip: complex, what: Component) -> None:
+        """Close the polygon by two vectors, which meet."""
+        one, other = found
+        meeting = tip + times(self._turn, one.vector)
+        for each, start in ((one, tip), (other, 0j)):
+            parts = self._parts(each, what)
+            size, way = abs(meeting - start), unit(meeting - start) if meeting != start else 1 + 0j
+            name = f"{each.name}.line"
+            if each.unknowns == ("size",):
+                line = Line(start, way, meeting)
+                pen.draw("construction", name, line, "balance line", link=each.name, **parts)
+            else:
+                arc = Arc(start, size, bearing(way) - COMPASS, 2 * COMPASS, through=meeting)
+                pen.draw("construction", name, arc, "balance arc", link=each.name, **parts)
+        pen.draw("intersection", f"{one.name}.crossing", Dot(meeting), "balance meet")
+        for each, start, end in ((one, tip, meeting), (other, meeting, 0j)):
+            pen.draw(
+                "result", f"{each.name}.{what}", Arrow(start, end, "", ""), "balance found",
+                link=each.name, label=each.name, component=what, reveals=(each.name,),
+                **self._parts(each, what),
+            )  # fmt: skip
+
+    def _parts(self, each: Laid, what: Component) -> dict[str, Any]:
+        unit = self.unit(str(what))
+        turned = times(self._turn, each.vector)
+        return {
+            "letter": each.name,
+            "value": Figure(abs(each.vector), unit),
+            "unit": Unit(unit),
+            "angle": Figure(self._counted(degrees_of(turned) if each.vector else 0.0), "°"),
+        }
+
+    def _counted(self, angle: float) -> float:
+        """Return an angle as its user counts it: clockwise books count the other way."""
+        return (-angle if self.clockwise else angle) % 360.0
+
+    def _reveals(self, name: str) -> tuple[str, ...]:
+        return (name,)
