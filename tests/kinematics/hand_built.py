@@ -30,6 +30,7 @@ class HandBuilt:
     slides: dict[str, str] = field(init=False, default_factory=dict)
     points: dict[str, Any] = field(init=False, default_factory=dict)
     burden: None = field(init=False, default=None)
+    is_rotor: bool = field(init=False, default=False)
 
     def __post_init__(self) -> None:
         for step in self.steps:

@@ -2,4 +2,4 @@
 
 from vad.strokes.diagram import Diagram
 
-DIAGRAM = Diagram.of_balancing("engine", "Engine", 2.2, "views")
+DIAGRAM = Diagram.of_balancing("engine", "Engine", 2.3, "views")
