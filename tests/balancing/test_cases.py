@@ -1,4 +1,4 @@
-"""Published and worked examples; tests/statics/cases.json says how each of them was checked."""
+"""Published and worked examples; cases.json says how each of them was checked."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 
 import vad
 
-CASES = json.loads((Path(__file__).parents[1] / "statics" / "cases.json").read_text("utf-8"))
+CASES = json.loads(Path(__file__).with_name("cases.json").read_text("utf-8"))
 #: Relative to the value itself.
 BOUND = 2e-12
 
