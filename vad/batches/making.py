@@ -42,6 +42,9 @@ def make(job: Job) -> Product:
         sheet = vad.draw(motion, **_only(options, "panels", "language"))
         sheet = replace(sheet, title=f"{sheet.title} · {job.label}")
         answers = motion.to_dict()
+        balancing = motion.mechanism.balancing(motion)
+        if balancing is not None:
+            answers[balancing.kind] = balancing.to_dict()
         if motion.mechanism.burden:
             answers["forces"] = vad.forces(motion).to_dict()
         with temporary_folder() as folder:
