@@ -19,11 +19,12 @@ from tests.strokes.test_traced_sheet import CLOSE, KINDS, numbers, poses
 from vad.errors import VadError
 from vad.files.loading import WrittenMechanism
 from vad.kinematics.any_solver import Evaluation
+from vad.kinematics.assemblies import assemblies
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of
 from vad.kinematics.program import Program
 from vad.mechanisms import Mechanism
 from vad.mechanisms.mechanism import length
-from vad.strokes.traced_dimensions import AROUND_ZERO, RANGE, traced_dimensions
+from vad.strokes.traced_dimensions import AROUND_ZERO, RANGE, sides_of, traced_dimensions
 from vad.strokes.traced_sheet import TracedSheet, traced_sheet
 
 CRANK = {"crank": {"angle": 30, "omega": 5}}
@@ -88,7 +89,10 @@ Values = Mapping[str, float]
 
 
 def sets_of(mechanism: Mechanism, count: int) -> list[dict[str, float]]:
-    """Return inputs and dimensions over the range of sliders, first with the own dimensions."""
+    """Return inputs, dimensions over the range of sliders, and factors of loops.
+
+    The first have the own dimensions; of the others every second is assembled at random.
+    """
     rng, own = np.random.default_rng(3), mechanism.dimensions()
     aside = AROUND_ZERO * max(map(abs, own.values()))
     places = poses(mechanism, 1)
@@ -98,8 +102,19 @@ def sets_of(mechanism: Mechanism, count: int) -> list[dict[str, float]]:
         if number >= OWN:
             for name, value in own.items():
                 values[name] = rng.uniform(*RANGE) * value or rng.uniform(-aside, aside)
-        sets.append({**places[number % len(places)], **values})
+        way = rng.integers(len(assemblies(mechanism))) if number % 2 and number >= OWN else 0
+        sides = {name: factors[way] for name, factors in sides_of(mechanism).items()}
+        sets.append({**places[number % len(places)], **values, **sides})
     return sets
+
+
+def assembly(mechanism: Mechanism, values: Values) -> Any:
+    """Return what the assembly is called in which the loops have these factors."""
+    sides = sides_of(mechanism)
+    for way, *factors in zip(assemblies(mechanism), *sides.values(), strict=True):
+        if factors == [values[name] for name in sides]:
+            return mechanism.assembly if way.name is None else way.name
+    raise ValueError(f"there is no such assembly of {mechanism.name}")
 
 
 def drawn(mechanism: Mechanism, values: Values) -> dict[tuple[Any, ...], float] | None:
@@ -109,7 +124,7 @@ def drawn(mechanism: Mechanism, values: Values) -> dict[tuple[Any, ...], float] 
         for name, (link, at, angle) in dict[str, Any](mechanism.points).items()
     }
     given: dict[str, Any] = {name: values[name] for name in mechanism.parameters()}
-    given |= {"assembly": mechanism.assembly} | ({"points": points} if points else {})
+    given |= {"assembly": assembly(mechanism, values)} | ({"points": points} if points else {})
     inputs = {name: values[name] for name in mechanism.inputs}
     try:
         return dict(numbers(vad.draw(vad.solve(type(mechanism)(**given), **inputs))))
@@ -123,7 +138,8 @@ def played(
     """Return the numbers of a traced sheet for each set; None where a guard says no."""
     found = dict(numbers(traced.sheet))
     program = traced.program(found.values())
-    given = [np.array([values[name] for values in sets]) for name in traced.inputs]
+    sides = dict.fromkeys([name for name in traced.inputs if name.startswith("side ")], 1.0)
+    given = [np.array([{**sides, **values}[name] for values in sets]) for name in traced.inputs]
     outputs = program.many(given, len(sets))
     holds = np.ones(len(sets), bool)
     for guard, column in zip(traced.guards, outputs, strict=False):
@@ -170,7 +186,8 @@ def test_every_dimension_is_an_input_without_a_guard(name: str) -> None:
     names = tuple(mechanism.dimensions())
     traced = traced_dimensions(mechanism, poses(mechanism, 1)[0], names)
     alone = ("ground_angle",)  # the sides of a parallelogram change together
-    assert tuple(traced.sizes) == (alone if name == "parallelogram" else names)
+    kept = alone if name == "parallelogram" else names
+    assert tuple(traced.sizes) == (*kept, *sides_of(mechanism))
     assert not traced.guards or isinstance(mechanism, WrittenMechanism)
 
 
@@ -216,7 +233,8 @@ def test_links_that_are_equal_may_become_different(lengths: tuple[float, ...]) -
     columns = [np.array([values[name] for values in sets]) for name in given]
     right = 0
     for values, *found in zip(sets, *program.many(columns, len(sets)), strict=True):
-        other = vad.FourBar(**{name: values[name] for name in mechanism.dimensions()})
+        sizes = {name: values[name] for name in mechanism.dimensions()}
+        other = vad.FourBar(**sizes, assembly=assembly(mechanism, values))
         motion = vad.solve(other, **{name: values[name] for name in mechanism.inputs})
         if not motion.assembled:
             assert all(value != value for value in found)
@@ -269,7 +287,7 @@ class _Mixed(Mechanism, listed=False):
 def test_a_dimension_of_which_code_makes_a_constant_is_no_input() -> None:
     inputs = {"angle": 40.0, "omega": 3.0, "alpha": 5.0}
     traced = traced_sheet(_Mixed(), inputs, dimensions=["square", "rod", "height"])
-    assert list(traced.inputs) == [*inputs, "rod", "height"]
+    assert list(traced.inputs) == [*inputs, "rod", "height", "side 0"]
 
 
 def test_a_guard_tells_where_the_record_ends() -> None:

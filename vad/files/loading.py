@@ -8,14 +8,16 @@ from __future__ import annotations
 
 import copyreg
 import keyword
+import math
 import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, make_dataclass
 from functools import lru_cache
+from itertools import product
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 from vad.errors import InputError, VadError, quoted, unknown
 from vad.files.assembling import Assembly, UnplacedError, assemble
@@ -42,6 +44,8 @@ from vad.mechanisms.mechanism import unit as length_unit
 from vad.statics.burden import Burden
 
 FileTable = Mapping[str, Any]
+#: How many ways of assembly are listed, if each point may be at either of its places.
+MOST_WAYS = 16
 
 
 def load(path: str | os.PathLike[str]) -> type[WrittenMechanism]:
@@ -257,6 +261,31 @@ class WrittenMechanism(Mechanism, listed=False, metaclass=_WrittenType):
     @lru_cache(maxsize=64)
     def _assembly(cls, given: tuple[tuple[str, Place], ...]) -> Assembly:
         return cls.written.assembly(dict(given))
+
+    def placements(self) -> list[tuple[dict[str, str], tuple[float, ...]]]:
+        """Return the places that its points can take together, its own first.
+
+        They are found with the numbers of its file.  What stays a parallelogram stays one.  Where
+        there are more than `MOST_WAYS`, they are those in which one point has left its place.
+        """
+        own: dict[str, str] = dict(cast("Any", self.assembly))
+        places = {
+            p: [word] if word == PARALLEL else [word, opposite(word)] for p, word in own.items()
+        }
+        if math.prod(map(len, places.values())) <= MOST_WAYS:
+            ways = [dict(zip(places, words, strict=True)) for words in product(*places.values())]
+        else:
+            ways = [own, *(own | {p: word} for p in own for word in places[p][1:])]
+        found, here = [], self._sides(own)
+        for way in ways:
+            with suppress(UnplacedError):  # a point cannot be reached from the places of others
+                sides = zip(here, self._sides(way), strict=True)
+                found.append((way, tuple(a * b for a, b in sides)))
+        return found
+
+    def _sides(self, places: Mapping[str, str]) -> list[float]:
+        sides = self._assembly(tuple(places.items())).sides
+        return [sides[dyad.point] for dyad in self.written.dyads]
 
     @property
     def _values(self) -> dict[str, float]:

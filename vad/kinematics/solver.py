@@ -7,7 +7,8 @@ vector in the units and axes of the user.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Set
+from collections.abc import Callable, Sequence, Set
+from dataclasses import replace
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
@@ -50,10 +51,28 @@ LEAST_SINE = 1e-100
 @lru_cache(maxsize=64)
 def solver_of(mechanism: Mechanism) -> AnySolver:
     """Return the solver of a mechanism in the plane or in space; it is made once."""
+    return other_solver(mechanism, ())
+
+
+def other_solver(mechanism: Mechanism, sides: Sequence[float]) -> AnySolver:
+    """Return the solver of a mechanism that is assembled in another way.
+
+    Parameters
+    ----------
+    mechanism
+        The mechanism.
+    sides
+        For each loop a factor: with -1.0 it takes its other place, if it has two.  In space there
+        is one.  The factors may be traced.
+    """
     linkage, side = mechanism.marked(), -1.0 if mechanism.assembly == "crossed" else 1.0
-    if isinstance(linkage, Linkage):
-        return Solver(linkage, side)
-    return linkage.solver(side)
+    if not isinstance(linkage, Linkage):
+        return linkage.solver(math.prod(sides, start=side))
+    if sides:
+        loops = zip(linkage.loops, sides, strict=True)
+        turned = tuple(replace(loop, side=loop.side * factor) for loop, factor in loops)
+        linkage = replace(linkage, loops=turned)
+    return Solver(linkage, side)
 
 
 class Solver(AnySolver):

@@ -204,6 +204,13 @@ class Mechanism:
             found |= {f"{name}.{what}": x for what, x in zip(_OF_POINTS, numbers, strict=False)}
         return found
 
+    def placements(self) -> list[tuple[dict[str, str], tuple[float, ...]]]:
+        """Return the places that its points can take together, each with factors of its loops.
+
+        There are none where all of it is assembled in one of two ways.
+        """
+        return []
+
     def axes_apart(self) -> bool:
         """Tell whether all angles between its axes leave them apart."""
         apart = True

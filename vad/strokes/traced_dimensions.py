@@ -1,16 +1,19 @@
-"""A motion whose dimensions are traced, too, and how far its record holds.
+"""A motion whose dimensions and assembly are traced, too, and how far its record holds.
 
 A record holds for all dimensions with which the solver decides alike.  With an offset of exactly
 zero, or with equal links, it decides as with no others.  So each dimension is moved by less than
 anybody sees.  Then the record is tried with other dimensions, near and far: of the decisions that
 come out differently, those stay as guards beyond which a number is wrong.
+
+In which of its two places a loop is, is a factor of its closed form, +1 or -1.  Being traced, it is
+an input like a dimension: the record is that of all assemblies.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,8 +21,9 @@ from numpy.typing import NDArray
 
 from vad.errors import InputError, VadError
 from vad.kinematics.any_solver import AnySolver, Evaluation, Result
+from vad.kinematics.assemblies import assemblies
 from vad.kinematics.program import Program
-from vad.kinematics.solver import solver_of
+from vad.kinematics.solver import other_solver, solver_of
 from vad.kinematics.space.solver import SpaceSolver
 from vad.kinematics.traced import Guard, Traced, TracedTape, made_of
 
@@ -66,7 +70,7 @@ class TracedMotion:
     inputs
         The motion of the driver by name, traced.
     sizes
-        Those of the dimensions that are traced, by name.
+        Those of the dimensions that are traced, by name, and the factors of `sides_of`.
     tape
         The record.
     guards
@@ -110,15 +114,46 @@ def traced_dimensions(mechanism: Mechanism, inputs: Values, names: Sequence[str]
     return best or traced_motion(mechanism, inputs)
 
 
+def sides_of(mechanism: Mechanism) -> Mapping[str, tuple[float, ...]]:
+    """Return the factors with which loops change their assembly, by name.
+
+    Of each it is told for all `vad.kinematics.assemblies` what it is.
+
+    Examples
+    --------
+    >>> import vad
+    >>> sides_of(vad.FourBar()), sides_of(vad.ScotchYoke())
+    ({'side 0': (1.0, -1.0)}, {})
+    """
+    found = dict.fromkeys(factors for factors in _factors(mechanism) if min(factors) < 0.0)
+    return {f"side {number}": factors for number, factors in enumerate(found)}
+
+
+@lru_cache(maxsize=64)
+def _factors(mechanism: Mechanism) -> tuple[tuple[float, ...], ...]:
+    """Return of each loop its factors in all assemblies."""
+    return tuple(zip(*(way.sides for way in assemblies(mechanism)), strict=True))
+
+
+def _solver(mechanism: Mechanism, values: Values, own: Mechanism) -> AnySolver:
+    """Return the solver of a mechanism, with the factors that some values have for its sides.
+
+    It is its ``own`` kind with other dimensions.
+    """
+    names = {factors: name for name, factors in sides_of(own).items()}
+    sides = [values.get(names.get(factors, ""), 1.0) for factors in _factors(own)]
+    return other_solver(mechanism, sides)
+
+
 def _traced(mechanism: Mechanism, inputs: Values, sizes: Values) -> TracedMotion:
     """Return a motion with traced inputs and dimensions, with every decision as a guard."""
-    tape, given, traced = _inputs(inputs, sizes)
+    tape, given, traced = _inputs(inputs, {**sizes, **dict.fromkeys(sides_of(mechanism), 1.0)})
     with tape.watched():
         changed = mechanism.with_dimensions(traced)
         if not changed.axes_apart():
             raise InputError("its axes are not apart")
         lasting = len(tape.guards)
-        solver = solver_of(changed)
+        solver = _solver(changed, traced, mechanism)
         _numbers(solver, tuple(given.values()), _results(solver))
     return TracedMotion(changed, solver, given, traced, tape, tape.guards, lasting)
 
@@ -232,6 +267,8 @@ class _Trials:
             name = names[number // 2 % len(names)]
             if kind == "reversed" and self._signed(name):
                 values[name] = -values[name]
+            for side in sides_of(self._mechanism):
+                values[side] = rng.choice((1.0, -1.0))
             if number % 2:
                 turned = rng.uniform(0.0, 360.0) if driven == "angle" else 0.0
                 values[driven] = turned or place * rng.uniform(0.7, 1.3)
@@ -249,7 +286,7 @@ class _Trials:
         if not other.axes_apart():
             return None
         try:
-            solver = solver_of.__wrapped__(other)
+            solver = _solver(other, values, self._mechanism)
             return np.array(_numbers(solver, inputs, self._results))
         except VadError:
             return None

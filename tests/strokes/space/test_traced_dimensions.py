@@ -25,7 +25,7 @@ from tests.strokes.test_traced_sheet import CLOSE, numbers, poses
 from vad.mechanisms import Mechanism
 from vad.strokes.scripts import rssr, spatial_four_bar
 from vad.strokes.space.layout import Corners, Layout
-from vad.strokes.traced_dimensions import traced_dimensions
+from vad.strokes.traced_dimensions import sides_of, traced_dimensions
 from vad.strokes.traced_sheet import traced_sheet
 
 VARIANTS: dict[str, Mechanism] = {
@@ -79,7 +79,7 @@ def test_every_dimension_is_an_input(name: str) -> None:
     """The only guard says that axes that have an angle between them are apart."""
     mechanism = VARIANTS[name]
     traced = traced_dimensions(mechanism, poses(mechanism, 1)[0], tuple(mechanism.dimensions()))
-    assert tuple(traced.sizes) == tuple(mechanism.dimensions())
+    assert tuple(traced.sizes) == (*mechanism.dimensions(), *sides_of(mechanism))
     assert len(traced.guards) == (0 if isinstance(mechanism, vad.RSSR) else 1)
 
 
