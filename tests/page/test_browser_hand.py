@@ -228,7 +228,7 @@ def test_what_is_wrong_is_said_and_nothing_changes(page: Page) -> None:
         ("{ angle: '3' }", "angle: must be a finite number"),
         ("{ angle: NaN }", "angle: must be a finite number, got NaN"),
         ("{ angle: [3] }", "angle: must be a finite number"),
-        ("{ assembly: 'crossed' }", 'assembly: this page has "open", got "crossed"'),
+        ("{ assembly: 'parallel' }", 'assembly: must be "open" or "crossed", got "parallel"'),
         ("null", "must be an object"),
         ("[1]", "must be an object"),
         ("{ __proto__: null, constructor: 3 }", "constructor: this page has no such input"),
@@ -272,7 +272,7 @@ def test_the_links_stop_where_they_part(browser: Browser, tmp_path: Path) -> Non
         press(page, "End", "h", "End")
         assert angle(page) == pytest.approx(120.25478740083423, abs=1e-9)
         expect(page.locator(".said p")).to_have_text(
-            "Limit position at 120.3°: beyond it the links part."
+            "Limit position at 120.3°: BC and DC are in line."
         )
         assert "ω3= –" in page.locator(".results").inner_text()
         assert "10" in page.locator(".results tr").nth(1).inner_text()

@@ -13,7 +13,7 @@
     waiting.delete(id);
   });
   // How high the frame must be, so that the board is as wide as the cell; for the forms of the page
-  // see player.css.
+  // see page.css.
   globalThis.stood = () => {
     const page = document.querySelector(".vad"), board = page.querySelector(".board");
     const high = board.style.getPropertyValue("--h"), rail = innerWidth >= 1024 ? page.querySelector(".rail").offsetWidth : 0;

@@ -28,12 +28,26 @@ function choice([point, text, choices]) {
   ways.append(...choices.map(([way, words]) => {
     const label = element("label", {}), input = element("input", { type: "radio", name: `place-${point}`, value: way });
     input.checked = way === set.places[point];
-    input.addEventListener("change", () => { set.places[point] = way; want(true); });
+    input.addEventListener("change", () => { set.places[point] = way; assembled(); });
     label.append(input, words);
     return label;
   }));
   place.append(ways);
   return place;
+}
+
+// Shows what is set of the places of points; of a page that has such an assembly, or by a new one.
+function assembled() {
+  const ways = stands() ? standing.body.data.assemblies : [];
+  const number = ways.findIndex(([name]) => typeof name === "string" ? name === set.places[""]
+    : name && Object.entries(name).every(([point, way]) => way === set.places[point]));
+  if (number < 0) want(true);
+  else standing.dock.assemble(number);
+}
+
+function placed(places) {
+  Object.assign(set.places, places);
+  for (const input of root.querySelectorAll("#places input")) input.checked = set.places[input.name.slice(6)] === input.value;
 }
 
 function element(name, attributes) {

@@ -4,10 +4,10 @@
 const stands = () => standing && standing.mechanism === set.mechanism;
 const parsed = (html) => new DOMParser().parseFromString(html, "text/html").querySelector("main");
 
-// The inputs and dimensions of a pose.
+// The inputs, dimensions and the assembly of a pose.
 const poseNow = () => {
   const { body } = standing, { data, state } = body;
-  return [body.place, ...state.slice(1, data.own.length), ...data.dimensions.map((each) => state[each[5]])].join();
+  return [body.place, ...state.slice(1, data.own.length), body.key(state)].join();
 };
 
 // Where the number of a further point is, as "P.angle".
@@ -21,7 +21,14 @@ function resize(name, value) {
 function poseOf({ input, parameters }) {
   const { data, turns } = standing.body, within = (degrees) => degrees % 360 + (degrees % 360 < 0 ? 360 : 0);
   const own = data.inputs.slice(0, data.own.length).map((name, i) => i || !turns ? input[name] : within(input[name]));
-  return [...own, ...data.dimensions.map(([name]) => parameters[name] ?? pointOf(name)[0][pointOf(name)[1]])].join();
+  const sizes = data.dimensions.map(([name]) => parameters[name] ?? pointOf(name)[0][pointOf(name)[1]]);
+  return [...own, ...sizes, ...data.sides.map(() => 1)].join();
+}
+
+// The places of points in the assembly that the page shows.
+function placesNow() {
+  const { body } = standing, [name] = body.data.assemblies[body.assembly()];
+  return typeof name === "string" ? { "": name } : name ?? {};
 }
 
 // The settings follow the hand; a fair copy of another pose gives way.
@@ -30,6 +37,7 @@ function followed() {
   const { body, copied } = standing, { data, state } = body;
   data.inputs.slice(0, data.own.length).forEach((name, i) => (set.inputs[name] = i ? state[i] : body.place));
   for (const [name, , , , , index] of data.dimensions) resize(name, state[index]);
+  if (data.sides.length) placed(placesNow());
   const same = poseNow() === copied;
   root.classList.toggle("copied", same);
   if (!same) want();
@@ -83,12 +91,14 @@ function memory() {
   return { x: player.x, held: dock.held, running: root.classList.contains("turning"), kept: dock.kept, past: dock.history,
     shows: [...root.querySelectorAll(".shows button")].map((each) => each.getAttribute("aria-pressed")),
     closed: rail.classList.contains("closed"), scrolled: rail.scrollTop, focus: all.indexOf(document.activeElement), count: all.length,
-    inputs: body.data.inputs.join(), open: [...root.querySelectorAll(".set details")].map((each) => each.open) };
+    inputs: body.data.inputs.join(), sides: body.data.sides.map((at) => body.state[at]), open: [...root.querySelectorAll(".set details")].map((each) => each.open) };
 }
 
 function recalled(was) {
   const { dock, body } = standing, all = root.querySelectorAll("button, input, select, summary, a");
-  if (was.inputs === body.data.inputs.join()) dock.history = was.past;
+  // The assembly that was taken is the page's own now.
+  const turned = (state) => state.map((value, i) => value * (was.sides[body.data.sides.indexOf(i)] ?? 1));
+  if (was.inputs === body.data.inputs.join()) dock.history = was.past.map((states) => states.map(turned));
   rail.classList.toggle("closed", was.closed);
   root.querySelectorAll(".shows button").forEach((each, i) => { if (was.shows[i] && each.getAttribute("aria-pressed") !== was.shows[i]) each.click(); });
   root.querySelectorAll(".set details").forEach((each, i) => (each.open = was.open[i] ?? false));

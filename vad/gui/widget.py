@@ -124,16 +124,17 @@ def _motion(question: Question) -> Motion:
 
 
 def _posed(question: Question, pose: Mapping[str, object]) -> Question:
-    """Return a question with other numbers of its mechanism; those of further points are left."""
+    """Return a question in another pose of its mechanism; that of further points is left."""
     kind = question.kinds[question.mechanism]
     known = {each.name for each in fields(kind)}
-    given = {name: number(name, value) for name, value in pose.items()}
+    given = {name: number(name, value) for name, value in pose.items() if name != "assembly"}
     parameters = {name: value for name, value in given.items() if name in known}
     inputs = {name: value for name, value in given.items() if name in kind.inputs}
     return replace(
         question,
         parameters={**question.parameters, **parameters},
         inputs={**question.inputs, **inputs},
+        assembly=pose.get("assembly", question.assembly),
     )
 
 

@@ -39,6 +39,8 @@ _PLAYING = """return (root, data) => {
   const player = mount(root, data, { address: false });
   const body = driven(root, solver(data.program), data.hand), dock = docked(root, body, player);
   curved(root, body, dock, railed(root, body, dock));
+  hidden(root, body, dock);
+  described(root, body, player);
   return { player, body, dock, outside: outside(root, body, dock, player) };
 };"""
 #: The letters that the words about any mechanism may need.
@@ -77,7 +79,11 @@ def window(start: ExportQuestion, nonce: str, head: str = "") -> str:
         head=head,
         style=start.style,
         themes=" ".join(style.name for style in themes(load_style(start.style))),
-        rules=_faces() + asset("player.css") + _file("window.css") + colours(start.style, inks),
+        rules=_faces()
+        + asset("page.css")
+        + asset("player.css")
+        + _file("window.css")
+        + colours(start.style, inks),
         mechanisms=_options({name: each["title"] for name, each in entries.items()}),
         shelf=_options(shelf.examples),
         languages=_options({each: each.upper() for each in all_languages()}),

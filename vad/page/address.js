@@ -2,12 +2,23 @@
 // writes what differs from the lesson's own.
 
 function addressed(root, body, dock, page, player) {
-  const { data, state } = body, names = Object.keys(page.state);
+  // A pose as entries of an address: of an assembly by points one for each of these.
+  const entries = ({ assembly, ...numbers }) => [
+    ...Object.entries(numbers).map(([name, value]) => [name, `${+value.toPrecision(12)}`]),
+    ...(typeof assembly === "string" ? [["assembly", assembly]]
+      : Object.entries(assembly ?? {}).map(([point, word]) => [`assembly.${point}`, word])),
+  ];
+  const own = new Map(entries(page.state)), [driver] = own.keys();
 
   function open() {
     if (!location.hash.startsWith("#hand")) return;
     const asked = {};
-    for (const [name, value] of new URLSearchParams(location.hash.slice(1))) if (names.includes(name) && value.trim()) asked[name] = +value;
+    for (const [name, value] of new URLSearchParams(location.hash.slice(1))) {
+      const [, point] = name.split("assembly.");
+      if (!own.has(name) || !value.trim()) continue;
+      if (point) asked.assembly = { ...asked.assembly, [point]: value };
+      else asked[name] = name === "assembly" ? value : +value;
+    }
     page.pose(asked);
   }
 
@@ -15,10 +26,9 @@ function addressed(root, body, dock, page, player) {
   function write() {
     clearTimeout(timer);
     if (dock.held) timer = setTimeout(() => {
-      const now = page.state, own = data.dimensions.map((each) => each[5]);
-      const differs = (name, i) => state[i < data.own.length ? i : own[i - data.own.length]] !== data.start[i < data.own.length ? i : own[i - data.own.length]];
-      const told = names.map((name, i) => differs(name, i) || !i ? `&${name}=${+now[name].toPrecision(12)}` : "").join("");
-      try { history.replaceState(null, "", `#hand${told}`); } catch { /* a frame without an address */ }
+      const told = entries(page.state).filter(([name, value]) => name === driver || value !== own.get(name));
+      const pairs = told.map(([name, value]) => `&${name}=${encodeURIComponent(value)}`).join("");
+      try { history.replaceState(null, "", `#hand${pairs}`); } catch { /* a frame without an address */ }
     }, 250);
     else if (location.hash.startsWith("#hand"))
       try { history.replaceState(null, "", `#step=${Math.ceil(player.x)}`); } catch { /* the same */ }

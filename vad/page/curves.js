@@ -27,7 +27,7 @@ function curved(root, body, dock, showing) {
 
   // All poses of the driver's stretches, with the rates and dimensions of now.
   function solved() {
-    const now = [...body.state.slice(1, 3), ...data.dimensions.map((each) => body.state[each[5]]), ...body.ranges.flat()].join();
+    const now = [...body.state.slice(1, 3), body.key(body.state), ...body.ranges.flat()].join();
     if (now === known) return;
     known = now;
     const whole = body.ranges.reduce((sum, [low, high]) => sum + high - low, 0) || 1;

@@ -21,7 +21,8 @@ function docked(root, body, player) {
   const { data, turns, state } = body, { words } = data, [unit] = data.units, [symbol] = data.symbols;
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
   const track = one(".turner"), box = one(".said input"), text = one(".said p"), ticks = one(".ticks");
-  const back = one("[data-do=return]"), all = one("[data-do=all]"), { status } = player;
+  const back = one("[data-do=return]"), all = one("[data-do=all]"), other = one("[data-do=other]"), { status } = player;
+  const running = () => root.classList.contains("turning");
   const [low, high] = turns ? [0, 360] : [data.ranges[0][0], data.ranges.at(-1)[1]];
   const little = turns ? 1 : round125((high - low) / 100), far = turns ? 90 : (high - low) / 4;
   const digits = turns ? 1 : Math.max(0, 1 - Math.floor(Math.log10(little)));
@@ -53,7 +54,7 @@ function docked(root, body, player) {
 
   function sentence() {
     if (mishap) return [mishap, ""];
-    if (body.atEnd) return [filled(words.limit, { place: placed() }), ""];
+    if (body.atEnd) return [filled(words.limit, { place: placed(), why: body.parting() ?? words.parted }), ""];
     if (body.dead) return [filled(words.dead, { place: placed() }), ""];
     const [panel, step] = player.where(), whole = player.x >= player.strokes();
     return [words[data.turn], whole ? "" : filled(words.shown, { panel: data.panels[panel], step })];
@@ -63,6 +64,7 @@ function docked(root, body, player) {
     const [said, more] = sentence(), now = `${said} ${more}`.trim();
     text.replaceChildren(said, span("more", more && ` ${more}`));
     root.classList.toggle("limited", body.atEnd || body.dead);
+    other.hidden = mishap || !body.atEnd || running() || body.beyond() < 0;
     track.setAttribute("aria-valuetext", turns ? filled(words.degrees, { value: here() }) : placed());
     if (body.atEnd && spoken !== now) speak();
   }
@@ -162,6 +164,23 @@ function docked(root, body, player) {
     settle();
   }
 
+  // Takes another assembly, with the driver where it is, or at the nearest place that closes; then it
+  // may go on.
+  function assemble(number, by = 0) {
+    begin();
+    body.set(body.assembled(number));
+    body.move(by);
+    scale();
+    commit();
+  }
+
+  // At a limit the driver turns back while the links go on, in the other assembly.
+  function further() {
+    const [low, high] = body.range;
+    assemble(body.beyond(), 2 * state[0] < low + high ? little : -little);
+    track.focus({ preventScroll: true });
+  }
+
   // ---- the two modes ----
 
   function enter() {
@@ -199,7 +218,7 @@ function docked(root, body, player) {
 
   // What is driven glides to the lesson's pose, the shorter way.
   function glide(then) {
-    const from = [...state], to = data.start;
+    const from = body.assembled(0), to = data.start;
     let turn = to[0] - from[0];
     if (turns && !body.bounded) turn -= 360 * Math.round(turn / 360);
     const begun = performance.now(), still = calm.matches || from.every((value, i) => value === to[i]);
@@ -245,7 +264,7 @@ function docked(root, body, player) {
 
   function halt() {
     cancelAnimationFrame(frame);
-    if (root.classList.contains("turning")) {
+    if (running()) {
       root.classList.remove("turning");
       one("[data-do=play]").classList.remove("on");
       name_("play", words.play);
@@ -255,7 +274,7 @@ function docked(root, body, player) {
   }
 
   function play() {
-    if (root.classList.contains("turning")) return halt();
+    if (running()) return halt();
     begin();
     body.rest();
     way = Math.sign(state[1]) || 1;
@@ -305,6 +324,7 @@ function docked(root, body, player) {
     lesson: () => leave(),
     return: () => leave(),
     all: () => { player.seek(player.strokes()); offer(); say(); back.focus(); },
+    other: further,
     undo: () => redone(true),
     redo: () => redone(false),
   });
@@ -342,7 +362,7 @@ function docked(root, body, player) {
   for (const each of root.querySelectorAll(".switch, dl.own")) each.hidden = false;
 
   return {
-    run, keys: acts.keys, begin, commit, settle, enter, leave, say, scale, number, read, fault,
+    run, keys: acts.keys, assemble, begin, commit, settle, enter, leave, say, scale, number, read, fault,
     on: (listener) => listeners.push(listener),
     // Whom to ask for what this page's program does not hold for: beyond(name, value).
     beyond: null,

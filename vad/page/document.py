@@ -26,10 +26,12 @@ from vad.words import Language
 
 #: The style of what is printed, if the page has it.
 _PRINTED = "paper"
-# A page unpacks its script and its data, and only then is more than a sheet and a list.
+# A page unpacks its script, its data and the rules for both, and only then is more than a sheet and
+# a list.
 _BEGIN = (
     "const packed=JSON.parse(unpack(document.getElementById('data').textContent)),"
-    "script=document.createElement('script');"
+    "[style,script]=['style','script'].map((name)=>document.createElement(name));"
+    "style.textContent=packed[3];document.head.append(style);"
     "script.textContent=packed[0];document.body.append(script);"
 )
 _START = (
@@ -50,12 +52,14 @@ _HAND = (
     "dock.js",
     "rail.js",
     "curves.js",
+    "rows.js",
+    "described.js",
     "outside.js",
     "address.js",
 )
 _TURNED = (
     "const body=driven(root,solver(data.program),data.hand),dock=docked(root,body,player);"
-    "curved(root,body,dock,railed(root,body,dock));"
+    "curved(root,body,dock,railed(root,body,dock));hidden(root,body,dock);described(root,body,player);"
     "window.vad=outside(root,body,dock,player);body.show();addressed(root,body,dock,vad,player);"
     "if(data.turning)dock.run();"
 )
@@ -122,13 +126,13 @@ def document(lesson: Lesson, start: int = 0, *, sliders: bool = True, turning: b
         "default-src 'none'; style-src 'unsafe-inline'; font-src data:; "
         f"script-src {allowed}; base-uri 'none'; form-action 'none'"
     )
-    bundle = packed(_json([run[1], data, layers]))
+    bundle = packed(_json([run[1], data, layers, asset("player.css")]))
     return (
         f'<!DOCTYPE html>\n<html lang="{lesson.sheet.language}">\n<head>\n<meta charset="utf-8">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         '<meta name="viewport" content="width=device-width,initial-scale=1">\n'
         f"<title>{escape(title(lesson.sheet))}</title>\n"
-        f"<style>\n{made.faces.rules()}{asset('player.css')}"
+        f"<style>\n{made.faces.rules()}{asset('page.css')}"
         f"{colours(lesson.style, len(lesson.sheet.rows))}{made.looks}"
         f"</style>\n</head>\n<body>\n{section(lesson, made)}"
         f'<script type="text/plain" id="data">{bundle}</script>\n'

@@ -7,7 +7,12 @@
 //   guards       outputs that are truth values, and what they are while the picture holds
 //   rates        for each rate an output that exists wherever it does
 //   dimensions   of each its name, value, ends, unit and its place among the inputs
+//   assemblies   of each its name, and the factors of its loops, which are the inputs "sides"
+//   limits       outputs that are zero where links part, and how they stand there
 // Listeners hear of every pose: on(listener).
+
+// Of the size of a mechanism: two places that are nearer are one.
+const MEETING = 1e-4;
 
 function driven(root, solve, data) {
   const view = picture(root, solve, data), { state, out } = view;
@@ -28,9 +33,36 @@ function driven(root, solve, data) {
     return data.guards.every(([at, value]) => out[at] === value);
   }
 
+  // What does not move with the driver: the dimensions, and the factors of the loops.
   function key(values) {
-    return data.dimensions.map((each) => values[each[5]]).join();
+    return [...data.dimensions.map((each) => values[each[5]]), ...data.sides.map((at) => values[at])].join();
   }
+
+  // A state in another assembly, by its number.
+  function assembled(number, values = state) {
+    const found = [...values];
+    data.assemblies[number][1].forEach((factor, i) => (found[data.sides[i]] = factor));
+    return found;
+  }
+
+  const assembly = (values = state) => data.assemblies.findIndex(([, factors]) => factors.every((factor, i) => factor === values[data.sides[i]]));
+
+  // The assembly into which this one goes over at a limit: there all points are at one place in both.
+  function beyond() {
+    const places = () => data.closes.map((at) => out[at]);
+    const here = places(), size = Math.max(...here.map(Math.abs)), now = assembly();
+    const away = data.assemblies.map((_, number) => {
+      if (number === now) return Infinity;
+      solve(...assembled(number), out, 0);
+      return Math.max(...places().map((at, i) => (at - at === 0 ? Math.abs(at - here[i]) : Infinity)));
+    });
+    solve(...state, out, 0);
+    const nearest = away.indexOf(Math.min(...away));
+    return away[nearest] < MEETING * size ? nearest : -1;
+  }
+
+  // How the links stand where they part.
+  const parting = () => data.limits.reduce((least, each) => Math.abs(out[each[0]]) < Math.abs(out[least[0]]) ? each : least, data.limits[0])?.[1];
 
   // The stretches for the dimensions of now.
   function search() {
@@ -92,7 +124,7 @@ function driven(root, solve, data) {
   const within = (degrees) => (degrees % 360 + (degrees % 360 < 0 ? 360 : 0));
 
   return {
-    data, turns, ends, state, out, view, solve, closes, holds, set, move, show,
+    data, turns, ends, state, out, view, solve, closes, holds, set, move, show, key, assembly, assembled, beyond, parting,
     on: (listener) => listeners.push(listener),
     rest: () => { wanted = state[0]; },
     get ranges() { return ranges; },

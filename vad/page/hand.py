@@ -22,6 +22,8 @@ from vad.page.curves import curves
 from vad.page.ink import Inker, when
 from vad.page.solved import given, proofs, template
 from vad.page.solver import solver_data
+from vad.page.spoken import spelled
+from vad.page.ways import ways
 from vad.painting.svg_elements import number
 from vad.plan.board import Plan
 from vad.plan.geometry import Rect
@@ -191,6 +193,7 @@ def hand(board: HandBoard, plan: Plan, inker: Inker, write: Callable[[Runs], str
         "ranges": closing_range(board.mechanism),
         "moves": moves,
         "labels": labels,
+        "spelled": [spelled(label.name.split(" ")[0], sheet.language) for label in board.labels],
         "nears": [[[*near, *(near[0] + far for far in _FAR)], len(near)] for near in nears],
         "leader": leader.partition('class="')[2].partition('"')[0],
         "blocks": blocks,
@@ -212,6 +215,7 @@ def hand(board: HandBoard, plan: Plan, inker: Inker, write: Callable[[Runs], str
     layers[regions[0]] += ring
     data |= _described(board, sheet, outputs, write)
     data["curves"] = curves(board, sheet, outputs.of)
+    data |= ways(board, sheet.language, outputs.of)
     program, count = traced.program(outputs.numbers), len(traced.guards)
     last = [*program.outputs[count:], *program.outputs[:count]]
     program = Program(program.inputs, last, len(last))

@@ -11,13 +11,26 @@ function outside(root, body, dock, player) {
   const wrong = (said, hint) => hint ? { error: said, hint } : { error: said };
   const quoted = (value) => { try { return String(JSON.stringify(value)).slice(0, 60); } catch { return typeof value; } };
 
+  // The number of an assembly by its name, or by the places of some points; -1 for none. Where there
+  // is but one, its name has no effect.
+  const ways = data.assemblies.map(([name]) => name), any = ["open", "crossed"];
+  function wayOf(value) {
+    const own = ways[body.assembly()];
+    if (own === null) return value === null || any.includes(value) ? 0 : -1;
+    if (typeof own === "string" || value === null || typeof value !== "object") return ways.indexOf(value);
+    const points = Object.keys(own), known = Object.keys(value).every((point) => points.includes(point));
+    return known ? ways.findIndex((way) => points.every((point) => way[point] === (value[point] ?? own[point]))) : -1;
+  }
+
   // The state that is asked for, or what is wrong with it.
   function gate(asked) {
     if (asked === null || typeof asked !== "object" || Array.isArray(asked)) return wrong(words.request, "{angle: 40}");
     const found = [...state];
     for (const [name, value] of Object.entries(asked)) {
       if (name === "assembly") {
-        if (quoted(value) !== JSON.stringify(data.solved.assembly)) return wrong(filled(words.assembly, { name: quoted(data.solved.assembly), value: quoted(value) }));
+        const number = wayOf(value), known = ways[0] === null ? any : ways;
+        if (number < 0) return wrong(filled(words.assembly, { names: known.map(quoted).join(words.or), value: quoted(value) }));
+        found.splice(0, found.length, ...body.assembled(number, found));
         continue;
       }
       const index = names.indexOf(name);
@@ -36,7 +49,7 @@ function outside(root, body, dock, player) {
   function unclosed(values) {
     const [name] = names, degree = turns ? "°" : ` ${data.units[0]}`, place = `${values[0]}${degree}`;
     const closes = (at) => { body.solve(at, ...values.slice(1), own, 0); return exists(data.closes); };
-    const same = data.dimensions.every((each) => values[each[5]] === data.start[each[5]]);
+    const same = body.key(values) === body.key(data.start);
     const ranges = same ? data.ranges : stretches(closes, ...body.ends, turns);
     if (!ranges.length) return wrong(filled(words["unclosed-nowhere"], { name, place }));
     const written = ranges.map((ends) => ends.map((end) => `${+end.toPrecision(6)}${degree}`).join(" … ")).join(words.and);
@@ -61,11 +74,15 @@ function outside(root, body, dock, player) {
     for (const [name, part] of Object.entries(solved))
       if (name === "input") found.input = Object.fromEntries(part.map((each, i) => [each, values[i]]));
       else if (name === "parameters") found.parameters = { ...part, ...Object.fromEntries(data.dimensions.filter(([each]) => each in part).map((each) => [each[0], values[each[5]]])) };
+      else if (name === "assembly") found.assembly = ways[body.assembly(values)];
       else found[name] = ["links", "joints", "points", "slides"].includes(name) ? read(part) : part;
     return found;
   }
 
-  const now = () => Object.fromEntries(names.map((name, i) => [name, i ? state[places[i]] : body.place]));
+  const now = () => ({
+    ...Object.fromEntries(names.map((name, i) => [name, i ? state[places[i]] : body.place])),
+    ...(ways.length > 1 && { assembly: ways[body.assembly()] }),
+  });
 
   // Shows a pose, as if a hand had set it.
   function pose(asked = {}) {

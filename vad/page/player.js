@@ -257,6 +257,12 @@ export function mount(root, data, { address = true } = {}) {
       const themes = root.dataset.themes.split(" ");
       root.dataset.theme = themes.find((each) => each !== root.dataset.theme) ?? themes[0];
     },
+    // One panel alone, as large as the window has room for; again, all of them.
+    large: (panel = lesson.panel) => {
+      const large = !root.classList.contains("large");
+      root.classList.toggle("large", large);
+      lesson.pictures.forEach((picture, i) => picture.closest(".panel").classList.toggle("big", large && i === panel));
+    },
     full: () => document.fullscreenElement ? document.exitFullscreen() : root.requestFullscreen?.().catch(() => {}),
     keys: () => dialog.showModal(),
     close: () => dialog.close(),
@@ -271,7 +277,7 @@ export function mount(root, data, { address = true } = {}) {
   }
 
   const KEYS = { ArrowRight: "forward", PageDown: "forward", ArrowLeft: "back", PageUp: "back", Home: "first", End: "last" };
-  const LETTERS = { " ": "play", k: "play", s: "strokes", t: "theme", f: "full", h: "hand", "?": "keys" };
+  const LETTERS = { " ": "play", k: "play", s: "strokes", t: "theme", f: "full", h: "hand", z: "large", "?": "keys" };
 
   function key(event) {
     const target = event.composedPath()[0], name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
@@ -331,6 +337,8 @@ export function mount(root, data, { address = true } = {}) {
     // The last stroke that is drawn: its panel, and its number there.
     where: () => { const last = Math.max(0, Math.ceil(x) - 1), panel = panelOf(last); return [panel, last - lesson.first[panel] + 1]; },
     strokes,
+    // Whether all of a panel is drawn.
+    whole: (panel) => x >= lesson.first[panel] + length(panel),
     dispose: () => { stop(); sized.disconnect(); over.abort(); },
     get x() { return x; },
   };

@@ -106,6 +106,31 @@ function railed(root, body, dock) {
     }
   }
 
+  // In which way it is assembled: of each point that is placed, or of the whole mechanism, a choice.
+  const taken = () => data.assemblies[body.assembly()][0];
+  const choices = data.places.map(([point, words]) => {
+    const buttons = words.map(([word, text]) => {
+      const input = element("input", { type: "radio", name: `place ${point}`, value: word });
+      input.addEventListener("change", () => {
+        const wanted = point ? { ...taken(), [point]: word } : word;
+        dock.assemble(data.assemblies.findIndex(([name]) => point ? Object.entries(wanted).every(([each, way]) => name[each] === way) : name === wanted));
+      });
+      return [input, element("label", {}, input, text)];
+    });
+    const row = element("div", {}, element("span", { textContent: point }), ...buttons.map(([, label]) => label));
+    row.setAttribute("role", "radiogroup");
+    row.setAttribute("aria-label", point || words.assemblies);
+    const show = () => {
+      const now = taken();
+      for (const [input] of buttons) {
+        input.checked = input.value === (point ? now[point] : now);
+        input.disabled = point && !data.assemblies.some(([name]) => Object.entries({ ...now, [point]: input.value }).every(([each, way]) => name[each] === way));
+      }
+    };
+    return { row, show };
+  });
+  if (choices.length) section(words.assemblies, ...choices.map(({ row }) => row)).className = "assembly";
+
   // What is shown, each by a button.
   const shows = section(words.show);
   shows.className = "shows";
@@ -123,7 +148,7 @@ function railed(root, body, dock) {
   const called = ({ name }) => `${(data.names ?? {})[name] ?? name} `.replaceAll(" ", "\u00a0");
   const valued = ({ index, step, unit }) => `${written(tidy(state[index], step))}${unit && unit !== "°" ? "\u00a0" : ""}${unit}`;
   function follow() {
-    for (const each of rows) each.show();
+    for (const each of [...rows, ...choices]) each.show();
     for (const [span, text] of items) {
       const rest = (each) => text.replaceAll(" ", "\u00a0").split(called(each));
       const own = rows.find((each) => each.index >= data.own.length && !rest(each)[0] && /^[−\d]/.test(rest(each)[1]));

@@ -50,7 +50,7 @@ function scales(root, data, out, state) {
     polygon.to = centred(inner, found, lost ? spared : Math.min(spared, factor));
   }
 
-  const resized = () => data.dimensions.some(([, value, , , , at]) => state[at] !== value);
+  const resized = () => [...data.dimensions.map((each) => each[5]), ...data.sides].some((at) => state[at] !== data.start[at]);
 
   function choose(still) {
     let moving = false;

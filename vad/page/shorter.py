@@ -39,7 +39,8 @@ _GLOBALS = frozenset(
         Map Math NaN Number
         Object Promise ResizeObserver Set String TextDecoder URLSearchParams Uint8Array
         addEventListener atob
-        cancelAnimationFrame clearTimeout console document getComputedStyle getSelection history
+        cancelAnimationFrame clearTimeout console document encodeURIComponent
+        getComputedStyle getSelection history
         innerHeight innerWidth isNaN location matchMedia navigator parent performance
         requestAnimationFrame setTimeout vad
         window""",

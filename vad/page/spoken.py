@@ -32,6 +32,17 @@ def spoken(pieces: tuple[TextPiece, ...], code: str) -> str:
     return text.strip()
 
 
+def spelled(symbol: str, code: str) -> str:
+    """Return what a symbol says in words of the language ``code``.
+
+    Examples
+    --------
+    >>> spelled("b′ₙ", "en")
+    'b prime n'
+    """
+    return spoken((TextPiece(symbol, "symbol"),), code)
+
+
 def _read(piece: TextPiece, signs: Mapping[str, str]) -> Iterator[str]:
     """Yield the words for a piece, by what it is."""
     if piece.kind == "unit":

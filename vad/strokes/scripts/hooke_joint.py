@@ -133,10 +133,7 @@ class Script(BodyScript):
         way = AXIS * (low["T"] - o) / abs(low["T"] - o)
         construction("OT.line", through(o, way), "OT", "cross")
         left = Term(self.scene.write("hooke tangent", theta="θ₄"), "driven", "Q.angle")
-        apart = self.scene.say("degrees", angle=shafts)
-        right = Term(
-            self.scene.write("hooke ratio", theta="θ₂", shafts=apart), "driving", "P.angle"
-        )
+        right = Term(self.scene.write("hooke ratio", theta="θ₂", shafts="β"), "driving", "P.angle")
         notes = self.note(AXIS + 1.2j, "along"), self.note(o + AXIS - 1j, "plan")
         return self.finished((left,), (right,), *notes)
 
