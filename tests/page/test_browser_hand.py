@@ -513,6 +513,18 @@ def test_the_crank_glides_back_the_shorter_way(browser: Browser, tmp_path: Path)
         assert all(angle > 299 or angle < 61 for angle in between)
 
 
+def test_a_page_shows_and_answers_for_the_other_assembly(page: Page) -> None:
+    wanted = vad.solve(vad.FourBar(assembly="crossed"), angle=40.0).to_dict()
+    found = page.evaluate("() => vad.solve({ assembly: 'crossed', angle: 40, alpha: 0 })")
+    assert found["assembly"] == "crossed" and found["parameters"] == wanted["parameters"]
+    for name, place in wanted["points"].items():
+        assert found["points"][name] == pytest.approx(place, rel=1e-12, abs=1e-9)
+    assert page.evaluate("() => vad.pose({ assembly: 'crossed' }).assembly") == "crossed"
+    expect(page.locator(".assembly :checked")).to_have_value("crossed")
+    page.locator(".assembly [value=open]").check()
+    assert page.evaluate("() => vad.state.assembly") == "open"
+
+
 def test_forced_colours_show_the_mode_and_the_handle(page: Page) -> None:
     page.emulate_media(forced_colors="active")
     press(page, "h")
