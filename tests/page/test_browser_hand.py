@@ -517,8 +517,9 @@ def test_a_page_shows_and_answers_for_the_other_assembly(page: Page) -> None:
     wanted = vad.solve(vad.FourBar(assembly="crossed"), angle=40.0).to_dict()
     found = page.evaluate("() => vad.solve({ assembly: 'crossed', angle: 40, alpha: 0 })")
     assert found["assembly"] == "crossed" and found["parameters"] == wanted["parameters"]
-    for name, place in wanted["points"].items():
-        assert found["points"][name] == pytest.approx(place, rel=1e-12, abs=1e-9)
+    for name, point in wanted["points"].items():
+        for what, vector in point.items():
+            assert found["points"][name][what] == pytest.approx(vector, rel=1e-12, abs=1e-9)
     assert page.evaluate("() => vad.pose({ assembly: 'crossed' }).assembly") == "crossed"
     expect(page.locator(".assembly :checked")).to_have_value("crossed")
     page.locator(".assembly [value=open]").check()
