@@ -201,4 +201,7 @@ def test_a_diagram_is_drawn_where_it_applies_in_the_plane_and_in_space(tmp_path:
     assert all(names == [*usual, "force"] for names in said.values())
     message, hint = errors.strip().splitlines()[-2:]
     assert message == "error: panel 'force' does not apply to scotch-yoke"
-    assert hint == "hint: known for scotch-yoke: position, velocity, acceleration, drive"
+    assert (
+        hint
+        == "hint: known for scotch-yoke: position, centres, turned, velocity, acceleration, drive"
+    )

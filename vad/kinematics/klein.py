@@ -156,8 +156,8 @@ def figure_of(evaluation: Evaluation) -> dict[str, Number]:
     along = dot(q - a, rod) / dot(guide, rod)
     return {
         "M": b + rod * m,
-        "K": q + upright * half,
-        "L": q - upright * half,
+        "K": q - upright * half,
+        "L": q + upright * half,
         "Q": q,
         "N": a + guide * along,
     }

@@ -164,7 +164,7 @@ def animate(
         longest = max(map(_length, panel.strokes), default=0.0)
         for index, stroke in enumerate(panel.strokes):
             last = index + 1 == len(panel.strokes)
-            begun = panel.loops[loop - 1] if 1 < loop <= len(panel.loops) else 0
+            begun = panel.loops[loop - 1] if 1 < loop <= len(panel.loops) else panel.given
             glide, settle = (GLIDE, SETTLE) if last and opens(sheet, panel) else (0.0, 0.0)
             if index < begun:
                 grow, hold = 0.0, LOOK if index + 1 == begun else 0.0

@@ -39,6 +39,7 @@ from vad.plan.page.table import CLEAR, EQUALS, VALUES, Columns, alike
 from vad.plan.page.table import table as laid_out
 from vad.plan.scale import bar
 from vad.strokes.description import parameters
+from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Cell, Panel, Row
 from vad.style import load_style
@@ -194,6 +195,8 @@ def turned_board(lesson: Lesson) -> HandBoard | None:
     if not sheet.source:
         return None
     names, form = [panel.name for panel in sheet.panels], screen(SIZE)
+    if not all(DIAGRAMS[name].by_hand for name in names if name in DIAGRAMS):
+        return None
     lines = caption_lines(sheet, form.width - 2 * MARGIN)
     return hand_board(sheet.source.mechanism, names, sheet.language, form, lines)
 

@@ -28,7 +28,7 @@ from vad.plan.items import (
     head_of,
     in_painting_order,
 )
-from vad.plan.layout import MARGIN, OVERLAP, Page, lay_out, rooms
+from vad.plan.layout import MARGIN, OVERLAP, Page, beside, lay_out, rooms
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Bow, Disc, Lettering, Outline, Polygon, Polyline, Wandering
 from vad.plan.page.changing import (
@@ -43,6 +43,7 @@ from vad.plan.page.changing import (
 from vad.plan.page.heads import Foot, compose, lines_of, title_marks
 from vad.plan.page.table import height_of_halves
 from vad.plan.pictures import sketched
+from vad.plan.pictures.figures import turned_polygons
 from vad.plan.pictures.views import folds
 from vad.plan.reach import corners
 from vad.plan.scale import Scale, is_tall
@@ -164,7 +165,8 @@ def plan(
         taken = None
         for half, room in rooms(panel, page.panels[panel.name].drawing, OVERLAP):
             scale = scales.get(half.name)
-            setting = Setting(sheet, half, room, rows, first, form.centimetre, scale, taken)
+            aside = beside(panel, page.panels[panel.name].drawing)
+            setting = Setting(sheet, half, room, rows, first, form.centimetre, scale, taken, aside)
             sketches[half.name] = sketched(setting)
             taken = sketches[half.name].obstacles
             first += len(half.strokes)
@@ -172,6 +174,7 @@ def plan(
     items = [item for sketch in sketches.values() for item in sketch.items]
     items += lights(sketches)
     items += folds(sketches)
+    items += turned_polygons(sketches)
     if words:
         items += [
             Item("", TITLE, Level.GROUND, tuple(title_marks(sheet, page))),

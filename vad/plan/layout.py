@@ -7,12 +7,13 @@ page of a turn each panel has its picture and its own curve; two polygons may sh
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from vad.errors import UsageError
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import TITLE, curve_of, head_of
+from vad.plan.reach import kennedy_circle
 from vad.strokes.sheet import Panel
 
 MARGIN = 0.05
@@ -39,6 +40,9 @@ LOWEST = 0.05  # a curve that is less high cannot be read
 LOWER = 0.5
 #: The labels below the upper polygon and above the lower one share so much of the height.
 OVERLAP = 0.045
+#: The most of a drawing that the circle of bodies takes: of its width beside the mechanism, of its
+#: height below it.
+CIRCLE_WIDE, CIRCLE_HIGH = 0.36, 0.40
 
 
 @dataclass(frozen=True, slots=True)
@@ -323,10 +327,32 @@ def _place_of_turn(left: float, right: float, rule: float, bottom: float) -> Pan
 
 
 def rooms(panel: Panel, drawing: Rect, overlap: float = 0.0) -> list[tuple[Panel, Rect]]:
-    """Return the halves of a panel with their rooms, which ``overlap`` where labels stand."""
+    """Return the halves of a panel with their rooms, which ``overlap`` where labels stand.
+
+    That of a mechanism leaves room for the circle of its bodies.
+    """
     if panel.below is None:
-        return [(panel, drawing)]
+        circle = beside(panel, drawing)
+        if circle is None:
+            return [(panel, drawing)]
+        if circle.left > drawing.left:
+            return [(panel, replace(drawing, right=circle.left))]
+        return [(panel, replace(drawing, bottom=circle.top))]
     split = drawing.bottom + LOWER * drawing.height
     upper = Rect(drawing.left, split - overlap / 2, drawing.right, drawing.top)
     lower = Rect(drawing.left, drawing.bottom, drawing.right, split + overlap / 2)
     return [(panel, upper), (panel.below, lower)]
+
+
+def beside(panel: Panel, drawing: Rect) -> Rect | None:
+    """Return the room of the circle of bodies: to the right of a mechanism, or below it.
+
+    None for a panel without one.
+    """
+    if kennedy_circle(panel) is None:
+        return None
+    wide = min(CIRCLE_WIDE * drawing.width, drawing.height)
+    high = min(CIRCLE_HIGH * drawing.height, drawing.width)
+    if drawing.width * high < drawing.height * wide:
+        return replace(drawing, top=drawing.bottom + high)
+    return replace(drawing, left=drawing.right - wide)

@@ -16,7 +16,7 @@ from vad.plan.geometry import Rect
 from vad.plan.items import Item, in_painting_order
 from vad.plan.labels.choices import KeptLabels, Ways
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.layout import OVERLAP, Page, rooms
+from vad.plan.layout import OVERLAP, Page, beside, rooms
 from vad.plan.pictures import over_reach, resized
 from vad.plan.pictures.polygon import Polygon
 from vad.plan.pictures.skeleton import Skeleton
@@ -146,4 +146,6 @@ class LiveBoard:
 
     def setting(self, sheet: Sheet, panel: Panel, taken: Obstacles | None = None) -> Setting:
         """Return what a picture is given: a panel in its place."""
-        return Setting(sheet, panel, self.room(panel, sheet), rows_of(sheet), taken=taken)
+        aside = beside(panel, self.page.panels[panel.column].drawing)
+        room = self.room(panel, sheet)
+        return Setting(sheet, panel, room, rows_of(sheet), taken=taken, beside=aside)

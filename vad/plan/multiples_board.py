@@ -13,7 +13,7 @@ from vad.plan.board import rows_of
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, TITLE, Item, Level
-from vad.plan.layout import FLOOR, GUTTER, MARGIN, Page, PanelPlace, rooms
+from vad.plan.layout import FLOOR, GUTTER, MARGIN, Page, PanelPlace, beside, rooms
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark
@@ -26,7 +26,7 @@ from vad.plan.scale import Scale, fill, views_scale
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.multiples import Multiples
 from vad.strokes.notation import Notation
-from vad.strokes.sheet import Cell, Sheet
+from vad.strokes.sheet import Cell, Panel, Sheet
 
 #: The least room of a picture, for which all type on the page shrinks.
 NARROWEST, LOWEST = 0.43, 0.40
@@ -95,20 +95,31 @@ class MultiplesBoard:
         title = form.height - 0.075
         return Page(form.width, form.height, True, title, places, (), 0.0, None, ())
 
+    def _column(self, name: str) -> Panel:
+        first = self._multiples.sheets[0]
+        return first.panel(first.panel(name).column)
+
+    def _whole(self, number: int, name: str) -> Rect:
+        """Return the room of a column of pictures."""
+        row = self._page.panels[self._column(name).name].drawing
+        left = row.left + number * (self._room + GUTTER)
+        return Rect(left, row.bottom, left + self._room, row.top)
+
     def _cell(self, number: int, name: str) -> Rect:
         """Return the room of a picture."""
-        first = self._multiples.sheets[0]
-        column = first.panel(first.panel(name).column)
-        row = self._page.panels[column.name].drawing
-        left = row.left + number * (self._room + GUTTER)
-        cell = Rect(left, row.bottom, left + self._room, row.top)
-        return next(room for half, room in rooms(column, cell) if half.name == name)
+        halves = rooms(self._column(name), self._whole(number, name))
+        return next(room for half, room in halves if half.name == name)
+
+    def _beside(self, number: int, name: str) -> Rect | None:
+        """Return the room of the circle of bodies beside a picture."""
+        return beside(self._column(name), self._whole(number, name))
 
     def _setting(self, sheet: Sheet, name: str, number: int) -> Setting:
         # The inset of a rule belongs in a lesson, not beside five others.
         panel = replace(sheet.panel(name), inset=None)
         room = self._cell(number, name)
-        return Setting(sheet, panel, room, rows_of(sheet), 0, self.form.centimetre)
+        aside = self._beside(number, name)
+        return Setting(sheet, panel, room, rows_of(sheet), 0, self.form.centimetre, beside=aside)
 
     def _sketched(self, name: str) -> Iterator[Sketch]:
         """Yield one kind of panel in all poses, at one scale."""

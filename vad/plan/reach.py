@@ -14,6 +14,7 @@ from vad.strokes.sheet import (
     Dot,
     Ellipse,
     Guide,
+    KennedyCircle,
     Line,
     Panel,
     Plate,
@@ -31,6 +32,21 @@ def is_load(stroke: Stroke) -> bool:
 def is_curved_arrow(stroke: Stroke) -> bool:
     """Tell whether an arc in the picture of a mechanism is a couple, or the ω of its check."""
     return isinstance(stroke.shape, Arc) and stroke.kind in ("known", "result")
+
+
+def is_figure(stroke: Stroke) -> bool:
+    """Tell whether a stroke belongs to a figure upon the mechanism, which stays."""
+    return stroke.component == "figure"
+
+
+def is_bar(stroke: Stroke) -> bool:
+    """Tell whether an arrow in the picture of a mechanism is the bar of a link."""
+    return isinstance(stroke.shape, Arrow) and not is_load(stroke) and not is_figure(stroke)
+
+
+def kennedy_circle(panel: Panel) -> Stroke | None:
+    """Return the stroke that draws the circle of bodies beside a mechanism, if there is one."""
+    return next((s for s in panel.strokes if isinstance(s.shape, KennedyCircle)), None)
 
 
 def carries_block(panel: Panel, stroke: Stroke) -> bool:
@@ -102,4 +118,7 @@ def corners(panel: Panel) -> list[complex]:
             points += stroke.shape.outermost
         elif isinstance(stroke.shape, Bearing):
             points.append(stroke.shape.at)
+        elif isinstance(stroke.shape, Arc) and is_figure(stroke):
+            sides = (1, 1j, -1, -1j)
+            points += [stroke.shape.centre + stroke.shape.radius * side for side in sides]
     return points

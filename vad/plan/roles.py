@@ -105,6 +105,9 @@ ROLES: dict[str, Role] = {
     "sense": Role(line="row", width=0.0032),
     "speed": Role(line="row", width=0.0032),
     "couple": Role(line="row", width=0.0050),
+    # figures upon a mechanism
+    "circle": Role(line="grey", width=0.0022, dash=(7.0, 5.0)),
+    "edge": Role(line="row", width=0.0036, linked=True),
     # a mechanism in space
     "bar far": Role(line="row", width=0.6 * BAR, dash=(2.6, 1.6)),
     "path": Role(line="row", width=PATH, join="round"),

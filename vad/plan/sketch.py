@@ -50,6 +50,8 @@ class Setting:
         That of a picture beside others; None where it fills its room.
     taken
         The obstacles that are in the same room already: the polygon above.
+    beside
+        The room of the circle of bodies; None for a panel without one.
     """
 
     sheet: Sheet
@@ -60,6 +62,7 @@ class Setting:
     centimetre: float | None = None
     scale: Scale | None = None
     taken: Obstacles | None = None
+    beside: Rect | None = None
 
     def clear(self) -> Obstacles:
         """Return what there is to keep clear of before anything is drawn."""

@@ -22,6 +22,7 @@ from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import Placed, belongs, beside, fan
 from vad.plan.labels.springs import POSES
 from vad.plan.labels.vertices import text_at
+from vad.plan.layout import beside as beside_mechanism
 from vad.plan.layout import lay_out_turn, rooms
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import roman
@@ -80,7 +81,8 @@ class TurnBoard:
                 top = drawing.top - 2 * LINE
                 drawing = Rect(drawing.left, drawing.bottom, drawing.right, top)
             for half, room in rooms(panel, drawing):
-                setting = Setting(sheet, half, room, rows, 0, self.form.centimetre)
+                aside = beside_mechanism(panel, drawing)
+                setting = Setting(sheet, half, room, rows, 0, self.form.centimetre, beside=aside)
                 same = [pose.panel(half.name) for pose in poses]
                 opening = turn.course.opening
                 self.panels[half.name] = TurnPanel(setting, same, self.cycle, opening)

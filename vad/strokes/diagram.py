@@ -94,6 +94,8 @@ class Drawing:
     picture: PictureKind | None = None
     bodies: tuple[Body, ...] = ()
     coincident: tuple[Coincidence, ...] = ()
+    given: int = 0
+    turned: tuple[tuple[str, float], ...] = ()
 
 
 class Spot(NamedTuple):
@@ -116,6 +118,24 @@ def in_plane(motion: Motion[Any, Any, Any]) -> bool:
     from vad.kinematics.motion import MotionInSpace  # a list of diagrams does not need it
 
     return everywhere(motion) and not isinstance(motion, MotionInSpace)
+
+
+def turns_on_the_frame(motion: Motion[Any, Any, Any]) -> bool:
+    """Tell whether a link is driven that turns about a pivot of the frame."""
+    from vad.kinematics.linkage import Bar, scalar_of  # a list of diagrams does not need them
+
+    if not in_plane(motion) or motion.linkage.driver.kind != "angle":
+        return False
+    bars = (step for step in motion.frame.steps if isinstance(step, Bar))
+    mine = (bar for bar in bars if scalar_of(bar) == motion.linkage.driver)
+    return any({bar.tail, bar.head} & motion.frame.fixed.keys() for bar in mine)
+
+
+def is_slider_crank(motion: Motion[Any, Any, Any]) -> bool:
+    """Tell whether the mechanism is a slider-crank whose crank is driven."""
+    from vad.kinematics.klein import parts_of  # a list of diagrams does not need it
+
+    return parts_of(motion.solver) is not None
 
 
 def everywhere(motion: Motion[Any, Any, Any]) -> bool:
@@ -161,6 +181,8 @@ class Diagram:
         Whether it is drawn where nobody asks for it by name.
     applies
         The function that tells whether the diagram can be drawn for the mechanism of a motion.
+    by_hand
+        Whether a hand may turn it on a page: its strokes are the same in all poses.
     """
 
     name: str
@@ -173,6 +195,7 @@ class Diagram:
     tracks: Callable[[AnyScene], Mapping[Spot, Any]] = no_tracks
     usual: bool = True
     applies: Callable[[Motion[Any, Any, Any]], bool] = everywhere
+    by_hand: bool = True
 
     @classmethod
     def of_order(cls, order: Order, rank: float, picture: PictureKind) -> Diagram:
@@ -255,4 +278,6 @@ class Diagram:
             self._panel(scene, name + BELOW, drawing.below) if drawing.below else None,
             drawing.bodies,
             drawing.coincident,
+            drawing.given,
+            drawing.turned,
         )

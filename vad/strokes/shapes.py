@@ -180,7 +180,40 @@ class Fold:
     rim: Ellipse
 
 
-Shape = Dot | Arrow | Line | Arc | Guide | Block | Plate | Curve | Ellipse | Bearing | Fold
+@dataclass(frozen=True, slots=True)
+class KennedyCircle:
+    """The bodies of a mechanism round a circle beside it, with an edge for every centre.
+
+    Attributes
+    ----------
+    names
+        What stands at the bodies: their numbers.
+    rows
+        The row of the results that each body has; empty for the frame.
+    edges
+        The places of two bodies, and the name of the stroke that finds their centre.  An edge is
+        dashed until that stroke, and one whose stroke is not drawn is left out.
+    """
+
+    names: tuple[str, ...]
+    rows: tuple[str, ...]
+    edges: tuple[tuple[int, int, str], ...]
+
+
+Shape = (
+    Dot
+    | Arrow
+    | Line
+    | Arc
+    | Guide
+    | Block
+    | Plate
+    | Curve
+    | Ellipse
+    | Bearing
+    | Fold
+    | KennedyCircle
+)
 
 
 @dataclass(frozen=True, slots=True)

@@ -40,6 +40,7 @@ from vad.strokes.shapes import (
     Fold,
     Guide,
     Inset,
+    KennedyCircle,
     Line,
     Plate,
     PolarInset,
@@ -68,6 +69,7 @@ __all__ = [
     "Guide",
     "ImageTriangle",
     "Inset",
+    "KennedyCircle",
     "Kind",
     "Line",
     "Note",
@@ -103,6 +105,7 @@ Component = Literal[
     "relative",
     "absolute",
     "link",  # in mechanisms
+    "figure",  # what is drawn upon a mechanism, and stays
     "force",  # and what follows: in panels of forces
     "load",
     "couple",
@@ -337,7 +340,9 @@ class Panel:
     ``notes`` say from which sides a mechanism in space is seen, the ``remark`` stands under a
     polygon.  ``below`` is a second polygon under the first, drawn after it, in a unit of its own;
     it is called ``velocity.below``.  ``bodies`` are those of a mechanism, ``coincident`` the points
-    that have one place.
+    that have one place.  So many strokes as ``given`` says, the first, are there when the panel is
+    begun.  ``turned`` names the panels of which it holds the polygon, turned back by an angle in
+    degrees.
     """
 
     name: str
@@ -355,6 +360,8 @@ class Panel:
     below: Panel | None = None
     bodies: tuple[Body, ...] = ()
     coincident: tuple[Coincidence, ...] = ()
+    given: int = 0
+    turned: tuple[tuple[str, float], ...] = ()
 
     @property
     def halves(self) -> tuple[Panel, ...]:

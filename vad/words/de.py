@@ -427,6 +427,89 @@ PHRASES = {
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*: {symbol} dreht sich "
         "mit *OT*."
     ),
+    # Kleins Konstruktion
+    "klein rod": "Die Gerade der Stange {b}{c}, verlängert.",
+    "klein square": "Durch {a}, senkrecht zur Führung.",
+    "klein M": (
+        "*M* liegt, wo sich beide Geraden schneiden: {a}{b}*M* ist der Geschwindigkeitsplan, um "
+        "90° gedreht."
+    ),
+    "klein rod 1": (
+        "{side} = {size}: {c} hat gegen {b} *v* = {omega}·{side} = {rate} × {size} = {value} "
+        "{unit}."
+    ),
+    "klein slider 1": (
+        "{side} = {size}: der Schieber hat *v* = {omega}·{side} = {rate} × {size} = {value} {unit}."
+    ),
+    "klein circle M": "Ein Kreis um {b} durch *M*.",
+    "klein circle rod": "Ein Kreis mit der Stange {b}{c} als Durchmesser.",
+    "klein K": "*K* liegt, wo sich beide Kreise schneiden.",
+    "klein L": "*L* liegt, wo sie sich noch einmal schneiden.",
+    "klein chord": "Die Sehne *KL* steht senkrecht zur Stange.",
+    "klein Q": (
+        "*Q* liegt, wo *KL* die Stange schneidet: {b}*Q* ist ihre Normalbeschleunigung, durch ω²."
+    ),
+    "klein guide": "Durch {a}, längs der Führung.",
+    "klein N": (
+        "*N* liegt, wo *KL* diese Gerade schneidet: {a}{b}*QN* ist der Beschleunigungsplan, um "
+        "180° gedreht."
+    ),
+    "klein rod 2": (
+        "{side} = {size}: {c} hat gegen {b} *a*ₜ = {omega}²·{side} = {rate} × {size} = {value} "
+        "{unit}."
+    ),
+    "klein slider 2": (
+        "{side} = {size}: der Schieber hat *a* = {omega}²·{side} = {rate} × {size} = {value} "
+        "{unit}."
+    ),
+    "klein remark": "{a}{b} : {b}*M* : {a}*M*   und   {a}{b} : {b}*Q* : *QN* : {a}*N*",
+    # Momentanpole
+    "centre bodies": "{count} Körper haben {all} Momentanpole: einen für je zwei.",
+    "centre in": "{letter} in {point}",
+    "centre pins": "Die Drehgelenke sind Pole: {centres}.",
+    "centre all pins": "Jedes Drehgelenk ist der Pol der Körper, die es verbindet.",
+    "centre slide": "{letter} liegt im Unendlichen, senkrecht zu {line:dem}: ein Körper gleitet.",
+    "centre line": "Drei Körper haben ihre Pole auf einer Geraden: {letter} mit {one} und {other}.",
+    "centre line far": (
+        "{letter} liegt auf einer Geraden mit {one} und {other}, der im Unendlichen liegt und die "
+        "Richtung gibt."
+    ),
+    "centre found": "{letter} liegt, wo sich beide Geraden schneiden.",
+    "centre away": "{letter} liegt, wo sich beide Geraden schneiden, {size} {unit} von {other}.",
+    "centre away label": "{letter}: {size} {unit} von {other}",
+    "centre far": "Beide Geraden sind parallel: {letter} liegt im Unendlichen.",
+    "centre far label": "{letter} im Unendlichen",
+    "centre alike": "Beide Körper drehen gleich: {letter} liegt auf dieser Geraden im Unendlichen.",
+    "centre ratio": (
+        "{symbol} = {omega}·{first}/{second} = {rate} × {one}/{other} = {value} {unit}, {sense}."
+    ),
+    "centre speed": (
+        "{both} ist ein Punkt beider Körper: *v* = {omega}·{first} = {rate} × {one} = {value} "
+        "{unit}."
+    ),
+    "centre turning": (
+        "{both} ist ein Punkt beider Körper: {symbol} = *v*/{second} = {rate}/{other} = {value} "
+        "{unit}, {sense}."
+    ),
+    "centre cylinder": (
+        "Stange und Rohr drehen gleich: {symbol} = *v*/{second} = {rate}/{other} = {value} {unit}, "
+        "{sense}."
+    ),
+    "centre still": "{letter} liegt im Unendlichen: {link:der} dreht in dieser Lage nicht.",
+    "centre same": "{both} liegt im Unendlichen: beide Körper bewegen sich in dieser Lage gleich.",
+    # der gedrehte Geschwindigkeitsplan
+    "turned pole": (
+        "Der Pol liegt in {pivot}: Geschwindigkeiten sind um 90° gedreht und durch {omega} geteilt."
+    ),
+    "turned crank": "So ist {label} {crank:der} {bar} selbst.",
+    "turned along": "Eine Geschwindigkeit senkrecht zu {bar} liegt gedreht längs {bar}.",
+    "turned square": "Eine Geschwindigkeit längs {line:des} steht gedreht senkrecht dazu.",
+    "turned crossing": "{letter} liegt, wo sich beide Geraden schneiden.",
+    "turned omega": (
+        "{label} = {size}, also {symbol} = {omega}·{label}/{bar} = {rate} × {size}/{length} = "
+        "{turning} {rad/s}, {sense}."
+    ),
+    "turned speed": "{label} = {size}: *v* = {omega}·{label} = {rate} × {size} = {value} {unit}.",
     # Kräfte
     "force nothing": "Kein Gelenk trägt eine Kraft: nur der Antrieb ist belastet.",
     "force force": "{label} = {value} {unit}, die Last an {link:dem} in {point}.",
@@ -692,6 +775,9 @@ NAMES = {
     "Velocity": "Geschwindigkeit",
     "Acceleration": "Beschleunigung",
     "Drive": "Antrieb",
+    "Instantaneous centres": "Momentanpole",
+    "Klein’s construction": "Konstruktion nach Klein",
+    "Turned velocities": "Gedrehte Geschwindigkeiten",
     "Forces": "Kräfte",
     "loads": "Lasten",
     "Four-bar": "Gelenkviereck",

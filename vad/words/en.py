@@ -411,6 +411,79 @@ PHRASES = {
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*: {symbol} turns with "
         "*OT*."
     ),
+    # Klein's construction
+    "klein rod": "The line of the rod {b}{c}, produced.",
+    "klein square": "Through {a}, square to the guide.",
+    "klein M": "*M* is where both lines cross: {a}{b}*M* is the velocity polygon, turned by 90°.",
+    "klein rod 1": (
+        "{side} = {size}: of {c} relative to {b}, *v* = {omega}·{side} = {rate} × {size} = {value} "
+        "{unit}."
+    ),
+    "klein slider 1": (
+        "{side} = {size}: the slider has *v* = {omega}·{side} = {rate} × {size} = {value} {unit}."
+    ),
+    "klein circle M": "A circle about {b} through *M*.",
+    "klein circle rod": "A circle whose diameter is the rod {b}{c}.",
+    "klein K": "*K* is where the two circles cross.",
+    "klein L": "*L* is where they cross again.",
+    "klein chord": "The chord *KL* is square to the rod.",
+    "klein Q": "*Q* is where *KL* crosses the rod: {b}*Q* is its normal acceleration, over ω².",
+    "klein guide": "Through {a}, along the guide.",
+    "klein N": (
+        "*N* is where *KL* crosses this line: {a}{b}*QN* is the acceleration polygon, turned by "
+        "180°."
+    ),
+    "klein rod 2": (
+        "{side} = {size}: of {c} relative to {b}, *a*ₜ = {omega}²·{side} = {rate} × {size} = "
+        "{value} {unit}."
+    ),
+    "klein slider 2": (
+        "{side} = {size}: the slider has *a* = {omega}²·{side} = {rate} × {size} = {value} {unit}."
+    ),
+    "klein remark": "{a}{b} : {b}*M* : {a}*M*   and   {a}{b} : {b}*Q* : *QN* : {a}*N*",
+    # instantaneous centres
+    "centre bodies": "{count} bodies have {all} centres: one for every two of them.",
+    "centre in": "{letter} in {point}",
+    "centre pins": "The pins are centres: {centres}.",
+    "centre all pins": "Every pin is the centre of the bodies that it joins.",
+    "centre slide": "{letter} lies far away, square to the {line}: one body slides on the other.",
+    "centre line": "Three centres of three bodies: {letter} is in line with {one} and {other}.",
+    "centre line far": (
+        "{letter} is in line with {one} and {other}, which is far away and gives the direction."
+    ),
+    "centre found": "{letter} is where both lines cross.",
+    "centre away": "{letter} is where both lines cross, {size} {unit} from {other}.",
+    "centre away label": "{letter}: {size} {unit} from {other}",
+    "centre far": "Both lines are parallel: {letter} is far away.",
+    "centre far label": "{letter} far away",
+    "centre alike": "Both bodies turn alike: {letter} is far away on this line.",
+    "centre ratio": (
+        "{symbol} = {omega}·{first}/{second} = {rate} × {one}/{other} = {value} {unit}, {sense}."
+    ),
+    "centre speed": (
+        "{both} is a point of both bodies: *v* = {omega}·{first} = {rate} × {one} = {value} {unit}."
+    ),
+    "centre turning": (
+        "{both} is a point of both bodies: {symbol} = *v*/{second} = {rate}/{other} = {value} "
+        "{unit}, {sense}."
+    ),
+    "centre cylinder": (
+        "Rod and barrel turn alike: {symbol} = *v*/{second} = {rate}/{other} = {value} {unit}, "
+        "{sense}."
+    ),
+    "centre still": "{letter} is far away: the {link} does not turn in this pose.",
+    "centre same": "{both} is far away: both bodies have the same motion in this pose.",
+    # the turned velocity polygon
+    "turned pole": "The pole lies in {pivot}: velocities are turned by 90° and divided by {omega}.",
+    "turned crank": "So {label} is the {crank} {bar} itself.",
+    "turned along": "A velocity square to {bar} lies along {bar} when it is turned.",
+    "turned square": "A velocity along the {line} lies square to it when it is turned.",
+    "turned crossing": "{letter} is where both lines cross.",
+    "turned omega": (
+        "{label} = {size}, so {symbol} = {omega}·{label}/{bar} = {rate} × {size}/{length} = "
+        "{turning} {rad/s}, {sense}."
+    ),
+    "turned speed": "{label} = {size}: *v* = {omega}·{label} = {rate} × {size} = {value} {unit}.",
     # forces
     "force nothing": "No joint bears a force: the loads act on the driver alone.",
     "force force": "{label} = {value} {unit}, the load on the {link} at {point}.",

@@ -414,6 +414,88 @@ PHRASES = {
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT* : {symbol} tourne avec "
         "*OT*."
     ),
+    # la construction de Klein
+    "klein rod": "La droite de la bielle {b}{c}, prolongée.",
+    "klein square": "Par {a}, perpendiculaire à la glissière.",
+    "klein M": (
+        "*M* est où les deux droites se coupent : {a}{b}*M* est le polygone des vitesses, tourné "
+        "de 90°."
+    ),
+    "klein rod 1": (
+        "{side} = {size} : {c} a, par rapport à {b}, *v* = {omega}·{side} = {rate} × {size} = "
+        "{value} {unit}."
+    ),
+    "klein slider 1": (
+        "{side} = {size} : le coulisseau a *v* = {omega}·{side} = {rate} × {size} = {value} {unit}."
+    ),
+    "klein circle M": "Un cercle de centre {b} par *M*.",
+    "klein circle rod": "Un cercle dont la bielle {b}{c} est le diamètre.",
+    "klein K": "*K* est où les deux cercles se coupent.",
+    "klein L": "*L* est où ils se coupent encore.",
+    "klein chord": "La corde *KL* est perpendiculaire à la bielle.",
+    "klein Q": (
+        "*Q* est où *KL* coupe la bielle : {b}*Q* est son accélération normale, divisée par ω²."
+    ),
+    "klein guide": "Par {a}, le long de la glissière.",
+    "klein N": (
+        "*N* est où *KL* coupe cette droite : {a}{b}*QN* est le polygone des accélérations, tourné "
+        "de 180°."
+    ),
+    "klein rod 2": (
+        "{side} = {size} : {c} a, par rapport à {b}, *a*ₜ = {omega}²·{side} = {rate} × {size} = "
+        "{value} {unit}."
+    ),
+    "klein slider 2": (
+        "{side} = {size} : le coulisseau a *a* = {omega}²·{side} = {rate} × {size} = {value} "
+        "{unit}."
+    ),
+    "klein remark": "{a}{b} : {b}*M* : {a}*M*   et   {a}{b} : {b}*Q* : *QN* : {a}*N*",
+    # centres instantanés
+    "centre bodies": "{count} corps ont {all} centres instantanés : un pour deux d’entre eux.",
+    "centre in": "{letter} en {point}",
+    "centre pins": "Les articulations sont des centres : {centres}.",
+    "centre all pins": "Chaque articulation est le centre des corps qu’elle joint.",
+    "centre slide": "{letter} est à l’infini, en travers {line:du} : un corps glisse sur l’autre.",
+    "centre line": "Trois corps ont leurs centres alignés : {letter} avec {one} et {other}.",
+    "centre line far": (
+        "{letter} est aligné avec {one} et {other}, qui est à l’infini et donne la direction."
+    ),
+    "centre found": "{letter} est où les deux droites se coupent.",
+    "centre away": "{letter} est où les deux droites se coupent, à {size} {unit} de {other}.",
+    "centre away label": "{letter} : {size} {unit} de {other}",
+    "centre far": "Les deux droites sont parallèles : {letter} est à l’infini.",
+    "centre far label": "{letter} à l’infini",
+    "centre alike": "Les deux corps tournent de même : {letter} est à l’infini sur cette droite.",
+    "centre ratio": (
+        "{symbol} = {omega}·{first}/{second} = {rate} × {one}/{other} = {value} {unit}, {sense}."
+    ),
+    "centre speed": (
+        "{both} est un point des deux corps : *v* = {omega}·{first} = {rate} × {one} = {value} "
+        "{unit}."
+    ),
+    "centre turning": (
+        "{both} est un point des deux corps : {symbol} = *v*/{second} = {rate}/{other} = {value} "
+        "{unit}, {sense}."
+    ),
+    "centre cylinder": (
+        "Tige et cylindre tournent de même : {symbol} = *v*/{second} = {rate}/{other} = {value} "
+        "{unit}, {sense}."
+    ),
+    "centre still": "{letter} est à l’infini : {link:le} ne tourne pas dans cette position.",
+    "centre same": "{both} est à l’infini : les deux corps ont ici le même mouvement.",
+    # le polygone des vitesses tourné
+    "turned pole": (
+        "Le pôle est en {pivot} : les vitesses sont tournées de 90° et divisées par {omega}."
+    ),
+    "turned crank": "Ainsi {label} est {crank:le} {bar} même.",
+    "turned along": "Une vitesse perpendiculaire à {bar}, tournée, est le long de {bar}.",
+    "turned square": "Une vitesse le long {line:du}, tournée, lui est perpendiculaire.",
+    "turned crossing": "{letter} est où les deux droites se coupent.",
+    "turned omega": (
+        "{label} = {size}, donc {symbol} = {omega}·{label}/{bar} = {rate} × {size}/{length} = "
+        "{turning} {rad/s}, {sense}."
+    ),
+    "turned speed": "{label} = {size} : *v* = {omega}·{label} = {rate} × {size} = {value} {unit}.",
     # forces
     "force nothing": "Aucune liaison ne porte d’effort : seul l’entraînement est chargé.",
     "force force": "{label} = {value} {unit}, la charge appliquée {link:au} en {point}.",
@@ -682,6 +764,9 @@ NAMES = {
     "Velocity": "Vitesse",
     "Acceleration": "Accélération",
     "Drive": "Entraînement",
+    "Instantaneous centres": "Centres instantanés",
+    "Klein’s construction": "Construction de Klein",
+    "Turned velocities": "Vitesses tournées",
     "Forces": "Forces",
     "loads": "charges",
     "Four-bar": "Quadrilatère articulé",

@@ -68,6 +68,7 @@ from vad.strokes.sheet import (
     Fold,
     Guide,
     ImageTriangle,
+    KennedyCircle,
     Kind,
     Line,
     Note,
@@ -241,6 +242,12 @@ SHAPE = variants(
     ellipse=ELLIPSE,
     fold=record(Fold, centre=POINT, axis=WAY, turn=ANGLE, arms=many(POINT), rim=ELLIPSE),
     bearing=record(Bearing, at=POINT, direction=WAY),
+    kennedy=record(
+        KennedyCircle,
+        names=many(TEXT),
+        rows=many(TEXT),
+        edges=many(row(INDEX, INDEX, TEXT)),
+    ),
 )
 STROKE = record(
     Stroke,
@@ -299,6 +306,8 @@ _DRAWN: dict[str, Form | Key] = {
     "remark": words("remark", missing=""),
     "bodies": optional(many(BODY), ()),
     "coincident": optional(many(COINCIDENCE), ()),
+    "given": optional(COUNT, 0),
+    "turned": optional(many(row(TEXT, ANGLE)), ()),
 }
 LOWER = record(Panel, name=TEXT, **_DRAWN)
 PANEL = record(

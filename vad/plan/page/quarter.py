@@ -250,13 +250,17 @@ def _depth(group: list[Row], names: list[str]) -> int:
 
 
 def _grouped(rows: Sequence[Row], names: list[str]) -> list[list[Row]]:
-    """Return neighbouring rows that share their units, and so a head."""
+    """Return neighbouring rows that share their units, and so a head, or have none."""
     groups: list[list[Row]] = []
+    units: list[str] = []
     for row in rows:
-        if groups and _units(groups[-1][0], names) == _units(row, names):
+        own = _units(row, names)
+        if groups and (not own or not units or own == units):
             groups[-1].append(row)
         else:
             groups.append([row])
+            units = []
+        units = own or units
     return groups
 
 

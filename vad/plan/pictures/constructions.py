@@ -30,6 +30,7 @@ from vad.plan.marks import (
     line,
 )
 from vad.plan.pictures.vectors import PlacedVector
+from vad.plan.reach import is_figure
 from vad.plan.roles import CONSTRUCTION
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arc, Line, Panel
@@ -116,7 +117,7 @@ def line_of(sketch: Sketch, index: int, vectors: Mapping[int, PlacedVector]) -> 
     aside = 0j if result is None else vectors[result].lane.aside
     ray = Ray(stroke.name, aside, setting.room)
     ((start, end),) = ray.posed(sketch.solved).pieces
-    if setting.panel.picture == "views":
+    if setting.panel.picture == "views" or is_figure(stroke):
         gone = setting.over(crossed_at(setting.panel, index))
     else:
         gone = setting.after(len(setting.panel.strokes) - 1 if result is None else result)

@@ -15,7 +15,7 @@ from vad.plan.labels.obstacles import PIXEL
 from vad.plan.marks import Fading, Trimming
 from vad.plan.pictures import machine, supports
 from vad.plan.pictures.vectors import Pen
-from vad.plan.reach import block_along, block_on, carries_block, ends_of_travel, is_load, is_yoke
+from vad.plan.reach import block_along, block_on, carries_block, ends_of_travel, is_bar, is_yoke
 from vad.plan.roles import BAR, BLOCK_RIM, PLATE_EDGE
 from vad.plan.sketch import Part, Piece, Sketch
 from vad.strokes.sheet import Arrow, Block, Guide, Panel, Plate, Stroke
@@ -168,7 +168,7 @@ class Links:
         bars = {
             index: Pen(start, end, BAR)
             for index, stroke in enumerate(panel.strokes)
-            if isinstance(stroke.shape, Arrow) and not is_load(stroke)
+            if is_bar(stroke)
             for start, end in [sketch.solved.places(self._ends(panel, stroke))]
         }
         return {

@@ -13,7 +13,7 @@ from itertools import combinations
 from vad.plan.anchors import Anchor, Area, Chains, Circle, Hung, Term
 from vad.plan.geometry import SHORTEST
 from vad.plan.marks import Growth
-from vad.plan.reach import carries_block
+from vad.plan.reach import carries_block, is_figure
 from vad.plan.roles import BLOCK_RIM, DOT_RIM, JOINT_RIM
 from vad.plan.scale import Scale
 from vad.strokes.sheet import Arrow, Dot, Panel
@@ -44,6 +44,7 @@ def part_size(panel: Panel, scale: Scale) -> float:
         stroke.shape.end - stroke.shape.start
         for stroke in panel.strokes
         if isinstance(stroke.shape, Arrow)
+        and not is_figure(stroke)
         and not stroke.shape.cylinder
         and not carries_block(panel, stroke)
     ]

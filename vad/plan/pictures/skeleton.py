@@ -26,10 +26,11 @@ from vad.plan.pictures.constructions import (
     block_construction,
     line_of,
 )
+from vad.plan.pictures.figures import add_figures, letter_figures
 from vad.plan.pictures.links import Links
 from vad.plan.pictures.loads import CALM, add_couple, add_load, free_couple
 from vad.plan.pictures.supports import Foot, PlacedRail, Rail
-from vad.plan.reach import is_curved_arrow, is_load, is_yoke
+from vad.plan.reach import is_curved_arrow, is_figure, is_load, is_yoke
 from vad.plan.scale import Scale
 from vad.plan.sketch import Piece, Setting, Sketch
 from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Stroke
@@ -97,14 +98,15 @@ class Skeleton:
         supports.add_axes(sketch, vertices)
         arcs = angles.angle_arcs(sketch)
         self._add_pivots(sketch, vertices)
-        for index in range(len(panel.strokes)):
-            block_construction(sketch, index)
+        for index, stroke in enumerate(panel.strokes):
+            if not is_figure(stroke):
+                block_construction(sketch, index)
         self._letter(sketch, vertices, labels, arcs)
         for index, stroke in enumerate(panel.strokes):
             if isinstance(stroke.shape, Line):
                 add_square(sketch, index, line_of(sketch, index, {}))
             elif isinstance(stroke.shape, Arc) and stroke.kind == "construction":
-                add_compass(sketch, index)
+                add_compass(sketch, index, visible=not is_figure(stroke))
         return sketch
 
     @property
@@ -211,7 +213,7 @@ class Skeleton:
         """
         panel = sketch.setting.panel
         order = painting_order(panel)
-        links = [index for index in order if not is_load(panel.strokes[index])]
+        links = [index for index in order if not is_upon(panel.strokes[index])]
         for index, piece in self._links.pieces(sketch, links, alone):
             if piece:
                 sketch.put(index, piece)
@@ -222,6 +224,7 @@ class Skeleton:
                 add_load(sketch, index)
             elif is_curved_arrow(stroke) and sketch.finished:
                 add_couple(sketch, index, CALM)
+        add_figures(sketch)
 
     def _add_other(self, sketch: Sketch, index: int) -> None:
         """Add what stands still in a turn, or passes while a lesson is drawn."""
@@ -263,6 +266,7 @@ class Skeleton:
         for index, stroke in enumerate(panel.strokes):
             if is_load(stroke):
                 labels.vector(sketch, index, stroke.label)
+        letter_figures(sketch, labels)
         for index, arc in arcs:
             bow = angles.bow_of(sketch, arc)
             if abs(bow.sweep) > 1e-6:
@@ -294,7 +298,7 @@ class Skeleton:
         """Yield the ends of all bars, and of a yoke's shaft."""
         for stroke in panel.strokes:
             match stroke.shape:
-                case Arrow() if is_load(stroke):
+                case Arrow() if is_load(stroke) or is_figure(stroke):
                     continue
                 case Arrow(start, end):
                     yield self.scale(start), self.scale(end)
@@ -336,6 +340,14 @@ class Skeleton:
         if is_yoke(panel, stroke.link):
             return supports.yoke_of(panel, stroke.link, self.size).guide
         return self._placed(sketch, stroke).piece
+
+
+def is_upon(stroke: Stroke) -> bool:
+    """Tell whether a stroke is drawn upon the mechanism: a load, a line or a vector of a figure.
+
+    The points of a figure are points like those of the mechanism.
+    """
+    return is_load(stroke) or (is_figure(stroke) and not isinstance(stroke.shape, Dot))
 
 
 def painting_order(panel: Panel) -> list[int]:

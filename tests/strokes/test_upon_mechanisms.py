@@ -1,0 +1,124 @@
+"""Figures upon a mechanism: centres, Klein's construction and the turned velocity polygon."""
+
+from __future__ import annotations
+
+import pytest
+
+import vad
+from tests.statics.machines import MACHINES
+from tests.statics.test_equilibrium import pose
+from vad.errors import InputError, UsageError
+from vad.export.sheet_json import to_dict
+from vad.strokes.sheet import Arrow, Curve, Dot, KennedyCircle, Line
+
+NAMES = sorted(MACHINES)
+
+
+def drawn(machine, panels, share=0.31):
+    name, rate, _ = machine.inputs
+    moved = pose(machine, share)
+    place = moved.inputs[name]
+    motion = vad.solve(machine, **{name: place, rate: machine.inputs[rate]})
+    return motion, vad.draw(motion, panels)
+
+
+def off(line, place, size):
+    """Return how far a place is from a line, as a share of a size."""
+    return abs(((place - line.through) * line.direction.conjugate()).imag) / size
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", NAMES)
+def test_lines_lead_to_the_centres(name):
+    motion, sheet = drawn(MACHINES[name](), "centres")
+    panel = sheet.panel("centres")
+    size = motion.plane.scale
+    circle = next(s.shape for s in panel.strokes if isinstance(s.shape, KennedyCircle))
+    names = [stroke.name for stroke in panel.strokes]
+    assert len(names) == len(set(names))
+    assert {edge[2] for edge in circle.edges} <= set(names)
+    for stroke in panel.strokes[panel.given :]:
+        if isinstance(stroke.shape, Dot):
+            lines = [
+                other.shape
+                for other in panel.strokes
+                if isinstance(other.shape, Line) and other.part.of == stroke.part.of
+            ]
+            assert lines
+            assert all(off(line, stroke.shape.at, size) < 1e-9 for line in lines)
+
+
+def test_the_arrow_to_a_centre_beyond_says_how_far():
+    motion, sheet = drawn(vad.FourBar(), "centres", share=60 / 360)
+    stroke = sheet.panel("centres").strokes[sheet.panel("centres").number("I13.found")]
+    assert isinstance(stroke.shape, Arrow)
+    away = vad.centres(motion).at("frame", "coupler") - motion.point("D").position
+    assert stroke.label == f"I₁₃: {abs(away):.0f} mm from D"
+    way = (stroke.shape.end - stroke.shape.start) / away
+    assert abs(way.imag) < 1e-12
+    assert way.real > 0.0
+
+
+def test_klein_has_the_points_of_the_construction():
+    motion = vad.solve(vad.SliderCrank(offset=15), angle=40, omega=-8)
+    panel = vad.draw(motion, "klein").panel("klein")
+    points = vad.klein(motion)
+    dots = {s.label: s.shape.at for s in panel.strokes if isinstance(s.shape, Dot)}
+    assert all(dots[name] == pytest.approx(place) for name, place in points.items())
+    segments = {s.part.of: s.shape.points for s in panel.strokes if isinstance(s.shape, Curve)}
+    assert segments.keys() == {"BM", "AM", "QN", "AN"}
+    assert segments["AN"] == pytest.approx((0j, points["N"]))
+    assert panel.turned == (("velocity", -90.0), ("acceleration", 180.0))
+
+
+@pytest.mark.parametrize("omega", [10.0, -7.0])
+@pytest.mark.parametrize("name", ["four-bar", "slider-crank", "watt-1.toml", "shaper.toml"])
+def test_the_turned_polygon_is_the_velocity_polygon(name, omega):
+    machine = MACHINES[name]()
+    motion = vad.solve(machine, angle=100, omega=omega)
+    sheet = vad.draw(motion, ("turned", "velocity"))
+    pivot = motion.point("O" if "O" in motion.points else "A").position
+    given = {s.part: s.shape for s in sheet.panel("velocity").strokes}
+    count = 0
+    for stroke in sheet.panel("turned").strokes:
+        which = stroke.part.which.removesuffix("-turned")
+        if which == stroke.part.which:
+            continue
+        shape = given[stroke.part._replace(which=which)]
+        if isinstance(shape, Dot):
+            assert stroke.shape.at == pytest.approx(pivot + shape.at / (1j * omega))
+            count += 1
+    assert count > 1
+    assert sheet.rows[1].cells["turned"] == sheet.rows[1].cells["velocity"]
+
+
+def test_what_is_refused():
+    with pytest.raises(UsageError, match="panel 'klein' does not apply to four-bar"):
+        vad.draw(vad.solve(vad.FourBar()), "klein")
+    with pytest.raises(UsageError, match="panel 'centres' does not apply to hooke-joint"):
+        vad.draw(vad.solve(vad.HookeJoint()), "centres")
+    with pytest.raises(UsageError, match="panel 'turned' does not apply to double-slider"):
+        vad.draw(vad.solve(vad.DoubleSlider()), "turned")
+    with pytest.raises(InputError, match="needs a slider-crank with alpha 0, got alpha 20"):
+        vad.draw(vad.solve(vad.SliderCrank(), alpha=20), "klein")
+    with pytest.raises(InputError, match="needs a crank that turns, got omega 0"):
+        vad.draw(vad.solve(vad.FourBar(), omega=0), "turned")
+
+
+@pytest.mark.parametrize("panel", ["centres", "klein", "turned"])
+def test_json_there_and_back(panel, tmp_path):
+    sheet = vad.draw(vad.solve(vad.SliderCrank(), angle=50), panel)
+    vad.save(sheet, tmp_path / "sheet.json")
+    again = vad.sheet_from_json(tmp_path / "sheet.json")
+    assert again == sheet
+    assert to_dict(again) == to_dict(sheet)
+
+
+@pytest.mark.parametrize("panel", ["centres", "klein", "turned"])
+def test_what_is_there_is_not_drawn(panel):
+    lesson = vad.animate(vad.draw(vad.solve(vad.SliderCrank(), angle=50), panel))
+    given = lesson.sheet.panel(panel).given
+    assert [step.there for step in lesson.steps] == [
+        number < given for number in range(len(lesson.steps))
+    ]
+    vad.still(lesson, len(lesson.steps))

@@ -1,0 +1,180 @@
+"""Figures upon a mechanism: lines, circles and segments that stay, and the circle of bodies.
+
+They belong to instantaneous centres, to Klein's construction and to the turned velocity polygon.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+
+from vad.plan.anchors import Anchor, Chains, Hung, on_page
+from vad.plan.items import FOREVER, Item, Level
+from vad.plan.labels.choices import LabelChoice
+from vad.plan.labels.vertices import text_at
+from vad.plan.lettering.runs import roman
+from vad.plan.marks import Bow, Mark, Trimming, Turning, disc, line
+from vad.plan.pictures.constructions import CompassArc, add_drawn_line, line_of
+from vad.plan.pictures.polygon import DOT
+from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, Vector
+from vad.plan.reach import is_figure
+from vad.plan.roles import CONSTRUCTION, ROLES
+from vad.plan.sketch import Sketch
+from vad.strokes.sheet import Arc, Arrow, Curve, KennedyCircle, Line, Panel
+
+#: Of the circle of bodies: its numbers, their distance from it, and the largest radius.
+NUMBER, NUMBER_OFF, LARGEST = 0.034, 0.030, 0.20
+THIN = "construction done"
+SEGMENT = ROLES["vector"].width
+
+
+def add_figures(sketch: Sketch) -> None:
+    """Add all strokes of a figure, as they are drawn and as they stay."""
+    for index, stroke in enumerate(sketch.setting.panel.strokes):
+        if isinstance(stroke.shape, KennedyCircle):
+            add_kennedy_circle(sketch, index)
+        elif is_figure(stroke):
+            _add(sketch, index)
+
+
+def _add(sketch: Sketch, index: int) -> None:
+    setting = sketch.setting
+    stroke, row = setting.panel.strokes[index], setting.row(setting.panel.strokes[index].link)
+    during = setting.during(index)
+    match stroke.shape:
+        case Line():
+            placed = line_of(sketch, index, {})
+            sketch.add(stroke, Level.CONSTRUCTION, during, [placed.mark(THIN)])
+            add_drawn_line(sketch, index, placed)
+            sketch.obstacles.line([placed.start, placed.end], CONSTRUCTION / 2, (during, FOREVER))
+        case Arc():
+            circle = CompassArc(stroke.name)
+            sketch.hang(index, Level.CONSTRUCTION, [Hung(circle, THIN, row, Trimming())])
+            heavy = Hung(circle, "compass arc", row, Trimming())
+            sketch.hang(index, Level.CONSTRUCTION, [heavy], until="over")
+            bow = circle.posed(sketch.solved)
+            sketch.obstacles.line(bow.line(), CONSTRUCTION / 2, (during, FOREVER))
+        case Arrow(start, end, head=""):  # to what lies far away
+            first, last = Anchor.of(stroke.name, "start"), Anchor.of(stroke.name, "end")
+            vector = Vector(first, last, whole=True)
+            marks = vector.marks(sketch.solved, row, "whole", not sketch.finished)
+            sketch.add(stroke, Level.CONSTRUCTION, during, marks)
+            places = [sketch.scale(start), sketch.scale(end)]
+            sketch.obstacles.line(places, HEAD_HALF_WIDTH / 40, (during, FOREVER))
+        case Curve() | Arrow():
+            names: tuple[str | int, ...] = ("start", "end")
+            if isinstance(stroke.shape, Curve):
+                names = tuple(range(len(stroke.shape.points)))
+            ends = tuple(Anchor.of(stroke.name, name) for name in names)
+            if not ends:
+                return
+            segment = Chains((ends,))
+            light = Hung(segment, "vector light", row, Trimming())
+            sketch.hang(index, Level.GLOW, [light], until="over")
+            if stroke.kind == "known":  # it is measured, and lies on what is drawn
+                return
+            sketch.hang(index, Level.STROKE, [Hung(segment, "vector", row, Trimming())])
+            places = list(sketch.solved.places(ends))
+            sketch.obstacles.line(places, SEGMENT / 2, (during, FOREVER))
+
+
+def letter_figures(sketch: Sketch, labels: LabelChoice) -> None:
+    """Write how far away that lies to which an arrow points."""
+    for index, stroke in enumerate(sketch.setting.panel.strokes):
+        if is_figure(stroke) and isinstance(stroke.shape, Arrow) and stroke.label:
+            labels.vector(sketch, index, stroke.label)
+
+
+# --- the circle of bodies -------------------------------------------------------------------------
+
+
+def add_kennedy_circle(sketch: Sketch, index: int) -> None:
+    """Add the circle of bodies, with an edge that comes with the stroke that finds a centre."""
+    setting = sketch.setting
+    stroke, room = setting.panel.strokes[index], setting.beside
+    shape = stroke.shape
+    assert isinstance(shape, KennedyCircle)
+    if room is None:
+        return
+    radius = min(LARGEST, min(room.width, room.height) / 2 - 2 * NUMBER_OFF)
+    centre, count = room.centre, len(shape.names)
+    ways = [cmath.exp(1j * math.pi * (0.5 - 2 * number / count)) for number in range(count)]
+    spots = [centre + radius * way for way in ways]
+    during = setting.during(index)
+    rim = Mark(Bow(centre, radius, 90.0, -360.0), "circle", None, Trimming())
+    dots = [disc(spot, DOT, "dot") for spot in spots]
+    numbers = [
+        text_at(roman(name), roman(name), centre + (radius + NUMBER_OFF) * way, NUMBER, "words")
+        for name, way in zip(shape.names, ways, strict=True)
+    ]
+    _put(sketch, index, Level.GROUND, [rim], during)
+    _put(sketch, index, Level.DOT, [*dots, *numbers], during)
+    for one, other, name in shape.edges:
+        number = setting.panel.find(name)
+        if number is None:
+            continue
+        # It has the ink of the body that is found: of the later one.
+        row = setting.row(shape.rows[max(one, other)])
+        ends = [spots[one], spots[other]]
+        since = setting.during(number)
+        drawn = [line(ends, "edge", row, Trimming())]
+        light = [line(ends, "whole light", row, Trimming())]
+        _put(sketch, number, Level.CONSTRUCTION, drawn, since)
+        if not sketch.finished:
+            _put(sketch, number, Level.GLOW, light, since, setting.over(number))
+        sought = [each for each in _lines_of(setting.panel, name)]
+        if sought and not sketch.finished:
+            dashed = [line(ends, THIN, row)]
+            first = setting.during(sought[0])
+            _put(sketch, sought[0], Level.CONSTRUCTION, dashed, first, since)
+
+
+def _lines_of(panel: Panel, name: str) -> list[int]:
+    """Return the numbers of the lines that find the centre of a stroke."""
+    of = name.rpartition(".")[0]
+    return [
+        number
+        for number, stroke in enumerate(panel.strokes)
+        if isinstance(stroke.shape, Line) and stroke.part.of == of
+    ]
+
+
+def _put(
+    sketch: Sketch, index: int, level: Level, marks: list[Mark], since: int, until: int = FOREVER
+) -> None:
+    """Add marks that have the same places in all poses."""
+    stroke = sketch.setting.panel.strokes[index]
+    sketch.add(stroke, level, since, on_page(marks), until)
+
+
+# --- polygons that are turned ---------------------------------------------------------------------
+
+
+def turned_polygons(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
+    """Yield the figure of another panel as it turns onto a polygon, while that is finished."""
+    for sketch in sketches.values():
+        for name, degrees in sketch.setting.panel.turned:
+            if name in sketches:
+                yield from _turning(sketches[name], degrees)
+
+
+def _turning(sketch: Sketch, degrees: float) -> Iterator[Item]:
+    """Yield a polygon that turns about its pole into its place."""
+    setting = sketch.setting
+    panel = setting.panel
+    last = len(panel.strokes) - 1
+    pole, turning = sketch.scale(0j), ((0.0, -degrees), (1.0, 0.0))
+    marks = [
+        line(
+            [sketch.scale(stroke.shape.start), sketch.scale(stroke.shape.end)],
+            "vector light",
+            setting.row(stroke.link),
+            Turning(pole, turning),
+        )
+        for stroke in panel.strokes
+        if isinstance(stroke.shape, Arrow)
+    ]
+    if marks:
+        stroke, span = panel.strokes[last], (setting.during(last), setting.over(last))
+        yield Item(panel.full(stroke.name), panel.column, Level.GLOW, tuple(marks), *span)

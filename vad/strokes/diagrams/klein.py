@@ -1,0 +1,18 @@
+"""Klein's construction: the velocity and the acceleration of a slider-crank on its drawing."""
+
+from vad.strokes.diagram import POSITION, Diagram, is_slider_crank
+from vad.strokes.klein import klein_cells, klein_drawing
+
+DIAGRAM = Diagram(
+    "klein",
+    "Klein’s construction",
+    0.4,
+    "skeleton",
+    lambda scene: scene.unit,
+    klein_drawing,
+    klein_cells,
+    lambda scene: scene.tracks(POSITION),
+    usual=False,
+    applies=is_slider_crank,
+    by_hand=False,  # it holds for an even speed alone
+)
