@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,14 +12,15 @@ import vad
 from tests.plan.overlaps import overlaps, planned
 from tests.plan.sheets import slider_crank
 from vad.errors import VadError
-from vad.files.examples import example_path
+from vad.files.examples import example_names, example_path
 from vad.mechanisms.mechanism import Mechanism
 from vad.painting.agg_painter import AggPainter
 from vad.painting.painter import Looks
 from vad.plan.items import Level
 from vad.plan.lettering.runs import plain
 from vad.plan.marks import Lettering
-from vad.strokes.sheet import Sheet
+from vad.plan.reach import corners
+from vad.strokes.sheet import Arrow, Dot, Sheet
 from vad.style import load_style, style_names
 
 pytestmark = pytest.mark.exhaustive
@@ -99,16 +101,41 @@ def test_narrow_places_of_the_examples(name: str, place: float):
 
 
 def test_many_letters_of_one_point_stand_in_lines():
-    mechanism = vad.load(example_path("watt-2"))()
-    sheet = vad.draw(vad.solve(mechanism, angle=245.85))
-    assert overlaps(sheet) == []
-    board = planned(sheet)
-    [tag] = [tag for tag in board.sketches["acceleration"].tags if "a′" in tag.text]
-    assert tag.text == "a′, d′, g′, c″ₙ, f″ₙ"
+    sheet = slider_crank()
+    panel = sheet.panel("acceleration")
+    pole = replace(panel.strokes[0], label="a′, d′, g′, k′, l′")
+    many = replace(panel, strokes=(pole, *panel.strokes[1:]))
+    panels = tuple(many if each is panel else each for each in sheet.panels)
+    board = planned(replace(sheet, panels=panels))
     marks = [mark.shape for item in board.shown(board.finished) for mark in item.marks]
     texts = {plain(shape.runs): shape for shape in marks if isinstance(shape, Lettering)}
-    first, second = texts["a′, d′, g′"], texts["c″ₙ, f″ₙ"]
+    first, second = texts["a′, d′, g′"], texts["k′, l′"]
     assert first.at.imag - second.at.imag > first.size
+
+
+@pytest.mark.exhaustive(8)
+@pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
+def test_letters_are_joined_where_points_are_equal(name: str):
+    """Where two points look alike but differ, two labels name them: a comma says they are equal."""
+    mechanism = (vad.MECHANISMS.get(name) or vad.load(example_path(name)))()
+    for sheet in turn(mechanism, steps=8):
+        for sketch in planned(sheet).sketches.values():
+            panel = sketch.setting.panel
+            longest = max((abs(z) for z in corners(panel)), default=0.0)
+            places: dict[str, list[complex]] = {}
+            for stroke in panel.strokes:
+                match stroke.shape:
+                    case Arrow(start, end, tail, head):
+                        places.setdefault(tail, []).append(start)
+                        places.setdefault(head, []).append(end)
+                    case Dot(at):
+                        for letter in stroke.label.split(","):
+                            places.setdefault(letter.strip(), []).append(at)
+            for tag in sketch.tags:
+                first, *others = tag.text.split(", ")
+                for other in others:
+                    near = min(abs(a - b) for a in places[first] for b in places[other])
+                    assert near <= 1e-9 * longest, (tag.text, near)
 
 
 @pytest.mark.parametrize("style", style_names())

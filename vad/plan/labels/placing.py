@@ -27,6 +27,11 @@ LEADER = 0.06
 WAYS = 32  # about a dot
 MOST_LEADERS = 160  # tried at each distance
 LENGTH_COUNTS = 0.5  # of a leader, beside how much of it lies on strokes
+#: A label is so much nearer to its own dot than to others; of one close by at least by so much of
+#: the distance of the dots.
+NEARER, BEYOND = 1.4, 0.5
+#: A leader ends so far from the rim of its dot, and on it where another dot is that near.
+OFF, CLOSE_BY = 0.010, 0.035
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,20 +156,27 @@ def place(obstacles: Obstacles, wish: Wish) -> Placed:
 def _near(obstacles: Obstacles, wish: Wish) -> list[Placed]:
     """Return where a label may stand without a leader, the best place first.
 
-    Farther than the nearest distance it must stand clearly nearer to its own dot than to any
-    other.
+    It must stand clearly nearer to its own dot than to any other; where it cannot, it is at least
+    more on its side.  Of a joint that covers its own it may stand on any side.
     """
-    spots = [(gap, centre) for gap in wish.near for centre in wish.around(gap, WAYS)]
-    if not spots:
+    centres = [centre for gap in wish.near for centre in wish.around(gap, WAYS)]
+    if not centres:
         return []
-    centres = [centre for _, centre in spots]
     free = obstacles.free(centres, wish.wide, wish.high, CLEARANCE, APART)
-    found = [(spots[i][0], Placed(centres[i], wish.wide, wish.high)) for i in np.flatnonzero(free)]
-    return [
-        spot
-        for gap, spot in found
-        if gap <= wish.near[0] or belongs(spot.box, wish.at, wish.rivals)
-    ]
+    found = [Placed(centres[i], wish.wide, wish.high) for i in np.flatnonzero(free)]
+    clearly = [spot for spot in found if belongs(spot.box, wish.at, wish.rivals)]
+    leaning = clearly or [spot for spot in found if _leans(spot, wish)]
+    apart = [rival for rival in wish.rivals if abs(rival - wish.at) > wish.radius]
+    return leaning or [spot for spot in found if belongs(spot.box, wish.at, apart)]
+
+
+def _leans(spot: Placed, wish: Wish) -> bool:
+    """Tell whether the middle of a label, and no less of its box, is nearer to its own dot."""
+    off, own = abs(spot.centre - wish.at), _distance(spot.box, wish.at)
+    return all(
+        off < abs(spot.centre - rival) and own <= _distance(spot.box, rival)
+        for rival in wish.rivals
+    )
 
 
 def _apart(spot: Placed, other: Placed) -> bool:
@@ -202,7 +214,7 @@ def _far_off(obstacles: Obstacles, wish: Wish) -> Placed:
 
 def _far(edge: Rect, wish: Wish) -> Iterator[tuple[bool, list[complex]]]:
     """Yield places farther and farther off; then the whole panel, and at last without clearance."""
-    gaps = [LEADER * 1.35**growth for growth in range(5)]
+    gaps = [LEADER * 1.35**growth for growth in range(-2, 5)]
     yield False, [spot for gap in gaps for spot in wish.around(gap, WAYS)]
     grid = _grid(edge, wish.at, 0.008)
     yield False, grid
@@ -219,13 +231,17 @@ def _grid(edge: Rect, at: complex, step: float) -> list[complex]:
 
 
 def belongs(box: Rect, at: complex, rivals: Iterable[complex]) -> bool:
-    """Tell whether a label stands clearly nearer to its dot than to any rival."""
-    near, left, right = 1.4 * _distance(box, at), box.left, box.right
+    """Tell whether a label stands clearly nearer to its dot than to any rival.
+
+    Of a rival close by it stands on the other side of its dot.
+    """
+    own, left, right = _distance(box, at), box.left, box.right
+    near = NEARER * own
     for rival in rivals:
         x = rival.real
         if left - x > near or x - right > near:
             continue  # far to one side, as most are
-        if _distance(box, rival) <= near:
+        if _distance(box, rival) <= min(near, own + BEYOND * abs(rival - at)):
             return False
     return True
 
@@ -246,7 +262,8 @@ def _led(wish: Wish, centre: complex) -> Placed:
     if abs(nearest - at) < wish.radius + 0.025:
         return Placed(centre, wish.wide, wish.high)
     way = (nearest - at) / abs(nearest - at)
-    start = at + way * (wish.radius + 0.010)
+    alone = all(abs(rival - at) > CLOSE_BY for rival in wish.rivals)
+    start = at + way * (wish.radius + (OFF if alone else 0.0))
     return Placed(centre, wish.wide, wish.high, (start, nearest - way * 0.005))
 
 

@@ -1,7 +1,7 @@
 """The lettered points of a panel with their labels, and labels along strokes.
 
-Strokes at a scale give vertices; coincident ones share a dot and a label.  Placed, these give the
-items of the labels.  A line has its name beside it: ``⟂ BC``, ``2ωv``.
+Strokes at a scale give vertices; points that are equal share a dot and a label.  Placed, these give
+the items of the labels.  A line has its name beside it: ``⟂ BC``, ``2ωv``.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import (
     APART,
     CLEARANCE,
+    CLOSE_BY,
     Placed,
     Wish,
     beside,
@@ -35,9 +36,10 @@ from vad.plan.sketch import Sketch, Tag
 from vad.strokes.sheet import Arrow, Block, Dot, Panel, Plate, Stroke
 
 LETTER = 0.040
+#: Within this distance a letter that comes again names the same dot.
 COINCIDENT = 0.012
 #: Two ways to one point lead to places that differ by rounding alone.
-SAME = 1e-6
+SAME = 1e-9
 #: The number of letters in one line, and the distance of lines.
 IN_LINE = 4
 LEADING = 1.15 * LETTER
@@ -49,7 +51,7 @@ SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82, 0.10, 0.90)
 
 @dataclass
 class Vertex:
-    """A dot with its letters, in the middle of its ``points``, so that it covers them all.
+    """A dot with its letters, in the middle of its ``points``, which have one place.
 
     ``points`` are places on the page, each with what it hangs on.  ``letters`` holds the number of
     the stroke that brings each, ``ways`` are the directions of the strokes that meet there.
@@ -170,9 +172,13 @@ def vertices_by_letter(panel: Panel, scale: Scale) -> list[Vertex]:
 
 
 def _merged(vertices: list[Vertex]) -> list[Vertex]:
-    """Return vertices of which no two are so near that they would share a dot."""
+    """Return vertices of which no two have the same place.
+
+    Letters that stand together say that their points are equal, and so they are joined where they
+    are, not where they look so.
+    """
     for one, other in combinations(vertices, 2):
-        if abs(one.at - other.at) < COINCIDENT:
+        if abs(one.at - other.at) < SAME:
             letters = sorted((other.letters | one.letters).items(), key=lambda each: each[1])
             both = Vertex(one.points | other.points, dict(letters), one.ways + other.ways)
             return _merged([both if v is one else v for v in vertices if v is not other])
@@ -223,10 +229,12 @@ def label_vertices(
 
 
 def wish(vertex: Vertex, all_: Sequence[Vertex], radius: float, near: Sequence[float]) -> Wish:
-    """Return the place that the label of a vertex asks for."""
+    """Return the place that the label of a vertex asks for: away from dots close by."""
     size = _size(tuple(vertex.letters))
     rivals = [other.at for other in all_ if other is not vertex]
-    return Wish(vertex.at, outward(vertex.ways), *size, radius, near, rivals)
+    close = [direction_of(vertex.at, at) for at in rivals if SAME < abs(at - vertex.at) < CLOSE_BY]
+    first = outward(close or vertex.ways)
+    return Wish(vertex.at, first, *size, radius, near, rivals)
 
 
 def _rows(letters: tuple[str, ...]) -> list[tuple[str, ...]]:
