@@ -293,6 +293,15 @@ def take_burden(mechanism: Mechanism, given: dict[str, Any]) -> Burden | None:
     return found if both else None
 
 
+def panels_of_page(panels: Any, burden: Burden | None, kind: str) -> Any:
+    """Return the panels of a page of forces, which has room for three beside its sliders."""
+    if kind != ".html" or burden is None or panels:
+        return panels
+    from vad.strokes.draw import OF_FORCES  # most commands draw nothing
+
+    return OF_FORCES
+
+
 def mechanism_options(kind: type[Mechanism], ranged: bool = False) -> list[click.Parameter]:
     """Return the options that set a mechanism's parameters and its input.
 

@@ -11,6 +11,7 @@ import math
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, nullcontext
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -21,12 +22,14 @@ from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import (
     NamedOption,
     burden_options,
+    panels_of_page,
     path,
     places,
     several,
     size,
     take_burden,
 )
+from vad.cli.places import sweep_places
 from vad.cli.process import (
     before_an_end_at_once,
     check_interrupt,
@@ -34,7 +37,7 @@ from vad.cli.process import (
     signals_held_back,
     wait_for_signal,
 )
-from vad.errors import AssemblyError, UsageError, VadError
+from vad.errors import UsageError, VadError
 from vad.export import FOLDER, FORMATS, format_of, formats, own_options
 from vad.export.files import clear_unfinished
 from vad.lecture.lesson import Lesson, Still, check_size
@@ -51,9 +54,6 @@ from vad.words import GROUP as LANGUAGES
 from vad.words import languages
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
     from vad.export.frames import Progress
     from vad.statics.burden import Burden
 
@@ -63,8 +63,6 @@ Inputs = dict[str, Any]
 SUBTITLES = (".srt", ".vtt")
 _SUBTITLED = (".mp4", ".gif", FOLDER)
 before_an_end_at_once(clear_unfinished)
-#: The most poses of a sweep.
-LARGEST = 10_000_000
 _SHEET = [
     click.Option(
         ["--panels"],
@@ -194,49 +192,6 @@ def note_change_points(
             click.echo(f"note: {change.words(place_unit(mechanism))}", err=True)
 
 
-def sweep_places(
-    mechanism: Mechanism, start: float | None = None, stop: float | None = None, steps: int = 361
-) -> NDArray[np.float64]:
-    """Return ``steps`` places of the driver, evenly spaced from ``start`` to ``stop``.
-
-    The ends that are left out are those of a whole turn of a driven link, or of the widest range in
-    which a driven slide closes.
-
-    Raises
-    ------
-    UsageError
-        If the number of steps or the ends make no range.
-    AssemblyError
-        If the mechanism closes nowhere.
-    """
-    import numpy as np
-
-    if not 2 <= steps <= LARGEST:
-        raise UsageError(f"--steps: must be from 2 to {LARGEST}, got {steps}")
-    if "angle" in mechanism.inputs:
-        first, last = 0.0, 360.0
-    elif start is None or stop is None:
-        first, last = _widest(mechanism)
-    first = first if start is None else start
-    last = last if stop is None else stop
-    if not math.isfinite(last - first) or first == last:
-        raise UsageError(f"--from, --to: {first:g} to {last:g} is no range")
-    return np.linspace(first, last, steps)
-
-
-def _widest(mechanism: Mechanism) -> tuple[float, float]:
-    """Return the widest range of the driver that closes, the greater one of two equal ones."""
-    from vad.kinematics.reach import closing_range
-
-    ranges = closing_range(mechanism)
-    if not ranges:
-        raise AssemblyError("with these lengths the links close nowhere")
-    widest = max(ranges, key=lambda ends: (float(f"{ends[1] - ends[0]:.6g}"), ends[1]))
-    if widest[0] == widest[1]:
-        raise AssemblyError(f"with these lengths the links close only at {widest[0]:g}")
-    return widest
-
-
 def draw(
     mechanism: Mechanism, inputs: Inputs, output: str, turn: bool = False, **options: Any
 ) -> None:
@@ -258,6 +213,8 @@ def draw(
             f"--blank is for pictures, not for '{output}'", hint="as in -o problem.pdf"
         )
     look = _pop(options, "style", "size", "paper", "blank", *own_options([FORMATS[made][kind]]))
+    if panels := panels_of_page(options.get("panels"), burden, kind):
+        options["panels"] = panels
     drawn: Sheet | Multiples | Turn
     if at is not None:
         drawn = _multiples(mechanism, inputs, at, burden, **options)
@@ -307,6 +264,8 @@ def animate(
     """Write the film in which one pose is drawn stroke by stroke, one step of it, or a turn."""
     _check_superposed(options, turn)
     burden = take_burden(mechanism, options)
+    if panels := panels_of_page(options.get("panels"), burden, Path(output).suffix.lower()):
+        options["panels"] = panels
     if turn:
         of_strokes = {"--still": still is not None, "--subtitles": subtitles}
         for name, given in (of_strokes | {"--loop": "loop" in options}).items():

@@ -1,17 +1,29 @@
-"""Where the force polygons of a turn stand: each has a pole that is the same in all poses."""
+"""Where force polygons stand over a turn: each has a pole that is the same in all poses.
+
+Under a hand that changes the rates, too, the poles move apart as far as inertia forces grow.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from vad.kinematics.motion import solve
+from vad.kinematics.reach import closing_range
+from vad.strokes.draw import parted, with_forces
 from vad.strokes.force_tracks import ways_of
 from vad.strokes.forces import APART
 
 if TYPE_CHECKING:
+    from vad.mechanisms.mechanism import Mechanism
+    from vad.statics.burden import Burden
     from vad.statics.forces import Forces
 
+#: In how many poses a mechanism is solved, in each range in which it closes.
+SAMPLES = 181
 #: If the largest of all poses is very much larger than three in four, these decide.
 USUAL, DWARFED, ABOUT = 75.0, 2.2, 1.15
 
@@ -55,3 +67,53 @@ def poles_of(found: Forces[Any, Any, Any]) -> dict[int, complex]:
         if high > low:  # something acts there
             left += high - low + APART * width
     return poles
+
+
+@dataclass(frozen=True)
+class HandPoles:
+    """The poles of a mechanism under a hand.
+
+    Attributes
+    ----------
+    poles
+        Those with the usual rates.
+    inertia
+        The share of inertia forces in the largest sum of all that acts.
+    rates
+        What these grow with, at the usual rates.
+    """
+
+    poles: Mapping[int, complex]
+    inertia: float
+    rates: float
+
+    def traced(self, inputs: Mapping[str, float]) -> Mapping[int, complex]:
+        """Return the poles at other rates, which may be traced."""
+        if not self.inertia:
+            return self.poles
+        factor = 1.0 - self.inertia + self.inertia / self.rates * _growth(inputs)
+        return {number: factor * pole for number, pole in self.poles.items()}
+
+
+def _growth(inputs: Mapping[str, float]) -> float:
+    """Return what inertia forces grow with: the square of the rate, and the second rate."""
+    _, rate, second = inputs.values()
+    return rate * rate + abs(second)
+
+
+def hand_poles(mechanism: Mechanism, burden: Burden | None) -> HandPoles:
+    """Return the poles of a mechanism at its usual rates, over the whole range of its driver."""
+    place, rate, second = mechanism.inputs
+    usual = {rate: mechanism.inputs[rate] or 1.0, second: mechanism.inputs[second]}
+    ranges = closing_range(mechanism)
+    places = np.concatenate([np.linspace(low, high, SAMPLES) for low, high in ranges])
+    given: Any = {place: places, **usual}
+    _, found = parted(with_forces(solve(mechanism, **given), burden))
+    assert found is not None
+    sizes = {True: np.zeros(places.shape), False: np.zeros(places.shape)}
+    for number, each in enumerate(found.acting):
+        if each.point:
+            sizes[each.kind == "inertia"] += np.abs(found.acts(number))
+    both = float(np.nanmax(sizes[True] + sizes[False])) or 1.0
+    inertia = float(np.nanmax(sizes[True])) / both
+    return HandPoles(poles_of(found), min(inertia, 1.0), _growth({place: 0.0, **usual}))

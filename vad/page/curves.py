@@ -14,9 +14,7 @@ from vad.plan.hand_board import HandBoard
 from vad.plan.turn_panel import owner_of
 from vad.strokes.diagram import Spot
 from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.draw import scene_of
 from vad.strokes.sheet import BELOW, Panel, Sheet
-from vad.words import Language
 
 
 def curves(board: HandBoard, sheet: Sheet, output: Callable[[float], int]) -> dict[str, Any]:
@@ -50,11 +48,10 @@ def curves(board: HandBoard, sheet: Sheet, output: Callable[[float], int]) -> di
         ]
         for panel in traced.panels
     ]
-    scene = scene_of(board.traced.motion, Language(sheet.language))
     names, tracks = list(board.traced.inputs), []
     for panel in traced.panels:
         found: list[list[Any]] = []
-        spots = DIAGRAMS[panel.name].tracks(scene)
+        spots = DIAGRAMS[panel.name].tracks(board.traced.scene)
         still = {spot.letter for spot, at in spots.items() if not _moves(board, at)}
         for spot, at in spots.items():
             half = traced.panel(panel.name + BELOW) if spot.below else panel
@@ -87,4 +84,4 @@ def _moves(board: HandBoard, at: Any) -> bool:
 
 def _row(panel: Panel, spot: Spot, still: set[str], sheet: Sheet) -> int | None:
     """Return the row of the link or slide whose vector ends at a point."""
-    return rows_of(sheet).get(owner_of(spot.letter, still, [panel]) or "")
+    return rows_of(sheet).get(spot.row or owner_of(spot.letter, still, [panel]) or "")

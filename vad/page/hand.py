@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import cmath
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields, replace
 from itertools import groupby
 from typing import Any
@@ -19,6 +19,7 @@ from vad.kinematics.reach import closing_range
 from vad.kinematics.traced import Traced, plain
 from vad.lecture.moment import drawing
 from vad.page.curves import curves
+from vad.page.dimensions import dimensions
 from vad.page.ink import Inker, when
 from vad.page.solved import given, proofs, template
 from vad.page.solver import solver_data
@@ -53,7 +54,6 @@ from vad.plan.scale import (
     padded,
 )
 from vad.strokes.sheet import Panel, Sheet
-from vad.strokes.traced_dimensions import AROUND_ZERO, RANGE
 from vad.words import Language
 from vad.written import THIN_SPACE
 
@@ -337,6 +337,8 @@ def _described(
     """Return what the page tells of the mechanism, and of what drives it."""
     traced, code = board.traced, Language(sheet.language)
     found = traced.motion.to_dict()
+    if traced.forces:
+        found["forces"] = traced.forces.to_dict()
     closes, rates = proofs(found)
     place, *_ = names = list(board.mechanism.inputs)
     cells = {cell.unit: cell for cell in given(sheet)}
@@ -352,7 +354,7 @@ def _described(
         "closes": [outputs.of(each) for each in closes],
         "rates": [outputs.of(each) for each in rates],
         "solved": template(found, board.mechanism.parameters(), outputs.of),
-        "dimensions": list(_dimensions(board, names)),
+        "dimensions": list(dimensions(board, names)),
         "names": {name: code.name(name) for name in board.mechanism.dimensions()},
         "turns": kind,
         "turn": said[kind],
@@ -465,33 +467,3 @@ def _as_given(value: float, board: HandBoard) -> float:
     """Return the input of which a value is a copy, so that it has the input's output."""
     inputs = (board.traced.inputs[name] for name in board.mechanism.inputs)
     return next((each for each in inputs if float(each) == float(value)), value)
-
-
-def _dimensions(board: HandBoard, driver: Sequence[str]) -> Iterator[list[Any]]:
-    """Yield each dimension that can be changed.
-
-    They are its name, its value, the ends of its slider, its unit, and its place among the inputs.
-    """
-    own = board.mechanism.dimensions()
-    known: dict[str, Any] = {each.name: each.metadata for each in fields(board.mechanism)}
-    largest = max(map(abs, own.values()), default=1.0) or 1.0
-    places = {name: place for place, name in enumerate(board.traced.inputs)}
-    for name, value in own.items():
-        if name not in places or name in driver:
-            continue
-        of_point = {"quantity": "angle" if name.endswith(".angle") else "length"}
-        metadata = known.get(name, of_point)
-        quantity = metadata["quantity"]
-        low, high = sorted(each * value for each in RANGE)
-        if "between" in metadata:
-            least, most, _ = metadata["between"]
-            low, high = (
-                max(value - 45.0, 0.5 * (least + value)),
-                min(value + 45.0, 0.5 * (value + most)),
-            )
-        elif quantity == "angle":
-            low, high = value - 45.0, value + 45.0
-        elif not value:
-            low, high = -AROUND_ZERO * largest, AROUND_ZERO * largest
-        unit = {"angle": "°", "length": board.mechanism.length_unit}.get(quantity, "")
-        yield [name, value, low, high, unit, places[name]]

@@ -60,6 +60,7 @@ function outside(root, body, dock, player) {
   // Fills a part of the results with numbers.
   const read = (part) => typeof part === "number" ? own[part] + 0
     : Array.isArray(part) ? part.map(read)
+    : typeof part === "string" ? part
     : Object.fromEntries(Object.entries(part).map(([name, each]) => [name, read(each)]));
 
   // The results of a pose as "vad solve --json" has them; nothing on the page changes.
@@ -75,7 +76,7 @@ function outside(root, body, dock, player) {
       if (name === "input") found.input = Object.fromEntries(part.map((each, i) => [each, values[i]]));
       else if (name === "parameters") found.parameters = { ...part, ...Object.fromEntries(data.dimensions.filter(([each]) => each in part).map((each) => [each[0], values[each[5]]])) };
       else if (name === "assembly") found.assembly = ways[body.assembly(values)];
-      else found[name] = ["links", "joints", "points", "slides"].includes(name) ? read(part) : part;
+      else found[name] = ["links", "joints", "points", "slides", "forces"].includes(name) ? read(part) : part;
     return found;
   }
 

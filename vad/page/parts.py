@@ -198,7 +198,8 @@ def turned_board(lesson: Lesson) -> HandBoard | None:
     if not all(DIAGRAMS[name].by_hand for name in names if name in DIAGRAMS):
         return None
     lines = caption_lines(sheet, form.width - 2 * MARGIN)
-    return hand_board(sheet.source.mechanism, names, sheet.language, form, lines)
+    mechanism, _, burden = sheet.source
+    return hand_board(mechanism, names, sheet.language, form, lines, burden)
 
 
 def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, str]:

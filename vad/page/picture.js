@@ -115,7 +115,7 @@ function picture(root, solve, data) {
   const cells = data.cells.flatMap(([row, column, at, place, factor, units, given]) => {
     const element = tables[row]?.[column]?.[at];
     if (!element) return [];
-    const said = element.textContent;
+    const said = element.textContent.replaceAll("\u00a0", " ");
     return [{ element, place, factor, units, given, bare: !said.endsWith(units.replace("²", "2")) && !said.endsWith(units), text: document.createTextNode("") }];
   });
 
@@ -129,7 +129,7 @@ function picture(root, solve, data) {
       const value = out[place] * factor, exists = value - value === 0;
       let says = written(value, units, given, data.point);
       if (bare && exists && units !== "°") says = says.slice(0, -units.length - 1);
-      says = `= ${says.replace(" ", "\u00a0")}`;
+      says = `= ${says.replaceAll(" ", "\u00a0")}`;
       if (text.data !== says) {
         text.data = says;
         counts.attributes++;

@@ -13,7 +13,7 @@ from vad.kinematics.traced import Traced
 from vad.strokes.sheet import Cell, Sheet
 
 #: The parts of that object whose numbers follow from the pose.
-RESULTS = ("links", "joints", "points", "slides")
+RESULTS = ("links", "joints", "points", "slides", "forces")
 _SECOND = ("alpha", "acceleration")
 
 
@@ -39,7 +39,7 @@ def _placed(found: Any, place: Callable[[float], int]) -> Any:
         return {name: _placed(each, place) for name, each in found.items()}
     if isinstance(found, list):
         return [_placed(each, place) for each in found]
-    return place(found)
+    return found if isinstance(found, str) else place(found)
 
 
 def proofs(found: Mapping[str, Any]) -> tuple[list[float], list[float]]:

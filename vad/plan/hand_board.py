@@ -19,6 +19,7 @@ from vad.kinematics.motion import solve
 from vad.kinematics.numbers import direction, fold
 from vad.kinematics.reach import closing_range
 from vad.kinematics.traced import TracedVector
+from vad.lecture.poles import HandPoles, hand_poles
 from vad.plan.format import Format
 from vad.plan.items import Item
 from vad.plan.labels.choices import VALUE, VALUE_NEAR
@@ -34,12 +35,14 @@ from vad.plan.pictures.vectors import ALONE, place_vectors
 from vad.plan.pictures.views import held_arc, tip_of
 from vad.plan.scale import Scale, calm_scale
 from vad.plan.sketch import Sketch
-from vad.strokes.draw import draw
+from vad.strokes.draw import NO_POLES, parted, scene_of, sheet_of, with_forces
 from vad.strokes.sheet import Arrow, Block, Panel, Sheet
 from vad.strokes.traced_sheet import TracedSheet, traced_sheet
+from vad.words import Language
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
+    from vad.statics.burden import Burden
 
 #: In how many poses the mechanism is drawn to find out how much room it needs.
 _POSES = 12
@@ -275,7 +278,12 @@ class HandBoard:
 
 
 def hand_board(
-    mechanism: Mechanism, panels: Sequence[str], language: str, form: Format, lines: int
+    mechanism: Mechanism,
+    panels: Sequence[str],
+    language: str,
+    form: Format,
+    lines: int,
+    burden: Burden | None = None,
 ) -> HandBoard:
     """Return the board of a mechanism for all its poses.
 
@@ -291,6 +299,8 @@ def hand_board(
         The shape of the page.
     lines
         How many lines there are for a caption.
+    burden
+        What it bears beside its own, if there are forces.
 
     Raises
     ------
@@ -298,13 +308,16 @@ def hand_board(
         If it closes nowhere.
     """
     inputs = poses_over_reach(mechanism)
-    sheets = list(_drawn(mechanism, inputs, panels, language))
+    poles = hand_poles(mechanism, burden) if "force" in panels else None
+    sheets = list(_drawn(mechanism, inputs, panels, language, burden, poles))
     if not sheets:
         raise AssemblyError("with these lengths the links close nowhere")
     poses = [sheet.panels[0] for _, sheet in sheets]
     live = LiveBoard.over(sheets[0][1], form, lines, poses)
     general = min(sheets, key=lambda each: _specials(live, each[1]))[0]
-    traced = traced_sheet(mechanism, general, panels, language, list(mechanism.dimensions()))
+    names = list(mechanism.dimensions())
+    standing = poles.traced if poles else lambda _: NO_POLES
+    traced = traced_sheet(mechanism, general, panels, language, names, burden, standing)
     scales = {
         name: _as_input(traced, name, picture.scale)
         for name, picture in live.pictures.items()
@@ -353,12 +366,20 @@ def poses_over_reach(mechanism: Mechanism) -> list[dict[str, float]]:
 
 
 def _drawn(
-    mechanism: Mechanism, inputs: Sequence[dict[str, float]], panels: Sequence[str], language: str
+    mechanism: Mechanism,
+    inputs: Sequence[dict[str, float]],
+    panels: Sequence[str],
+    language: str,
+    burden: Burden | None,
+    poles: HandPoles | None,
 ) -> Iterator[tuple[dict[str, float], Sheet]]:
     """Yield those of the poses that can be drawn, with their sheets."""
     for given in inputs:
         try:
-            yield given, draw(solve(mechanism, **given), panels, language)
+            motion, forces = parted(with_forces(solve(mechanism, **given), burden))
+            at = poles.traced(given) if poles else NO_POLES
+            scene = scene_of(motion, Language(language), forces, at)
+            yield given, sheet_of(scene, panels)
         except VadError:
             continue
 

@@ -172,9 +172,7 @@ class _Reader:
             if each.body in side.bodies and not each.point
         ]
         known = outer.force - unknown
-        return Half(
-            side.bodies, outer, known, unknown, direction, tuple(loads), float(sum(couples))
-        )
+        return Half(side.bodies, outer, known, unknown, direction, tuple(loads), sum(couples, 0.0))
 
     def direction(self, dyad: Dyad, side: Side) -> complex:
         """Return the direction of the line of the unknown part."""
@@ -183,12 +181,14 @@ class _Reader:
         if slide:
             return 1j * self.line(slide)
         ends = (body.joint.point, dyad.inner.point)
-        outer, inner = (complex(self.found.read(("point", p, "position"))) for p in ends)
-        return (inner - outer) / abs(inner - outer)
+        outer, inner = (self.found.read(("point", point, "position")) for point in ends)
+        along: complex = (inner - outer) / abs(inner - outer)
+        return along
 
     def line(self, slide: Slide) -> complex:
         """Return the direction of a slide in the user's axes."""
-        return complex(self.found.frame.line(slide, self.found.pose) * self.found.frame.turn)
+        line: complex = self.found.frame.line(slide, self.found.pose) * self.found.frame.turn
+        return line
 
     def loads(self, body: str, within: set[str]) -> list[Load]:
         """Return what acts on a body, and what hangs on it."""

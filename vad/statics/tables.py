@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import csv
 import math
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
 from vad.errors import InputError, UsageError, quoted
-from vad.kinematics.numbers import Number
+from vad.kinematics.numbers import Number, fold, minimum, not_below, positive, select, traced
 from vad.units import number_of
 
 #: The most rows of a table, and the most characters of its text.
@@ -90,6 +91,8 @@ def at_table(table: Table, place: Number, period: float | None) -> Number:
     vad.errors.InputError
         For one place beyond a table over a length; in an array it is NaN.
     """
+    if traced([place]):
+        return _traced(table, place, period)
     places, values = (np.array(column) for column in table)
     asked = np.asarray(place, dtype=float)
     if period is not None:
@@ -108,6 +111,23 @@ def at_table(table: Table, place: Number, period: float | None) -> Number:
     share = (asked - places[row]) / (places[row + 1] - places[row])
     found = np.where(known, values[row] + share * (values[row + 1] - values[row]), np.nan)
     return found if asked.ndim else float(found)
+
+
+def _traced(table: Table, place: Number, period: float | None) -> Number:
+    """Return the load at a traced place: the first load, and what each row adds up to there."""
+    places, values = (list(column) for column in table)
+    gone = place - places[0] if period is None else positive(fold(place - places[0]))
+    if period is not None and places[-1] - places[0] < period:
+        places.append(places[0] + period)
+        values.append(values[0])
+    found: Number = values[0]
+    for (low, before), (high, after) in pairwise(zip(places, values, strict=True)):
+        within = minimum(not_below(0.0, gone - (low - places[0])), high - low)
+        found = found + within * ((after - before) / (high - low))
+    if period is None:  # beyond its ends there is no load
+        reach = places[-1] - places[0]
+        found = select((gone < 0.0) | (gone > reach), math.nan, found)
+    return found
 
 
 def unit_of(name: str, unit: object, quantity: str) -> float:

@@ -176,7 +176,9 @@ def sheet_of(scene: AnyScene, panels: Sequence[str]) -> Sheet:
         language=language,
         notation=notation,
         driver=driver_of(scene.driver.name, scene.driver.kind == "angle", clean, drawn),
-        source=None if forces or mechanism.is_rotor else Source(mechanism, dict(motion.inputs)),
+        source=None
+        if mechanism.is_rotor
+        else Source(mechanism, dict(motion.inputs), forces.burden if forces else None),
     )
 
 

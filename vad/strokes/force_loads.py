@@ -6,7 +6,6 @@ lines that meet there are drawn, too.
 
 from __future__ import annotations
 
-import cmath
 import math
 from typing import TYPE_CHECKING
 
@@ -60,7 +59,8 @@ class _AtPoints:
 
     def _load(self, load: Load, shown: bool) -> None:
         """Draw a load with its head at its point, a weight with its tail."""
-        at, arrow = self.scene.at(load.point), cmath.rect(self.length, cmath.phase(load.force))
+        at = self.scene.at(load.point)
+        arrow = load.force * (self.length / abs(load.force)) if shown else 0j
         ends = (at, at + arrow) if load.kind == "weight" else (at - arrow, at)
         symbol, part = self.names.load(load), StrokePart(self.names.plain_load(load), "load")
         if shown:

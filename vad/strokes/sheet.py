@@ -288,10 +288,14 @@ class Coincidence:
 
 
 class Source(NamedTuple):
-    """A mechanism, and the motion of its driver in one pose."""
+    """A mechanism, the motion of its driver in one pose, and what it bears beside its own.
+
+    There are forces only where there is a ``burden``.
+    """
 
     mechanism: Any
     inputs: Mapping[str, float]
+    burden: Any = None
 
 
 @dataclass(frozen=True, slots=True)

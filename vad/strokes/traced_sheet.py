@@ -7,7 +7,7 @@ other dimensions: a page plays this program while its reader turns the crank.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -17,12 +17,15 @@ from vad.kinematics.reach import travels
 from vad.kinematics.recording import Recorded
 from vad.kinematics.solver import Solver
 from vad.kinematics.traced import Guard, Traced, TracedTape, made_of
-from vad.strokes.draw import draw
+from vad.strokes.draw import NO_POLES, chosen, parted, scene_of, sheet_of, with_forces
 from vad.strokes.sheet import Sheet
 from vad.strokes.traced_dimensions import traced_dimensions, traced_motion
+from vad.words import Language
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
+    from vad.statics.burden import Burden
+    from vad.strokes.draw import AnyScene
 
 
 @dataclass(frozen=True)
@@ -39,8 +42,8 @@ class TracedSheet:
         The traced inputs, by name: first those of the driver, then the dimensions.
     tape
         The record.
-    motion
-        The motion that is drawn, whose results are traced, too.
+    scene
+        The motion that is drawn, and the forces in it: their results are traced, too.
     guards
         The program is right for other dimensions if each of these decisions is made alike.
     """
@@ -48,8 +51,18 @@ class TracedSheet:
     sheet: Sheet
     inputs: dict[str, Traced]
     tape: TracedTape
-    motion: Motion[Any, Any, Any]
+    scene: AnyScene
     guards: tuple[Guard, ...] = ()
+
+    @property
+    def motion(self) -> Any:
+        """The motion that is drawn."""
+        return self.scene.motion
+
+    @property
+    def forces(self) -> Any:
+        """The forces in it; None without any."""
+        return self.scene.forces
 
     def input(self, name: str, value: float) -> Traced:
         """Add an input, for what follows from the sheet and from something else."""
@@ -81,6 +94,8 @@ def traced_sheet(
     panels: Sequence[str] | None = None,
     language: str = "en",
     dimensions: Sequence[str] = (),
+    burden: Burden | None = None,
+    poles: Callable[[Mapping[str, Traced]], Mapping[int, complex]] = lambda _: NO_POLES,
 ) -> TracedSheet:
     """Return the sheet of a pose with numbers that follow from the driver and from dimensions.
 
@@ -98,6 +113,10 @@ def traced_sheet(
         ``mechanism.dimensions()`` has.  One of which the code of the mechanism makes a constant is
         not among the inputs of what is returned.  In the sheet a dimension may differ from that of
         the mechanism in its last digits.
+    burden
+        What the mechanism bears beside its own, if there are forces.
+    poles
+        The function from the traced inputs to the poles of the force polygons.
 
     Raises
     ------
@@ -115,4 +134,7 @@ def traced_sheet(
     if solver.slides:
         motion.travels = travels(mechanism)
     given = {**traced.inputs, **traced.sizes}
-    return TracedSheet(draw(motion, panels, language), given, traced.tape, motion, traced.guards)
+    _, forces = parted(with_forces(motion, burden))
+    scene = scene_of(motion, Language(language), forces, poles(traced.inputs))
+    sheet = sheet_of(scene, chosen(panels, motion, forces))
+    return TracedSheet(sheet, given, traced.tape, scene, traced.guards)

@@ -1,0 +1,54 @@
+"""The numbers of a mechanism that sliders of a page change: dimensions, and those of loads."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import fields
+from typing import Any
+
+from vad.plan.hand_board import HandBoard
+from vad.strokes.traced_dimensions import AROUND_ZERO, RANGE
+from vad.units import DIMENSIONS, scene_unit
+
+#: Quantities in degrees, and those of loads and masses that are never negative.
+_ANGLES, _POSITIVE = ("angle", "direction"), ("mass", "inertia", "friction")
+
+
+def _quantity(known: Mapping[str, Any], name: str) -> str:
+    """Return what a dimension measures; one that is no parameter is that of a point on a link."""
+    if name in known:
+        quantity: str = known[name]["quantity"]
+        return quantity
+    return "angle" if name.endswith(".angle") else "length"
+
+
+def dimensions(board: HandBoard, driver: Sequence[str]) -> Iterator[list[Any]]:
+    """Yield each dimension that can be changed.
+
+    They are its name, its value, the ends of its slider, its unit, and its place among the inputs.
+    """
+    own = board.mechanism.dimensions()
+    known: dict[str, Any] = {each.name: each.metadata for each in fields(board.mechanism)}
+    lengths = [abs(own[name]) for name in own if _quantity(known, name) in DIMENSIONS]
+    largest = max(lengths, default=1.0) or 1.0
+    places = {name: place for place, name in enumerate(board.traced.inputs)}
+    for name, value in own.items():
+        if name not in places or name in driver:
+            continue
+        metadata, quantity = known.get(name, {}), _quantity(known, name)
+        low, high = sorted(each * value for each in RANGE)
+        if "between" in metadata:
+            least, most, _ = metadata["between"]
+            low, high = (
+                max(value - 45.0, 0.5 * (least + value)),
+                min(value + 45.0, 0.5 * (value + most)),
+            )
+        elif quantity in _ANGLES:
+            low, high = value - 45.0, value + 45.0
+        elif not value:
+            low, high = -AROUND_ZERO * largest, AROUND_ZERO * largest
+            if quantity in _POSITIVE:
+                low, high = 0.0, 1.0
+        unit = scene_unit(quantity, board.mechanism.length_unit)
+        unit = "°" if quantity in _ANGLES else unit.replace("^2", "²")
+        yield [name, value, low, high, unit, places[name]]
