@@ -24,7 +24,7 @@ from unittest.mock import patch
 import click
 
 from tests.fuzz.promise import broken
-from vad.cli import verbs
+from vad.cli import output, verbs
 from vad.cli.app import app
 from vad.cli.completion import VARIABLE
 from vad.cli.groups import MechanismGroup
@@ -154,7 +154,7 @@ def fault(words: Sequence[str], seed: int = 0) -> str | None:
         chdir(folder),
         patch.dict(os.environ, {"VAD_DEBUG": "1", "TMPDIR": folder}),
         patch("vad.gui.visit._visit", lambda *_: None),
-        patch.object(verbs, "check_interrupt", _stop),
+        patch.object(output, "check_interrupt", _stop),
         patch.object(verbs, "wait_for_signal", lambda: None),
     ):
         Path("press.toml").write_text(example_path("toggle-press").read_text("utf-8"), "utf-8")

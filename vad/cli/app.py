@@ -142,9 +142,9 @@ class App(click.Group):
         return {name: self.commands[name] for name in dict.fromkeys((*order, *self.commands))}
 
     def _import_drawing(self) -> None:
-        from vad.cli.verbs import VERBS
+        from vad.cli import classes, verbs
 
-        for verb in VERBS:
+        for verb in (*verbs.VERBS, *classes.VERBS):
             self.add_command(verb)
 
     def resolve_command(

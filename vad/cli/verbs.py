@@ -1,16 +1,13 @@
 """The verbs that draw: their options, and what each does with a mechanism and its input.
 
 They are imported only when one of them is asked for, because they know all that can be drawn.
-While a film is written, a terminal shows a progress bar; when a file is complete, it shows its
-name.  Output into a pipe has neither.
 """
 
 from __future__ import annotations
 
 import math
-import sys
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager, nullcontext
+from collections.abc import Iterable
+from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +15,7 @@ import click
 
 import vad
 from vad.cli import completion
-from vad.cli.groups import HelpfulCommand, MechanismGroup
+from vad.cli.groups import MechanismGroup
 from vad.cli.options import (
     NamedOption,
     burden_options,
@@ -29,10 +26,10 @@ from vad.cli.options import (
     size,
     take_burden,
 )
+from vad.cli.output import progress, say_written
 from vad.cli.places import sweep_places
 from vad.cli.process import (
     before_an_end_at_once,
-    check_interrupt,
     say,
     signals_held_back,
     wait_for_signal,
@@ -54,7 +51,6 @@ from vad.words import GROUP as LANGUAGES
 from vad.words import languages
 
 if TYPE_CHECKING:
-    from vad.export.frames import Progress
     from vad.statics.burden import Burden
 
 
@@ -113,27 +109,6 @@ _FILM = [
     ),
     click.Option(["--subtitles"], is_flag=True, help="FILE.srt and FILE.vtt beside the film"),
 ]
-_HELP = """\
-Make problem sheets with their keys by the hundred.
-
-SHEETS is a .csv file with one row a sheet, or a .toml file such as
-
-\b
-  [sheet]
-  mechanism = "four-bar"               # or a .toml file that lies beside this one
-  count = 30
-  files = ["problem.pdf", "key.pdf"]   # also png, svg, json, mp4, gif
-  blank = ["velocity", "acceleration"]
-  [vary]
-  crank = { share = 0.25 }             # nice numbers about the default
-  angle = { from = 0, to = 355, step = 5 }
-  omega = ["60 rpm", "90 rpm"]
-  [keep]
-  sine = 0.35                          # how steeply all lines cross at least
-
-[sheet] also takes seed, panels, points, language, style, paper, size, fps, speed, length_unit.
-What stands in FOLDER already, made from the same settings, is not made again.
-"""
 _LOADS = burden_options()
 _AT = click.Option(
     ["--at"],
@@ -141,37 +116,6 @@ _AT = click.Option(
     metavar="PLACE,PLACE",
     help="two to six poses side by side, at these places of the driver  [one pose]",
 )
-
-
-@contextmanager
-def progress(what: str) -> Iterator[Progress]:
-    """Yield the function to call after each frame: it checks for signals and shows progress."""
-
-    def obey(_done: int, _total: int) -> None:
-        check_interrupt()
-
-    with signals_held_back():
-        if sys.stderr is None or not sys.stderr.isatty():
-            yield obey
-            return
-        from rich.console import Console
-        from rich.markup import escape
-        from rich.progress import Progress as Bar
-
-        with Bar(console=Console(stderr=True), transient=True) as bar:
-            task = bar.add_task(escape(what), total=None)
-
-            def move(done: int, total: int) -> None:
-                obey(done, total)
-                bar.update(task, completed=done, total=total)
-
-            yield move
-
-
-def say_written(path: str, details: str = "") -> None:
-    """Say on a terminal which file is complete."""
-    if sys.stdout is not None and sys.stdout.isatty():
-        click.echo(f"wrote {path}" + (f" ({details})" if details else ""))
 
 
 def note_change_points(
@@ -367,74 +311,6 @@ def _output(extensions: Iterable[str]) -> click.Option:
     )
 
 
-@click.command("batch", cls=HelpfulCommand, help=_HELP)
-@click.argument("sheets", metavar="SHEETS", required=False, shell_complete=completion.a_file)
-@click.option(
-    "-o",
-    "--output",
-    required=True,
-    callback=path(),
-    shell_complete=completion.a_file,
-    metavar="FOLDER",
-    help="FOLDER/ for the sheets and answers.csv, answers.json",
-)
-@click.option("--jobs", type=int, help="how many sheets are made at a time  [1]")
-@click.option("--cluster", metavar="ADDRESS", help="of a Dask scheduler, as in tcp://host:8786")
-@click.option("--only", type=int, metavar="K", help="make sheet K again  [all]")
-@click.pass_context
-def make_batch(
-    ctx: click.Context,
-    sheets: str | None,
-    output: str,
-    jobs: int | None,
-    cluster: str | None,
-    only: int | None,
-) -> None:
-    """Make problem sheets with their keys by the hundred."""
-    if sheets is None:
-        raise UsageError("batch needs a file of sheets", "vad batch sheets.toml -o sheets/")
-    with progress(output) as moved:
-        made = vad.batch(
-            sheets,
-            output,
-            jobs=1 if jobs is None else jobs,
-            cluster=cluster,
-            only=only,
-            progress=moved,
-        )
-    failed = [each for each in made if each.error is not None]
-    for each in failed:
-        hint = f" ({each.error.hint})" if each.error and each.error.hint else ""
-        say(f"error: sheet {each.number}: {each.error}{hint}")
-    say_written(output, f"{len(made) - len(failed)} sheets")
-    if failed:
-        ctx.exit(1)
-
-
-@click.command("quiz", cls=HelpfulCommand)
-@click.argument("sheets", metavar="SHEETS", required=False, shell_complete=completion.a_file)
-@click.option(
-    "-o",
-    "--output",
-    required=True,
-    callback=path(),
-    shell_complete=completion.a_file,
-    metavar="FILE",
-    help="FILE.xml (Moodle), FILE.gift, FILE.zip (QTI 2.1) or FILE.md",
-)
-def make_quiz(sheets: str | None, output: str) -> None:
-    """Make a question bank for a learning platform, with pictures and numerical answers.
-
-    SHEETS is a file as for vad batch; in [sheet], ask = ["rocker.omega"] names what is asked for,
-    and tolerance = 0.03 says how far off an answer may be.
-    """
-    if sheets is None:
-        raise UsageError("quiz needs a file of sheets", "vad quiz sheets.toml -o bank.xml")
-    with progress(output) as moved:
-        made = vad.quiz(sheets, output, progress=moved)
-    say_written(output, f"{len(made)} questions")
-
-
 #: These verbs by name.
 VERBS: tuple[click.Command, ...] = (
     MechanismGroup(
@@ -483,6 +359,4 @@ VERBS: tuple[click.Command, ...] = (
         ],
         usual="slider-crank",
     ),
-    make_batch,
-    make_quiz,
 )

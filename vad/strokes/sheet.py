@@ -486,10 +486,7 @@ class Sheet(Displayed):
 
 
 def driver_of(key: str, turns: bool, rows: Sequence[Row], panels: Sequence[Panel]) -> Driver:
-    """Return the driver of a row, with its rate where there is a panel of velocities.
-
-    Its strokes are those in the panel of the mechanism.
-    """
+    """Return the driver of a row, with its strokes, and its rate where there are velocities."""
     cells = (c for row in rows if row.key == key for c in row.cells.get("velocity", ()) if c.given)
     own = [s for p in panels if p.picture != "vectors" for s in p.strokes if s.link == key]
     return Driver(

@@ -494,8 +494,7 @@ def visible_part(arc: Bow, room: Rect) -> Bow:
     # Each round goes back by one step.
     while first > 0 and inside[first - 1]:
         first -= 1
-    # Each round goes on by one step.
-    while last < steps and inside[last + 1]:
+    while last < steps and inside[last + 1]:  # each round goes on by one step
         last += 1
     start = arc.start + arc.sweep * first / steps
     return Bow(arc.centre, arc.radius, start, arc.sweep * (last - first) / steps)

@@ -1,0 +1,107 @@
+"""The verbs for a class: sheets by the hundred, and question banks."""
+
+from __future__ import annotations
+
+import click
+
+import vad
+from vad.cli import completion
+from vad.cli.groups import HelpfulCommand
+from vad.cli.options import path
+from vad.cli.output import progress, say_written
+from vad.cli.process import say
+from vad.errors import UsageError
+
+_HELP = """\
+Make problem sheets with their keys by the hundred.
+
+SHEETS is a .csv file with one row a sheet, or a .toml file such as
+
+\b
+  [sheet]
+  mechanism = "four-bar"               # or a .toml file that lies beside this one
+  count = 30
+  files = ["problem.pdf", "key.pdf"]   # also png, svg, json, mp4, gif
+  blank = ["velocity", "acceleration"]
+  [vary]
+  crank = { share = 0.25 }             # nice numbers about the default
+  angle = { from = 0, to = 355, step = 5 }
+  omega = ["60 rpm", "90 rpm"]
+  [keep]
+  sine = 0.35                          # how steeply all lines cross at least
+
+[sheet] also takes seed, panels, points, language, style, paper, size, fps, speed, length_unit.
+What stands in FOLDER already, made from the same settings, is not made again.
+"""
+
+
+@click.command("batch", cls=HelpfulCommand, help=_HELP)
+@click.argument("sheets", metavar="SHEETS", required=False, shell_complete=completion.a_file)
+@click.option(
+    "-o",
+    "--output",
+    required=True,
+    callback=path(),
+    shell_complete=completion.a_file,
+    metavar="FOLDER",
+    help="FOLDER/ for the sheets and answers.csv, answers.json",
+)
+@click.option("--jobs", type=int, help="how many sheets are made at a time  [1]")
+@click.option("--cluster", metavar="ADDRESS", help="of a Dask scheduler, as in tcp://host:8786")
+@click.option("--only", type=int, metavar="K", help="make sheet K again  [all]")
+@click.pass_context
+def make_batch(
+    ctx: click.Context,
+    sheets: str | None,
+    output: str,
+    jobs: int | None,
+    cluster: str | None,
+    only: int | None,
+) -> None:
+    """Make problem sheets with their keys by the hundred."""
+    if sheets is None:
+        raise UsageError("batch needs a file of sheets", "vad batch sheets.toml -o sheets/")
+    with progress(output) as moved:
+        made = vad.batch(
+            sheets,
+            output,
+            jobs=1 if jobs is None else jobs,
+            cluster=cluster,
+            only=only,
+            progress=moved,
+        )
+    failed = [each for each in made if each.error is not None]
+    for each in failed:
+        hint = f" ({each.error.hint})" if each.error and each.error.hint else ""
+        say(f"error: sheet {each.number}: {each.error}{hint}")
+    say_written(output, f"{len(made) - len(failed)} sheets")
+    if failed:
+        ctx.exit(1)
+
+
+@click.command("quiz", cls=HelpfulCommand)
+@click.argument("sheets", metavar="SHEETS", required=False, shell_complete=completion.a_file)
+@click.option(
+    "-o",
+    "--output",
+    required=True,
+    callback=path(),
+    shell_complete=completion.a_file,
+    metavar="FILE",
+    help="FILE.xml (Moodle), FILE.gift, FILE.zip (QTI 2.1) or FILE.md",
+)
+def make_quiz(sheets: str | None, output: str) -> None:
+    """Make a question bank for a learning platform, with pictures and numerical answers.
+
+    SHEETS is a file as for vad batch; in [sheet], ask = ["rocker.omega"] names what is asked for,
+    and tolerance = 0.03 says how far off an answer may be.
+    """
+    if sheets is None:
+        raise UsageError("quiz needs a file of sheets", "vad quiz sheets.toml -o bank.xml")
+    with progress(output) as moved:
+        made = vad.quiz(sheets, output, progress=moved)
+    say_written(output, f"{len(made)} questions")
+
+
+#: These verbs by name.
+VERBS: tuple[click.Command, ...] = (make_batch, make_quiz)
