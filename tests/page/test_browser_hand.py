@@ -526,6 +526,24 @@ def test_a_page_shows_and_answers_for_the_other_assembly(page: Page) -> None:
     assert page.evaluate("() => vad.state.assembly") == "open"
 
 
+def test_a_row_hides_its_vectors_and_a_key_enlarges_a_panel(page: Page) -> None:
+    faint = """() => [...document.querySelectorAll('.hand path')].filter(
+      (each) => getComputedStyle(each).opacity === '0.1').length"""
+    press(page, "End", "h")
+    page.locator(".hides").nth(1).click()
+    assert page.evaluate(faint) > 2
+    page.locator(".hides").nth(1).click()
+    assert page.evaluate(faint) == 0
+    page.evaluate("document.activeElement.blur()")
+    whole = page.locator(".panel").nth(2).bounding_box()
+    press(page, "z")
+    large = page.locator(".panel").nth(2).bounding_box()
+    assert whole and large and large["width"] > 1.5 * whole["width"]
+    expect(page.locator(".panel:visible")).to_have_count(1)
+    press(page, "z")
+    expect(page.locator(".panel:visible")).to_have_count(3)
+
+
 def test_forced_colours_show_the_mode_and_the_handle(page: Page) -> None:
     page.emulate_media(forced_colors="active")
     press(page, "h")

@@ -61,6 +61,8 @@ from vad.written import THIN_SPACE
 _FAR = (0.030, 0.044, 0.058)
 #: The attributes of a shape that are set before it is seen.
 _SET = re.compile(r' (?:d|cx|cy)="[^"]*"')
+#: What tells a letter from the same one in another view.
+_AGAIN = re.compile(r" \d+$")
 #: Of the signs in a scale bar's number, and of the bar itself, in page units.
 _SIGNS = {
     "wide": {sign: round(width(roman(sign), SCALE_SIZE), 5) for sign in f"0.,{THIN_SPACE}×"},
@@ -193,7 +195,7 @@ def hand(board: HandBoard, plan: Plan, inker: Inker, write: Callable[[Runs], str
         "ranges": closing_range(board.mechanism),
         "moves": moves,
         "labels": labels,
-        "spelled": [spelled(label.name.split(" ")[0], sheet.language) for label in board.labels],
+        "spelled": [spelled(_AGAIN.sub("", label.name), sheet.language) for label in board.labels],
         "nears": [[[*near, *(near[0] + far for far in _FAR)], len(near)] for near in nears],
         "leader": leader.partition('class="')[2].partition('"')[0],
         "blocks": blocks,

@@ -258,8 +258,8 @@ export function mount(root, data, { address = true } = {}) {
       root.dataset.theme = themes.find((each) => each !== root.dataset.theme) ?? themes[0];
     },
     // One panel alone, as large as the window has room for; again, all of them.
-    large: (panel = lesson.panel) => {
-      const large = !root.classList.contains("large");
+    large: () => {
+      const { panel } = lesson, large = !root.classList.contains("large");
       root.classList.toggle("large", large);
       lesson.pictures.forEach((picture, i) => picture.closest(".panel").classList.toggle("big", large && i === panel));
     },

@@ -8,7 +8,7 @@ function hidden(root, body, dock) {
   const rules = root.appendChild(document.createElement("style")), away = new Set();
   const rows = [...root.querySelectorAll(".results tbody th")].map((head, row) => {
     const button = document.createElement("button");
-    button.className = "row";
+    button.className = "hides";
     button.append(...head.childNodes);
     button.title = filled(body.data.words["hide-row"], { name: button.textContent.trim() });
     button.addEventListener("click", ({ shiftKey }) => {
@@ -27,7 +27,7 @@ function hidden(root, body, dock) {
   // The classes whose rules name the ink of a row that is away.
   function classes() {
     const all = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]);
-    const inked = all.filter(({ cssText }) => away.has(+/--(?:ink|tint|letter)(\d+)\)/.exec(cssText)?.[1]));
+    const inked = all.filter(({ cssText }) => away.has(Number(cssText.match(/--(?:ink|tint|letter)(\d+)\)/)?.[1])));
     return inked.map(({ selectorText }) => selectorText).filter((name) => /^\.\w+$/.test(name));
   }
 
