@@ -15,14 +15,16 @@ from vad.errors import one_of
 from vad.plan.board import Plan
 from vad.plan.items import FOREVER, RESULTS, Item, Level, foot_of, head_of
 from vad.plan.page.table import table
-from vad.strokes.sheet import POLE, Sheet, Stroke
+from vad.strokes.sheet import POLE, Sheet, Stroke, StrokePart
 
+#: The circle of bodies, on which a student draws what is known and what is found.
+CIRCLE = StrokePart("bodies", "circle")
 #: What is left to be drawn: the panels by their names, each with the strokes that it shows.
 Blank = Mapping[str, tuple[Stroke, ...]]
 
 
 def blank_panels(sheet: Sheet, names: Sequence[str] | str) -> Blank:
-    """Return the panels of these names, with their pole or their fixed points alone.
+    """Return the panels of these names, with what is given: pole, fixed points, or a mechanism.
 
     Raises
     ------
@@ -33,14 +35,14 @@ def blank_panels(sheet: Sheet, names: Sequence[str] | str) -> Blank:
     there = [panel.name for panel in sheet.panels]
     panels = [sheet.panel(one_of("panel", name, there)) for name in chosen]
     return {
-        half.name: tuple(stroke for stroke in half.strokes if _is_given(stroke))
+        half.name: (*half.strokes[: half.given], *filter(_is_given, half.strokes[half.given :]))
         for panel in panels
         for half in panel.halves
     }
 
 
 def _is_given(stroke: Stroke) -> bool:
-    return stroke.kind in ("pole", "fixed") or stroke.part == POLE
+    return stroke.kind in ("pole", "fixed") or stroke.part in (POLE, CIRCLE)
 
 
 def problem(key: Plan, blank: Blank, line: float) -> Plan:
@@ -83,6 +85,10 @@ def _without_answer(item: Item, key: Plan, blank: Blank, answers: Collection[str
         setting = key.sketches[name].setting
         for stroke in strokes:
             since = setting.after(setting.panel.number(stroke.name))
-            if item.stroke == setting.panel.full(stroke.name) and item.since <= since < item.until:
+            own = item.stroke == setting.panel.full(stroke.name)
+            # Letters may come to a pole or pivot; what shines for a while is no part of a figure.
+            stays = item.until == FOREVER or stroke.kind in ("pole", "fixed")
+            stays = stays and item.level != Level.GLOW
+            if own and stays and item.since <= since < item.until:
                 return replace(item, since=0, until=FOREVER)  # without letters that come to it
     return None
