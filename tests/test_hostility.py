@@ -58,7 +58,8 @@ def test_nothing_that_comes_in_breaks_the_promise(entrance, first):
         (lambda: vad.FourBar(crank=np.timedelta64(1, "s")), "crank: must be a number"),
         (lambda: vad.FourBar(crank=np.complex128(1 + 2j)), "crank: must be a number"),
         (lambda: vad.FourBar(crank=bytearray(b"60")), "crank: must be a number"),
-        (lambda: vad.FourBar(crank=np.array([60.0])), "crank: must be one number"),
+        (lambda: vad.merit(vad.FourBar(crank=np.array([60.0]))), "crank: must be one number"),
+        (lambda: vad.FourBar(crank=np.array(["60"])), "crank: must be a number or an array"),
         (lambda: vad.FourBar(crank=10**5000), "crank: must be a finite number, got an int"),
     ],
 )

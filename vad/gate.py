@@ -7,13 +7,20 @@ any type; what is refused is an `InputError` that begins with the name of the va
 from __future__ import annotations
 
 import math
+import numbers
 import os
+import sys
 import unicodedata
 from collections.abc import Iterable
+from decimal import Decimal
 from itertools import islice
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vad.errors import InputError, UsageError, quoted
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 #: The ends of what a length may be: scaled products of four of them stay in the range of doubles.
 SHORTEST, LONGEST = 1e-200, 1e200
@@ -86,6 +93,90 @@ def real(name: str, value: Any) -> float:
         return math.nan
     except Exception:  # a class may raise anything when it is asked for a number
         raise InputError(f"{_start(name)}must be {wanted}, got {quoted(value)}") from None
+
+
+def array(name: str, value: object) -> NDArray[np.float64]:
+    """Return a new array of floats; text and dates are refused, though numpy makes numbers of them.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If it is neither a number nor an array of them, or a masked array.
+
+    Examples
+    --------
+    >>> array("angle", [30, 60.5])
+    array([30. , 60.5])
+    """
+    import numpy as np  # what reads names and files alone does not need it
+
+    try:
+        if isinstance(value, str | bytes | bytearray):
+            raise TypeError
+        masked = np.ma.is_masked(value)
+        given = np.asarray(value)
+        kind = given.dtype.kind
+        if kind not in "iufO" or (kind == "O" and not all(map(is_number, given.flat))):
+            raise TypeError
+        found = np.array(given, dtype=float)
+    except Exception as error:  # whatever a class says that is asked for an array
+        if isinstance(error, MemoryError):
+            raise
+        wanted = "must be a number or an array of numbers"
+        raise InputError(f"{name}: {wanted}, got {quoted(value)}") from None
+    if masked:
+        hint = "array.filled(numpy.nan) gives NaN, which is answered with NaN"
+        raise InputError(f"{name}: must not be masked, for a mask would be lost", hint)
+    return found
+
+
+def is_number(value: object) -> bool:
+    """Tell whether a value is a real number.
+
+    In Python a truth value counts as a number, and in numpy a span of time does, too.
+    """
+    return isinstance(value, numbers.Real | Decimal) and not (
+        isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "m"
+    )
+
+
+def is_many(value: object) -> bool:
+    """Tell whether a value has the shape of several numbers: a list, a numpy or a Dask array."""
+    return isinstance(value, list | tuple) or getattr(value, "shape", ()) != ()
+
+
+def is_lazy(value: object) -> bool:
+    """Tell whether a value is a Dask array, without loading Dask for one that is not."""
+    dask = sys.modules.get("dask.array")
+    return dask is not None and isinstance(value, dask.Array)
+
+
+def dimensions(name: str, value: Any, *, signed: bool) -> Any:
+    """Return an array of lengths or angles, which no one can change; a Dask array as it is.
+
+    What is NaN in it stays so, and is answered with NaN.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For a number in it that `dimension` refuses.
+
+    Examples
+    --------
+    >>> dimensions("crank", [40, -4], signed=False)
+    Traceback (most recent call last):
+    vad.errors.InputError: crank: must be positive, got -4
+    """
+    if is_lazy(value):
+        if value.dtype.kind not in "iuf":
+            raise InputError(f"{name}: must be an array of numbers, got one of {value.dtype}")
+        return value
+    found = array(name, value)
+    known = found[found == found]
+    for each in (known.min(), known.max(), known[abs(known).argmin()]) if known.size else ():
+        dimension(name, float(each), signed=signed)
+    found.flags.writeable = False
+    return found
 
 
 def dimension(name: str, value: object, *, signed: bool) -> float:

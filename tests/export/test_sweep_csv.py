@@ -42,7 +42,7 @@ def test_every_number_is_written_as_repr_writes_it(columns):
     numbers = numbers[: len(numbers) // columns * columns]
     dice.shuffle(numbers)
     table = list(numbers.reshape(columns, -1))
-    assert sweep_csv._lines(table) == lines(table)
+    assert sweep_csv.written(table) == lines(table)
 
 
 @pytest.mark.parametrize("size", [1, sweep_csv._BLOCK, sweep_csv._BLOCK + 1])

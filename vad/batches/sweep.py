@@ -6,8 +6,10 @@ result.
 
 from __future__ import annotations
 
+import math
 import sys
 from collections.abc import Iterable, Mapping
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
@@ -17,12 +19,15 @@ from vad import gate
 from vad.errors import InputError, UsageError, quoted, unknown
 from vad.kinematics.any_solver import Result
 from vad.kinematics.motion import Motion, MotionInSpace, solve
+from vad.kinematics.varied import inputs_at, representative, single_ones
 from vad.mechanisms import Mechanism
 from vad.statics.forces import DRIVE, FORCE, Forces, forces
 from vad.statics.solver import KINDS
 
 Solved = Motion[Any, Any, Any]
 Loaded = Forces[Any, Any, Any]
+#: The results whose names have no full stop.
+_ALONE = (DRIVE, "transmission")
 _HINT = 'as in ("rocker.omega", "C.acceleration")'
 
 
@@ -41,11 +46,11 @@ def sweep(
     Parameters
     ----------
     mechanism
-        The mechanism with its dimensions.
+        The mechanism with its dimensions, which may be arrays, too, numpy's or Dask's.
     results
         Their names: that of a link, point or slide, a full stop, and one of what `Motion` has of
         it; ``"rocker.omega"``, ``"C.acceleration"``.  Of forces: ``"drive"``, and that of a body on
-        another one, ``"coupler.rocker.force"``.
+        another one, ``"coupler.rocker.force"``.  ``"transmission"`` is the transmission angle.
     loads, masses, gravity, friction
         As for `forces`: numbers that are the same in all poses.
     **inputs
@@ -76,19 +81,22 @@ def sweep(
     """
     names = _names(results)
     burden = {"loads": loads, "masses": masses, "gravity": gravity, "friction": friction}
-    lazy = {name: value for name, value in inputs.items() if _is_dask(value)}
-    solved = solve(mechanism, **(inputs | dict.fromkeys(lazy, 0.0)))  # checks what is known by now
-    motion = _loaded(solved, names, burden)
+    varied = mechanism.varied if isinstance(mechanism, Mechanism) else {}
+    lazy = {name: value for name, value in (inputs | varied).items() if gate.is_lazy(value)}
+    one = _one(mechanism) if varied else mechanism
+    known = {name: 0.0 if name in lazy else value for name, value in inputs.items()}
+    motion = _loaded(solve(one, **known), names, burden)  # checks what is known by now
     dtype = np.dtype([_field(motion, name) for name in names])
     if not lazy:
-        return _solved(motion, dtype)
+        return _swept(mechanism, inputs, dtype, burden) if varied else _solved(motion, dtype)
     da: Any = sys.modules["dask.array"]
 
     for name, value in lazy.items():
         if value.dtype.kind not in "iuf":
             raise InputError(f"{name}: must be an array of numbers, got one of {value.dtype}")
-    many = {name: da.asarray(value) for name, value in inputs.items() if np.ndim(value)}
-    single = {name: value for name, value in inputs.items() if name not in many}
+    given = inputs | varied
+    many = {name: da.asarray(value) for name, value in given.items() if np.ndim(value)}
+    single = {name: value for name, value in given.items() if name not in many}
     try:
         arrays = da.broadcast_arrays(*many.values())
     except ValueError:
@@ -97,7 +105,7 @@ def sweep(
     return da.map_blocks(
         _block,
         *arrays,
-        mechanism=mechanism,
+        mechanism=one,
         names=tuple(many),
         single=single,
         results=dtype,
@@ -116,15 +124,41 @@ def _block(
     burden: dict[str, Any],
 ) -> NDArray[Any]:
     """Solve one block of inputs, which are in ``arrays`` under their ``names``."""
-    motion = solve(mechanism, **single, **dict(zip(names, arrays, strict=True)))
-    return _solved(_loaded(motion, results.names or (), burden), results)
+    given = single | dict(zip(names, arrays, strict=True))
+    varied = {name: given.pop(name) for name in list(given) if name not in mechanism.inputs}
+    return _swept(replace(mechanism, **varied), given, results, burden)
+
+
+def _swept(
+    mechanism: Mechanism, inputs: dict[str, Any], results: np.dtype[Any], burden: dict[str, Any]
+) -> NDArray[Any]:
+    """Solve arrays of inputs; where dimensions vary and forces are asked for, one after another."""
+    motion, names = solve(mechanism, **inputs), results.names or ()
+    if not mechanism.varied or not _has_forces(names):
+        return _solved(_loaded(motion, names, burden), results)
+    found = np.full(math.prod(motion.shape), np.nan, results)
+    for single, at in single_ones(mechanism, motion.shape):
+        one = solve(single, **inputs_at(motion.inputs, motion.shape, at))
+        found[at] = _solved(_loaded(one, names, burden), results)
+    return found.reshape(motion.shape)
+
+
+def _one(mechanism: Mechanism) -> Mechanism:
+    """Return one mechanism with the names of all for which one with arrays stands."""
+    lazy = {name: value for name, value in mechanism.varied.items() if gate.is_lazy(value)}
+    defaults: dict[str, Any] = {
+        each.name: each.default for each in fields(mechanism) if each.name in lazy
+    }
+    return representative(replace(mechanism, **defaults))
 
 
 def _loaded(motion: Solved, names: Iterable[str], burden: dict[str, Any]) -> Solved | Loaded:
     """Return the forces of a motion if one of the results is a force, or else the motion."""
-    if not any(name == DRIVE or name.endswith(FORCE) for name in names):
-        return motion
-    return forces(motion, **burden)
+    return forces(motion, **burden) if _has_forces(names) else motion
+
+
+def _has_forces(names: Iterable[str]) -> bool:
+    return any(name == DRIVE or name.endswith(FORCE) for name in names)
 
 
 def _solved(motion: Solved | Loaded, dtype: np.dtype[Any]) -> NDArray[Any]:
@@ -136,7 +170,7 @@ def _solved(motion: Solved | Loaded, dtype: np.dtype[Any]) -> NDArray[Any]:
         return table.view(dtype).reshape(motion.shape)
     found = np.empty((), dtype)
     for name, (kind, part, quantity) in zip(names, results, strict=True):
-        if kind in KINDS:
+        if kind in KINDS or kind == "dyad":
             found[name] = motion.read((kind, part, quantity))
         else:
             moving = motion.motion if isinstance(motion, Forces) else motion
@@ -149,7 +183,7 @@ def _names(results: Iterable[str] | str) -> list[str]:
     if not listed:
         raise UsageError("results: none given", _HINT)
     for name in listed:
-        if not isinstance(name, str) or ("." not in name and name != DRIVE):
+        if not isinstance(name, str) or ("." not in name and name not in _ALONE):
             raise UsageError(f"results: {quoted(name)} is no result", _HINT)
     return list(dict.fromkeys(listed))
 
@@ -174,9 +208,3 @@ def _result(solution: Solved | Loaded, name: str) -> Result:
     if name not in known:
         raise unknown("result", name, known)
     return known[name]
-
-
-def _is_dask(value: object) -> bool:
-    """Tell whether a value is a Dask array, without loading Dask for one that is not."""
-    dask = sys.modules.get("dask.array")
-    return dask is not None and isinstance(value, dask.Array)

@@ -41,7 +41,7 @@ OWN = {
     *("panels", "style", "language", "size", "paper", "blank", "at", "turn"),
     *("fps", "speed", "still", "loop", "subtitles", "steps", "port", "no_browser"),
     *("load", "mass", "inertia", "gravity", "friction"),
-    *("merit", "extremes", "pin"),
+    *("merit", "extremes", "pin", "over", "columns"),
 }
 #: The options that say what a mechanism has to bear: how each is written, and what it is.
 _BURDEN = {
@@ -325,6 +325,7 @@ def mechanism_options(kind: type[Mechanism], ranged: bool = False) -> list[click
             _quantity_option(name, place, f"{which} {place} of the driver  [{end}]", unit)
             for name, which, end in zip(names, ("first", "last"), ends, strict=True)
         ]
+        driven.append(_input_option(kind, place, unit))  # of the pose in which a dimension varies
     else:
         driven = [_input_option(kind, place, unit)]
     return [

@@ -25,6 +25,7 @@ from vad.cli.options import (
     several,
     size,
     take_burden,
+    words_of,
 )
 from vad.cli.output import progress, say_written
 from vad.cli.places import sweep_places
@@ -255,11 +256,19 @@ def _turn(pose: Any, output: str, **options: Any) -> None:
 
 
 def sweep(mechanism: Mechanism, inputs: Inputs, output: str, **ends: Any) -> None:
-    """Write the results over a range of the input, as a table or a plot."""
+    """Write the results over a range of the input or of a dimension, as a table or a plot."""
+    driven = next(iter(mechanism.inputs))
+    if driven in inputs and "over" not in ends:
+        hint = f"a sweep runs --from one {driven} --to another"
+        raise UsageError(f"--{driven} goes with --over, in whose pose a dimension varies", hint)
+    if "over" in ends or "columns" in ends or output == "-":
+        from vad.cli.columns import chosen_columns
+
+        chosen_columns(mechanism, inputs, output, **ends)
+        return
     from vad.export.sweep import save_sweep
 
     burden = take_burden(mechanism, ends)
-    driven = next(iter(mechanism.inputs))
     swept = sweep_places(mechanism, **ends)
     save_sweep(vad.solve(mechanism, **{driven: swept}, **inputs), output, burden)
     say_written(output)
@@ -343,6 +352,18 @@ VERBS: tuple[click.Command, ...] = (
         [
             _output(formats("sweep")),
             click.Option(["--steps"], type=int, help="number of poses, both ends included  [361]"),
+            click.Option(
+                ["--over"],
+                metavar="'NAME FROM TO STEPS'",
+                help="a dimension that varies, as in 'crank 20 60 41', in one pose  [a turn]",
+            ),
+            click.Option(
+                ["--columns"],
+                callback=words_of(),
+                multiple=True,
+                metavar="RESULT,RESULT",
+                help="of a table: rocker.angle, C.velocity, transmission, drive …  [all]",
+            ),
             *burden_options(),
         ],
         ranged=True,

@@ -40,7 +40,7 @@ def write(motion: Motions, target: BinaryIO, burden: Burden | None = None) -> No
         if place == 0:
             target.write(_head(results).encode())
         columns = [column.values for row in results.rows for column in row.columns]
-        target.write(_lines([results.place.values, *columns]))
+        target.write(written([results.place.values, *columns]))
         assembled = assembled or bool(np.any(block.assembled))
     check_closes(assembled)
 
@@ -64,12 +64,12 @@ def _head(results: Results) -> str:
     return ",".join(heads) + "\n"
 
 
-def _lines(columns: Sequence[NDArray[np.float64]]) -> bytes:
+def written(columns: Sequence[NDArray[np.float64]]) -> bytes:
     r"""Return the lines of columns, every number as `repr` writes it, and nothing for NaN.
 
     Examples
     --------
-    >>> _lines([np.array([0.5, -0.0, np.nan]), np.array([1e-5, 1e16, 3.0])])
+    >>> written([np.array([0.5, -0.0, np.nan]), np.array([1e-5, 1e16, 3.0])])
     b'0.5,1e-05\n0.0,1e+16\n,3.0\n'
     """
     table = np.column_stack(columns) + 0.0  # minus zero becomes zero

@@ -350,7 +350,7 @@ class RecordedSolver:
         values = (self._evaluation.rates(order)[-1] if order else self._evaluation.pose).all()
         lower = (x for each in range(order) for x in self.numbers(each))
         known = {number.name for number in (*self.inputs, *lower)}
-        found = {x.name: x for x in _parts(values) if isinstance(x, Recorded)}
+        found = {x.name: x for x in parts_of(values) if isinstance(x, Recorded)}
         kept = []
         for number in needed(self.inputs, list(found.values())):  # each after its operands
             names = [x.name for x in number.operands if isinstance(x, Recorded)]
@@ -365,7 +365,7 @@ class RecordedSolver:
         if result[2] == "coriolis" and not self._solver.on_turning_link(result[1]):
             return [math.nan]
         value = self._solver.evaluate(result, self._evaluation)
-        return [_without_sign(x) for x in _parts([value])]
+        return [_without_sign(x) for x in parts_of([value])]
 
     @cached_property
     def sines(self) -> Program:
@@ -380,7 +380,8 @@ class RecordedSolver:
         return Program(self.inputs[:1], [*misses, *(sines[k] for k in self._solver.searched)])
 
 
-def _parts(values: Iterable[Number]) -> Iterator[Number]:
+def parts_of(values: Iterable[Number]) -> Iterator[Number]:
+    """Yield all numbers of values: of a vector its coordinates, one after the other."""
     for value in values:
         if isinstance(value, tuple):
             yield from value

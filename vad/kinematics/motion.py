@@ -5,10 +5,8 @@ The inputs may be numbers or arrays; type checkers know which results follow fro
 
 from __future__ import annotations
 
-import numbers
 import sys
 from collections.abc import Sequence
-from decimal import Decimal
 from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypedDict, Unpack, overload
 
 import numpy as np
@@ -44,7 +42,8 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
     Parameters
     ----------
     mechanism
-        The mechanism with its dimensions.
+        The mechanism with its dimensions; these may be arrays, too, which broadcast with the
+        inputs.
     **inputs
         The motion of the driver: ``angle`` (degrees), ``omega`` (rad/s) and ``alpha`` (rad/s²)
         of a crank, or ``position``, ``velocity`` and ``acceleration`` of a slide, as numbers or
@@ -99,13 +98,19 @@ def _prepared(mechanism: Mechanism) -> _Prepared:
             f"mechanism: must be a mechanism with its dimensions, got {quoted(mechanism)}",
             hint="for example vad.FourBar()",
         )
-    solver = solver_of(mechanism)
+    if getattr(mechanism, "varied", None):  # a class of somebody else may have none
+        from vad.kinematics.varied import kind_of, representative  # most mechanisms do not vary
+
+        solver = solver_of(representative(mechanism))
+        kind = kind_of(solver)
+    else:
+        solver = solver_of(mechanism)
+        kind = Motion if isinstance(solver, Solver) else MotionInSpace
     turns = solver.driver.kind == "angle"
     fastest = gate.FASTEST * (1.0 if turns else solver.scale)
     largest = dict.fromkeys(mechanism.inputs, fastest)
     if turns:
         largest["angle"] = sys.float_info.max
-    kind = Motion if isinstance(solver, Solver) else MotionInSpace
     return _Prepared(mechanism, solver, dict(mechanism.inputs), largest, kind)
 
 
@@ -162,10 +167,15 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
 
     @property
     def results(self) -> dict[str, Result]:
-        """All results by name: ``"rocker.omega"``, ``"C.acceleration"``, ``"slider.position"``."""
+        """All results by name: ``"rocker.omega"``, ``"C.acceleration"``, ``"slider.position"``.
+
+        ``"transmission"`` is the transmission angle of the last dyad, in degrees.
+        """
         bodies = [part for part in self.links if part in self.solver.bodies]
         lines = [part for part in self.links if part not in bodies]
-        return {
+        loops = len(self.solver.dyads) if isinstance(self.solver, Solver) else 0
+        last: dict[str, Result] = {"transmission": ("dyad", str(loops - 1), "transmission")}
+        found: dict[str, Result] = {
             f"{part}.{quantity}": (kind, part, quantity)
             for kind, parts, quantities in (
                 ("link", lines, _TURNING),
@@ -177,6 +187,7 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
             for part in parts
             for quantity in quantities
         }
+        return found | last if loops else found
 
     def table(self, digits: int = DIGITS) -> str:
         """Return the results as a table in plain text, with units and so many significant digits.
@@ -197,7 +208,7 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
         mechanism = self.mechanism
         return {
             "mechanism": mechanism.name,
-            "parameters": mechanism.parameters(),
+            "parameters": {name: plain(x) for name, x in mechanism.parameters().items()},
             "input": {name: plain(value) for name, value in self.inputs.items()},
             "assembly": self.assembly,
             "units": units(mechanism.length_unit),
@@ -302,9 +313,9 @@ def checked(name: str, value: object, largest: float) -> Number:
         If it is neither a number nor an array of them, or a number that is not finite or greater
         than ``largest``.
     """
-    if _is_number(value):
+    if gate.is_number(value):
         return _one(name, value, largest)
-    array = _many(name, value)
+    array = gate.array(name, value)
     if array.size and not (array.min() >= -largest and array.max() <= largest):
         array[~(np.abs(array) <= largest)] = np.nan
     array.flags.writeable = False  # a later change would not be solved
@@ -316,32 +327,3 @@ def _one(name: str, value: object, largest: float) -> float:
     if abs(number) > largest:
         raise InputError(f"{name}: must be within ±{largest:g}, got {number:g}")
     return number
-
-
-def _many(name: str, value: object) -> NDArray[np.float64]:
-    """Return a new array; text and dates are refused, though numpy makes numbers of them."""
-    try:
-        if isinstance(value, str | bytes | bytearray):
-            raise TypeError
-        masked = np.ma.is_masked(value)
-        array = np.asarray(value)
-        kind = array.dtype.kind
-        if kind not in "iufO" or (kind == "O" and not all(map(_is_number, array.flat))):
-            raise TypeError
-        found = np.array(array, dtype=float)
-    except Exception as error:  # whatever a class says that is asked for an array
-        if isinstance(error, MemoryError):
-            raise
-        wanted = "must be a number or an array of numbers"
-        raise InputError(f"{name}: {wanted}, got {quoted(value)}") from None
-    if masked:
-        hint = "array.filled(numpy.nan) gives NaN, which is answered with NaN"
-        raise InputError(f"{name}: must not be masked, for a mask would be lost", hint)
-    return found
-
-
-def _is_number(value: object) -> bool:
-    # In Python a truth value counts as a number, and in numpy a span of time does, too.
-    return isinstance(value, numbers.Real | Decimal) and not isinstance(
-        value, bool | np.timedelta64
-    )

@@ -51,7 +51,7 @@ class Solution(Generic[Truth]):
         self._inputs = inputs
         self._values = tuple(inputs.values())
         self.many = np.ndarray in map(type, self._values)
-        self.shape = _broadcast(inputs) if self.many else ()
+        self.shape = broadcast(inputs) if self.many else ()
         self._evaluated: Evaluation | None = None
         # Of many poses: how many orders are known, all inputs and the numbers of these orders by
         # name, and which poses close.
@@ -63,6 +63,9 @@ class Solution(Generic[Truth]):
         self._numbers: dict[Result, int] = {}
         # The results of one pose that were asked for: a sheet reads each of them twice or more.
         self._found: dict[Result, Number] = {}
+
+    def check_one(self) -> None:
+        """Check that it is the motion of one mechanism, as any is whose dimensions are numbers."""
 
     @property
     def inputs(self) -> Mapping[str, Number]:
@@ -296,7 +299,14 @@ def _spread(value: Number, shape: tuple[int, ...]) -> Number:
     return np.broadcast_to(value, shape).ravel()
 
 
-def _broadcast(inputs: dict[str, Number]) -> tuple[int, ...]:
+def broadcast(inputs: Mapping[str, Number]) -> tuple[int, ...]:
+    """Return the shape to which inputs broadcast.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If they do not; the message has the shape of each.
+    """
     try:
         return np.broadcast_shapes(*map(np.shape, inputs.values()))
     except ValueError:

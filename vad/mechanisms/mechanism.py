@@ -133,7 +133,8 @@ class Mechanism:
     def __post_init__(self) -> None:
         for parameter in fields(self):
             self._check(parameter.name, parameter.metadata)
-        self._check_names(self.marked())
+        if not self.varied:  # each of the mechanisms that it stands for is checked by itself
+            self._check_names(self.marked())
 
     def _check(self, name: str, metadata: Any) -> None:
         value = getattr(self, name)
@@ -145,6 +146,9 @@ class Mechanism:
             gate.line(name, value, LONGEST_UNIT)
         elif metadata["quantity"] == "points":
             object.__setattr__(self, name, link_points(value))
+        elif gate.is_many(value):
+            varied = gate.dimensions(name, value, signed=metadata["signed"])
+            object.__setattr__(self, name, varied)
         elif value is not None or not metadata["optional"]:
             number = gate.dimension(name, value, signed=metadata["signed"])
             if "between" in metadata:
@@ -184,6 +188,26 @@ class Mechanism:
     def balancing(self, motion: Any) -> Any:
         """Return what is balanced in a motion: None, but for a shaft or an engine from a file."""
         return None
+
+    @property
+    def varied(self) -> dict[str, Any]:
+        """The parameters that are arrays, by name: it stands for a mechanism of each number."""
+        values = {parameter.name: getattr(self, parameter.name) for parameter in fields(self)}
+        return {name: value for name, value in values.items() if getattr(value, "shape", ()) != ()}
+
+    def check_one(self) -> None:
+        """Check that it is one mechanism.
+
+        Raises
+        ------
+        vad.errors.InputError
+            For a parameter that is an array, by its name.
+        """
+        for name in self.varied:
+            raise InputError(
+                f"{name}: must be one number here, got an array",
+                "vad.solve and vad.sweep take arrays",
+            )
 
     def parameters(self) -> dict[str, float]:
         """Return the numeric parameters that are set, by name."""

@@ -110,10 +110,10 @@ def merit(
     if isinstance(mechanism, Motion):
         mechanism, inputs = mechanism.mechanism, {**mechanism.inputs, **inputs}
     motion: Any = solve(mechanism, **inputs)
+    motion.check_one()
     if motion.many:
         raise InputError(
-            "merit: the pose must be one, and every dimension one number",
-            "vad.sweep has figures over arrays",
+            "merit: the pose must be one, got arrays of poses", "vad.sweep takes arrays"
         )
     burden = {"loads": loads, "masses": masses, "gravity": gravity, "friction": friction}
     return Merit(motion, output, pins or {}, burden)

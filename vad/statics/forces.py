@@ -103,6 +103,7 @@ def forces_of(
             "draw its velocity and acceleration; a mechanism in the plane is slider-crank",
         )
     both = burden.beside(more)
+    motion.check_one()
     bodies, place = bodies_of(plane), next(iter(motion.inputs.values()))
     given = Given(bodies, mechanism.links, mechanism.slides, mechanism.length_unit, place)
     given.loads(both.loads)

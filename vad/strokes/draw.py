@@ -121,6 +121,7 @@ def parted(
         motion = _balanced(given)
     if not isinstance(motion, Motion):
         raise InputError(f"motion: must be what vad.solve returns, got {quoted(given)}")
+    motion.check_one()
     return motion, forces
 
 

@@ -1,0 +1,135 @@
+"""``vad sweep --over --columns``: chosen results over a dimension or a turn, as a table."""
+
+from __future__ import annotations
+
+import io
+from dataclasses import fields, replace
+from typing import TYPE_CHECKING, Any
+
+import click
+import numpy as np
+from numpy.typing import NDArray
+
+import vad
+from vad import units
+from vad.cli.options import flag, take_burden
+from vad.cli.verbs import say_written, sweep_places
+from vad.errors import UsageError, quoted, unknown
+from vad.export.files import new_file
+from vad.export.sweep import check_closes
+from vad.export.sweep_csv import written
+from vad.mechanisms import Mechanism
+from vad.units import DIMENSIONS, scene_unit
+
+if TYPE_CHECKING:
+    from vad.statics.burden import Burden
+
+_MOST = 1_000_000
+
+
+def chosen_columns(
+    mechanism: Mechanism,
+    inputs: dict[str, Any],
+    output: str,
+    over: str | None = None,
+    columns: tuple[str, ...] = (),
+    **ends: Any,
+) -> None:
+    """Write a table in CSV to a file, or for ``-`` to standard output."""
+    if output != "-" and not output.lower().endswith(".csv"):
+        raise UsageError(
+            f"chosen columns cannot be saved as {quoted(output)}", "as .csv, or -o - for a pipe"
+        )
+    burden = take_burden(mechanism, ends)
+    if over is None:
+        name, places = next(iter(mechanism.inputs)), sweep_places(mechanism, **ends)
+        swept, given = mechanism, inputs | {name: places}
+        kind = name
+    else:
+        name, kind, places = _read(mechanism, over)
+        if ends:
+            first = next(iter(ends))
+            wrong = {"start": "from", "stop": "to"}.get(first, first)
+            hint = f"--{next(iter(mechanism.inputs))} chooses the pose"
+            raise UsageError(f"{flag(wrong)} does not go with --over", hint)
+        varied: dict[str, Any] = {name: places}
+        swept, given = replace(mechanism, **varied), inputs
+    names = columns or _all(mechanism)
+    loads, masses, gravity, friction = burden or ((), None, None, None)
+    found = vad.sweep(
+        swept, names, loads=loads, masses=masses, gravity=gravity, friction=friction, **given
+    )
+    heads = [f"{name} [{scene_unit(kind, mechanism.length_unit)}]"]
+    table: list[NDArray[np.float64]] = [places]
+    for each in found.dtype.names or ():
+        for axis, values in _by_axis(found[each]):
+            heads.append(f"{each}{axis} [{_unit(mechanism, each, burden)}]")
+            table.append(values)
+    check_closes(any(np.isfinite(values).any() for values in table[1:]))
+    stream = io.BytesIO()
+    stream.write((",".join(heads) + "\n").encode())
+    stream.write(written(table))
+    if output == "-":
+        click.echo(stream.getvalue().decode(), nl=False)
+        return
+    with new_file(output) as file:
+        file.write(stream.getvalue())
+    say_written(output)
+
+
+def _read(mechanism: Mechanism, over: str) -> tuple[str, str, NDArray[np.float64]]:
+    """Read the dimension that varies, what it is, and its numbers."""
+    words, hint = over.split(), "as in --over 'crank 20 60 41'"
+    if len(words) != 4:
+        raise UsageError(f"--over: {quoted(over)} is no range of a dimension", hint)
+    known = {
+        each.name: each.metadata["quantity"]
+        for each in fields(mechanism)
+        if each.metadata["quantity"] in DIMENSIONS
+    }
+    name = words[0].replace("-", "_")
+    if name not in known:
+        wrong = unknown("dimension", words[0], known)
+        raise UsageError(f"--over: {wrong}", wrong.hint)
+    kind = str(known[name])
+    if not words[3].isdecimal() or not 2 <= int(words[3]) <= _MOST:
+        raise UsageError(f"--over: steps must be from 2 to {_MOST}, got {quoted(words[3])}", hint)
+    try:
+        low, high = (units.read(word, kind, mechanism.length_unit) for word in words[1:3])
+    except UsageError as wrong:
+        raise UsageError(f"--over: {wrong}", wrong.hint) from None
+    return name, kind, np.linspace(low, high, int(words[3]))
+
+
+def _all(mechanism: Mechanism) -> tuple[str, ...]:
+    """Return the results of all links and slides in the plane, and those of other mechanisms."""
+    motion = vad.solve(mechanism)
+    return tuple(
+        name
+        for name, (kind, part, quantity) in motion.results.items()
+        if kind in ("link", "slide", "joint")
+        and (quantity != "coriolis" or motion.solver.on_turning_link(part))
+    )
+
+
+def _by_axis(values: NDArray[Any]) -> list[tuple[str, NDArray[np.float64]]]:
+    """Return the parts of vectors, each with the end of its name; numbers as they are."""
+    if np.iscomplexobj(values):
+        return [(" x", values.real), (" y", values.imag)]
+    if values.ndim > 1:
+        return [(f" {axis}", values[:, place]) for place, axis in enumerate("xyz")]
+    return [("", values)]
+
+
+def _unit(mechanism: Mechanism, name: str, burden: Burden | None) -> str:
+    """Return the unit of a result."""
+    quantity = name.rpartition(".")[2]
+    if quantity == "force":
+        return "N"
+    if quantity == "drive":
+        loads, masses, gravity, friction = burden or ((), None, None, None)
+        return vad.forces(
+            vad.solve(mechanism), loads=loads, masses=masses, gravity=gravity, friction=friction
+        ).drive_unit
+    of = {"transmission": "angle", "position": "length", "coriolis": "acceleration"}
+    return scene_unit(of.get(quantity, quantity), mechanism.length_unit)
