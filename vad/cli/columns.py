@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 import vad
 from vad import units
 from vad.cli.options import flag, take_burden
-from vad.cli.verbs import say_written, sweep_places
+from vad.cli.output import say_written
+from vad.cli.places import sweep_places
 from vad.errors import UsageError, quoted, unknown
 from vad.export.files import new_file
 from vad.export.sweep import check_closes
