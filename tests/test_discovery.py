@@ -107,7 +107,7 @@ def test_names_of_packages_are_listed_and_the_nearest_is_offered(installed):
     help_text = call(installed, "draw", "four-bar", "--help").stdout
     listed = "chalk|paper|print|blueprint|missing|module|number"
     assert re.findall(r"chalk\|[\w|]*number[\w|]*", "".join(help_text.split())) == [
-        f"{listed}howitlooks"
+        f"{listed}coloursandlines"
     ]
     done = call(installed, "draw", "four-bar", "--style", "bluprint", "-o", "sheet.svg")
     assert done.returncode == 2

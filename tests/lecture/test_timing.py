@@ -84,9 +84,9 @@ def test_strokes_are_seen_to_grow(name: str):
             assert 0.9 - 1 / 30 <= step.grow / lesson.fps <= 1.2 + 1 / 30
 
 
-def test_the_default_lecture_lasts_eighty_seconds():
+def test_the_default_lecture_lasts_seventy_six_seconds():
     lesson = vad.animate(vad.draw(vad.solve(vad.SliderCrank())))
-    assert lesson.duration == pytest.approx(80.77, rel=0.03)
+    assert lesson.duration == pytest.approx(75.6, rel=0.03)
 
 
 @pytest.mark.parametrize("panels", ["position", "velocity", ["velocity", "acceleration"]])

@@ -100,7 +100,7 @@ def test_panels_come_in_their_own_order() -> None:
         (
             {"panels": ()},
             "panels: none given",
-            "known: position, velocity, acceleration, force, drive",
+            "known: position, centres, turned, velocity, acceleration, force, drive",
         ),
         ({"language": "xx"}, "unknown language 'xx'", "known: de, en, fr"),
     ],

@@ -188,9 +188,11 @@ def test_what_is_followed_over_a_turn_has_its_letter_in_the_panel(key: str):
     mechanism = MECHANISMS[key]
     motion = vad.solve(mechanism)
     scene = scene_of(motion, Language("en"))
-    sheet = vad.draw(motion)
-    for name, diagram in DIAGRAMS.items():
-        spots = diagram.tracks(scene)
+    asked = [name for name in ("centres", "turned") if DIAGRAMS[name].applies(motion)]
+    names = [*(panel.name for panel in vad.draw(motion).panels), *asked]
+    followed = {name: DIAGRAMS[name].tracks(scene) for name in names}
+    sheet = vad.draw(motion, panels=names)
+    for name, spots in followed.items():
         for spot, at in spots.items():
             panel = sheet.panel(f"{name}.below" if spot.below else name)
             there = places(panel)

@@ -13,7 +13,7 @@ import vad
 from tests.strokes.motions import in_every_language
 from vad.strokes.sheet import Arrow, Dot, Equation, Panel, Plate, Sheet, Term
 
-EXAMPLES = sorted(each.name for each in (files("vad") / "examples").iterdir())
+EXAMPLES = sorted(each.name for each in (files("vad") / "examples").iterdir() if each.is_file())
 every_example = pytest.mark.parametrize("name", EXAMPLES)
 
 

@@ -247,7 +247,8 @@ class Diagram:
             return own
 
         def tracks(scene: Any) -> Mapping[Spot, Any]:
-            found: Mapping[Spot, Any] = {} if balancing(scene) else otherwise[3](scene)
+            own = otherwise and not balancing(scene)
+            found: Mapping[Spot, Any] = otherwise[3](scene) if own else {}
             return found
 
         def applies(motion: Motion[Any, Any, Any]) -> bool:
