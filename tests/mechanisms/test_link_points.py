@@ -205,9 +205,9 @@ def test_as_many_points_as_a_drawing_takes_are_drawn_in_seconds(tmp_path: Path):
     ],
 )
 def test_more_points_than_a_drawing_takes_are_refused_by_name(drawn: Any):
-    message = "^points: a drawing has room for 100 on links, got 101$"
+    message = "^points: a drawing has room for 60 on links, got 61$"
     with pytest.raises(vad.InputError, match=message):
-        drawn(many(101))
+        drawn(many(61))
 
 
 def test_a_window_refuses_points_when_it_opens(capsys: pytest.CaptureFixture[str]):

@@ -55,7 +55,7 @@ NO_POLES: Mapping[int, complex] = MappingProxyType({})
 MOST = 8
 #: The most further points on links: with their number, the time to place their letters grows by its
 #: square.  Solving takes as many as there are names.
-MOST_POINTS = 100
+MOST_POINTS = 60
 
 
 def draw(

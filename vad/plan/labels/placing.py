@@ -26,6 +26,8 @@ APART = 0.020 + 0.010j
 LEADER = 0.06
 WAYS = 32  # about a dot
 MOST_LEADERS = 160  # tried at each distance
+#: So many places for a label far from its dot are looked at together.
+_AT_ONCE = 256
 LENGTH_COUNTS = 0.5  # of a leader, beside how much of it lies on strokes
 #: A label is so much nearer to its own dot than to others; of one close by at least by so much of
 #: the distance of the dots.
@@ -197,8 +199,7 @@ def _far_off(obstacles: Obstacles, wish: Wish) -> Placed:
         if best or (bare and tight):
             break
         clear, apart = (0.5 * PIXEL, 0j) if tight else (CLEARANCE, APART)
-        free = obstacles.free(centres, wish.wide, wish.high, clear, apart)
-        spots = [_led(wish, centres[i]) for i in np.flatnonzero(free)[:MOST_LEADERS].tolist()]
+        spots = [_led(wish, each) for each in _first_free(obstacles, wish, centres, clear, apart)]
         leaders = [spot.leader or (spot.centre, spot.centre) for spot in spots]
         through = ~obstacles.clear_of_labels(leaders, 1.5 * PIXEL)
         for spot, (start, end), blocked in zip(spots, leaders, through.tolist(), strict=True):
@@ -210,6 +211,20 @@ def _far_off(obstacles: Obstacles, wish: Wish) -> Placed:
             bare = bare or Placed(spot.centre, wish.wide, wish.high)
     last = Placed(wish.around(GAP, 1)[0], wish.wide, wish.high)
     return best or bare or last
+
+
+def _first_free(
+    obstacles: Obstacles, wish: Wish, centres: list[complex], clear: float, apart: complex
+) -> list[complex]:
+    """Return the first places at which a label meets nothing, as many as leaders are tried."""
+    found: list[complex] = []
+    for first in range(0, len(centres), _AT_ONCE):  # on a page with room the first ones suffice
+        some = centres[first : first + _AT_ONCE]
+        free = obstacles.free(some, wish.wide, wish.high, clear, apart)
+        found += [some[i] for i in np.flatnonzero(free)]
+        if len(found) >= MOST_LEADERS:
+            break
+    return found[:MOST_LEADERS]
 
 
 def _far(edge: Rect, wish: Wish) -> Iterator[tuple[bool, list[complex]]]:
