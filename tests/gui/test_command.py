@@ -183,7 +183,7 @@ def many_points() -> str:
     ("text", "said"),
     [
         (many_links(), "the page has no room for 3 panels with 25 rows of results"),
-        (many_points(), "points: a drawing has room for 100 on links, got 120"),
+        (many_points(), "points: a drawing has room for 60 on links, got 120"),
     ],
     ids=["links", "points"],
 )
