@@ -61,7 +61,7 @@ def centres(motion: Motion[Real, Vector, Truth]) -> Centres[Real, Vector, Truth]
     >>> motion = vad.solve(vad.SliderCrank(crank=200, rod=800), angle=40)
     >>> found = vad.centres(motion)
     >>> round(found.at("frame", "rod").real, 1), found.far("frame", "slider")
-    (942.9, 90.0)
+    (942.8, 90.0)
     """
     if not isinstance(motion, Motion):
         raise InputError(
