@@ -83,9 +83,8 @@ def open_standard_streams() -> None:
 def quieten() -> None:
     """Keep libraries from writing to stderr, here and in processes that this one starts.
 
-    They may write if Python was asked for warnings.  Python itself would report a signal that comes
-    while it cleans up after an import; that report is left out, too.  matplotlib opens no window,
-    whatever its configuration says.
+    They may write if Python was asked for warnings.  matplotlib opens no window, whatever its
+    configuration says.
     """
     import logging
     import warnings
@@ -95,7 +94,6 @@ def quieten() -> None:
     if not sys.warnoptions:
         os.environ["PYTHONWARNINGS"] = "ignore"
         warnings.simplefilter("ignore")
-    sys.unraisablehook = _report_uncaught
 
 
 def _report_uncaught(lost: sys.UnraisableHookArgs) -> None:
@@ -111,8 +109,10 @@ def raise_on_signals() -> None:
     """Turn the first of the signals that this process does not ignore into `Interrupted`.
 
     The second one ends the process at once, whatever it is doing: a first one may be held back, and
-    two may come together, as at the end of a login.
+    two may come together, as at the end of a login.  Python itself would report a signal that comes
+    while it cleans up after an import; that report is left out from now on.
     """
+    sys.unraisablehook = _report_uncaught
 
     def stop(number: int, _frame: FrameType | None) -> None:
         if _heard.first is not None:
