@@ -15,13 +15,13 @@ import pytest
 ROOT = Path(__file__).parents[1]
 #: So many inputs of each entrance take a second or two.  Calls have tests of their own.
 SHARES = {
-    "files": 12,
-    "lines": 200,
-    "draws": 12,
-    "sheets": 25,
-    "batches": 60,
-    "messages": 15,
-    "requests": 30,
+    "files": 6,
+    "lines": 100,
+    "draws": 6,
+    "sheets": 12,
+    "batches": 30,
+    "messages": 8,
+    "requests": 15,
     "titles": 2,
     "signals": 4,
 }

@@ -437,7 +437,7 @@ def test_every_vertex_of_a_few_poses_is_where_it_belongs(name):
     assert check(name, driven(mechanism, FEW, seed=len(name))) > 100
 
 
-@pytest.mark.exhaustive(20)
+@pytest.mark.exhaustive(40)
 @pytest.mark.parametrize("name", KINDS)
 def test_every_vertex_of_many_poses_is_where_it_belongs(name):
     mechanism = reach_of(name)[0]

@@ -27,7 +27,8 @@ EXAMPLES = {
     for path in (Path(vad.__file__).parent / "examples").glob("*.toml")
 }
 KINDS: dict[str, Any] = {**vad.MECHANISMS, **dict(sorted(EXAMPLES.items()))}
-POSES = 200
+#: Poses of each mechanism: in a usual run, and with all cases.
+FEW, POSES = 40, 200
 #: Pixels of a page 720 high.
 CLOSE = 0.05
 #: Degrees.
@@ -103,14 +104,17 @@ def posed(board: HandBoard, inputs: dict[str, float]) -> dict[str, Sketch]:
 
 @pytest.mark.exhaustive
 @pytest.mark.parametrize("name", KINDS)
-def test_one_traced_board_is_the_board_of_every_pose(name: str) -> None:
+def test_one_traced_board_is_the_board_of_every_pose(
+    name: str, request: pytest.FixtureRequest
+) -> None:
+    tried = POSES if request.config.getoption("--exhaustive") else FEW
     board = board_of(name)
     found = coordinates(dict(board.sketches))
     program = board.traced.program(found.values())
     rng, (place, rate, second) = np.random.default_rng(7), tuple(board.mechanism.inputs)
     ranges = closing_range(board.mechanism)
     poses = []
-    for _ in range(POSES):
+    for _ in range(tried):
         low, high = ranges[rng.integers(len(ranges))]
         at = float(low + (high - low) * rng.uniform(0.01, 0.99))
         rates = [
@@ -121,7 +125,7 @@ def test_one_traced_board_is_the_board_of_every_pose(name: str) -> None:
         np.array([pose.get(key, float(value)) for pose in poses])
         for key, value in board.traced.inputs.items()
     ]
-    columns = program.many(given, POSES)[len(board.traced.guards) :]
+    columns = program.many(given, tried)[len(board.traced.guards) :]
     table = dict(zip(found, columns, strict=True))
     drawn = 0
     for number, pose in enumerate(poses):
@@ -136,7 +140,7 @@ def test_one_traced_board_is_the_board_of_every_pose(name: str) -> None:
             if key[3] == "angle" and key[-1] == "radius":
                 continue  # an arc is smaller where its room ends
             assert abs(own[key] - value) * 720.0 <= CLOSE, (key, pose)
-    assert drawn > POSES / 2
+    assert drawn > tried / 2
 
 
 def test_scales_of_polygons_are_inputs() -> None:
