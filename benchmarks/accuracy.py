@@ -169,7 +169,7 @@ def draw_panels(results: dict[str, list[Mark]]) -> None:
     figure = Figure(figsize=(13, 10), dpi=110, layout="constrained")
     panels = figure.subplots(2, 2, sharex=True, sharey=True)
     for panel, title in zip(panels.flat, results, strict=True):
-        panel.set(xscale="log", yscale="log", xlim=(0.8, 3e5), ylim=(1e-17, 20), title=title)
+        panel.set(xscale="log", yscale="log", xlim=(0.4, 3e5), ylim=(1e-17, 20), title=title)
         panel.set_yticks([1e-16, 1e-12, 1e-8, 1e-4, WRONG])
         panel.set_yticklabels(["10⁻¹⁶", "10⁻¹²", "10⁻⁸", "10⁻⁴", "wrong"])
         panel.minorticks_off()
