@@ -23,7 +23,9 @@ from vad.gui.visit import NO_BROWSER, visited
 from vad.kinematics.motion import Motion
 from vad.mechanisms import Mechanism
 from vad.notebook import Thing, in_notebook
-from vad.strokes.draw import chosen
+from vad.statics.burden import NOTHING
+from vad.statics.forces import Forces
+from vad.strokes.draw import chosen, parted
 from vad.style import load_style
 from vad.words import Language
 
@@ -73,7 +75,7 @@ def show(thing: Thing | Mechanism) -> None:
 
 
 def widget(
-    mechanism: Mechanism | Motion,
+    mechanism: Mechanism | Motion | Forces[Any, Any, Any],
     panels: Sequence[str] | str | None = None,
     style: str = "paper",
     language: str = "en",
@@ -83,7 +85,8 @@ def widget(
     Parameters
     ----------
     mechanism
-        A mechanism, as it moves usually, or one pose of `vad.solve`.
+        A mechanism, as it moves usually, one pose of `vad.solve`, or the forces in one, as
+        `vad.forces` returns them.
     panels, style, language
         As for `vad.draw` and `vad.animate`.
 
@@ -94,7 +97,8 @@ def widget(
     vad.errors.InputError
         For a motion of many poses.
     """
-    start = _question(mechanism, panels=chosen(panels), style=style, language=language)
+    given = () if panels is None else chosen(panels)
+    start = _question(mechanism, panels=given, style=style, language=language)
     if find_spec("anywidget") is None:
         hint = "install it: pip install 'vad-diagrams[notebook]'"
         raise UsageError("widget: needs anywidget, which is not installed", hint)
@@ -103,19 +107,21 @@ def widget(
     return in_cell(start)
 
 
-def _question(thing: Mechanism | Motion, **options: Any) -> ExportQuestion:
+def _question(thing: Mechanism | Motion | Forces[Any, Any, Any], **options: Any) -> ExportQuestion:
     from vad.gui.answers import check_start  # a drawing does not need it
 
     load_style(options.get("style", "paper"))
     Language(options.get("language", "en"))
     if isinstance(thing, Mechanism):
         start = ExportQuestion.of(thing, {}, **options)
-    elif not isinstance(thing, Motion):
+    elif not isinstance(thing, Motion | Forces):
         raise UsageError(f"mechanism: must be a mechanism or one pose, got {quoted(thing)}")
     elif thing.many:
         raise InputError("mechanism: a window opens with one pose, got arrays of poses")
     else:
-        start = ExportQuestion.of(thing.mechanism, thing.inputs, **options)
+        motion, forces = parted(thing)
+        burden = forces.burden if forces else NOTHING
+        start = ExportQuestion.of(motion.mechanism, motion.inputs, burden, **options)
     check_start(start)
     return start
 

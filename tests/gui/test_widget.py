@@ -208,6 +208,27 @@ def test_a_pose_that_cannot_be_is_refused():
     assert gate.motion.inputs["position"] == 3.9
 
 
+def test_it_bears_the_loads_of_its_forces():
+    motion = vad.solve(vad.FourBar(), angle=50)
+    loads = [{"on": "rocker", "couple": -6}]
+    window = vad.widget(vad.forces(motion, loads))
+    found = reply_of(window)
+    assert found["results"]["forces"]["drive"] == vad.forces(motion, loads).drive
+    assert window.motion.inputs["angle"] == 50
+
+
+def reply_of(window) -> dict[str, object]:
+    """Return the lesson for which the page asks at first."""
+    from vad.gui.widget import reply
+
+    page = window.page
+    start = json.JSONDecoder().raw_decode(page, page.index('{"start"'))[0]["start"]
+    known = ("mechanism", "parameters", "inputs", "burden", "panels")
+    body = {name: start[name] for name in known}
+    _, (data,) = reply({"path": "lesson", "body": body})
+    return json.loads(data)
+
+
 def test_show_of_a_mechanism_in_a_notebook_displays_the_window(monkeypatch):
     displayed = shell(monkeypatch, kernel=object())
     vad.show(vad.ScotchYoke())

@@ -282,15 +282,22 @@ def take_burden(mechanism: Mechanism, given: dict[str, Any]) -> Burden | None:
     words = {name: given.pop(name) for name in _BURDEN if name in given}
     if not words and mechanism.burden is None:
         return None
-    from vad.statics.burden import burden_of, whole  # most commands need no forces
+    from vad.statics.burden import beside_own, burden_of  # most commands need no forces
 
     found = burden_of(**words)
-    both = whole(mechanism.burden, found)
+    check_burden(mechanism.burden, found)
+    return beside_own(mechanism.burden, found)
+
+
+def check_burden(own: Burden | None, found: Burden) -> None:
+    """Check that there is a mass for gravity that is given, and a load for friction."""
+    from vad.statics.burden import whole
+
+    both = whole(own, found)
     if found.gravity is not None and not both.masses:
         raise UsageError("--gravity: there is no mass", "as in --mass 'coupler 2 kg at G'")
     if found.friction and not both:
         raise UsageError("--friction: there is no load", "as in --load '80 N @ 150 at E'")
-    return found if both else None
 
 
 def panels_of_page(panels: Any, burden: Burden | None, kind: str) -> Any:

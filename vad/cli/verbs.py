@@ -287,10 +287,12 @@ def gui(
     from vad.gui.messages import ExportQuestion
     from vad.gui.server import served
     from vad.gui.visit import visited
+    from vad.statics.burden import NOTHING
 
     if "size" in options:
         check_size(options["size"])
-    start = ExportQuestion.of(mechanism, inputs, **options)
+    burden = take_burden(mechanism, options)
+    start = ExportQuestion.of(mechanism, inputs, burden or NOTHING, **options)
     check_start(start)
     with signals_held_back(), served(start, port) as key:
         click.echo(key.address)
@@ -377,6 +379,7 @@ VERBS: tuple[click.Command, ...] = (
             _SIZE,
             click.Option(["--port"], type=int, help="the server's port  [any that is free]"),
             click.Option(["--no-browser"], is_flag=True, help="print the address, open nothing"),
+            *_LOADS,
         ],
         usual="slider-crank",
     ),

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import vad
-from vad.errors import AssemblyError, DeadCentreError, ExportError, VadError
+from vad.errors import AssemblyError, DeadCentreError, ExportError, UsageError, VadError
 from vad.export.files import temporary_folder
 from vad.gui.messages import (
     ExportQuestion,
@@ -41,11 +41,16 @@ from vad.plan.hand_board import HandBoard, hand_board, poses_over_reach
 from vad.plan.live_board import LiveBoard
 from vad.plan.pictures.views import held_arc, tip_of
 from vad.plan.scale import Scale, calm_scale
-from vad.strokes.draw import chosen
+from vad.statics.burden import Burden
+from vad.statics.forces import Forces
+from vad.strokes.diagrams import DIAGRAMS
+from vad.strokes.draw import OF_FORCES, chosen, with_forces
 from vad.strokes.sheet import Arrow, Block, Panel, Sheet
 from vad.style import load_style
 
 FORM = screen(SIZE)
+#: One pose, or the forces in it.
+Pose = Motion | Forces[Any, Any, Any]
 #: Lines for a caption, in the layout of the page: there, captions have a place of their own.
 LINES = 1
 POSITION = "position"
@@ -78,11 +83,28 @@ def check_start(question: Question) -> None:
     vad.errors.UsageError, vad.errors.InputError
         With what there is too much of.
     """
-    mechanism, inputs = question.build()
-    motion = vad.solve(mechanism, **inputs)
-    panels = chosen(question.panels or None, motion)
+    motion, burden = question.solved()
+    pose = with_forces(motion, burden)
+    panels = _panels(question, motion, burden)
     with suppress(AssemblyError, DeadCentreError):
-        arrange(vad.draw(motion, panels, question.language), FORM, LINES)
+        arrange(vad.draw(pose, panels, question.language), FORM, LINES)
+
+
+def _panels(question: Question, motion: Motion, burden: Burden | None) -> tuple[str, ...]:
+    """Return the panels that are asked for, or the usual ones.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        For a panel that is not turned by hand.
+    """
+    given = question.panels or (None if burden is None else OF_FORCES)
+    panels = chosen(given, motion)
+    for name in panels:
+        if not DIAGRAMS[name].by_hand:
+            hint = f"as in vad draw {motion.mechanism.name} --panels {name} -o {name}.png"
+            raise UsageError(f"panel {name!r} is not turned by hand", hint)
+    return panels
 
 
 def pose(question: PoseQuestion) -> dict[str, Any]:
@@ -104,13 +126,12 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
         For a pose that cannot be.
     """
     begun = time.thread_time()
-    mechanism, inputs = question.build()
-    motion = vad.solve(mechanism, **inputs)
-    panels = chosen(question.panels or None, motion)
+    motion, burden = question.solved()
+    mechanism, panels = motion.mechanism, _panels(question, motion, burden)
     trouble: dict[str, Any] = {}
     try:
-        sheet = vad.draw(motion, panels, question.language)
-        trouble = {"results": motion.to_dict()}
+        sheet = vad.draw(with_forces(motion, burden), panels, question.language)
+        trouble = {"results": _results(motion, burden)}
     except DeadCentreError as error:
         if POSITION not in panels:
             raise
@@ -118,7 +139,7 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
         trouble = {"error": problem(error, question.fields)}
     scales = {name: scale_of(values) for name, values in question.scales.items()}
     last = question.of_last_lesson(mechanism)
-    board = board_of(last, panels, question.language)
+    board = board_of(last, panels, question.language, burden)
     if last != mechanism:
         board = board.resized(sheet, scales)
     shown = board.pose(sheet, scales, question.ways)
@@ -153,7 +174,9 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
 
 
 @lru_cache(maxsize=16)
-def board_of(mechanism: Mechanism, panels: tuple[str, ...], language: str) -> LiveBoard:
+def board_of(
+    mechanism: Mechanism, panels: tuple[str, ...], language: str, burden: Burden | None = None
+) -> LiveBoard:
     """Return the board for all poses of a mechanism.
 
     Raises
@@ -163,7 +186,14 @@ def board_of(mechanism: Mechanism, panels: tuple[str, ...], language: str) -> Li
     """
     motions = [vad.solve(mechanism, **given) for given in poses_over_reach(mechanism)]
     poses = [_position_panel(motion) for motion in motions]
-    return LiveBoard.over(_first(motions, panels, language), FORM, LINES, poses)
+    loaded = [with_forces(motion, burden) for motion in motions]
+    return LiveBoard.over(_first(loaded, panels, language), FORM, LINES, poses)
+
+
+def _results(motion: Motion, burden: Burden | None) -> dict[str, Any]:
+    """Return the results of ``vad solve --json``."""
+    found = motion.to_dict()
+    return found if burden is None else found | {"forces": vad.forces(motion, *burden).to_dict()}
 
 
 def _quoted(html: str) -> str:
@@ -187,12 +217,12 @@ def reach(mechanism: Mechanism) -> list[tuple[float, float]]:
     return closing_range(mechanism)
 
 
-def _first(motions: Iterable[Motion], panels: tuple[str, ...], language: str) -> Sheet:
+def _first(poses: Iterable[Pose], panels: tuple[str, ...], language: str) -> Sheet:
     """Return the first sheet that has all panels."""
     wrong: VadError = AssemblyError("with these lengths the links close nowhere")
-    for motion in motions:
+    for pose in poses:
         try:
-            return vad.draw(motion, panels, language)
+            return vad.draw(pose, panels, language)
         except VadError as error:
             wrong = error
     raise wrong
@@ -241,11 +271,10 @@ def lesson(question: LessonQuestion) -> dict[str, Any]:
     vad.errors.VadError
         For a pose that cannot be, or that has no rates.
     """
-    mechanism, inputs = question.build()
-    motion = vad.solve(mechanism, **inputs)
-    panels = chosen(question.panels or None, motion)
-    sheet = vad.draw(motion, panels, question.language)
-    turned = turned_board_of(mechanism, panels, question.language)
+    motion, burden = question.solved()
+    mechanism, panels = motion.mechanism, _panels(question, motion, burden)
+    sheet = vad.draw(with_forces(motion, burden), panels, question.language)
+    turned = turned_board_of(mechanism, panels, question.language, burden)
     scales = dict(turned.live.scales)
     for panel in sheet.halves:
         if panel.name not in scales and panel.name in question.scales:
@@ -253,7 +282,7 @@ def lesson(question: LessonQuestion) -> dict[str, Any]:
             scales[panel.name] = calm_scale(panel, turned.live.room(panel, sheet), before)
     style = load_style(question.style)
     copy = plan(sheet, FORM, style.key, lesson=True, lines=LINES, scales=scales, words=False)
-    about = repr((mechanism, panels, question.language, question.style))
+    about = repr((mechanism, panels, question.language, question.style, burden))
     key = sha256(about.encode()).hexdigest()[:16]
     told = question.key == key
     film = vad.animate(sheet, style=question.style)
@@ -264,7 +293,7 @@ def lesson(question: LessonQuestion) -> dict[str, Any]:
         "data": made.data,
         "looks": made.looks,
         "scales": listed({name: sketch.scale for name, sketch in copy.sketches.items()}),
-        "results": motion.to_dict(),
+        "results": _results(motion, burden),
     }
     if made.hand:
         hand = {"hand": {**made.hand.data, "sliders": True}, "program": made.hand.program}
@@ -274,7 +303,9 @@ def lesson(question: LessonQuestion) -> dict[str, Any]:
 
 
 @lru_cache(maxsize=8)
-def turned_board_of(mechanism: Mechanism, panels: tuple[str, ...], language: str) -> HandBoard:
+def turned_board_of(
+    mechanism: Mechanism, panels: tuple[str, ...], language: str, burden: Burden | None = None
+) -> HandBoard:
     """Return the board on which a hand turns a mechanism.
 
     Raises
@@ -282,7 +313,7 @@ def turned_board_of(mechanism: Mechanism, panels: tuple[str, ...], language: str
     vad.errors.AssemblyError
         If it closes nowhere.
     """
-    return hand_board(mechanism, panels, language, FORM, LINES)
+    return hand_board(mechanism, panels, language, FORM, LINES, burden)
 
 
 def handle_of(motion: Motion, sheet: Sheet, scale: Scale, form: Format) -> dict[str, Any] | None:
@@ -354,17 +385,16 @@ def saved(question: ExportQuestion, extension: str) -> tuple[bytes, str]:
     vad.errors.VadError
         For what cannot be drawn or saved, or takes more than `LARGEST_FILE` bytes.
     """
-    mechanism, inputs = question.build()
-    panels = question.panels or None
-    motion = vad.solve(mechanism, **inputs)
-    sheet = vad.draw(motion, panels, question.language)
-    name = mechanism.name + _ENDS.get(extension, f".{extension}")
+    motion, burden = question.solved()
+    pose, panels = with_forces(motion, burden), _panels(question, motion, burden)
+    sheet = vad.draw(pose, panels, question.language)
+    name = motion.mechanism.name + _ENDS.get(extension, f".{extension}")
     with temporary_folder() as folder:
         path = folder / name
         if extension == "json":
             vad.save(sheet, path)
         elif extension == "turn":
-            film = vad.turn(motion, style=question.style, panels=panels, language=sheet.language)
+            film = vad.turn(pose, style=question.style, panels=panels, language=sheet.language)
             vad.save(film, path)
         elif extension == "problem":
             blank = [panel.name for panel in sheet.panels if panel.name != POSITION]

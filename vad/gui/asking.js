@@ -4,8 +4,8 @@
 function question(kind) {
   const present = (values) => Object.fromEntries(Object.entries(values).filter(([, value]) => value !== null));
   const asked = { mechanism: set.mechanism, parameters: present(set.parameters), inputs: { ...present(set.inputs), ...aside },
-    assembly: "" in set.places ? set.places[""] : set.places, points: set.points,
-    length_unit: set.length_unit, panels: start.panels, language: start.language, style: start.style };
+    assembly: "" in set.places ? set.places[""] : set.places, points: set.points, burden: set.burden,
+    length_unit: set.length_unit, panels: set.panels, language: start.language, style: start.style };
   if (kind === "lesson") return { ...asked, scales: stands() ? scalesNow() : {}, key: stands() ? standing.key : "" };
   const style = root.dataset.theme, speed = +(find(".speed")?.value ?? 1);
   return { ...asked, style: start.style === "print" ? "print" : style, size: start.size, fps: start.fps, speed };

@@ -28,14 +28,19 @@ from vad.errors import (
 )
 from vad.files.examples import EXTENSION
 from vad.gui.work import BusyError
+from vad.kinematics.motion import Motion, solve
 from vad.lecture.lesson import check_size
 from vad.mechanisms import MECHANISMS, Mechanism
 from vad.mechanisms.mechanism import NUMBERS
+from vad.statics.burden import NOTHING, Burden, beside_own
+from vad.statics.loads import listed_loads
 
 #: The largest picture and the most frames a second that the page saves.
 LARGEST, MOST_FPS = (3840, 2160), 60.0
 #: The most further points: the time of a lesson grows with the cube of their number.
 MOST_POINTS = 40
+#: The most loads beside those of a file.
+MOST_LOADS = 40
 
 Asked = TypeVar("Asked", bound="Question")
 #: A number in the scene's unit, or a text that has a unit of its own: "6 cm".
@@ -74,6 +79,8 @@ class Question:
         Further points on links, as a mechanism has them.
     length_unit
         The unit that labels lengths; None for the mechanism's own.
+    burden
+        What the mechanism has to bear beside its own.
     panels
         Which panels are drawn; empty for the usual ones.
     language
@@ -90,13 +97,20 @@ class Question:
     assembly: Any = None
     points: Mapping[str, Any] = field(default_factory=dict)
     length_unit: str | None = None
+    burden: Burden = NOTHING
     panels: tuple[str, ...] = ()
     language: str = "en"
     style: str = "paper"
     kinds: Kinds = field(default_factory=lambda: MECHANISMS, repr=False)
 
     @classmethod
-    def of(cls, mechanism: Mechanism, inputs: Mapping[str, NumberOrText], **options: Any) -> Self:
+    def of(
+        cls,
+        mechanism: Mechanism,
+        inputs: Mapping[str, NumberOrText],
+        burden: Burden = NOTHING,
+        **options: Any,
+    ) -> Self:
         """Return the question of a mechanism; an input that is left out has its default.
 
         One that a file describes is asked for by the name of the file, and may be asked for beside
@@ -105,7 +119,7 @@ class Question:
         Raises
         ------
         vad.errors.UsageError
-            For more further points than a window takes.
+            For more further points, or loads, than a window takes.
         """
         kind, name = type(mechanism), mechanism.name
         if MECHANISMS.get(name) is not kind:
@@ -117,6 +131,7 @@ class Question:
             mechanism.assembly,
             _points("points", {name: tuple(place) for name, place in mechanism.points.items()}),
             mechanism.length_unit,
+            _burden("burden", json.loads(json.dumps(vars(burden), default=_plain))),
             kinds={**MECHANISMS, name: kind},
             **options,
         )
@@ -138,6 +153,17 @@ class Question:
         mechanism = self.with_dimensions(self.parameters)
         driven = {name: name for name in mechanism.inputs}
         return mechanism, _numbers("input", self.inputs, driven, mechanism.length_unit)
+
+    def solved(self) -> tuple[Motion, Burden | None]:
+        """Return the motion, and what the mechanism bears beside its own; None if nothing loads it.
+
+        Raises
+        ------
+        vad.errors.VadError
+            As for `build`.
+        """
+        mechanism, inputs = self.build()
+        return solve(mechanism, **inputs), beside_own(mechanism.burden, self.burden)
 
     def with_dimensions(self, parameters: Mapping[str, NumberOrText]) -> Mechanism:
         """Return the mechanism with these parameters; errors are those of `build`."""
@@ -284,6 +310,25 @@ def _points(name: str, value: object) -> dict[str, Any]:
     return points
 
 
+def _burden(name: str, value: object) -> Burden:
+    """Read loads, masses, gravity and friction; what is in them is checked with the mechanism."""
+    given = _object(name, value)
+    known = [each.name for each in dataclasses.fields(Burden)]
+    for word in given:
+        if word not in known:
+            raise unknown("word of a burden", word, known)
+    loads = listed_loads(given.get("loads", ()))
+    if len(loads) > MOST_LOADS:
+        raise UsageError(f"{name}: a window takes at most {MOST_LOADS} loads, got {len(loads)}")
+    masses, friction = (_object(word, given.get(word, {})) for word in ("masses", "friction"))
+    return Burden(loads, masses, given.get("gravity"), friction)
+
+
+def _plain(value: Any) -> object:
+    """Return an array or a mapping as JSON can have it."""
+    return dict(value) if isinstance(value, Mapping) else value.tolist()
+
+
 def _scales(name: str, value: object) -> Scales:
     found = {}
     for panel, each in _object(name, value).items():
@@ -327,6 +372,7 @@ _CHECKS = {
     "assembly": lambda name, value: value,
     "points": _points,
     "length_unit": _optional_text,
+    "burden": _burden,
     "panels": _texts,
     "language": _text,
     "scales": _scales,

@@ -5,8 +5,10 @@ function choose(mechanism, given = {}) {
   const { parameters, inputs, assemblies, unit } = catalogue[mechanism];
   const places = Object.fromEntries(assemblies.map(([point, , choices]) =>
     [point, (choices.find(([name]) => name === given.places?.[point]) ?? choices[0])[0]]));
+  const own = mechanism === start.mechanism; // points, loads and some panels are those of one mechanism
   set = { mechanism, parameters: values(parameters), inputs: values(inputs), places, length_unit: given.unit ?? unit,
-    points: mechanism === start.mechanism ? structuredClone(start.points) : {} };
+    points: own ? structuredClone(start.points) : {}, burden: own ? start.burden : {},
+    panels: own ? start.panels : start.panels.filter((name) => usual.includes(name)) };
   step = given.step ?? null;
   find("#mechanism").value = mechanism;
   fields.clear();

@@ -27,6 +27,7 @@ from vad.mechanisms.mechanism import NUMBERS
 from vad.page.document import asset, colours, scripts
 from vad.page.themed import themes
 from vad.painting.svg_text import FACES, Faces
+from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import chosen
 from vad.style import load_style
 from vad.units import DIMENSIONS, scene_unit
@@ -67,10 +68,12 @@ def window(start: ExportQuestion, nonce: str, head: str = "") -> str:
     texts = say.page("WINDOW")
     inks = len(load_style(start.style).inks)
     opening = {name: value for name, value in vars(start).items() if name != "kinds"}
+    opening["burden"] = vars(start.burden)
     shelf = Shelf(start.kinds)
     entries = {name: entry(kind, code) for name, kind in shelf.own.items()}
     words = {**texts, "point": say.point}
-    data = {"start": opening, "catalogue": entries, "words": words}
+    usual = [name for name, diagram in DIAGRAMS.items() if diagram.usual]
+    data = {"start": opening, "catalogue": entries, "usual": usual, "words": words}
     chosen(start.panels or None)
     return Template(_file("window.html")).substitute(
         {name: escape(text) for name, text in texts.items()},

@@ -56,6 +56,10 @@ class Burden:
         """Yield loads, masses, gravity and friction, as `vad.forces` takes them."""
         return iter((self.loads, self.masses, self.gravity, self.friction))
 
+    def __hash__(self) -> int:
+        """Return a number that is the same for equal burdens; their numbers do not change it."""
+        return hash((len(self.loads), *sorted(self.masses), *sorted(self.friction)))
+
     def __bool__(self) -> bool:
         """Tell whether there is anything that makes forces."""
         return bool(self.loads or self.masses)
@@ -81,6 +85,11 @@ NOTHING = Burden()
 def whole(own: Burden | None, more: Burden = NOTHING) -> Burden:
     """Return what a mechanism has to bear of its own, and more beside it."""
     return more if own is None else own.beside(more)
+
+
+def beside_own(own: Burden | None, more: Burden = NOTHING) -> Burden | None:
+    """Return ``more`` where a mechanism has anything to bear, of its own or this; else None."""
+    return more if whole(own, more) else None
 
 
 def burden_of(
