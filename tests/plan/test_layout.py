@@ -64,12 +64,30 @@ def test_any_number_of_panels_has_room_and_none_overlaps(count: int, size, capti
     assert all(place.drawing.height > 0.05 for place in page.panels.values())
 
 
-def test_four_panels_and_the_results_stand_in_three_columns():
-    assert grid_columns(screen((1280, 720)), 5) == 3
-    page = laid_out((1280, 720), dict.fromkeys("abcd", 1))
+def test_four_panels_and_the_results_stand_in_three_columns_of_a_narrow_page():
+    assert grid_columns(screen((1024, 768)), 5) == 3
+    page = laid_out((1024, 768), dict.fromkeys("abcd", 1))
     assert len({place.drawing.left for place in page.panels.values()}) == 3
     assert page.results.left == page.panels["a"].drawing.left
     assert page.results.top < page.panels["a"].drawing.bottom
+
+
+@pytest.mark.parametrize("captions", [0, 2])
+@pytest.mark.parametrize("lines", [1, 2])
+def test_four_panels_stand_side_by_side_on_a_wide_page(captions: int, lines: int):
+    names = ["position", "acceleration", "force", "drive"]
+    page = laid_out((1280, 720), dict.fromkeys(names, lines), captions)
+    wide = {name: place.drawing.width for name, place in page.panels.items()}
+    assert page.columns
+    assert wide["position"] > wide["acceleration"] > wide["drive"]
+    assert wide["force"] == pytest.approx(wide["acceleration"])
+    assert page.panels["drive"].drawing.right == pytest.approx(page.right)
+
+
+def test_four_panels_stand_in_a_grid_where_many_rows_would_make_their_pictures_flat():
+    form, names = screen((1280, 720)), dict.fromkeys("abcd", 1)
+    assert lay_out(form, names, rows=4, caption_lines=2).columns
+    assert not lay_out(form, names, rows=12, caption_lines=2).columns
 
 
 @pytest.mark.parametrize("size", [(1280, 720), (1024, 768)])

@@ -300,15 +300,6 @@ def check_burden(own: Burden | None, found: Burden) -> None:
         raise UsageError("--friction: there is no load", "as in --load '80 N @ 150 at E'")
 
 
-def panels_of_page(panels: Any, burden: Burden | None, kind: str) -> Any:
-    """Return the panels of a page of forces, which has room for three beside its sliders."""
-    if kind != ".html" or burden is None or panels:
-        return panels
-    from vad.strokes.draw import OF_FORCES  # most commands draw nothing
-
-    return OF_FORCES
-
-
 def mechanism_options(kind: type[Mechanism], ranged: bool = False) -> list[click.Parameter]:
     """Return the options that set a mechanism's parameters and its input.
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from contextlib import nullcontext
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -19,7 +18,6 @@ from vad.cli.groups import MechanismGroup
 from vad.cli.options import (
     NamedOption,
     burden_options,
-    panels_of_page,
     path,
     places,
     several,
@@ -158,8 +156,6 @@ def draw(
             f"--blank is for pictures, not for '{output}'", hint="as in -o problem.pdf"
         )
     look = _pop(options, "style", "size", "paper", "blank", *own_options([FORMATS[made][kind]]))
-    if panels := panels_of_page(options.get("panels"), burden, kind):
-        options["panels"] = panels
     drawn: Sheet | Multiples | Turn
     if at is not None:
         drawn = _multiples(mechanism, inputs, at, burden, **options)
@@ -209,8 +205,6 @@ def animate(
     """Write the film in which one pose is drawn stroke by stroke, one step of it, or a turn."""
     _check_superposed(options, turn)
     burden = take_burden(mechanism, options)
-    if panels := panels_of_page(options.get("panels"), burden, Path(output).suffix.lower()):
-        options["panels"] = panels
     if turn:
         of_strokes = {"--still": still is not None, "--subtitles": subtitles}
         for name, given in (of_strokes | {"--loop": "loop" in options}).items():

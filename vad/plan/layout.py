@@ -20,6 +20,13 @@ MARGIN = 0.05
 GUTTER = 0.045
 GUTTER_GRID = 0.05
 NARROWEST_COLUMN = 0.436  # three columns from W/H = 1.5 on
+#: Four columns may be narrower: a grid of five or six cells makes its pictures less high.
+NARROWEST_OF_FOUR = 0.37
+#: The panel that shows the driven body alone.
+ALONE = "drive"
+#: What the columns of four panels take of an equal share: the first one, below which the names of
+#: the rows stand, that of the driven body alone, and each other one.
+FIRST_SHARE, ALONE_SHARE, OTHER_SHARE = 1.15, 0.75, 1.05
 SLENDER_COLUMN = 0.30  # of a tall picture, beside columns that are at least
 BESIDE_SLENDER = 0.40
 ROW_PITCH = 0.040
@@ -112,20 +119,28 @@ def lay_out(
     Beneath panels side by side the results take a line a row, or one ``block`` of that height.
 
     Panels stand side by side if that leaves them wide enough, else in a grid.  One that is
-    ``tall`` needs little width, and so stands beside the others on a narrower page, too.
+    ``tall`` needs little width, and so stands beside the others on a narrower page, too.  Four
+    panels stand side by side where that makes their shortest side longer than a grid does.
 
     Raises
     ------
     vad.errors.UsageError
         If they have no room.
     """
+
+    def row(widths: list[float], lines: dict[str, int]) -> Page:
+        return _side_by_side(form, lines, widths, rows, caption_lines, block)
+
     widths = _columns(form, list(equations), tall)
-    if widths:
-        page = _side_by_side(form, equations, widths, rows, caption_lines, block)
-    else:
-        page = _grid(form, equations, caption_lines)
-    drawings = [place.drawing for place in page.panels.values()]
-    if min(min(drawing.width, drawing.height) for drawing in drawings) < SMALLEST_DRAWING:
+    narrow = _four_columns(form, list(equations)) if not widths else []
+    if narrow:
+        # The lines of equations decide nothing: how many there are follows from the width.
+        one = dict.fromkeys(equations, 1)
+        widths = (
+            narrow if _least(row(narrow, one)) > _least(_grid(form, one, caption_lines)) else []
+        )
+    page = row(widths, equations) if widths else _grid(form, equations, caption_lines)
+    if _least(page) < SMALLEST_DRAWING:
         raise UsageError(
             f"the page has no room for {len(equations)} panels with {rows} rows of results and "
             f"captions of {caption_lines} lines",
@@ -144,6 +159,22 @@ def _columns(form: Format, names: list[str], tall: str) -> list[float]:
     if rest < BESIDE_SLENDER:
         return []
     return [SLENDER_COLUMN if name == tall else rest for name in names]
+
+
+def _four_columns(form: Format, names: Sequence[str]) -> list[float]:
+    """Return the widths of four columns, none for fewer of them or where they are too narrow."""
+    room = (form.width - 2 * MARGIN - (len(names) - 1) * GUTTER) / len(names)
+    if len(names) < 4 or room < NARROWEST_OF_FOUR * form.whole:
+        return []
+    shares = [ALONE_SHARE if name == ALONE else OTHER_SHARE for name in names]
+    shares[0] = FIRST_SHARE
+    return [room * len(names) * share / sum(shares) for share in shares]
+
+
+def _least(page: Page) -> float:
+    """Return the shortest side of all drawings of a page."""
+    drawings = [place.drawing for place in page.panels.values()]
+    return min(min(drawing.width, drawing.height) for drawing in drawings)
 
 
 def _captions(lines: int) -> tuple[float, ...]:
@@ -266,8 +297,10 @@ def lay_out_turn(form: Format, names: Sequence[str]) -> TurnPage:
     vad.errors.UsageError
         If the panels have no room.
     """
-    build = _columns_of_turn if form.width >= form.height else _rows_of_turn
-    panels, charts = build(form, names)
+    if form.width < form.height:
+        panels, charts = _rows_of_turn(form, names)
+    else:
+        panels, charts = _columns_of_turn(form, names, _four_columns(form, names))
     page = Page(
         form.width,
         form.height,
@@ -279,8 +312,7 @@ def lay_out_turn(form: Format, names: Sequence[str]) -> TurnPage:
         results=None,
         captions=(),
     )
-    drawings = [place.drawing for place in panels.values()]
-    least = min(min(drawing.width, drawing.height) for drawing in drawings)
+    least = _least(page)
     lowest = min(chart.height for chart in charts.values()) - CURVE_WORDS
     if least < SMALLEST_DRAWING or lowest < LOWEST:
         raise UsageError(
@@ -292,14 +324,14 @@ def lay_out_turn(form: Format, names: Sequence[str]) -> TurnPage:
 Places = tuple[dict[str, PanelPlace], dict[str, Rect]]
 
 
-def _columns_of_turn(form: Format, names: Sequence[str]) -> Places:
+def _columns_of_turn(form: Format, names: Sequence[str], widths: Sequence[float]) -> Places:
     room = (form.width - 2 * MARGIN - (len(names) - 1) * GUTTER) / len(names)
     rule, high = form.height - TOP_RULE, CURVE_SHARE * form.height + CURVE_WORDS
-    panels, charts = {}, {}
-    for index, name in enumerate(names):
-        left = MARGIN + index * (room + GUTTER)
-        charts[name] = Rect(left, TURN_FLOOR, left + room, TURN_FLOOR + high)
-        panels[name] = _place_of_turn(left, left + room, rule, TURN_FLOOR + high)
+    panels, charts, left = {}, {}, MARGIN
+    for name, wide in zip(names, widths or [room] * len(names), strict=True):
+        charts[name] = Rect(left, TURN_FLOOR, left + wide, TURN_FLOOR + high)
+        panels[name] = _place_of_turn(left, left + wide, rule, TURN_FLOOR + high)
+        left += wide + GUTTER
     return panels, charts
 
 
