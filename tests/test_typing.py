@@ -37,6 +37,7 @@ assert_type(motion.link("rod").omega, float)
 assert_type(motion.point("C").velocity, complex)
 assert_type(motion.slide("slider").coriolis, float | None)
 print(round(motion.link("rod").omega, 4), motion.table(), motion.links)
+vad.solve(vad.FourBar(), omega="120 rpm")
 vad.solve(vad.DoubleSlider(1000, 0, 90), position=500, velocity=2000, acceleration=0)
 
 turn = vad.solve(vad.FourBar(), angle=np.linspace(0, 360, 7), omega=10.0)
@@ -89,7 +90,8 @@ import vad
 vad.solve("nonsense", angel=3)  # call-overload: did you mean "angle"; call-overload: "str", "int"
 vad.solve("nonsense")  # call-overload: "str"
 vad.solve(vad.FourBar(), angel=3)  # call-overload: did you mean "angle"; call-overload: variant
-vad.solve(vad.FourBar(), angle="3")  # arg-type: "str"
+vad.solve(vad.FourBar(), angle=3j)  # call-overload: "complex"
+vad.solve(vad.FourBar(), position=4)  # call-overload: "FourBar", "int"
 vad.FourBar(crnk=4)  # call-arg: did you mean "crank"
 vad.FourBar(crank="4")  # arg-type: "float"
 vad.FourBar(100, 40, 120, 80, 0)  # call-arg: Too many; arg-type: "str"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import array
 import datetime
+import math
 from decimal import Decimal
 from fractions import Fraction
 
@@ -26,7 +27,6 @@ class Rude:
     "value",
     [
         1 + 2j,
-        "60",
         b"60",
         True,
         None,
@@ -143,3 +143,27 @@ def test_defaults_belong_to_nobody(kind):
     with pytest.raises(TypeError):
         kind.inputs["angle"] = 30.0
     assert vad.solve(kind()).inputs == dict(kind.inputs)
+
+
+@pytest.mark.parametrize(
+    ("given", "omega"), [("10", 10.0), ("120 rpm", 4.0 * math.pi), ("-90 deg/s", -math.pi / 2.0)]
+)
+def test_a_text_is_a_number_with_its_unit(given, omega):
+    assert vad.solve(vad.FourBar(), omega=given).link("crank").omega == pytest.approx(omega, abs=0)
+    assert vad.solve(vad.DoubleSlider(), position="0.4 m").inputs["position"] == 400.0
+    assert vad.solve(vad.DoubleSlider(length_unit="m", link=1), position="40 cm").assembled
+
+
+@pytest.mark.parametrize(
+    ("inputs", "words"),
+    [
+        ({"angle": "x"}, "angle: 'x' is not a number"),
+        ({"angle": "3 kg"}, "angle: 'kg' is not a unit of angle"),
+        ({"omega": "1e70"}, "omega: must be within ±1e+60, got 1e+70"),
+        ({"omega": "inf"}, "omega: must be a finite number, got inf"),
+    ],
+)
+def test_a_text_that_is_no_input_is_refused(inputs, words):
+    with pytest.raises(vad.InputError) as refused:
+        vad.solve(vad.FourBar(), **inputs)
+    assert str(refused.value) == words

@@ -167,3 +167,22 @@ def test_a_package_that_does_not_keep_its_word_is_named(installed, name, message
     done = call_beside(installed, "-m", "vad", "solve", name)
     assert done.returncode == 1
     assert done.stderr.startswith(f"error: {message}")
+
+
+@pytest.mark.parametrize(
+    ("given", "crank"),
+    [
+        ({"crank": "4 cm"}, 40.0),
+        ({"crank": "40"}, 40.0),
+        ({"crank": "4 cm", "length_unit": "m"}, 0.04),
+        ({"crank": "1/2 in"}, None),
+        ({"crank": "4 kg"}, None),
+        ({"crank": "-4 cm"}, None),
+    ],
+)
+def test_a_parameter_may_be_a_text_with_its_unit(given, crank):
+    if crank is None:
+        with pytest.raises(vad.InputError, match=r"^crank: "):
+            vad.FourBar(**given)
+    else:
+        assert vad.FourBar(**given).crank == crank

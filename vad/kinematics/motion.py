@@ -19,20 +19,34 @@ from vad.kinematics.numbers import Number, Real, Truth, Vector
 from vad.kinematics.results import Joint, Link, Point, Slider, plain, table, units
 from vad.kinematics.solution import Solution
 from vad.kinematics.solver import Solver, solver_of
+from vad.units import number_of
 from vad.written import DIGITS, MOST_DIGITS
 
 if TYPE_CHECKING:
-    from vad.mechanisms.mechanism import Mechanism, MechanismInSpace
+    from vad.files.loading import WrittenMechanism
+    from vad.mechanisms.mechanism import DrivenBySlide, Mechanism, MechanismInSpace
 
 
 @overload
-def solve(mechanism: MechanismInSpace, **inputs: Unpack[OnePose]) -> MotionInSpace: ...
+def solve(mechanism: MechanismInSpace, **inputs: Unpack[Crank]) -> MotionInSpace: ...
+@overload  # of two signatures that fit, the first is taken
+def solve(  # type: ignore[overload-overlap]
+    mechanism: WrittenMechanism, **inputs: Unpack[CrankOrSlide]
+) -> Motion: ...
 @overload
-def solve(mechanism: Mechanism, **inputs: Unpack[OnePose]) -> Motion: ...
+def solve(  # type: ignore[overload-overlap]
+    mechanism: DrivenBySlide, **inputs: Unpack[Slide]
+) -> Motion: ...
 @overload
-def solve(mechanism: MechanismInSpace, **inputs: Unpack[ManyPoses]) -> MotionsInSpace: ...
+def solve(mechanism: Mechanism, **inputs: Unpack[Crank]) -> Motion: ...
 @overload
-def solve(mechanism: Mechanism, **inputs: Unpack[ManyPoses]) -> Motions: ...
+def solve(mechanism: MechanismInSpace, **inputs: Unpack[Cranks]) -> MotionsInSpace: ...
+@overload
+def solve(mechanism: WrittenMechanism, **inputs: Unpack[CranksOrSlides]) -> Motions: ...
+@overload
+def solve(mechanism: DrivenBySlide, **inputs: Unpack[Slides]) -> Motions: ...
+@overload
+def solve(mechanism: Mechanism, **inputs: Unpack[Cranks]) -> Motions: ...
 def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
     """Solve one pose, or one for each element of the inputs' broadcast shape.
 
@@ -47,7 +61,7 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
     **inputs
         The motion of the driver: ``angle`` (degrees), ``omega`` (rad/s) and ``alpha`` (rad/s²)
         of a crank, or ``position``, ``velocity`` and ``acceleration`` of a slide, as numbers or
-        arrays.  What is left out has the mechanism's default.
+        arrays, or as texts with a unit.  What is left out has the mechanism's default.
 
     Raises
     ------
@@ -60,6 +74,8 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
     >>> motion = vad.solve(vad.SliderCrank(crank=60, rod=140), angle=116.9, omega=11.59)
     >>> round(motion.slide("slider").velocity, 6)
     -490.028085
+    >>> vad.solve(vad.FourBar(), omega="120 rpm").link("crank").omega
+    12.566370614359172
     """
     global _latest  # noqa: PLW0603  # only what can be made again
     latest = _latest  # another thread may put its own there
@@ -73,7 +89,10 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
             raise unknown("input", name, mechanism.inputs)
         most = largest[name]
         usual = type(value) is float and -most <= value <= most
-        given[name] = value if usual else checked(name, value, most)
+        if isinstance(value, str):
+            given[name] = _one(name, number_of(name, value, name, mechanism.length_unit), most)
+        else:
+            given[name] = value if usual else checked(name, value, most)
     return kind(mechanism, solver, given)
 
 
@@ -282,26 +301,44 @@ One = float | np.floating[Any] | np.integer[Any]
 Many = Sequence[One] | Sequence[Sequence[One]] | NDArray[np.floating[Any] | np.integer[Any]]
 
 
-class OnePose(TypedDict, total=False):
-    """The inputs of one pose: those of a crank (degrees, rad/s, rad/s²) or those of a slide."""
+class Crank(TypedDict, total=False):
+    """The inputs of one pose that a crank drives: degrees, rad/s, rad/s²."""
 
-    angle: One
-    omega: One
-    alpha: One
-    position: One
-    velocity: One
-    acceleration: One
+    angle: One | str
+    omega: One | str
+    alpha: One | str
 
 
-class ManyPoses(TypedDict, total=False):
-    """The inputs of many poses: arrays that broadcast."""
+class Slide(TypedDict, total=False):
+    """The inputs of one pose that a slide drives."""
 
-    angle: One | Many
-    omega: One | Many
-    alpha: One | Many
-    position: One | Many
-    velocity: One | Many
-    acceleration: One | Many
+    position: One | str
+    velocity: One | str
+    acceleration: One | str
+
+
+class CrankOrSlide(Crank, Slide, total=False):
+    """The inputs of one pose of a mechanism from a file, whose driver a type does not know."""
+
+
+class Cranks(TypedDict, total=False):
+    """The inputs of many poses that a crank drives: arrays that broadcast."""
+
+    angle: One | str | Many
+    omega: One | str | Many
+    alpha: One | str | Many
+
+
+class Slides(TypedDict, total=False):
+    """The inputs of many poses that a slide drives: arrays that broadcast."""
+
+    position: One | str | Many
+    velocity: One | str | Many
+    acceleration: One | str | Many
+
+
+class CranksOrSlides(Cranks, Slides, total=False):
+    """The inputs of many poses of a mechanism from a file."""
 
 
 def checked(name: str, value: object, largest: float) -> Number:

@@ -4,11 +4,11 @@ from dataclasses import dataclass
 
 from vad.errors import InputError
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, length_of, parallel
-from vad.mechanisms.mechanism import Mechanism, angle, length
+from vad.mechanisms.mechanism import DrivenBySlide, angle, length
 
 
 @dataclass(frozen=True)
-class DoubleSlider(Mechanism):
+class DoubleSlider(DrivenBySlide):
     """Slider A is pushed along its guide and moves B along its own through the link AB.
 
     Both guides pass through O.  Open: B at the greater distance along its guide.

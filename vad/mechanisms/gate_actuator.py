@@ -4,11 +4,11 @@ import math
 from dataclasses import KW_ONLY, dataclass
 
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, length_of
-from vad.mechanisms.mechanism import Mechanism, angle, length, unit
+from vad.mechanisms.mechanism import DrivenBySlide, angle, length, unit
 
 
 @dataclass(frozen=True)
-class GateActuator(Mechanism):
+class GateActuator(DrivenBySlide):
     """The actuator DB grows and turns the gate's arm AB about A.
 
     The defaults are the power gate of a lecture on planar kinematics, in feet.  Open: B lies to

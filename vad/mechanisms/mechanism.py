@@ -12,7 +12,7 @@ from vad import gate
 from vad.errors import InputError, one_of, quoted
 from vad.kinematics.linkage import Linkage
 from vad.mechanisms.link_points import LinkPoint, LinkPoints, link_points, marked
-from vad.units import DIMENSIONS
+from vad.units import DIMENSIONS, number_of
 
 if TYPE_CHECKING:
     from vad.kinematics.space.linkages import SpaceLinkage
@@ -102,10 +102,19 @@ class Mechanism:
     `linkage` returns its loops.  Its user may mark further `points`, each by the name of a link,
     a distance from that link's first end, and perhaps an angle from its line in degrees.
 
+    A number may be given as a text with its unit, which is converted to the unit of the scene.
+
     Raises
     ------
     vad.errors.InputError
-        For a parameter that is not finite, or not positive where it must be, or missing.
+        For a parameter that is not finite, or not positive where it must be, or missing; for a text
+        that says no number, or has a unit of another quantity.
+
+    Examples
+    --------
+    >>> import vad
+    >>> vad.FourBar(crank="4 cm").crank
+    40.0
     """
 
     name: ClassVar[str]
@@ -131,7 +140,8 @@ class Mechanism:
             LOADED[cls.name] = cls
 
     def __post_init__(self) -> None:
-        for parameter in fields(self):
+        # The unit comes first, since texts are converted to it.
+        for parameter in sorted(fields(self), key=lambda each: each.name != "length_unit"):
             self._check(parameter.name, parameter.metadata)
         if not self.varied:  # each of the mechanisms that it stands for is checked by itself
             self._check_names(self.marked())
@@ -150,6 +160,8 @@ class Mechanism:
             varied = gate.dimensions(name, value, signed=metadata["signed"])
             object.__setattr__(self, name, varied)
         elif value is not None or not metadata["optional"]:
+            if isinstance(value, str):
+                value = number_of(name, value, metadata["quantity"], self.length_unit)
             number = gate.dimension(name, value, signed=metadata["signed"])
             if "between" in metadata:
                 _check_arc(name, number, *metadata["between"])
@@ -258,6 +270,11 @@ class Mechanism:
             points.append((name, LinkPoint(link, *new)))
         object.__setattr__(other, "points", LinkPoints(tuple(points)))
         return other
+
+
+@dataclass(frozen=True)
+class DrivenBySlide(Mechanism, listed=False):
+    """A mechanism whose driver is a slide: type checkers let its position be an input."""
 
 
 @dataclass(frozen=True)
