@@ -22,6 +22,7 @@ from vad.batches.sheets import read_sheets
 from vad.batches.workers import products
 from vad.errors import ExportError, UsageError, quoted
 from vad.export.files import new_file
+from vad.statics.forces import given_burden
 
 _ANSWERS, _TABLE, _JOURNAL = "answers.json", "answers.csv", "answers.part.jsonl"
 JournalNote = Mapping[str, Any]
@@ -35,6 +36,10 @@ def batch(
     *,
     cluster: str | None = None,
     only: int | None = None,
+    loads: Iterable[Any] = (),
+    masses: Mapping[str, Any] | None = None,
+    gravity: Any = None,
+    friction: Mapping[str, Any] | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> list[Done]:
     """Make the sheets of a file: problems, keys, and all answers as ``answers.csv`` and ``.json``.
@@ -57,6 +62,8 @@ def batch(
         ``cluster``.
     only
         The number of one sheet, which is made again.
+    loads, masses, gravity, friction
+        As for `forces`: what every mechanism bears beside all that the file says.
     progress
         Called with how many sheets are done and their total: after each one, and twice a second
         while workers make the next one.
@@ -78,7 +85,7 @@ def batch(
     gate.function("progress", progress)
     if cluster is not None and jobs != 1:
         raise UsageError("jobs: a cluster has its own workers", "leave out one of them")
-    sheets = read_sheets(path)
+    sheets = read_sheets(path, given_burden(loads, masses, gravity, friction))
     total = len(sheets.jobs) + len(sheets.failed)
     if only is not None:
         if not 1 <= (gate.index(only) or 0) <= total:

@@ -10,6 +10,7 @@ from typing import Any
 
 from vad import __version__
 from vad.errors import VadError
+from vad.statics.burden import NOTHING, Burden
 
 #: What a parameter may be: a number in the scene's unit; an assembly's word, or places by point.
 Value = float | str | Mapping[str, Any]
@@ -34,13 +35,15 @@ class Recipe:
     files
         The names of a sheet's files, without its number.
     blank
-        The panels that a problem leaves to be drawn.
+        The panels that a problem leaves to be drawn; None for all polygons, and the drive.
     options
         Those of `vad.draw`, `vad.animate` and `vad.save`, by name.
     ask
         The results for which a question bank asks; none for those that are drawn by the student.
     tolerance
         How far off a right answer may be, as a share of it.
+    burden
+        What the mechanism bears beside its own.
     """
 
     mechanism: str
@@ -49,10 +52,11 @@ class Recipe:
     keep: float
     seed: int
     files: tuple[str, ...]
-    blank: tuple[str, ...]
+    blank: tuple[str, ...] | None
     options: tuple[tuple[str, Any], ...]
     ask: tuple[str, ...] = ()
     tolerance: float = 0.03
+    burden: Burden = NOTHING
 
 
 @dataclass(frozen=True)

@@ -25,11 +25,16 @@ from vad.export.files import temporary_folder
 from vad.kinematics.motion import Motion, solve
 from vad.lecture.lesson import Lesson
 from vad.mechanisms import Mechanism
+from vad.statics.burden import beside_own
+from vad.statics.forces import Forces
+from vad.strokes.draw import with_forces
 from vad.strokes.sheet import Sheet
 
 #: Threads of the encoder.  The bytes of a film depend on their number, and so it is fixed; and
 #: where many sheets are made, no other core is free.
 _THREADS = 1
+#: The panels that are left blank unless the file says others.
+_BLANK = ("velocity", "acceleration", "force", "drive")
 #: How often numbers are chosen before the program gives up.
 TRIES = 2000
 
@@ -39,18 +44,19 @@ def make(job: Job) -> Product:
     try:
         motion = picked(job)
         options = dict(job.recipe.options)
-        sheet = vad.draw(motion, **_only(options, "panels", "language"))
+        pose = loaded(job, motion)
+        sheet = vad.draw(pose, **_only(options, "panels", "language"))
         sheet = replace(sheet, title=f"{sheet.title} · {job.label}")
         answers = motion.to_dict()
         balancing = motion.mechanism.balancing(motion)
         if balancing is not None:
             answers[balancing.kind] = balancing.to_dict()
-        if motion.mechanism.burden:
-            answers["forces"] = vad.forces(motion).to_dict()
+        if isinstance(pose, Forces):
+            answers["forces"] = pose.to_dict()
         with temporary_folder() as folder:
             files = {}
             for name, kind in zip(job.names, job.recipe.files, strict=True):
-                _save(sheet, Path(folder, name), kind, job.recipe.blank, options)
+                _save(sheet, Path(folder, name), kind, blank_of(job, sheet), options)
                 files[name] = Path(folder, name).read_bytes()
     except VadError as error:
         return Product(job, error=type(error)(f"{job.place}: {error}", error.hint))
@@ -58,6 +64,18 @@ def make(job: Job) -> Product:
         fault = f"{job.place}: internal fault ({type(error).__name__}: {error})"
         return Product(job, error=InputError(fault))
     return Product(job, answers, files)
+
+
+def loaded(job: Job, motion: Motion) -> Motion | Forces[Any, Any, Any]:
+    """Return the motion of a sheet, or the forces in it where anything loads its mechanism."""
+    return with_forces(motion, beside_own(motion.mechanism.burden, job.recipe.burden))
+
+
+def blank_of(job: Job, sheet: Sheet) -> tuple[str, ...]:
+    """Return the panels that a problem leaves to be drawn."""
+    if job.recipe.blank is not None:
+        return job.recipe.blank
+    return tuple(panel.name for panel in sheet.panels if panel.name in _BLANK)
 
 
 def _save(

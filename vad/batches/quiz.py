@@ -6,7 +6,7 @@ Each sheet of the file becomes questions: the picture of the problem, and one re
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -14,13 +14,14 @@ from typing import Any
 import vad
 from vad.batches.choices import written_at
 from vad.batches.job import Job
-from vad.batches.making import picked
+from vad.batches.making import blank_of, loaded, picked
 from vad.batches.sheets import read_sheets
 from vad.batches.sweep import sweep
 from vad.errors import unknown
 from vad.export.files import temporary_folder
 from vad.export.quiz import Question, format_of, save_quiz
 from vad.kinematics.motion import Motion
+from vad.statics.forces import DRIVE, FORCE, Forces, given_burden
 from vad.strokes.description import parameters
 from vad.strokes.sheet import Sheet
 from vad.units import scene_unit
@@ -39,6 +40,10 @@ def quiz(
     path: str | os.PathLike[str],
     output: str | os.PathLike[str],
     *,
+    loads: Iterable[Any] = (),
+    masses: Mapping[str, Any] | None = None,
+    gravity: Any = None,
+    friction: Mapping[str, Any] | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> list[Question]:
     """Make a question bank of a file of sheets: pictures, numerical answers, keys as feedback.
@@ -47,11 +52,15 @@ def quiz(
     ----------
     path
         A file as for `batch`.  Two of its words are for question banks.  ``ask`` has the names of
-        results, such as ``"rocker.omega"`` or ``"C.velocity"``, whose size is asked for; left out,
-        these are the rates of the links and slides in the panels that are left blank.
+        results, such as ``"rocker.omega"``, ``"C.velocity"``, ``"drive"`` or
+        ``"coupler.rocker.force"``; of points and forces the size is asked for.  Left out, these are
+        the rates of the links and slides, the drive and the forces in the joints, in the panels
+        that are left blank.
         ``tolerance`` says how far off a right answer may be, as a share of it; it is 0.03.
     output
         A file: Moodle XML (.xml), GIFT (.gift), a package of QTI 2.1 (.zip) or Markdown (.md).
+    loads, masses, gravity, friction
+        As for `forces`: what every mechanism bears beside all that the file says.
     progress
         Called with how many sheets are done and their total.
 
@@ -70,7 +79,7 @@ def quiz(
         If it cannot be written.
     """
     format_of(output)
-    sheets = read_sheets(path)
+    sheets = read_sheets(path, given_burden(loads, masses, gravity, friction))
     for failed in sheets.failed:
         assert failed.error is not None
         raise failed.error
@@ -87,21 +96,24 @@ def quiz(
 def _questions(job: Job) -> Iterator[Question]:
     """Yield the questions of one sheet."""
     motion, options = picked(job), dict(job.recipe.options)
+    pose = loaded(job, motion)
     wanted = {name: options[name] for name in ("panels", "language") if name in options}
-    sheet = vad.draw(motion, **wanted)
+    sheet = vad.draw(pose, **wanted)
+    blank = blank_of(job, sheet)
     language, style = Language(sheet.language), options.get("style")
     numbered = replace(sheet, title=f"{sheet.title} · {job.label}")
-    problem = _png(numbered, style, job.recipe.blank)
+    problem = _png(numbered, style, blank)
     key, title = _png(numbered, style, ()), f"{sheet.title} · {job.label}"
     given = language.say("quiz given", title=sheet.title, given=", ".join(_given(sheet)))
-    found = _values(motion, job.recipe.ask or tuple(_usual(motion, job.recipe.blank)))
+    forces = pose if isinstance(pose, Forces) else None
+    found = _values(motion, forces, job.recipe.ask or tuple(_usual(motion, forces, blank)))
     for result, (phrase, unit, value) in found.items():
         kind = result.rpartition(".")[2]
         largest = max(abs(each) for name, (*_, each) in found.items() if name.endswith(kind))
         yield Question(
             name=f"{job.recipe.mechanism.removesuffix('.toml')} {job.label} {result}",
             category=sheet.title,
-            task=f"{given} {_find(language, phrase, result.partition('.')[0], unit)}",
+            task=f"{given} {_find(language, phrase, *_owners(motion, result), unit)}",
             picture=problem,
             key=key,
             title=title,
@@ -131,8 +143,14 @@ def _given(sheet: Sheet) -> Iterator[str]:
                     yield f"{cell.symbol} = {value}"
 
 
-def _usual(motion: Motion, blank: tuple[str, ...]) -> Iterator[str]:
-    """Yield the results that a student draws: rates of links and slides that are not driven."""
+def _usual(
+    motion: Motion, forces: Forces[Any, Any, Any] | None, blank: tuple[str, ...]
+) -> Iterator[str]:
+    """Yield the results that a student draws.
+
+    These are rates of links and slides that are not driven, the forces in the joints, and the
+    drive.
+    """
     driven = motion.solver.driver.name
     for panel in blank:
         if panel not in _OF_LINKS:
@@ -143,19 +161,34 @@ def _usual(motion: Motion, blank: tuple[str, ...]) -> Iterator[str]:
         for name in motion.slides:
             if name != driven:
                 yield f"{name}.{panel}"
+    if forces and "force" in blank:
+        for joint in forces.joints:
+            yield f"{joint.one}.{joint.other}{FORCE}"
+    if forces and "drive" in blank:
+        yield DRIVE
 
 
-def _values(motion: Motion, names: tuple[str, ...]) -> Mapping[str, tuple[str, str, float]]:
+def _values(
+    motion: Motion, forces: Forces[Any, Any, Any] | None, names: tuple[str, ...]
+) -> Mapping[str, tuple[str, str, float]]:
     """Return for each result the phrase that asks for it, its unit and its value."""
     found: dict[str, tuple[str, str, float]] = {}
     inputs: dict[str, Any] = {name: float(value) for name, value in motion.inputs.items()}
-    swept = sweep(motion.mechanism, names, **inputs)
+    burden = vars(forces.burden) if forces else {}
+    swept = sweep(motion.mechanism, names, **burden, **inputs)
     for name in names:
+        if forces and (name == DRIVE or name.endswith(FORCE)):
+            kind = FORCE[1:] if name != DRIVE else "torque" if "angle" in motion.inputs else "push"
+            unit = forces.drive_unit if name == DRIVE else "N"
+            value = swept[name].item()
+            found[name] = f"quiz {kind}", unit, value if name == DRIVE else abs(value)
+            continue
         owner, _, kind = name.partition(".")
         of_point = owner in motion.points
         if (of_point and kind not in _OF_POINTS) or owner in motion.solver.bodies:
             known = [f"{point}.velocity" for point in motion.points]
-            raise unknown("result of a question", name, [*_usual(motion, ("velocity",)), *known])
+            usual = _usual(motion, forces, ("velocity", "force", "drive"))
+            raise unknown("result of a question", name, [*usual, *known])
         value = swept[name].item()
         unit = scene_unit(
             "acceleration" if kind == "coriolis" else kind, motion.mechanism.length_unit
@@ -165,12 +198,23 @@ def _values(motion: Motion, names: tuple[str, ...]) -> Mapping[str, tuple[str, s
     return found
 
 
-def _find(language: Language, phrase: str, owner: str, unit: str) -> str:
+def _owners(motion: Motion, result: str) -> tuple[str, str]:
+    """Return whose result it is; of a force, who exerts it and upon whom."""
+    if result == DRIVE:
+        return motion.solver.driver.name, ""
+    one, _, other = result.removesuffix(FORCE).partition(".")
+    return one, other
+
+
+def _find(language: Language, phrase: str, owner: str, other: str, unit: str) -> str:
     """Return what is to be found, in words."""
     speaker = language.speaker(phrase)
     texts = {"unit": sign(unit), "point": owner}
     return "".join(
-        (texts.get(each.name) or speaker.noun(owner, each.article, each.name))
+        (
+            texts.get(each.name)
+            or speaker.noun(other if each.name == "other" else owner, each.article, each.name)
+        )
         if isinstance(each, Gap)
         else each.text
         for each in language.template(phrase)

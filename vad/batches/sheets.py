@@ -11,13 +11,14 @@ import io
 import os
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
 from unicodedata import normalize
 
 from vad import gate
+from vad.batches.burdens import BURDEN_WORDS, burden_in, check_borne, check_recipe
 from vad.batches.choices import kind_of, offered, text_beside, written_at
 from vad.batches.job import Done, Job, Recipe
 from vad.discovery import one_of_all
@@ -27,6 +28,7 @@ from vad.files.tables import Source, parsed, text_of
 from vad.lecture.lesson import Lesson, checked
 from vad.mechanisms.link_points import link_points
 from vad.plan.format import paper_names
+from vad.statics.burden import NOTHING, Burden
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.sheet import Sheet
 from vad.style import GROUP as STYLES
@@ -39,9 +41,8 @@ from vad.words import languages
 PROBLEM = "problem"
 #: The most sheets of one file.
 MOST = 100_000
-_BLANK = ("velocity", "acceleration")
 #: Words that are not options of `vad.draw`, `vad.animate` and `vad.save`.
-_OF_THE_BATCH = ("count", "seed", "files", "blank", "ask", "tolerance")
+_OF_THE_BATCH = ("count", "seed", "files", "blank", "ask", "tolerance", *BURDEN_WORDS)
 #: The least sine unless [keep] says another: lines cross at more than 11.5°.
 KEEP = 0.2
 #: How far off an answer may be that is read from a drawing, as a share of it.
@@ -141,6 +142,7 @@ WORDS: dict[str, Callable[[object], Any]] = {
     "speed": lambda value: _film(speed=value)[2],
     "length_unit": _unit,
     "points": lambda value: dict(link_points(value)),
+    **BURDEN_WORDS,
 }
 
 
@@ -204,7 +206,6 @@ def recipe(
     files = words.get("files", (f"{PROBLEM}.pdf", "key.pdf"))
     if words.get("blank") and not any(map(is_problem, files)):
         raise InputError("blank: none of the files is the problem", 'call one "problem.pdf"')
-    usual = [name for name in _BLANK if name in words.get("panels", DIAGRAMS)]
     options = {"paper": "A4"} | {
         name: value for name, value in words.items() if name not in _OF_THE_BATCH
     }
@@ -215,10 +216,11 @@ def recipe(
         keep,
         words.get("seed", 0),
         files,
-        words.get("blank", tuple(usual)),
+        words.get("blank"),
         tuple(sorted(options.items())),
         words.get("ask", ()),
         words.get("tolerance", TOLERANCE),
+        burden_in(words),
     )
 
 
@@ -245,6 +247,11 @@ def read_toml(text: str, path: Path) -> list[Job]:
         kind = kind_of(mechanism, body)
     with written_at(source.place("sheet", "points")):
         kind(points=words.get("points", {}))  # raises where they lie on no link
+    for word in BURDEN_WORDS.keys() & words.keys():
+        with written_at(source.place("sheet", word)):
+            own = burden_in({word: words[word]})
+            both = burden_in(words) if word in ("gravity", "friction") else own
+            check_borne(kind, both, words)
     vary = []
     for name, value in source.table("vary").items():
         with written_at(source.place("vary", name)):
@@ -388,11 +395,15 @@ def _recipe(cells: Mapping[str, str], path: Path) -> Recipe:
     for name, cell in cells.items():
         if name not in words and name != "mechanism":
             vary.append((name, offered(kind, name, cell, words.get("length_unit"))))
-    return recipe(mechanism, text, tuple(vary), words)
+    made = recipe(mechanism, text, tuple(vary), words)
+    check_recipe(made, kind, NOTHING)
+    return made
 
 
 def _typed(word: str, cell: str) -> object:
     """Return a cell as TOML would have its value."""
+    if word in BURDEN_WORDS:
+        return cell if word == "gravity" else re.split(r"\s*;\s*", cell)
     if word in _LISTS:
         return re.split(r"[\s;,]+", cell)
     if word == "size":
@@ -405,8 +416,10 @@ def _typed(word: str, cell: str) -> object:
         return cell
 
 
-def read_sheets(path: str | os.PathLike[str]) -> Rows:
+def read_sheets(path: str | os.PathLike[str], more: Burden = NOTHING) -> Rows:
     """Return the jobs of a file, and the sheets that cannot be made.
+
+    What the mechanism of each sheet has to bear beside all that the file says is ``more``.
 
     Raises
     ------
@@ -420,4 +433,15 @@ def read_sheets(path: str | os.PathLike[str]) -> Rows:
     if kind not in (".toml", ".csv"):
         raise UsageError(f"sheets cannot be read from {quoted(str(path))}", _HINT)
     text = text_of(file, _LONGEST)
-    return read_csv(text, file) if kind == ".csv" else Rows(read_toml(text, file))
+    rows = read_csv(text, file) if kind == ".csv" else Rows(read_toml(text, file))
+    return rows if more == NOTHING else _loaded(rows, more)
+
+
+def _loaded(rows: Rows, more: Burden) -> Rows:
+    """Return jobs whose mechanisms bear more, after checking that they can."""
+    made: dict[int, Recipe] = {}
+    for common in (job.recipe for job in rows.jobs):
+        if id(common) not in made:
+            check_recipe(common, kind_of(common.mechanism, common.text), more)
+            made[id(common)] = replace(common, burden=common.burden.beside(more))
+    return Rows([replace(job, recipe=made[id(job.recipe)]) for job in rows.jobs], rows.failed)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import click
 
 import vad
 from vad.cli import completion
 from vad.cli.groups import HelpfulCommand
-from vad.cli.options import path
+from vad.cli.options import burden_options, given_burden, path
 from vad.cli.output import progress, say_written
 from vad.cli.process import say
 from vad.errors import UsageError
@@ -30,7 +32,8 @@ SHEETS is a .csv file with one row a sheet, or a .toml file such as
   [keep]
   sine = 0.35                          # how steeply all lines cross at least
 
-[sheet] also takes seed, panels, points, language, style, paper, size, fps, speed, length_unit.
+[sheet] also takes seed, panels, points, language, style, paper, size, fps, speed, length_unit,
+and load, mass, inertia, gravity, friction, as these options have them.
 What stands in FOLDER already, made from the same settings, is not made again.
 """
 
@@ -52,11 +55,13 @@ What stands in FOLDER already, made from the same settings, is not made again.
 @click.pass_context
 def make_batch(
     ctx: click.Context,
+    /,
     sheets: str | None,
     output: str,
     jobs: int | None,
     cluster: str | None,
     only: int | None,
+    **given: Any,
 ) -> None:
     """Make problem sheets with their keys by the hundred."""
     if sheets is None:
@@ -65,6 +70,7 @@ def make_batch(
         made = vad.batch(
             sheets,
             output,
+            **vars(given_burden(given)),
             jobs=1 if jobs is None else jobs,
             cluster=cluster,
             only=only,
@@ -90,7 +96,7 @@ def make_batch(
     metavar="FILE",
     help="FILE.xml (Moodle), FILE.gift, FILE.zip (QTI 2.1) or FILE.md",
 )
-def make_quiz(sheets: str | None, output: str) -> None:
+def make_quiz(sheets: str | None, output: str, **given: Any) -> None:
     """Make a question bank for a learning platform, with pictures and numerical answers.
 
     SHEETS is a file as for vad batch; in [sheet], ask = ["rocker.omega"] names what is asked for,
@@ -99,9 +105,12 @@ def make_quiz(sheets: str | None, output: str) -> None:
     if sheets is None:
         raise UsageError("quiz needs a file of sheets", "vad quiz sheets.toml -o bank.xml")
     with progress(output) as moved:
-        made = vad.quiz(sheets, output, progress=moved)
+        made = vad.quiz(sheets, output, progress=moved, **vars(given_burden(given)))
     say_written(output, f"{len(made)} questions")
 
+
+for _verb in (make_batch, make_quiz):
+    _verb.params += burden_options()
 
 #: These verbs by name.
 VERBS: tuple[click.Command, ...] = (make_batch, make_quiz)

@@ -279,25 +279,27 @@ def take_burden(mechanism: Mechanism, given: dict[str, Any]) -> Burden | None:
     vad.errors.UsageError
         For what cannot be read; for gravity without a mass, and friction without a load.
     """
-    words = {name: given.pop(name) for name in _BURDEN if name in given}
-    if not words and mechanism.burden is None:
+    if not given.keys() & _BURDEN and mechanism.burden is None:
         return None
-    from vad.statics.burden import beside_own, burden_of  # most commands need no forces
+    from vad.statics.burden import beside_own, check_burden  # most commands need no forces
 
-    found = burden_of(**words)
+    found = given_burden(given)
     check_burden(mechanism.burden, found)
     return beside_own(mechanism.burden, found)
 
 
-def check_burden(own: Burden | None, found: Burden) -> None:
-    """Check that there is a mass for gravity that is given, and a load for friction."""
-    from vad.statics.burden import whole
+def given_burden(given: dict[str, Any]) -> Burden:
+    """Take from ``given`` what the options say that there is to bear.
 
-    both = whole(own, found)
-    if found.gravity is not None and not both.masses:
-        raise UsageError("--gravity: there is no mass", "as in --mass 'coupler 2 kg at G'")
-    if found.friction and not both:
-        raise UsageError("--friction: there is no load", "as in --load '80 N @ 150 at E'")
+    Raises
+    ------
+    vad.errors.UsageError
+        For what cannot be read.
+    """
+    from vad.statics.burden import burden_of
+
+    words = {name: given.pop(name) for name in _BURDEN if name in given}
+    return burden_of(**{name: value for name, value in words.items() if value is not None})
 
 
 def mechanism_options(kind: type[Mechanism], ranged: bool = False) -> list[click.Parameter]:

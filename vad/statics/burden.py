@@ -92,6 +92,21 @@ def beside_own(own: Burden | None, more: Burden = NOTHING) -> Burden | None:
     return more if whole(own, more) else None
 
 
+def check_burden(own: Burden | None, given: Burden) -> None:
+    """Check that there is a mass for gravity that is given, and a load for friction.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        Which begins with the option, as those of `burden_of` do.
+    """
+    both = whole(own, given)
+    if given.gravity is not None and not both.masses:
+        raise UsageError("--gravity: there is no mass", "as in --mass 'coupler 2 kg at G'")
+    if given.friction and not both:
+        raise UsageError("--friction: there is no load", "as in --load '80 N @ 150 at E'")
+
+
 def burden_of(
     load: Iterable[str] = (),
     mass: Iterable[str] = (),

@@ -80,10 +80,26 @@ def forces(
             f"motion: must be a motion, got {quoted(motion)}",
             "as in vad.forces(vad.solve(vad.FourBar()), loads)",
         )
-    given = Burden(
+    given = given_burden(loads, masses, gravity, friction)
+    return forces_of(motion, motion.mechanism.burden or NOTHING, given)
+
+
+def given_burden(
+    loads: Iterable[Any],
+    masses: Mapping[str, Any] | None,
+    gravity: Any,
+    friction: Mapping[str, Any] | None,
+) -> Burden:
+    """Return what is given to `forces`, after checking that there are lists and names.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For anything else.
+    """
+    return Burden(
         listed_loads(loads), _by_name("masses", masses), gravity, _by_name("friction", friction)
     )
-    return forces_of(motion, motion.mechanism.burden or NOTHING, given)
 
 
 def forces_of(

@@ -28,6 +28,15 @@ PHRASES = {
     "quiz coriolis": "Gesucht: der Betrag der Coriolisbeschleunigung {slide:des} in {unit}.",
     "quiz point velocity": "Gesucht: der Betrag der Geschwindigkeit von {point} in {unit}.",
     "quiz point acceleration": "Gesucht: der Betrag der Beschleunigung von {point} in {unit}.",
+    "quiz force": "Gesucht: der Betrag der Kraft {one:des} an {other:dem} in {unit}.",
+    "quiz torque": (
+        "Gesucht: das Moment, das an {link:dem} wirken muss, in {unit}, gegen den Uhrzeigersinn "
+        "positiv."
+    ),
+    "quiz push": (
+        "Gesucht: die Kraft, die an {slide:dem} wirken muss, in {unit}, positiv in der Richtung, "
+        "in der die Lage zunimmt."
+    ),
     "quiz key": "Die Zeichnung mit allen Ergebnissen:",
     # Umlauf
     "stroke": "Hub",

@@ -39,6 +39,13 @@ PHRASES = {
     "quiz coriolis": "Find the size of the Coriolis acceleration at the {slide} in {unit}.",
     "quiz point velocity": "Find the size of the velocity of {point} in {unit}.",
     "quiz point acceleration": "Find the size of the acceleration of {point} in {unit}.",
+    "quiz force": "Find the size of the force of the {one} on the {other} in {unit}.",
+    "quiz torque": (
+        "Find the torque that must act on the {link} in {unit}, positive counter-clockwise."
+    ),
+    "quiz push": (
+        "Find the force that must act on the {slide} in {unit}, positive where its position grows."
+    ),
     "quiz key": "The drawing with all answers:",
     # a turn
     "stroke": "stroke",

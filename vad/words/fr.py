@@ -28,6 +28,14 @@ PHRASES = {
     "quiz coriolis": "Trouver la norme de l’accélération de Coriolis {slide:du} en {unit}.",
     "quiz point velocity": "Trouver la norme de la vitesse de {point} en {unit}.",
     "quiz point acceleration": "Trouver la norme de l’accélération de {point} en {unit}.",
+    "quiz force": "Trouver la norme de la force {one:du} sur {other:le} en {unit}.",
+    "quiz torque": (
+        "Trouver le couple qui doit agir sur {link:le} en {unit}, positif dans le sens antihoraire."
+    ),
+    "quiz push": (
+        "Trouver la force qui doit agir sur {slide:le} en {unit}, positive dans la direction où sa "
+        "position augmente."
+    ),
     "quiz key": "Le tracé avec toutes les réponses :",
     # un tour
     "stroke": "course",
