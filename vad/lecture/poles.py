@@ -15,7 +15,7 @@ from vad.kinematics.motion import solve
 from vad.kinematics.reach import closing_range
 from vad.strokes.draw import parted, with_forces
 from vad.strokes.force_tracks import ways_of
-from vad.strokes.forces import APART
+from vad.strokes.packing import Box, in_lines, shifts
 
 if TYPE_CHECKING:
     from vad.mechanisms.mechanism import Mechanism
@@ -41,7 +41,7 @@ def usual_limit(sizes: Any) -> float:
 
 
 def poles_of(found: Forces[Any, Any, Any]) -> dict[int, complex]:
-    """Return a pole for each dyad: side by side, so that the polygons of many poses keep apart.
+    """Return a pole for each dyad, in lines, so that the polygons of many poses keep apart.
 
     A few poses near a dead centre, in which forces are very large, do not count.
 
@@ -50,7 +50,7 @@ def poles_of(found: Forces[Any, Any, Any]) -> dict[int, complex]:
     found
         The forces over a turn.
     """
-    boxes: dict[int, tuple[float, float]] = {}
+    boxes: dict[int, Box] = {}
     for number, vertices in ways_of(found).items():
         each = [np.broadcast_to(np.asarray(z, complex), found.shape) for z in vertices.values()]
         places = np.array([*each, np.zeros(found.shape)])
@@ -58,15 +58,12 @@ def poles_of(found: Forces[Any, Any, Any]) -> dict[int, complex]:
         if not places.size:
             places = np.zeros((1, 1), complex)
         sizes = np.abs(places).max(axis=0)
-        across = places.real[:, sizes <= usual_limit(sizes)]
-        boxes[number] = float(across.min()), float(across.max())
-    width = sum(high - low for low, high in boxes.values())
-    poles, left = {}, 0.0
-    for number, (low, high) in boxes.items():
-        poles[number] = complex(left - low)
-        if high > low:  # something acts there
-            left += high - low + APART * width
-    return poles
+        usual = places[:, sizes <= usual_limit(sizes)]
+        low, high = (complex(end(usual.real), end(usual.imag)) for end in (np.min, np.max))
+        boxes[number] = low, high
+    acted = [number for number, (low, high) in boxes.items() if high != low]
+    moved = shifts(in_lines([boxes[number] for number in acted]))
+    return dict.fromkeys(boxes, 0j) | dict(zip(acted, moved, strict=True))
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 The forces on a dyad from outside, R₁ and R₂ in its two outer joints, hold what loads it.  Known
 parts of them and the loads are laid tip to tail; the lines of the two other parts cross.  The last
 dyad comes first: what it has found is a load, reversed, of the next one, whose polygon stands to
-the right of it, at the same scale.
+the right of it or below it, at the same scale.
 """
 
 from __future__ import annotations
@@ -16,15 +16,13 @@ from typing import TYPE_CHECKING, Any
 from vad.strokes.diagram import Drawing
 from vad.strokes.force_captions import ForceCaptions
 from vad.strokes.force_names import ForceNames
+from vad.strokes.packing import Box, in_lines, shifts
 from vad.strokes.player import Pencil, Player
 from vad.strokes.sheet import LOADS, Arrow, Cell, Component, Dot, Equation, Stroke, StrokePart, Term
 from vad.strokes.vector_equations import NOTHING, Chain, Part, Vector, VectorEquation
 
 if TYPE_CHECKING:
     from vad.statics.dyads import DyadForces, Half, Load
-
-#: The distance of two polygons, as a share of the width of all of them.
-APART = 0.25
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -218,7 +216,7 @@ class Polygons(Player[Force]):
 
     @cached_property
     def _places(self) -> dict[str, complex]:
-        """The places of all vertices: polygon after polygon from left to right.
+        """The places of all vertices: polygon after polygon, in lines that fill the panel.
 
         Over a turn, each polygon keeps its pole.
         """
@@ -231,29 +229,21 @@ class Polygons(Player[Force]):
             }
         lines = [[each.places for each in line] for line in self.lines]
         lines += [sums] if (sums := self.further()) else []
-        widths = [sum(_width(each) for each in line) for line in lines]
-        width = max(widths) or self.longest
-        places: dict[str, complex] = {}
-        top = 0.0
-        for line in lines:
-            left, tall = 0.0, 0.0
-            seen = [each for each in line if _size(each) > NOTHING * self.longest]
-            height = max((_height(each) for each in seen), default=0.0)
-            for each in line:
-                if each not in seen:
-                    places.update(each)
-                    continue
-                low = min(place.real for place in each.values())
-                middle = sum(place.imag for place in each.values()) / len(each)
-                if len(lines) > 1:
-                    ups = [place.imag for place in each.values()]
-                    middle = (min(ups) + max(ups)) / 2 - top + height / 2
-                for name, place in each.items():
-                    places[name] = place - complex(low - left, middle)
-                left += _width(each) + APART * width
-                tall = max(tall, height)
-            top -= tall + APART * width if seen else 0.0
+        seen = [[each for each in line if self._is_seen(each)] for line in lines]
+        boxes = [[_box(each) for each in line] for line in seen if line]
+        if len(lines) == 1 and boxes:
+            boxes = in_lines(boxes[0])
+        places = {name: place for line in lines for each in line for name, place in each.items()}
+        moved = iter(shifts(boxes))
+        for each in (each for line in seen for each in line):
+            shift = next(moved)
+            places |= {name: place + shift for name, place in each.items()}
         return places
+
+    def _is_seen(self, places: Mapping[str, complex]) -> bool:
+        """Tell whether a polygon is more than a point."""
+        low, high = _box(places)
+        return abs(high - low) > NOTHING * self.longest
 
     def further(self) -> list[dict[str, complex]]:
         """Return the vertices of what stands below the polygons of dyads."""
@@ -313,19 +303,11 @@ class Polygons(Player[Force]):
         return Equation(tuple(terms), (Term("0", None, None),))
 
 
-def _width(places: Mapping[str, complex]) -> float:
+def _box(places: Mapping[str, complex]) -> Box:
+    """Return what a polygon takes."""
     across = [place.real for place in places.values()]
-    return max(across) - min(across)
-
-
-def _height(places: Mapping[str, complex]) -> float:
     up = [place.imag for place in places.values()]
-    return max(up) - min(up)
-
-
-def _size(places: Mapping[str, complex]) -> float:
-    """Return how large a polygon is at most."""
-    return abs(complex(_width(places), _height(places)))
+    return complex(min(across), min(up)), complex(max(across), max(up))
 
 
 def _named(stroke: Stroke, symbols: Mapping[str, str]) -> Stroke:
