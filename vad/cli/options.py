@@ -40,7 +40,7 @@ OWN = {
     "digits",
     *("panels", "style", "language", "size", "paper", "blank", "at", "turn"),
     *("fps", "speed", "still", "loop", "subtitles", "steps", "port", "no_browser"),
-    *("load", "mass", "inertia", "gravity", "friction", "superpose"),
+    *("load", "mass", "inertia", "gravity", "friction", "superpose", "centrode"),
     *("merit", "extremes", "pin", "over", "columns"),
 }
 #: The options that say what a mechanism has to bear: how each is written, and what it is.

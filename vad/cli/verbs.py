@@ -76,6 +76,12 @@ _SHEET = [
     NamedOption("style", "style", style_names(), "colours and lines  [paper]", STYLES),
     NamedOption("language", "language", languages(), "of all words  [en]", LANGUAGES),
 ]
+_CENTRODE = click.Option(
+    ["--centrode"],
+    metavar="'BODY on BODY'",
+    help="of --panels centres: the curves on which a body rolls, on the frame if no other is "
+    "named  [with --turn: the coupler]",
+)
 _SIZE = click.Option(
     ["--size"], callback=size(), metavar="WxH", help="of a picture in pixels  [1280x720]"
 )
@@ -145,6 +151,8 @@ def draw(
     if turn and "blank" in options:
         raise UsageError("--blank is for one pose, not for a turn")
     _check_superposed(options, turn or at is not None)
+    if "centrode" in options and at is not None:
+        raise UsageError("--centrode is for one pose or a turn", "leave out --at")
     burden = take_burden(mechanism, options)
     made = Turn if turn else Sheet if at is None else Multiples
     kind = format_of(Sheet, output)  # before anything is calculated
@@ -325,6 +333,7 @@ VERBS: tuple[click.Command, ...] = (
         [
             _output(FORMATS[Sheet]),
             *_SHEET,
+            _CENTRODE,
             _SIZE,
             _PAPER,
             _BLANK,
@@ -338,7 +347,7 @@ VERBS: tuple[click.Command, ...] = (
         "animate",
         "Make a film that draws the polygons stroke by stroke.",
         animate,
-        [_output(FORMATS[Lesson]), *_SHEET, _SIZE, *_FILM, *_LOADS],
+        [_output(FORMATS[Lesson]), *_SHEET, _CENTRODE, _SIZE, *_FILM, *_LOADS],
         formats=FORMATS[Lesson] | FORMATS[Still],
     ),
     MechanismGroup(

@@ -29,7 +29,7 @@ class Centrodes(NamedTuple):
     fixed
         The centre in all poses, in the axes of the mechanism.
     moving
-        The same points on the body: as they lie in the first pose.
+        The same points on the body: as they lie in the first pose, or in one that is given.
     """
 
     fixed: Any
@@ -164,11 +164,14 @@ class Centres(Generic[Real, Vector, Truth]):
             return dot(both - its, arm) / np.where(square == 0.0, np.nan, square)
         return dot(both - its, arm) / square if square else None
 
-    def centrodes(self, body: str, other: str = FRAME) -> Centrodes:
+    def centrodes(
+        self, body: str, other: str = FRAME, pose: Motion[Any, Any, Any] | None = None
+    ) -> Centrodes:
         """Return the centrodes of a body on another one, the frame unless another is named.
 
         The motion must have many poses.  The moving centrode rolls on the fixed one without
-        slipping, and touches it in the centre.
+        slipping, and touches it in the centre.  What lies on a body is given as it lies there in
+        the first pose of the motion, or in a ``pose`` that is given.
 
         Raises
         ------
@@ -186,21 +189,23 @@ class Centres(Generic[Real, Vector, Truth]):
                 "centrodes: one pose has a centre, and no curves",
                 "as in vad.centres(vad.solve(mechanism, angle=numpy.linspace(0, 360, 361)))",
             )
-        return Centrodes(self._carried(other, centre), self._carried(body, centre))
+        return Centrodes(self._carried(other, centre, pose), self._carried(body, centre, pose))
 
-    def _carried(self, body: str, places: Any) -> Any:
-        """Return places that a body has in each pose, as they lie on it in the first one."""
+    def _carried(self, body: str, places: Any, pose: Motion[Any, Any, Any] | None) -> Any:
+        """Return places that a body has in each pose, as they lie on it in one of them."""
         if body == FRAME:
             return places
         own = self.kennedy.bodies.bodies[body]
         at: Any = self.motion.point(own.joint.point).position
         at = np.broadcast_to(at, places.shape)
+        start = at[..., :1] if pose is None else pose.point(own.joint.point).position
         seen = places - at
         if own.link:
             angle: Any = self.motion.link(own.link).angle
             angle = np.broadcast_to(angle, places.shape)
-            seen = seen * np.exp(1j * np.radians(angle[..., :1] - angle))
-        return at[..., :1] + seen
+            here = angle[..., :1] if pose is None else pose.link(own.link).angle
+            seen = seen * np.exp(1j * np.radians(here - angle))
+        return start + seen
 
     def _pair(self, one: str, other: str) -> Pair:
         for name in (one, other):

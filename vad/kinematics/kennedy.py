@@ -111,6 +111,16 @@ class Kennedy:
         links = [self.bodies.bodies[n].link if n != FRAME else None for n in (one, other)]
         return links[0] == links[1]
 
+    def always_far(self, one: str, other: str) -> bool:
+        """Tell whether the centre of two bodies is far away in every pose, as in a parallelogram.
+
+        It is seen from a few poses.
+        """
+        if self.alike(one, other):
+            return True
+        pair = self.pair(one, other)
+        return all(abs(float(self.centre(pair, each)[2])) < COINCIDE for each in self._trials)
+
     def _find_joints(self) -> None:
         pinned: dict[str, set[str]] = {}
         for joint in self.bodies.joints:

@@ -21,6 +21,7 @@ from vad.kinematics.motion import Motion
 from vad.kinematics.reach import change_points, closing_range
 from vad.kinematics.results import place_unit
 from vad.statics.turn import Turning
+from vad.strokes.centrodes import pair_of
 from vad.strokes.diagram import POSITION, Spot
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.sheet import BELOW
@@ -254,7 +255,13 @@ def cycle_of(turn: Turn, later: float) -> Cycle:
     part: Any = motion.slide(output) if output in motion.slides else motion.link(output)
     rate = part.velocity if output in motion.slides else part.omega
     driver = scene.driver.name
-    curves = {name: _curve(scene, name, output) or _curve(scene, name, driver) for name in panels}
+    rolls = pair_of(motion, turn.centrode)[0] if turn.centrode else driver
+    curves = {
+        name: _curve(scene, name, output)
+        or _curve(scene, name, rolls)
+        or _curve(scene, name, driver)
+        for name in panels
+    }
     place = _curve(scene, POSITION.panel, driver)
     assert place is not None
     back = _quick_return(np.broadcast_to(rate, _SHARES.shape)) if course.swing is None else None

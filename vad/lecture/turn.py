@@ -32,7 +32,8 @@ _LATER = 2e-4
 class Turn(Displayed):
     """One turn as a film that begins again where it ends.
 
-    With a ``burden`` its sheets have forces, too, whose polygons keep their ``poles``.
+    With a ``burden`` its sheets have forces, too, whose polygons keep their ``poles``.  With
+    centres they have the centrodes of a body, which ``centrode`` names.
     """
 
     mechanism: Mechanism
@@ -45,6 +46,7 @@ class Turn(Displayed):
     language: str
     burden: Burden | None = None
     poles: Mapping[int, complex] = field(default_factory=dict)
+    centrode: str | None = None
 
     def __repr__(self) -> str:
         """Return a line: what turns, and how long that takes."""
@@ -68,7 +70,7 @@ class Turn(Displayed):
         from vad.strokes.draw import draw
 
         inputs: dict[str, Any] = dict(zip(self.course.names, self.course.given, strict=True))
-        return draw(self._solved(inputs), self.panels, self.language)
+        return draw(self._solved(inputs), self.panels, self.language, centrode=self.centrode)
 
     @property
     def cycle(self) -> Cycle:
@@ -109,7 +111,7 @@ class Turn(Displayed):
         from vad.words import Language
 
         motion, forces = parted(self._solved(inputs))
-        return scene_of(motion, Language(self.language), forces, self.poles)
+        return scene_of(motion, Language(self.language), forces, self.poles, centrode=self.centrode)
 
     def _solved(self, inputs: Mapping[str, Any]) -> Any:
         """Return a motion, or the forces in it."""
@@ -146,6 +148,7 @@ def turn(
     style: str = "paper",
     panels: Sequence[str] | str | None = None,
     language: str = "en",
+    centrode: str | None = None,
 ) -> Turn:
     """Return the film in which a mechanism runs through a full turn of its crank.
 
@@ -170,6 +173,9 @@ def turn(
         As for `vad.draw`; the usual ones if None.
     language
         The language of the words on the page, as a two-letter code.
+    centrode
+        The body whose centrodes the panel "centres" shows, as for `vad.draw`; that of the coupler
+        or the connecting rod if None.
 
     Raises
     ------
@@ -189,12 +195,14 @@ def turn(
     """
     from vad.lecture.cycle import course, whole_turn
     from vad.lecture.poles import poles_of
+    from vad.strokes.centrodes import centrode_of
     from vad.strokes.draw import chosen, started
     from vad.words import Language
 
     fps, size, speed = checked(fps, size, speed, style)
     motion, forces = started(mechanism, "a turn begins with one pose")
     names = chosen(panels, motion, forces)
+    rolls = centrode_of(motion, centrode, names)
     Language(language)
     made = Turn(
         motion.mechanism,
@@ -206,6 +214,7 @@ def turn(
         names,
         language,
         forces.burden if forces else None,
+        centrode=rolls,
     )
     found = whole_turn(made).forces if "force" in names else None
     return replace(made, poles=poles_of(found)) if found else made

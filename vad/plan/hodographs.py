@@ -41,8 +41,8 @@ class Hodographs:
         The points on the page, complex arrays of shape (n,) over the cycle: of all of them,
         those that stand still, too.
     drawn
-        The points whose path is drawn: they move, have no path in common with an earlier point, and
-        exist in all poses.
+        The points whose path is drawn or numbered: they move, have no path in common with an
+        earlier point, and exist in all poses.
     straight
         Those of them whose path is straight.
     """
@@ -61,7 +61,9 @@ class Hodographs:
         self._kept: dict[Spot, Ints] = {}
         self._jumping: set[Spot] = set()
         for spot, way in self.tracks.items():
-            if not np.isfinite(way).all() or np.ptp(way.real) + np.ptp(way.imag) < 2 * PIXEL:
+            if spot.path == "none" or not np.isfinite(way).all():
+                continue
+            if np.ptp(way.real) + np.ptp(way.imag) < 2 * PIXEL:
                 continue
             if any(np.abs(way - self.tracks[other]).max() < PIXEL for other in self.drawn):
                 continue
@@ -138,21 +140,23 @@ class Hodographs:
     def _seen(self, way: Complexes, jumps: Truths) -> list[list[complex]]:
         """Return the pieces of a way between its jumps that lie in the panel."""
         parts = np.split(way, np.flatnonzero(jumps) + 1)
-        return [piece for part in parts if len(part) > 1 for piece in self._within(part)]
+        return [
+            piece for part in parts if len(part) > 1 for piece in within(self._room, part.tolist())
+        ]
 
-    def _within(self, way: Complexes) -> list[list[complex]]:
-        room, points = self._room, way.tolist()
-        inside = (way.real >= room.left) & (way.real <= room.right)
-        if (inside & (way.imag >= room.bottom) & (way.imag <= room.top)).all():
-            return [points]
-        pieces: list[list[complex]] = []
-        for ends in pairwise(points):
-            seen = room.clipped(*ends)
-            if seen and pieces and abs(pieces[-1][-1] - seen[0]) < SHORTEST:
-                pieces[-1].append(seen[1])
-            elif seen:
-                pieces.append(list(seen))
-        return pieces
+
+def within(room: Rect, points: Sequence[complex]) -> list[list[complex]]:
+    """Return the pieces of a line through points that lie in a room."""
+    if all(map(room.holds, points)):
+        return [list(points)]
+    pieces: list[list[complex]] = []
+    for ends in pairwise(points):
+        seen = room.clipped(*ends)
+        if seen and pieces and abs(pieces[-1][-1] - seen[0]) < SHORTEST:
+            pieces[-1].append(seen[1])
+        elif seen:
+            pieces.append(list(seen))
+    return pieces
 
 
 def _extent(way: Complexes) -> tuple[NDArray[np.float64], float]:

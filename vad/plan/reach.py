@@ -39,6 +39,11 @@ def is_figure(stroke: Stroke) -> bool:
     return stroke.component == "figure"
 
 
+def is_path(stroke: Stroke) -> bool:
+    """Tell whether a stroke is a path upon the mechanism, which is cut where its room ends."""
+    return is_figure(stroke) and stroke.kind == "construction" and isinstance(stroke.shape, Curve)
+
+
 def is_bar(stroke: Stroke) -> bool:
     """Tell whether an arrow in the picture of a mechanism is the bar of a link."""
     return isinstance(stroke.shape, Arrow) and not is_load(stroke) and not is_figure(stroke)
@@ -104,6 +109,8 @@ def corners(panel: Panel) -> list[complex]:
     """Return the points of a panel that have to be on the page, in its own unit."""
     points = reached(panel)
     for stroke in panel.strokes:
+        if is_path(stroke):
+            continue
         if isinstance(stroke.shape, Dot):
             points.append(stroke.shape.at)
         elif isinstance(stroke.shape, Arrow):

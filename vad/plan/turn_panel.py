@@ -85,7 +85,9 @@ class TurnPanel:
         is_place = setting.panel.picture != "vectors"
         #: The letters whose path is drawn.  In a mechanism the path of a block is not drawn: it is
         #: its guide.
-        self.ways = [each for each in drawn if not (is_place and each in straight)]
+        self.ways = [
+            each for each in drawn if each.path == "drawn" and not (is_place and each in straight)
+        ]
         self.names = self._place(poses)
 
     def still(self) -> list[Item]:
@@ -146,6 +148,8 @@ class TurnPanel:
             start, end = self.scale(shape.start), self.scale(shape.end)
             at = (start + end) / 2
             alpha = min(max(abs(end - start) / FADING - 1.0, 0.0), 1.0)
+        elif letters[0].path != "drawn" and letters[0].letter not in lettered(panel):
+            return complex("nan"), 0.0  # a centre that is far away in this pose
         else:
             at = self.hodographs.at(letters[0], phase - self._opening)
         near = min(at.real - room.left, room.right - at.real, at.imag - room.bottom)

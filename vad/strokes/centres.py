@@ -8,9 +8,12 @@ the centre is.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from vad.kinematics.bodies import FRAME
 from vad.kinematics.centres import Centres
@@ -18,7 +21,8 @@ from vad.kinematics.kennedy import Found, Pair
 from vad.kinematics.numbers import ray
 from vad.strokes.arithmetic import Calculation, Figure, product
 from vad.strokes.body_names import BodyNames
-from vad.strokes.diagram import Drawing
+from vad.strokes.centrodes import Centrodes, pair_of
+from vad.strokes.diagram import POSITION, Drawing, Spot
 from vad.strokes.figure import FigurePencil
 from vad.strokes.sentences import Listed, Sentence, SentencePart, Unit
 from vad.strokes.sheet import Arrow, Cell, Curve, Dot, KennedyCircle, Line, Stroke, StrokePart
@@ -31,10 +35,15 @@ if TYPE_CHECKING:
 #: A centre is shown that is no farther from the mechanism than this share of its size; the arrow to
 #: one that is ends at the other share.
 BEYOND, EDGE = 0.9, 0.45
+#: The centre of centrodes is shown within this share of the mechanism's size, in all its poses; its
+#: curves go on as far as the page has room.
+ROLLING, ROLLED = 0.4, 3.0
 #: The length of the arrow to a centre beyond that.
 ARROW = 0.16
 #: Of a mechanism with more bodies than so many only the centre of driver and output is sought.
 MANY = 6
+#: Where a centre is followed over a turn, no place is farther than this times the largest length.
+FARTHEST = 1e3
 #: The most pins that a caption names.
 PINS = 5
 
@@ -51,6 +60,23 @@ def centres_cells(scene: Any, key: str, slides: bool) -> tuple[Cell, ...]:
     if rate is not None:
         return (Cell(rate.symbol, rate.value, rate.unit, rate.given),)
     return ()
+
+
+def centres_tracks(scene: Any) -> Mapping[Spot, Any]:
+    """Return where the points of the mechanism are, and the centres that are drawn.
+
+    A centre that is far away is put at the end of what may lie on the way there.
+    """
+    drawn = _Drawn(scene)
+    spots: dict[Spot, Any] = dict(scene.tracks(POSITION))
+    rolling = drawn.rolls and drawn.kennedy.pair(*drawn.rolls)
+    for found in drawn.sought:
+        if not drawn.kennedy.alike(*found.pair):
+            numbered = found.pair == rolling and FRAME in found.pair
+            path: Any = "numbered" if numbered else "none"
+            spot = Spot(drawn.letter(found.pair), row=drawn.names.row(found.pair[1]), path=path)
+            spots[spot] = drawn.kept(drawn.at(found.pair))
+    return spots
 
 
 @dataclass(frozen=True)
@@ -77,6 +103,17 @@ class _Drawn:
         )
         self.first = self.barrel or self.driver
 
+    @cached_property
+    def rolls(self) -> Pair | None:
+        """The body that rolls and that on which it rolls, where centrodes are drawn."""
+        words = self.scene.centrode
+        return pair_of(self.scene.motion, words) if words is not None else None
+
+    @cached_property
+    def centrodes(self) -> Centrodes | None:
+        """The curves on which the body rolls."""
+        return Centrodes(self.scene.motion, self.rolls) if self.rolls else None
+
     # --- which centres ------------------------------------------------------------------------
 
     @cached_property
@@ -89,12 +126,17 @@ class _Drawn:
 
     @cached_property
     def sought(self) -> list[Found]:
-        """The centres that are drawn, each after those by which it is found."""
+        """The centres that are drawn, each after those by which it is found.
+
+        With centrodes it is the centre that runs on them.
+        """
         kennedy = self.kennedy
         wanted = [] if self.first == self.output else [kennedy.pair(self.first, self.output)]
         if self.barrel:
             wanted.append(kennedy.pair(FRAME, self.driver))
-        if len(kennedy.names) <= MANY:
+        if self.rolls:
+            wanted = [kennedy.pair(*self.rolls)]
+        elif len(kennedy.names) <= MANY:
             wanted += [pair for pair in kennedy.found if FRAME in pair and not kennedy.alike(*pair)]
         needed: set[Pair] = set()
         # Each round takes a centre away, and adds those by which it is found, each once.
@@ -130,6 +172,12 @@ class _Drawn:
         found: complex | None = self.centres.at(*pair)
         return found
 
+    def kept(self, places: Any) -> Any:
+        """Return places of many poses, none of them farther than so many times the size."""
+        size = self.scene.motion.plane.scale
+        far = ~(np.abs(places) < FARTHEST * size)
+        return np.where(far, FARTHEST * size * (1 + 1j), places)
+
     def way(self, pair: Pair) -> complex:
         """Return the direction in which a centre lies far away."""
         way: complex = ray(self.centres.far(*pair))
@@ -139,15 +187,22 @@ class _Drawn:
 
     def box(self, beyond: float) -> tuple[complex, complex]:
         """Return the lower left and the upper right corner of a frame about the mechanism."""
+        low, high = self.extent
+        by = beyond * max(high.real - low.real, high.imag - low.imag) * (1 + 1j)
+        return low - by, high + by
+
+    @cached_property
+    def extent(self) -> tuple[complex, complex]:
+        """The corners of the mechanism: with centrodes, of all its poses."""
+        if self.centrodes:
+            return self.centrodes.extent
         places = [complex(self.scene.at(point)) for point in self.scene.members.points]
         xs, ys = [z.real for z in places], [z.imag for z in places]
-        size = max(max(xs) - min(xs), max(ys) - min(ys))
-        by = beyond * size * (1 + 1j)
-        return complex(min(xs), min(ys)) - by, complex(max(xs), max(ys)) + by
+        return complex(min(xs), min(ys)), complex(max(xs), max(ys))
 
     def near(self, z: complex | None) -> bool:
         """Tell whether a place is shown."""
-        return z is not None and self._holds(z, BEYOND)
+        return z is not None and self._holds(z, ROLLING if self.rolls else BEYOND)
 
     def _holds(self, z: complex, beyond: float) -> bool:
         low, high = self.box(beyond)
@@ -156,6 +211,8 @@ class _Drawn:
     def edge(self, start: complex, way: complex) -> complex:
         """Return where a ray from a place that is shown ends with an arrow."""
         low, high = self.box(EDGE if self._holds(start, EDGE) else BEYOND + EDGE)
+        if self.rolls:
+            low, high = self.box(ROLLING)
         steps = []
         for ahead, least, most, here in (
             (way.real, low.real, high.real, start.real),
@@ -169,13 +226,15 @@ class _Drawn:
 
     def drawing(self) -> Drawing:
         self.pencil = FigurePencil(self.scene)
-        self._bodies()
+        if not self.rolls:  # one centre alone is no matter of all bodies
+            self._bodies()
         self._known()
         for found in self.sought:
             self._find(found)
         for rate in self.rates.values():
             if not rate.given:
                 self._measure(rate)
+        self._roll()
         return self.pencil.drawing()
 
     def _bodies(self) -> None:
@@ -308,6 +367,21 @@ class _Drawn:
         across = other - one
         size = abs(across)
         return across / size if size else 1.0 + 0j
+
+    def _roll(self) -> None:
+        """Draw the curves on which a body rolls."""
+        if not self.rolls or not self.centrodes:
+            return
+        body, other = self.rolls
+        pair = self.kennedy.pair(body, other)
+        fixed, moving = self.centrodes.curves(*self.box(ROLLED))
+        letter: Any = self.letter(pair)
+        under = "centrode fixed" if other == FRAME else "centrode under"
+        said = self.scene.say(under, letter=letter, link=self.names.noun(other))
+        of, row = self.plain(pair), None if other == FRAME else self.names.row(other)
+        self.pencil.add(of, "fixed", "construction", "", fixed, said, row)
+        said = self.scene.say("centrode moving", letter=letter, link=self.names.noun(body))
+        self.pencil.add(of, "moving", "construction", "", moving, said, self.names.row(body))
 
     # --- what follows from them ---------------------------------------------------------------
 

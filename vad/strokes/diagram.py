@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from vad.strokes.sheet import (
     BELOW,
@@ -103,7 +103,9 @@ class Spot(NamedTuple):
 
     ``view`` is the name of the view, empty for the first.  ``below`` is true for a point of the
     polygon below.  One that is not ``lettered`` has a name that is not written beside it.  ``row``
-    is that whose ink its path has, where no vector tells it that ends there.
+    is that whose ink its path has, where no vector tells it that ends there.  ``path`` says whether
+    its path over a turn is drawn with numbered positions, is numbered alone because a stroke of the
+    panel draws it, or is left out.
     """
 
     letter: str
@@ -111,6 +113,7 @@ class Spot(NamedTuple):
     below: bool = False
     lettered: bool = True
     row: str | None = None
+    path: Literal["drawn", "numbered", "none"] = "drawn"
 
 
 def in_plane(motion: Motion[Any, Any, Any]) -> bool:

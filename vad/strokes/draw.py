@@ -13,6 +13,7 @@ from vad.kinematics.linkage import Linkage, points_of
 from vad.kinematics.motion import Motion, solve
 from vad.kinematics.solver import Solver
 from vad.strokes.arithmetic import with_digits
+from vad.strokes.centrodes import pair_of
 from vad.strokes.construct import construct
 from vad.strokes.diagram import ACCELERATION, VELOCITY, Drawing, Order
 from vad.strokes.diagrams import DIAGRAMS
@@ -63,6 +64,7 @@ def draw(
     panels: Sequence[str] | str | None = None,
     language: str = "en",
     superpose: bool = False,
+    centrode: str | None = None,
 ) -> Sheet:
     """Draw one pose: the strokes of its panels in the order in which a teacher draws them.
 
@@ -79,6 +81,9 @@ def draw(
         The language of the captions, as a two-letter code.
     superpose
         Whether forces are drawn by superposition: load by load, and then their sums.
+    centrode
+        The body whose centrodes the panel "centres" shows: "coupler", or "rocker on crank" for the
+        curves on which it rolls on another body than the frame.  None draws none.
 
     Raises
     ------
@@ -101,8 +106,11 @@ def draw(
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
     if superpose and forces is None:
         raise InputError("superpose: there are no loads", "as in --load '80 N @ 150 at E'")
-    scene = scene_of(motion, Language(language), forces, superpose=superpose)
-    return sheet_of(scene, chosen(panels, motion, forces))
+    names = chosen(panels, motion, forces)
+    if centrode is not None:
+        pair_of(motion, centrode, names)
+    more: dict[str, Any] = {"superpose": superpose, "centrode": centrode}
+    return sheet_of(scene_of(motion, Language(language), forces, **more), names)
 
 
 def parted(
@@ -345,10 +353,12 @@ def scene_of(
     forces: Forces[Any, Any, Any] | None = None,
     poles: Mapping[int, complex] = NO_POLES,
     superpose: bool = False,
+    centrode: str | None = None,
 ) -> AnyScene:
     """Return the scene of a motion, in the plane or in space, and of the forces in it.
 
-    The ``poles`` of the force polygons are those of a whole turn.
+    The ``poles`` of the force polygons are those of a whole turn.  The ``centrode`` is one that
+    `pair_of` has read.
 
     Raises
     ------
@@ -366,7 +376,8 @@ def scene_of(
                 f"points: a drawing has room for {MOST_POINTS} on links, got {count}",
                 hint="leave some out; vad solve and vad sweep take them all",
             )
-        return PlaneScene(motion, language, forces=forces, poles=poles, superpose=superpose)
+        more: dict[str, Any] = {"superpose": superpose, "centrode": centrode}
+        return PlaneScene(motion, language, forces=forces, poles=poles, **more)
     from vad.strokes.space.scene import SceneInSpace  # the plane does not need it
 
     in_space: Any = motion

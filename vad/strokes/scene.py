@@ -225,12 +225,16 @@ class Scene(CaptionedMotion, ABC):
         a whole turn; empty where each polygon stands beside the last one.
     superpose
         Whether forces are drawn load by load, and then their sums.
+    centrode
+        The body whose centrodes are drawn, as `vad.strokes.centrodes.pair_of` reads it; None where
+        none are.
     """
 
     motion: Motion
     forces: Forces[Any, Any, Any] | None = field(default=None, kw_only=True)
     poles: Mapping[int, complex] = field(default_factory=dict, kw_only=True)
     superpose: bool = field(default=False, kw_only=True)
+    centrode: str | None = field(default=None, kw_only=True)
     # The places and images that were read before.
     _places: dict[str, complex] = field(default_factory=dict, init=False, compare=False)
     _images: dict[tuple[str, int], complex] = field(default_factory=dict, init=False, compare=False)

@@ -506,6 +506,12 @@ PHRASES = {
     ),
     "centre still": "{letter} liegt im Unendlichen: {link:der} dreht in dieser Lage nicht.",
     "centre same": "{both} liegt im Unendlichen: beide Körper bewegen sich in dieser Lage gleich.",
+    "centrode fixed": "In allen Lagen liegt {letter} auf dieser Kurve: der Rastpolbahn.",
+    "centrode under": "Auf {link:dem} liegt {letter} in allen Lagen auf dieser Kurve.",
+    "centrode moving": (
+        "Auf {link:dem} liegt {letter} auf dieser Kurve: der Gangpolbahn, die auf der anderen "
+        "abrollt."
+    ),
     # der gedrehte Geschwindigkeitsplan
     "turned pole": (
         "Der Pol liegt in {pivot}: Geschwindigkeiten sind um 90° gedreht und durch {omega} geteilt."

@@ -480,6 +480,11 @@ PHRASES = {
     ),
     "centre still": "{letter} is far away: the {link} does not turn in this pose.",
     "centre same": "{both} is far away: both bodies have the same motion in this pose.",
+    "centrode fixed": "In all poses {letter} lies on this curve: the fixed centrode.",
+    "centrode under": "On the {link}, {letter} lies on this curve in all poses.",
+    "centrode moving": (
+        "On the {link}, {letter} lies on this curve: the moving centrode, which rolls on the other."
+    ),
     # the turned velocity polygon
     "turned pole": "The pole lies in {pivot}: velocities are turned by 90° and divided by {omega}.",
     "turned crank": "So {label} is the {crank} {bar} itself.",

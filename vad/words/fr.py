@@ -491,6 +491,11 @@ PHRASES = {
     ),
     "centre still": "{letter} est à l’infini : {link:le} ne tourne pas dans cette position.",
     "centre same": "{both} est à l’infini : les deux corps ont ici le même mouvement.",
+    "centrode fixed": "Dans toutes les positions {letter} est sur cette courbe : la base.",
+    "centrode under": "Vu {link:du}, {letter} est sur cette courbe dans toutes les positions.",
+    "centrode moving": (
+        "Vu {link:du}, {letter} est sur cette courbe : la roulante, qui roule sur l’autre."
+    ),
     # le polygone des vitesses tourné
     "turned pole": (
         "Le pôle est en {pivot} : les vitesses sont tournées de 90° et divisées par {omega}."

@@ -8,18 +8,20 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 
 from vad.plan.anchors import Anchor, Chains, Hung, on_page
+from vad.plan.hodographs import within
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.labels.choices import LabelChoice
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.runs import roman
-from vad.plan.marks import Bow, Mark, Trimming, Turning, disc, line
+from vad.plan.marks import Bow, Mark, Trimming, Turning, disc, line, lines
 from vad.plan.pictures.constructions import CompassArc, add_drawn_line, line_of
 from vad.plan.pictures.polygon import DOT
 from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, Vector
-from vad.plan.reach import is_figure
-from vad.plan.roles import CONSTRUCTION, ROLES
+from vad.plan.reach import is_figure, is_path
+from vad.plan.roles import CONSTRUCTION, PATH, ROLES
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arc, Arrow, Curve, KennedyCircle, Line, Panel
 
@@ -62,6 +64,14 @@ def _add(sketch: Sketch, index: int) -> None:
             sketch.add(stroke, Level.CONSTRUCTION, during, marks)
             places = [sketch.scale(start), sketch.scale(end)]
             sketch.obstacles.line(places, HEAD_HALF_WIDTH / 40, (during, FOREVER))
+        case Curve(points, breaks=breaks) if is_path(stroke):
+            places = [sketch.scale(z) for z in points]
+            stops = pairwise((0, *breaks, len(points)))
+            pieces = [cut for stop in stops for cut in within(setting.room, places[slice(*stop)])]
+            path = on_page([lines(pieces, "path", row, Trimming())] if pieces else [])
+            sketch.add(stroke, Level.CONSTRUCTION, during, path)
+            for piece in pieces:
+                sketch.obstacles.line(piece, PATH / 2, (during, FOREVER))
         case Curve() | Arrow():
             names: tuple[str | int, ...] = ("start", "end")
             if isinstance(stroke.shape, Curve):

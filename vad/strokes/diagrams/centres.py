@@ -1,7 +1,7 @@
 """Instantaneous centres upon the mechanism, with the circle of its bodies."""
 
-from vad.strokes.centres import centres_cells, centres_drawing
-from vad.strokes.diagram import POSITION, Diagram, in_plane
+from vad.strokes.centres import centres_cells, centres_drawing, centres_tracks
+from vad.strokes.diagram import Diagram, in_plane
 
 DIAGRAM = Diagram(
     "centres",
@@ -11,7 +11,7 @@ DIAGRAM = Diagram(
     lambda scene: scene.unit,
     centres_drawing,
     centres_cells,
-    lambda scene: scene.tracks(POSITION),
+    centres_tracks,
     usual=False,
     applies=in_plane,
     by_hand=False,  # what lies beyond the panel in one pose is shown in another
