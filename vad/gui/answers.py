@@ -24,7 +24,6 @@ from vad.gui.messages import (
     PoseQuestion,
     Question,
     Scales,
-    problem,
 )
 from vad.kinematics.motion import Motion
 from vad.kinematics.reach import closing_range
@@ -136,7 +135,7 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
         if POSITION not in panels:
             raise
         sheet = vad.draw(motion, POSITION, question.language)
-        trouble = {"error": problem(error, question.fields)}
+        trouble = {"error": question.problem(error)}
     scales = {name: scale_of(values) for name, values in question.scales.items()}
     last = question.of_last_lesson(mechanism)
     board = board_of(last, panels, question.language, burden)

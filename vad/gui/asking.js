@@ -17,8 +17,8 @@ function scalesNow() {
   return found;
 }
 
-const post = globalThis.ask ?? ((path, body) => fetch(`/api/${path}`, { method: "POST", headers: { "content-type": "application/json" },
-  body: JSON.stringify(body) }));
+const post = globalThis.ask ?? ((path, body) => fetch(`/api/${path}`, { method: "POST",
+  headers: { "content-type": "application/json", "accept-language": start.language }, body: JSON.stringify(body) }));
 const asked = (path, body) => post(path, body).then((answer) => answer.json(), () => ({ error: { kind: "stopped", message: words.stopped } }));
 
 // Asks for the lesson of what is set: at once, or when nothing has changed for a while.

@@ -22,6 +22,8 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import HTMLResponse, JSONResponse, RedirectResponse, Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from vad.gui.said import sayer
+
 #: The names by which the server may be called.  A request under any other name is refused: somebody
 #: may have made that name point at this machine.
 HOSTS = ("127.0.0.1", "localhost")
@@ -119,12 +121,13 @@ class RefusalError(Exception):
         super().__init__(message)
         self.status = status
 
-    def response(self, page: bool = False) -> Response:
-        """Return what is sent, as a ``page`` to a browser that opens one."""
+    def response(self, headers: Headers, page: bool = False) -> Response:
+        """Return what is sent, in the language of the request; a browser may open a ``page``."""
+        text = sayer(headers.get("accept-language", ""))(str(self))
         if page:
-            said = f"<!DOCTYPE html><title>vad</title><p>vad gui: {escape(str(self))}.</p>"
+            said = f"<!DOCTYPE html><title>vad</title><p>vad gui: {escape(text)}.</p>"
             return HTMLResponse(said, self.status)
-        error = {"message": str(self), "hint": None, "kind": "refused"}
+        error = {"message": text, "hint": None, "kind": "refused"}
         return JSONResponse({"error": error}, self.status)
 
 
@@ -156,13 +159,9 @@ class SecurityHeaders:
                 traceback.print_exc(file=sys.stderr)
                 error = RefusalError(500, "a fault of the program; the terminal shows where")
             if not begun:
-                page = scope.get("method") == "GET" and "text/html" in _accepted(scope)
-                await error.response(page)(scope, receive, send_with_headers)
-
-
-def _accepted(scope: Scope) -> str:
-    """Return the types that the sender of a request takes."""
-    return Headers(scope=scope).get("accept", "") if scope["type"] == "http" else ""
+                headers = Headers(scope=scope) if scope["type"] == "http" else Headers()
+                page = scope.get("method") == "GET" and "text/html" in headers.get("accept", "")
+                await error.response(headers, page)(scope, receive, send_with_headers)
 
 
 class Guard:

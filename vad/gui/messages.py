@@ -10,7 +10,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Self, TypeVar
 
@@ -27,6 +27,7 @@ from vad.errors import (
     unknown,
 )
 from vad.files.examples import EXTENSION
+from vad.gui.said import labels, translated
 from vad.gui.work import BusyError
 from vad.kinematics.motion import Motion, solve
 from vad.lecture.lesson import check_size
@@ -34,6 +35,7 @@ from vad.mechanisms import MECHANISMS, Mechanism
 from vad.mechanisms.mechanism import NUMBERS
 from vad.statics.burden import NOTHING, Burden, beside_own
 from vad.statics.loads import listed_loads
+from vad.words import ENGLISH, Language, all_languages
 
 #: The largest picture and the most frames a second that the page saves.
 LARGEST, MOST_FPS = (3840, 2160), 60.0
@@ -142,6 +144,14 @@ class Question:
         kind = self.kinds.get(self.mechanism)
         return (*(each.name for each in dataclasses.fields(kind)), *kind.inputs) if kind else ()
 
+    def problem(self, error: VadError) -> dict[str, Any]:
+        """Return the object of an error, in the language of the question."""
+        if self.language == ENGLISH or self.language not in all_languages():
+            return problem(error, self.fields)
+        say = Language(self.language)
+        names = labels(self.kinds.get(self.mechanism), say)
+        return problem(error, self.fields, lambda text: translated(text, names, say))
+
     def build(self) -> tuple[Mechanism, dict[str, float]]:
         """Return the mechanism and its inputs.
 
@@ -152,7 +162,7 @@ class Question:
         """
         mechanism = self.with_dimensions(self.parameters)
         driven = {name: name for name in mechanism.inputs}
-        return mechanism, _numbers("input", self.inputs, driven, mechanism.length_unit)
+        return mechanism, self._numbers("input", self.inputs, driven, mechanism.length_unit)
 
     def solved(self) -> tuple[Motion, Burden | None]:
         """Return the motion, and what the mechanism bears beside its own; None if nothing loads it.
@@ -174,10 +184,26 @@ class Question:
             unit = units.check_length_unit(self.length_unit)
         quantities = {name: each.metadata["quantity"] for name, each in known.items()}
         numbers = {name: each for name, each in quantities.items() if each in NUMBERS}
-        given: dict[str, Any] = _numbers("parameter", parameters, numbers, unit)
+        given: dict[str, Any] = self._numbers("parameter", parameters, numbers, unit)
         if self.assembly is not None:
             given["assembly"] = self.assembly
         return kind(**given, points=self.points, length_unit=unit)
+
+    def _numbers(
+        self, what: str, given: Mapping[str, NumberOrText], known: Mapping[str, str], unit: str
+    ) -> dict[str, float]:
+        """Return numbers in the scene's units; ``known`` says of each name what it measures.
+
+        A text may have the decimal sign of its language.
+        """
+        found: dict[str, float] = {}
+        point = Language(self.language).point
+        for name, value in given.items():
+            if name not in known:
+                raise unknown(what, name, known)
+            read = value.replace(point, ".") if isinstance(value, str) else value
+            found[name] = units.number_of(name, read, known[name], unit)
+        return found
 
 
 @dataclass(frozen=True)
@@ -258,18 +284,6 @@ def read(kind: type[Asked], data: object, kinds: Kinds = MECHANISMS) -> Asked:
     if "mechanism" not in data:
         raise UsageError("mechanism: is missing", hint="vad list names them all")
     return kind(**{name: _CHECKS[name](name, value) for name, value in data.items()}, kinds=kinds)
-
-
-def _numbers(
-    what: str, given: Mapping[str, NumberOrText], known: Mapping[str, str], unit: str
-) -> dict[str, float]:
-    """Return numbers in the scene's units; ``known`` says of each name what it measures."""
-    found: dict[str, float] = {}
-    for name, value in given.items():
-        if name not in known:
-            raise unknown(what, name, known)
-        found[name] = units.number_of(name, value, known[name], unit)
-    return found
 
 
 def _text(name: str, value: object) -> str:
@@ -393,7 +407,9 @@ def as_json(data: Mapping[str, Any]) -> str:
     return json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
 
 
-def problem(error: VadError, fields: Collection[str] = ()) -> dict[str, Any]:
+def problem(
+    error: VadError, fields: Collection[str] = (), say: Callable[[str], str] = str
+) -> dict[str, Any]:
     """Return the object of an error.
 
     Parameters
@@ -402,6 +418,8 @@ def problem(error: VadError, fields: Collection[str] = ()) -> dict[str, Any]:
         What went wrong.
     fields
         The names of the parameters and inputs that there are.
+    say
+        How its sentences are said.
 
     Returns
     -------
@@ -416,8 +434,8 @@ def problem(error: VadError, fields: Collection[str] = ()) -> dict[str, Any]:
     {'crank': 4.0}
     """
     found: dict[str, Any] = {
-        "message": str(error),
-        "hint": error.hint,
+        "message": say(str(error)),
+        "hint": error.hint and say(error.hint),
         "kind": next(kind for cls, kind in _KINDS.items() if isinstance(error, cls)),
     }
     name = re.split(r"[: ]", str(error), maxsplit=1)[0]

@@ -23,6 +23,7 @@ from urllib.parse import quote
 
 import uvicorn
 from starlette.applications import Starlette
+from starlette.datastructures import Headers
 from starlette.middleware import Middleware
 from starlette.middleware.trustedhost import TrustedHostMiddleware
 from starlette.requests import Request
@@ -44,6 +45,7 @@ from vad.gui.messages import (
     problem,
     read,
 )
+from vad.gui.said import sayer
 from vad.gui.shelf import Shelf
 from vad.gui.window import listed, window
 from vad.gui.work import ANSWER, ANSWERS, FILE, FILES, FILM, BusyError, Work
@@ -142,7 +144,7 @@ def application(key: PageKey, start: ExportQuestion, closing: Event) -> ASGIApp:
             try:
                 return await work.done(seconds, gone, partial(given, request, body))
             except BusyError as error:
-                return _busy(error)
+                return _busy(error, request.headers)
             except VadError as error:  # of a question that the page itself never asks
                 return _reply({"error": problem(error)}, 422)
 
@@ -167,7 +169,7 @@ def application(key: PageKey, start: ExportQuestion, closing: Event) -> ASGIApp:
         try:
             data, name = saved(question, extension)
         except VadError as error:
-            return _reply({"error": problem(error, question.fields)})
+            return _reply({"error": question.problem(error)})
         headers = {"content-disposition": _attached(name)}
         return Response(data, media_type=MEDIA[extension], headers=headers)
 
@@ -206,7 +208,8 @@ class OneAtATime:
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer one request."""
         if self._turn.locked():
-            await _busy(BusyError("another film is being made"))(scope, receive, send)
+            busy = _busy(BusyError("another film is being made"), Headers(scope=scope))
+            await busy(scope, receive, send)
         else:
             async with self._turn:
                 await self._app(scope, receive, send)
@@ -217,11 +220,12 @@ def _answer_or_error(work: Callable[[Any], dict[str, Any]], question: Question) 
     try:
         return _reply(work(question))
     except VadError as error:
-        return _reply({"error": problem(error, question.fields)})
+        return _reply({"error": question.problem(error)})
 
 
-def _busy(error: BusyError) -> Response:
-    answer = _reply({"error": problem(error)}, 503)
+def _busy(error: BusyError, headers: Headers) -> Response:
+    say = sayer(headers.get("accept-language", ""))
+    answer = _reply({"error": problem(error, say=say)}, 503)
     answer.headers.update(_RETRY)
     return answer
 

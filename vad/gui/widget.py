@@ -150,18 +150,18 @@ def reply(asked: object, kinds: Kinds = MECHANISMS) -> tuple[dict[str, Any], lis
 
 def answer(path: object, body: object, kinds: Kinds = MECHANISMS) -> tuple[bytes, str, str]:
     """Return what the server answers to the same question: bytes, their type, a file's name."""
-    fields: tuple[str, ...] = ()
+    say: Callable[[VadError], dict[str, Any]] = problem
     try:
         if not isinstance(path, str):
             raise UsageError(f"path: must be a text, got {quoted(path)}")
         kind, work = _ANSWERS.get(path, (ExportQuestion, None))
         question: Any = read(kind, body, kinds)
-        fields = question.fields
+        say = question.problem
         if work is None:
             extension = one_of("format", path.removeprefix("export/"), MEDIA)
             data, name = _WORK.done_here(FILM, partial(saved, question, extension))
             return data, MEDIA[extension], name
         found = _WORK.done_here(ANSWER, partial(work, question))
     except VadError as error:
-        found = {"error": problem(error, fields)}
+        found = {"error": say(error)}
     return as_json(found).encode(), "application/json", ""

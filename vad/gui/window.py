@@ -20,6 +20,7 @@ from vad.errors import one_of
 from vad.files.loading import WrittenMechanism
 from vad.gui.answers import MEDIA
 from vad.gui.messages import EntryQuestion, ExportQuestion
+from vad.gui.said import label
 from vad.gui.shelf import Shelf
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
@@ -157,7 +158,7 @@ def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
         "name": kind.name,
         "unit": unit,
         "parameters": [
-            _box(each.name, _label(each, say), each.metadata["quantity"], unit, each.default)
+            _box(each.name, label(each, say), each.metadata["quantity"], unit, each.default)
             | _slider(each, longest)
             for each in numbers
         ],
@@ -170,14 +171,6 @@ def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
             for point, names in _choices(kind).items()
         ],
     }
-
-
-def _label(field: dataclasses.Field[Any], say: Language) -> str:
-    """Return what a parameter is called: of a load or a mass, whose it is and what."""
-    owner, _, what = field.name.rpartition("_")
-    if field.metadata["quantity"] in DIMENSIONS or not owner:
-        return say.name(field.name)
-    return f"{say.name(owner)}: {say.name(what)}"
 
 
 def _choices(kind: type[Mechanism]) -> Mapping[str, Sequence[str]]:

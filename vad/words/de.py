@@ -1051,3 +1051,62 @@ WINDOW = {
     "controls": "Was eingestellt ist",
     "slider": "{name}, Schieber",
 }
+
+# Was das Fenster anstelle der englischen Sätze sagt.
+ERRORS = {
+    "'{text}' is not a number": "„{text}“ ist keine Zahl",
+    "'{text}' is not {what}": "„{text}“ ist keine Einheit, die hier passt",
+    "try {input} {value}": "versuche {input} {value}",
+    "try {units}": "versuche {units}",
+    "with a point, as in 1.5": "mit einem Komma wie in 1,5",
+    "write 60 or '60 {unit}'": "schreibe 60 oder 60 {unit}",
+    "must be a finite number, got {value}": "muss eine endliche Zahl sein, nicht {value}",
+    "must be positive, got {value}": "muss positiv sein, nicht {value}",
+    "must be within ±{most}, got {value}": "muss zwischen −{most} und {most} liegen, nicht {value}",
+    "must be between {low} and {high}, got {value}": (
+        "muss zwischen {low} und {high} liegen, nicht {value}"
+    ),
+    "must be at least {low}, got {value}": "muss mindestens {low} sein, nicht {value}",
+    "at {places} both axes are one": "bei {places} sind beide Achsen eine",
+    "at {place} it locks": "bei {place} klemmt es",
+    "parallel axes make a four-bar in the plane": (
+        "parallele Achsen ergeben ein ebenes Gelenkviereck"
+    ),
+    "must differ from {other}, got {value}, which is the same line": (
+        "muss sich von {other} unterscheiden: {value} ist dieselbe Gerade"
+    ),
+    "{input} {place}: the links miss by {miss}; they close for {input} {ranges}": (
+        "Bei {place} fehlen den Gliedern {miss}; sie schließen für {input} {ranges}"
+    ),
+    "{input} {place}: the links miss by {miss}; with these lengths they close at no {input}": (
+        "Bei {place} fehlen den Gliedern {miss}; mit diesen Maßen schließen sie nirgends"
+    ),
+    "with these lengths the links close nowhere": "mit diesen Maßen schließen die Glieder nirgends",
+    "dead centre: the construction lines of {lines} are parallel and do not cross": (
+        "Totlage: die Konstruktionslinien von {lines} sind parallel und schneiden sich nicht"
+    ),
+    "the result is undetermined at this dead centre": "in dieser Totlage ist das unbestimmt",
+    "the result leaves the range of double precision": "das Ergebnis ist für den Rechner zu groß",
+    "cannot be drawn, for its longest vector has {length}": (
+        "lässt sich nicht zeichnen, weil der längste Vektor {length} hat"
+    ),
+    "draw other panels, or with other rates": "zeichne anderes oder mit anderem Antrieb",
+    "parallel needs the coupler as long as the ground and the rocker as the crank": (
+        "parallel geht nur mit einer Koppel so lang wie das Gestell "
+        "und einer Schwinge so lang wie die Kurbel"
+    ),
+    "try coupler {coupler} and rocker {rocker}": "versuche Koppel {coupler} und Schwinge {rocker}",
+    "the answer takes longer than {seconds} s": "die Antwort dauert länger als {seconds} s",
+    "try fewer points, or a file": "versuche weniger Punkte oder eine Datei",
+    "another film is being made": "es entsteht schon ein anderer Film",
+    "too much is being worked out already": "es wird schon zu viel anderes berechnet",
+    "try again in a while": "versuche es später noch einmal",
+    "the film takes more than {size}": "der Film braucht mehr als {size}",
+    "try a smaller size, or vad animate": "versuche es kleiner oder mit vad animate",
+    "open the address that vad gui has printed": (
+        "vad gui ist neu gestartet. Öffne die Adresse, die es ausgegeben hat"
+    ),
+    "a fault of the program; the terminal shows where": (
+        "ein Fehler im Programm; das Terminal zeigt, wo"
+    ),
+}

@@ -1038,3 +1038,62 @@ WINDOW = {
     "controls": "Ce qui est réglé",
     "slider": "{name}, curseur",
 }
+
+# Ce que la fenêtre dit à la place des phrases anglaises.
+ERRORS = {
+    "'{text}' is not a number": "« {text} » n’est pas un nombre",
+    "'{text}' is not {what}": "« {text} » n’est pas une unité qui convient ici",
+    "try {input} {value}": "essayez {input} {value}",
+    "try {units}": "essayez {units}",
+    "with a point, as in 1.5": "avec une virgule, comme dans 1,5",
+    "write 60 or '60 {unit}'": "écrivez 60 ou 60 {unit}",
+    "must be a finite number, got {value}": "doit être un nombre fini, pas {value}",
+    "must be positive, got {value}": "doit être positif, pas {value}",
+    "must be within ±{most}, got {value}": "doit être entre −{most} et {most}, pas {value}",
+    "must be between {low} and {high}, got {value}": "doit être entre {low} et {high}, pas {value}",
+    "must be at least {low}, got {value}": "doit être au moins {low}, pas {value}",
+    "at {places} both axes are one": "à {places} les deux axes n’en font qu’un",
+    "at {place} it locks": "à {place} il se bloque",
+    "parallel axes make a four-bar in the plane": (
+        "des axes parallèles donnent un quadrilatère plan"
+    ),
+    "must differ from {other}, got {value}, which is the same line": (
+        "doit être différent de {other} : {value} est la même droite"
+    ),
+    "{input} {place}: the links miss by {miss}; they close for {input} {ranges}": (
+        "À {place} il manque {miss} aux pièces ; elles ferment pour {input} {ranges}"
+    ),
+    "{input} {place}: the links miss by {miss}; with these lengths they close at no {input}": (
+        "À {place} il manque {miss} aux pièces ; avec ces dimensions elles ne ferment nulle part"
+    ),
+    "with these lengths the links close nowhere": (
+        "avec ces dimensions, les pièces ne ferment nulle part"
+    ),
+    "dead centre: the construction lines of {lines} are parallel and do not cross": (
+        "point mort : les droites de construction de {lines} sont parallèles et ne se coupent pas"
+    ),
+    "the result is undetermined at this dead centre": "à ce point mort, c’est indéterminé",
+    "the result leaves the range of double precision": "le résultat est trop grand à calculer",
+    "cannot be drawn, for its longest vector has {length}": (
+        "ne peut être dessiné, car le plus long vecteur a {length}"
+    ),
+    "draw other panels, or with other rates": "dessinez autre chose, ou avec d’autres vitesses",
+    "parallel needs the coupler as long as the ground and the rocker as the crank": (
+        "parallèle demande une bielle aussi longue que le bâti "
+        "et un balancier aussi long que la manivelle"
+    ),
+    "try coupler {coupler} and rocker {rocker}": "essayez bielle {coupler} et balancier {rocker}",
+    "the answer takes longer than {seconds} s": "la réponse prend plus de {seconds} s",
+    "try fewer points, or a file": "essayez moins de points, ou un fichier",
+    "another film is being made": "un autre film est en cours",
+    "too much is being worked out already": "trop de calculs sont déjà en cours",
+    "try again in a while": "réessayez plus tard",
+    "the film takes more than {size}": "le film dépasse {size}",
+    "try a smaller size, or vad animate": "essayez plus petit, ou vad animate",
+    "open the address that vad gui has printed": (
+        "vad gui a redémarré. Ouvrez l’adresse qu’il a affichée"
+    ),
+    "a fault of the program; the terminal shows where": (
+        "une erreur du programme ; le terminal montre où"
+    ),
+}
