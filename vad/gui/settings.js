@@ -104,7 +104,13 @@ function spare() {
 // What is typed into a box of the page, and is no number there: a quantity with its unit.
 rail.closest(".vad").addEventListener("change", (event) => {
   const { name, value } = event.target, typed = value?.trim();
-  if (!name || !fields.has(name) || event.target.type === "range" || !typed || plain(typed) !== null) return;
+  if (!name || !fields.has(name) || event.target.type === "range") return;
+  const row = standing?.body.data.dimensions.find(([each]) => each === name), own = standing?.body.data.inputs.indexOf(name);
+  const unit = row ? row[4] : standing?.body.data.units[own] ?? "";
+  if (!typed || !standing || standing.dock.read(typed, unit) !== null) {
+    if (broken) complain(null); // what it says is of another number
+    return;
+  }
   event.stopPropagation();
   group(name)[name] = typed;
   want(true);

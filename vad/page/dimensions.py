@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields
 from typing import Any
 
 from vad.plan.hand_board import HandBoard
 from vad.strokes.traced_dimensions import AROUND_ZERO, RANGE
-from vad.units import DIMENSIONS, scene_unit
+from vad.units import DIMENSIONS, LENGTH_UNITS, metres_of, scene_unit
 
 #: Quantities in degrees, and those of loads and masses that are never negative.
 _ANGLES, _POSITIVE = ("angle", "direction"), ("mass", "inertia", "friction")
@@ -52,3 +53,31 @@ def dimensions(board: HandBoard, driver: Sequence[str]) -> Iterator[list[Any]]:
         unit = scene_unit(quantity, board.mechanism.length_unit)
         unit = "°" if quantity in _ANGLES else unit.replace("^2", "²")
         yield [name, value, low, high, unit, places[name]]
+
+
+def readable(length_unit: str) -> dict[str, dict[str, float]]:
+    """Return the units that a box of the page reads beside its own: by that one, their factors.
+
+    Examples
+    --------
+    >>> readable("mm")["mm"]["cm"], readable("m")["m/s"]["mm/s"]
+    (10.0, 0.001)
+    """
+    turn = {"rpm": math.pi / 30.0, "deg/s": math.pi / 180.0}
+    found = {
+        "°": {"deg": 1.0, "rad": 180.0 / math.pi},
+        "rad/s": turn,
+        "rad/s²": {"rad/s^2": 1.0},
+        "N": {"kN": 1000.0},
+        "N m": {"kN m": 1000.0},
+    }
+    own = metres_of(length_unit)
+    if own:
+        for end in ("", "/s", "/s²"):
+            found[length_unit + end] = {
+                unit + each: round(float(metres_of(unit) or own) / own, 12)
+                for unit in LENGTH_UNITS
+                for each in {end, end.replace("²", "^2")}
+                if each != end or unit != length_unit
+            }
+    return found

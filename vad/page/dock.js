@@ -31,9 +31,11 @@ function docked(root, body, player) {
 
   // Numbers are written and read as the page's language does.
   const number = (value, places = digits) => value.toFixed(places).replace("-", "−").replace(".", data.point);
-  const read = (typed) => {
+  const read = (typed, own) => {
     const plain = typed.trim().replace(/[−–]/g, "-").replace(data.point, ".");
-    return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(plain) && Math.abs(+plain) <= 1e200 ? +plain : null;
+    const [, digits, other] = /^([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(.*)$/i.exec(plain) ?? [];
+    const value = digits * (!other || other === own ? 1 : data.readable[own]?.[other]);
+    return Math.abs(value) <= 1e200 ? value : null;
   };
   // What was typed is not rounded away.
   const here = () => {
@@ -340,7 +342,7 @@ function docked(root, body, player) {
     settle();
   });
   player.on(box, "change", () => {
-    const value = read(box.value);
+    const value = read(box.value, unit);
     box.toggleAttribute("aria-invalid", value === null);
     if (value === null) return fault(filled(words["no-number"], { name: one(".place span").textContent, value: box.value || "–" }));
     begin();

@@ -19,7 +19,7 @@ from vad.kinematics.reach import closing_range
 from vad.kinematics.traced import Traced, plain
 from vad.lecture.moment import drawing
 from vad.page.curves import curves
-from vad.page.dimensions import dimensions
+from vad.page.dimensions import dimensions, readable
 from vad.page.ink import Inker, when
 from vad.page.solved import given, proofs, template
 from vad.page.solver import solver_data
@@ -365,6 +365,7 @@ def _described(
             for name, unit in zip(names, units, strict=True)
         ],
         "units": units,
+        "readable": readable(length),
         "panels": [panel.title for panel in sheet.panels],
         "point": code.point,
         "words": {**code.page("HAND"), "play": player["play"], "pause": player["pause"]},

@@ -49,11 +49,14 @@ function railed(root, body, dock) {
       dock.scale();
       dock.settle();
       show();
-      const asked = `${written(tidy(value, step))} ${unit}`;
-      if (said) dock.fault(filled(words[said], { name: label.textContent, place: asked, value: `${box.value} ${unit}` }));
+      const [asked, kept] = [value, state[index]].map((each) => written(tidy(each, step)));
+      const active = box === document.activeElement;
+      box.toggleAttribute("aria-invalid", active && Boolean(said));
+      if (said) dock.fault(filled(words[said], { name: label.textContent, place: `${asked} ${unit}`, value: `${kept} ${unit}` }));
+      else if (active) box.value = asked;
     };
     const typed = () => {
-      const value = dock.read(box.value), wrong = value === null || (low > 0 && unit !== "°" && value <= 0);
+      const value = dock.read(box.value, unit), wrong = value === null || (low > 0 && unit !== "°" && value <= 0);
       box.toggleAttribute("aria-invalid", wrong);
       if (!wrong) return change(value);
       dock.begin();
