@@ -21,13 +21,17 @@ from vad.kinematics.any_solver import Result
 from vad.kinematics.motion import Motion, MotionInSpace, solve
 from vad.kinematics.varied import inputs_at, representative, single_ones
 from vad.mechanisms import Mechanism
+from vad.merits.advantage import advantage
+from vad.merits.figures import ALONE as FIGURES
+from vad.merits.figures import figure, is_figure, merit_of
 from vad.statics.forces import DRIVE, FORCE, Forces, forces
 from vad.statics.solver import KINDS
 
 Solved = Motion[Any, Any, Any]
 Loaded = Forces[Any, Any, Any]
 #: The results whose names have no full stop.
-_ALONE = (DRIVE, "transmission")
+_ADVANTAGE = "advantage"
+_ALONE = (DRIVE, "transmission", _ADVANTAGE, *FIGURES)
 _HINT = 'as in ("rocker.omega", "C.acceleration")'
 
 
@@ -50,7 +54,11 @@ def sweep(
     results
         Their names: that of a link, point or slide, a full stop, and one of what `Motion` has of
         it; ``"rocker.omega"``, ``"C.acceleration"``.  Of forces: ``"drive"``, and that of a body on
-        another one, ``"coupler.rocker.force"``.  ``"transmission"`` is the transmission angle.
+        another one, ``"coupler.rocker.force"``, and ``"advantage"``, the mechanical advantage of
+        one load.  ``"transmission"`` is the transmission angle.  Figures of merit are the same in
+        all poses of a mechanism: ``"stroke"``, ``"time_ratio"``, ``"forward_angle"``,
+        ``"return_angle"``, and of any result or ``"transmission"`` the ends of its range and the
+        places where they occur, as in ``"transmission.least"``, ``"C.velocity.largest_at"``.
     loads, masses, gravity, friction
         As for `forces`: numbers that are the same in all poses.
     **inputs
@@ -132,9 +140,12 @@ def _block(
 def _swept(
     mechanism: Mechanism, inputs: dict[str, Any], results: np.dtype[Any], burden: dict[str, Any]
 ) -> NDArray[Any]:
-    """Solve arrays of inputs; where dimensions vary and forces are asked for, one after another."""
+    """Solve arrays of inputs.
+
+    Where dimensions vary, forces and figures of merit are found for one mechanism after another.
+    """
     motion, names = solve(mechanism, **inputs), results.names or ()
-    if not mechanism.varied or not _has_forces(names):
+    if not mechanism.varied or not (_has_forces(names) or any(map(is_figure, names))):
         return _solved(_loaded(motion, names, burden), results)
     found = np.full(math.prod(motion.shape), np.nan, results)
     for single, at in single_ones(mechanism, motion.shape):
@@ -158,11 +169,41 @@ def _loaded(motion: Solved, names: Iterable[str], burden: dict[str, Any]) -> Sol
 
 
 def _has_forces(names: Iterable[str]) -> bool:
-    return any(name == DRIVE or name.endswith(FORCE) for name in names)
+    return any(name in (DRIVE, _ADVANTAGE) or name.endswith(FORCE) for name in names)
 
 
 def _solved(motion: Solved | Loaded, dtype: np.dtype[Any]) -> NDArray[Any]:
-    """Return the results by which the fields are named: of many poses in one calculation."""
+    """Return the results and the figures of merit by which the fields are named."""
+    names = dtype.names or ()
+    figures = [name for name in names if is_figure(name) or name == _ADVANTAGE]
+    results = np.dtype([(name, dtype[name]) for name in names if name not in figures])
+    if not figures:
+        return _poses(motion, dtype)
+    moving = motion.motion if isinstance(motion, Forces) else motion
+    found = np.full(moving.shape if motion.many else (), np.nan, dtype)
+    if results.names:
+        solved = _poses(motion, results)
+        for name in results.names:
+            found[name] = solved[name]
+    merit = merit_of(moving) if any(map(is_figure, figures)) else None
+    for name in figures:
+        found[name] = (
+            _advantage(motion) if merit is None or name == _ADVANTAGE else figure(merit, name)
+        )
+    return found
+
+
+def _advantage(found: Any) -> Any:
+    """Return the mechanical advantage of the one load; NaN where there is none."""
+    if len(found.acting) != 1:
+        hint = 'as in loads=["80 N @ 150 at C"]'
+        raise InputError(f"{_ADVANTAGE}: needs one load, got {len(found.acting)}", hint)
+    value = advantage(found)
+    return np.nan if value is None else value
+
+
+def _poses(motion: Solved | Loaded, dtype: np.dtype[Any]) -> NDArray[Any]:
+    """Return results of each pose: of many poses in one calculation."""
     names = dtype.names or ()
     results = [_result(motion, name) for name in names]
     if motion.many:
@@ -190,6 +231,8 @@ def _names(results: Iterable[str] | str) -> list[str]:
 
 def _field(solution: Solved | Loaded, name: str) -> tuple[str, type, tuple[int, ...]]:
     """Return a result's name, type and shape: of a vector in space, three numbers."""
+    if is_figure(name) or name == _ADVANTAGE:
+        return name, float, ()
     kind, part, _ = _result(solution, name)
     if kind in KINDS:
         return name, float if kind == DRIVE else complex, ()
