@@ -15,9 +15,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 from pkgutil import iter_modules
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vad.errors import InputError, one_of
 
@@ -85,6 +86,21 @@ def one_of_all(what: str, given: object, own: Collection[str], group: str) -> st
 def all_names(own: Collection[str], group: str) -> tuple[str, ...]:
     """Return this package's ``own`` names, and after them those that other packages add."""
     return (*own, *(name for name in from_packages(group) if name not in own))
+
+
+def from_extra(module: str, extra: str) -> Any:
+    """Return a module that comes with an extra of this package.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If it is not installed.
+    """
+    try:
+        return import_module(module)
+    except ImportError:
+        hint = f"pip install 'vad-diagrams[{extra}]'"
+        raise InputError(f"{module.partition('.')[0]} is not installed", hint) from None
 
 
 class _FromPackages(Mapping[str, object]):

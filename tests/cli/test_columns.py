@@ -63,8 +63,62 @@ def test_what_is_wrong_is_said_in_one_line(vad, words, message):
     assert message in result.err.splitlines()[0]
 
 
-def test_a_plot_has_no_chosen_columns_yet(vad, tmp_path):
-    words = ("--columns", "rocker.angle", "-o", str(tmp_path / "a.png"))
+@pytest.mark.exhaustive(3)
+@pytest.mark.parametrize("kind", ["csv", "json", "xlsx", "png", "svg", "pdf"])
+@pytest.mark.parametrize("words", [(), ("--over", "crank 20 60 5"), ("--columns", "drive")])
+def test_a_sweep_is_saved_as_every_kind_of_file(vad, tmp_path, words, kind):
+    path = tmp_path / f"swept.{kind}"
+    load = ("--load", "6 N m on rocker") if "drive" in words else ()
+    result = vad("sweep", "four-bar", "--steps", "7", *words, *load, "-o", str(path))
+    if "--over" in words:
+        result = vad("sweep", "four-bar", *words, "-o", str(path))
+    assert (result.code, result.err) == (0, "")
+    assert path.stat().st_size > 100
+
+
+def test_a_plot_has_words_and_a_table_has_none(vad, tmp_path):
+    words = ("sweep", "slider-crank", "--steps", "7", "--language", "de", "-o")
+    assert vad(*words, str(tmp_path / "a.svg")).code == 0
+    assert "Schubkurbel" in (tmp_path / "a.svg").read_text("utf-8")
+    refused = vad(*words, str(tmp_path / "a.csv"))
+    assert refused.code == 2
+    assert "language: .csv has no such option" in refused.err
+
+
+def test_figures_of_merit_are_columns_of_a_dimension(vad):
+    names = "stroke,time_ratio,transmission.least,rocker.omega.largest,rocker.omega.largest_at"
+    words = ("--over", "crank 30 40 2", "--columns", f"{names},advantage")
+    load = ("--load", "6 N m on rocker")
+    head, rows = table(vad("sweep", "four-bar", *words, *load, "-o", "-").out)
+    assert head[1:] == [
+        "stroke [deg]",
+        "time_ratio",
+        "transmission.least [deg]",
+        "rocker.omega.largest [rad/s]",
+        "rocker.omega.largest_at [deg]",
+        "advantage",
+    ]
+    for crank, row in zip((30.0, 40.0), rows, strict=True):
+        found = library.merit(library.FourBar(crank=crank), loads=["6 N m on rocker"])
+        most = found["extremes"]["rocker.omega"]
+        expected = [found["stroke"], found["time_ratio"], found["transmission"]["least"]]
+        expected += [most["largest"], most["largest_at"], found["advantage"]]
+        assert row[1:].tolist() == expected
+
+
+def test_the_stroke_of_a_slide_is_a_length(vad):
+    words = ("--over", "crank 30 40 2", "--columns", "stroke,C.position x.least")
+    head, rows = table(vad("sweep", "slider-crank", *words, "-o", "-").out)
+    assert head[1:] == ["stroke [mm]", "C.position x.least [mm]"]
+    assert rows[:, 1] == pytest.approx([60.0, 80.0], abs=1e-12)
+
+
+def test_a_plot_names_what_has_no_room(vad, tmp_path):
+    names = ",".join(f"C.{each}.largest" for each in ("velocity", "acceleration"))
+    more = "C.position,C.velocity,C.acceleration,stroke,time_ratio,transmission"
+    many = "coupler.angle,coupler.omega,coupler.alpha,forward_angle,return_angle"
+    path = tmp_path / "a.png"
+    words = ("--steps", "5", "--columns", f"{names},{more},{many}", "-o", str(path))
     result = vad("sweep", "four-bar", *words)
     assert (result.code, [*tmp_path.iterdir()]) == (2, [])
-    assert "as .csv" in result.err
+    assert "a plot has room for 9 quantities" in result.err

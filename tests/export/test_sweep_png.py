@@ -11,7 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import vad
-from vad.export import sweep_png
+from vad.export import plotting, sweep_png
+from vad.export.plotting import Look
 from vad.export.sweep import limits, results_of
 from vad.style import load_style
 
@@ -22,7 +23,7 @@ RANGES = {"gate-actuator": np.linspace(3.25, 4.5, 51)}
 @pytest.fixture(autouse=True)
 def settings():
     """Let texts be as wide as they are in the file."""
-    with mpl.rc_context(sweep_png._settings(load_style("paper"))):
+    with mpl.rc_context(plotting.settings(load_style("paper"))):
         yield
 
 
@@ -32,7 +33,7 @@ def plots(motion) -> list[Axes]:
         Figure((16, 12)),
         {"block": "s", "ram": "x", "slider": "x", "slider_a": "x", "slider_b": "y"},
     )
-    sweep_png._curves(figure, results_of(motion), symbols, load_style("paper"))
+    sweep_png._curves(figure, results_of(motion), symbols, Look.of("paper", "en"))
     return figure.axes
 
 

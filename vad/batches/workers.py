@@ -25,7 +25,6 @@ from concurrent.futures import (
 )
 from contextlib import ExitStack, contextmanager, suppress
 from functools import partial
-from importlib import import_module
 from itertools import islice
 from multiprocessing import resource_tracker
 from pathlib import Path
@@ -33,6 +32,7 @@ from typing import Any
 
 from vad.batches.job import Job, Product
 from vad.batches.making import make
+from vad.discovery import from_extra
 from vad.errors import ExportError, InputError, VadError, quoted
 from vad.export.files import cleared_up, temporary_folder
 
@@ -113,7 +113,7 @@ def _on_cluster(jobs: Sequence[Job], address: str) -> Iterator[Product | None]:
 @contextmanager
 def _processes(count: int) -> Iterator[Executor]:
     """Yield a pool of processes, which end with the block."""
-    loky = needed("joblib.externals.loky", "batch")
+    loky = from_extra("joblib.externals.loky", "batch")
     with temporary_folder() as folder, cleared_up(_kill_children), ExitStack() as stack:
         with _unheard(_SIGNALS) as unheard:
             if os.name == "posix":
@@ -187,24 +187,9 @@ def _shared(
             yield None
 
 
-def needed(module: str, extra: str) -> Any:
-    """Return a module that comes with an extra.
-
-    Raises
-    ------
-    vad.errors.InputError
-        If it is not installed.
-    """
-    try:
-        return import_module(module)
-    except ImportError:
-        hint = f"pip install 'vad-diagrams[{extra}]'"
-        raise InputError(f"{module.partition('.')[0]} is not installed", hint) from None
-
-
 def _client(address: str) -> Any:
     """Return a connection to a cluster, which ends with its block."""
-    distributed = needed("distributed", "cluster")
+    distributed = from_extra("distributed", "cluster")
     try:
         return distributed.Client(address, timeout=_PATIENCE, set_as_default=True)
     except Exception as error:  # of the many kinds that its transports have

@@ -1,4 +1,4 @@
-"""``vad sweep --over --columns``: chosen results over a dimension or a turn, as a table."""
+"""``vad sweep --over --columns``: chosen results over a dimension or a turn, for any file."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from vad.cli.options import flag, take_burden
 from vad.cli.output import say_written
 from vad.cli.places import sweep_places
 from vad.errors import UsageError, quoted, unknown
-from vad.export.files import new_file
-from vad.export.sweep import check_closes
-from vad.export.sweep_csv import written
+from vad.export import table_csv
+from vad.export.sweep import Column, Table, check_closes, save_table
 from vad.mechanisms import Mechanism
+from vad.merits.figures import ENDS
 from vad.units import DIMENSIONS, scene_unit
 
 if TYPE_CHECKING:
@@ -34,13 +34,10 @@ def chosen_columns(
     output: str,
     over: str | None = None,
     columns: tuple[str, ...] = (),
+    look: dict[str, Any] | None = None,
     **ends: Any,
 ) -> None:
-    """Write a table in CSV to a file, or for ``-`` to standard output."""
-    if output != "-" and not output.lower().endswith(".csv"):
-        raise UsageError(
-            f"chosen columns cannot be saved as {quoted(output)}", "as .csv, or -o - for a pipe"
-        )
+    """Write chosen columns to a file, whose extension chooses the format, or as CSV for ``-``."""
     burden = take_burden(mechanism, ends)
     if over is None:
         name, places = next(iter(mechanism.inputs)), sweep_places(mechanism, **ends)
@@ -60,21 +57,20 @@ def chosen_columns(
     found = vad.sweep(
         swept, names, loads=loads, masses=masses, gravity=gravity, friction=friction, **given
     )
-    heads = [f"{name} [{scene_unit(kind, mechanism.length_unit)}]"]
-    table: list[NDArray[np.float64]] = [places]
-    for each in found.dtype.names or ():
-        for axis, values in _by_axis(found[each]):
-            heads.append(f"{each}{axis} [{_unit(mechanism, each, burden)}]")
-            table.append(values)
-    check_closes(any(np.isfinite(values).any() for values in table[1:]))
-    stream = io.BytesIO()
-    stream.write((",".join(heads) + "\n").encode())
-    stream.write(written(table))
+    listed = [
+        Column(f"{each}{axis}", _unit(mechanism, each, burden), values)
+        for each in found.dtype.names or ()
+        for axis, values in _by_axis(found[each])
+    ]
+    check_closes(any(np.isfinite(column.values).any() for column in listed))
+    along = Column(name, scene_unit(kind, mechanism.length_unit), places)
+    table = Table(vad.solve(swept, **given), along, tuple(listed))
     if output == "-":
+        stream = io.BytesIO()
+        table_csv.write(table, stream)
         click.echo(stream.getvalue().decode(), nl=False)
         return
-    with new_file(output) as file:
-        file.write(stream.getvalue())
+    save_table(table, output, **(look or {}))
     say_written(output)
 
 
@@ -123,7 +119,20 @@ def _by_axis(values: NDArray[Any]) -> list[tuple[str, NDArray[np.float64]]]:
 
 
 def _unit(mechanism: Mechanism, name: str, burden: Burden | None) -> str:
-    """Return the unit of a result."""
+    """Return the unit of a result or of a figure of merit; empty for a bare number."""
+    result, _, end = name.rpartition(".")
+    if end in ENDS:
+        driven = next(iter(mechanism.inputs))
+        return (
+            scene_unit(driven, mechanism.length_unit)
+            if "_at" in end
+            else _unit(mechanism, result.partition(" ")[0], burden)
+        )
+    if name in ("time_ratio", "advantage"):
+        return ""
+    if name == "stroke":
+        output = vad.merit(mechanism).output
+        name = "slide.position" if output and output[0] == "slide" else "link.angle"
     quantity = name.rpartition(".")[2]
     if quantity == "force":
         return "N"
@@ -132,5 +141,6 @@ def _unit(mechanism: Mechanism, name: str, burden: Burden | None) -> str:
         return vad.forces(
             vad.solve(mechanism), loads=loads, masses=masses, gravity=gravity, friction=friction
         ).drive_unit
-    of = {"transmission": "angle", "position": "length", "coriolis": "acceleration"}
+    of = {"position": "length", "coriolis": "acceleration"}
+    of |= dict.fromkeys(("transmission", "forward_angle", "return_angle"), "angle")
     return scene_unit(of.get(quantity, quantity), mechanism.length_unit)

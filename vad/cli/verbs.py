@@ -58,6 +58,10 @@ Inputs = dict[str, Any]
 SUBTITLES = (".srt", ".vtt")
 _SUBTITLED = (".mp4", ".gif", FOLDER)
 before_an_end_at_once(clear_unfinished)
+_LOOK = [
+    NamedOption("style", "style", style_names(), "colours and lines  [paper]", STYLES),
+    NamedOption("language", "language", languages(), "of all words  [en]", LANGUAGES),
+]
 _SHEET = [
     click.Option(
         ["--panels"],
@@ -73,8 +77,7 @@ _SHEET = [
         default=None,
         help="forces load by load, and then their sums  [all loads together]",
     ),
-    NamedOption("style", "style", style_names(), "colours and lines  [paper]", STYLES),
-    NamedOption("language", "language", languages(), "of all words  [en]", LANGUAGES),
+    *_LOOK,
 ]
 _CENTRODE = click.Option(
     ["--centrode"],
@@ -263,16 +266,17 @@ def sweep(mechanism: Mechanism, inputs: Inputs, output: str, **ends: Any) -> Non
     if driven in inputs and "over" not in ends:
         hint = f"a sweep runs --from one {driven} --to another"
         raise UsageError(f"--{driven} goes with --over, in whose pose a dimension varies", hint)
+    look = _pop(ends, "style", "language")
     if "over" in ends or "columns" in ends or output == "-":
         from vad.cli.columns import chosen_columns
 
-        chosen_columns(mechanism, inputs, output, **ends)
+        chosen_columns(mechanism, inputs, output, look=look, **ends)
         return
     from vad.export.sweep import save_sweep
 
     burden = take_burden(mechanism, ends)
     swept = sweep_places(mechanism, **ends)
-    save_sweep(vad.solve(mechanism, **{driven: swept}, **inputs), output, burden)
+    save_sweep(vad.solve(mechanism, **{driven: swept}, **inputs), output, burden, **look)
     say_written(output)
     note_change_points(mechanism, float(swept.min()), float(swept.max()))
 
@@ -355,7 +359,7 @@ VERBS: tuple[click.Command, ...] = (
         "Write the numbers over a turn, as a table or a plot.",
         sweep,
         [
-            _output(formats("sweep")),
+            _output(formats("sweep", "table")),
             click.Option(["--steps"], type=int, help="number of poses, both ends included  [361]"),
             click.Option(
                 ["--over"],
@@ -367,8 +371,10 @@ VERBS: tuple[click.Command, ...] = (
                 callback=words_of(),
                 multiple=True,
                 metavar="RESULT,RESULT",
-                help="of a table: rocker.angle, C.velocity, transmission, drive …  [all]",
+                help="rocker.angle, C.velocity, transmission, drive, stroke, C.velocity.largest …  "
+                "[all]",
             ),
+            *_LOOK,
             *burden_options(),
         ],
         ranged=True,

@@ -60,7 +60,7 @@ THINGS: dict[str, tuple[type, ...]] = {
     "page": (Sheet, Lesson, Turn),
 }
 #: The order in which formats are listed; others follow, and last the folder of frames.
-_FIRST = (".mp4", ".gif", ".csv", ".png", ".svg", ".pdf", ".json", ".srt", ".vtt", ".html")
+_FIRST = (".mp4", ".gif", ".csv", ".xlsx", ".png", ".svg", ".pdf", ".json", ".srt", ".vtt", ".html")
 _NAMES: dict[type, str] = {
     Sheet: "a picture",
     Lesson: "a film",
@@ -75,8 +75,8 @@ def formats(*words: str) -> dict[str, str]:
 
     Examples
     --------
-    >>> formats("sweep")
-    {'.csv': 'vad.export.sweep_csv', '.png': 'vad.export.sweep_png'}
+    >>> list(formats("sweep"))
+    ['.csv', '.png', '.svg', '.pdf']
     """
     found: dict[str, str] = {}
     for module in names_in("export"):
@@ -144,7 +144,7 @@ def save(
     """
     extension = format_of(type(thing), path)
     module = import_module(FORMATS[type(thing)][extension])
-    own = _checked_options(module, extension, options)
+    own = checked_options(module, extension, options)
     with ExitStack() as stack:
         for other in _beside(path, beside):
             writer = import_module(FORMATS[type(thing)][format_of(type(thing), other)])
@@ -170,7 +170,7 @@ def _beside(path: str | os.PathLike[str], extensions: Iterable[str]) -> list[Pat
     return others
 
 
-def _checked_options(
+def checked_options(
     module: ModuleType, extension: str, options: Mapping[str, object]
 ) -> dict[str, Any]:
     """Return the options of a format.

@@ -15,16 +15,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.errors import AssemblyError, UsageError, quoted
-from vad.export import formats
+from vad.export import checked_options, formats
 from vad.export.files import new_file
-from vad.kinematics.motion import MotionInSpace, Motions
+from vad.kinematics.motion import Motion, MotionInSpace, Motions
 from vad.kinematics.results import Joint
 from vad.statics.burden import Burden
 from vad.statics.forces import forces
 from vad.units import scene_unit
 
-#: The modules that write a sweep, by the extension of the file; each is imported when it is used.
-FORMATS = formats("sweep")
+#: The modules that write a sweep, by the extension of the file: as a table, and what has a form of
+#: its own for a whole motion.  Each is imported when it is used.
+TABLES = formats("table")
+FORMATS = TABLES | formats("sweep")
 _LINK = ("angle", "omega", "alpha")
 _SLIDE = _POINT = ("position", "velocity", "acceleration")
 # The range that is shown leaves out this share of the poses (in percent) at either end, if they
@@ -32,27 +34,49 @@ _SLIDE = _POINT = ("position", "velocity", "acceleration")
 _TAIL, _PEAK = 4.0, 6.0
 
 
-def save_sweep(motion: Motions, path: str | Path, burden: Burden | None = None) -> None:
+def save_sweep(
+    motion: Motions, path: str | Path, burden: Burden | None = None, **options: Any
+) -> None:
     """Write a motion over an array of inputs to a file, whose extension chooses the format.
 
-    With a ``burden``, the forces of all that the mechanism has to bear are columns, too.
+    With a ``burden``, the forces of all that the mechanism has to bear are columns, too.  Pictures
+    have the options ``style`` and ``language``.
 
     Raises
     ------
     vad.errors.AssemblyError
         If none of the poses can be assembled.
     vad.errors.UsageError
-        For another kind of file.
+        For another kind of file, or an option that it does not have.
     vad.errors.ExportError
         If the file cannot be written.
     """
     kind = Path(path).suffix.lower()
-    if kind not in FORMATS:
-        raise UsageError(
-            f"a sweep cannot be saved as {quoted(str(path))}", hint=f"as {' or '.join(FORMATS)}"
-        )
+    given = _checked(path, FORMATS, options)
+    module = import_module(FORMATS[kind])
     with new_file(path) as stream:
-        import_module(FORMATS[kind]).write(motion, stream, burden)
+        if kind in formats("sweep"):
+            module.write(motion, stream, burden, **given)
+        else:
+            module.write(table_of(motion, burden), stream, **given)
+
+
+def save_table(table: Table, path: str | Path, **options: Any) -> None:
+    """Write a table of chosen columns to a file, as `save_sweep` does with a motion."""
+    given = _checked(path, TABLES, options)
+    module = import_module(TABLES[Path(path).suffix.lower()])
+    with new_file(path) as stream:
+        module.write(table, stream, **given)
+
+
+def _checked(path: str | Path, known: dict[str, str], options: dict[str, Any]) -> dict[str, Any]:
+    """Return the options of a file's format."""
+    kind = Path(path).suffix.lower()
+    if kind not in known:
+        *others, last = known
+        hint = f"as {', '.join(others)} or {last}; or -o - for a pipe"
+        raise UsageError(f"a sweep cannot be saved as {quoted(str(path))}", hint)
+    return checked_options(import_module(known[kind]), kind, options)
 
 
 def check_closes(anywhere: bool) -> None:
@@ -68,6 +92,34 @@ class Column:
     quantity: str
     unit: str
     values: NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Chosen columns over the places of a driver, or over a dimension.
+
+    Attributes
+    ----------
+    motion
+        The motion of one pose or many, with the mechanism and its inputs.
+    over
+        What varies, by the name of the input or of the parameter.
+    columns
+        Results by name, vectors by axes: ``rocker.angle``, ``C.velocity x``, ``stroke``.  What has
+        no unit has an empty one.
+    """
+
+    motion: Motion[Any, Any, Any]
+    over: Column
+    columns: tuple[Column, ...]
+
+    @property
+    def heads(self) -> list[str]:
+        """The name of each column with its unit, as a line of a table has them."""
+        return [
+            f"{each.quantity} [{each.unit}]" if each.unit else each.quantity
+            for each in (self.over, *self.columns)
+        ]
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,10 +229,30 @@ def _by_axis(values: NDArray[Any]) -> Iterator[tuple[str, NDArray[np.float64]]]:
         yield from zip("xyz", np.moveaxis(values, -1, 0), strict=True)
 
 
+def table_of(motion: Motions, burden: Burden | None = None) -> Table:
+    """Return all columns of a motion as a table.
+
+    Raises
+    ------
+    vad.errors.AssemblyError
+        If none of the poses can be assembled.
+    """
+    check_closes(bool(np.any(motion.assembled)))
+    results = results_of(motion, burden)
+    columns = []
+    for row in results.rows:
+        name = row.name.removeprefix("joint ")
+        for column in row.columns:
+            between = " " if row in results.forces else "."
+            whole = f"{name}{between}{column.quantity}" if column.quantity else name
+            columns.append(replace(column, quantity=whole))
+    return Table(motion, results.place, tuple(columns))
+
+
 def unwrapped(column: Column) -> Column:
     """Return an angle that runs on past 360° and starts near 0; other columns as they are."""
     known = np.isfinite(column.values)
-    if column.quantity != "angle" or not known.any():
+    if column.quantity.rpartition(".")[2] != "angle" or not known.any():
         return column
     values = column.values.copy()
     values[known] = np.unwrap(values[known], period=360.0)

@@ -775,10 +775,22 @@ PHRASES = {
         "{rad/s²}, {sense}."
     ),
     "balls whole": "{label} = {value} {unit} in dieser Ansicht, {whose}.",
+    # Bilder und Tabellen von Läufen, und Kennwerte
+    "angle of the driver": "Winkel {link:des}",
+    "position of the driver": "Lage {link:des}",
+    "force of one on another": "{one} auf {other}",
+    "transmission angle": "Übertragungswinkel",
+    "time ratio": "Zeitverhältnis",
+    "forward angle": "Winkel des Hinlaufs",
+    "return angle": "Winkel des Rücklaufs",
+    "mechanical advantage": "Kraftübersetzung",
+    "does not close": "schließt nicht",
 }
 
 #: Namen von Getrieben, Diagrammen, Gliedern, Schiebern und Maßen.
 NAMES = {
+    "drive": "Antrieb",
+    "joint": "Gelenk",
     "Shaft": "Welle",
     "Couples": "Momente",
     "Engine": "Motor",

@@ -742,6 +742,16 @@ PHRASES = {
         "{sense}."
     ),
     "balls whole": "{label} = {value} {unit} in this view, {whose}.",
+    # plots and tables of sweeps, and figures of merit
+    "angle of the driver": "angle of the {link}",
+    "position of the driver": "position of the {link}",
+    "force of one on another": "{one} on {other}",
+    "transmission angle": "transmission angle",
+    "time ratio": "time ratio",
+    "forward angle": "forward angle",
+    "return angle": "return angle",
+    "mechanical advantage": "mechanical advantage",
+    "does not close": "does not close",
 }
 
 #: Names of mechanisms, diagrams, links, slides and parameters that differ from the program's own.

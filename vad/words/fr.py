@@ -762,10 +762,22 @@ PHRASES = {
         "{rad/s²}, {sense}."
     ),
     "balls whole": "{label} = {value} {unit} dans cette vue, {whose}.",
+    # images et tableaux de balayages, et caractéristiques
+    "angle of the driver": "angle {link:du}",
+    "position of the driver": "position {link:du}",
+    "force of one on another": "{one} sur {other}",
+    "transmission angle": "angle de transmission",
+    "time ratio": "rapport des temps",
+    "forward angle": "angle de l’aller",
+    "return angle": "angle du retour",
+    "mechanical advantage": "avantage mécanique",
+    "does not close": "ne se ferme pas",
 }
 
 #: Noms des mécanismes, des diagrammes, des pièces et des dimensions.
 NAMES = {
+    "drive": "entraînement",
+    "joint": "liaison",
     "Shaft": "Arbre",
     "Couples": "Moments",
     "Engine": "Moteur",
