@@ -57,6 +57,11 @@ PLAYER = """
 """
 
 
+def test_a_regular_expression_after_a_space_keeps_its_words() -> None:
+    short = shorter_script("const step = 3; const found = /^#step=/.test(place + step);", ["place"])
+    assert "/^#step=/" in short and short.count("step") == 1
+
+
 @pytest.mark.parametrize("text", ["", "a", "ä²′" * 1000, "".join(map(str, range(5000)))])
 @pytest.mark.parametrize("level", [0, 1, 9])
 def test_what_is_packed_is_unpacked(page: Page, text: str, level: int) -> None:
