@@ -36,8 +36,8 @@ def test_vectors_stand_tip_to_tail(name, angle):
         known = [stroke for stroke in drawn if stroke.kind == "known"]
         for one, other in itertools.pairwise(known):
             assert abs(one.shape.end - other.shape.start) < 1e-12 * longest
-        total = sum(s.shape.end - s.shape.start for s in drawn if s.link != "F")
-        closing = [s for s in drawn if s.link == "F"]
+        total = sum(s.shape.end - s.shape.start for s in drawn if s.label not in ("F", "M", "R"))
+        closing = [s for s in drawn if s.label in ("F", "M", "R")][:1]
         rest = closing[0].shape.end - closing[0].shape.start if closing else 0
         assert abs(total - rest) < 1e-11 * longest
 
@@ -103,7 +103,51 @@ def test_json_there_and_back(name, tmp_path):
     assert vad.sheet_from_json(tmp_path / "sheet.json") == sheet
 
 
-def test_a_turn_is_refused():
-    mechanism = vad.load(example_path("v-twin"))()
-    with pytest.raises(vad.InputError, match="is drawn in one pose"):
+def test_a_turn_of_a_shaft_is_refused():
+    mechanism = vad.load(example_path("shaft-two-planes"))()
+    with pytest.raises(vad.InputError, match="nothing else changes"):
         vad.turn(mechanism)
+
+
+@every
+def test_over_a_turn_the_ends_of_resultants_run_on_their_tracks(name):
+    """What a frame draws is at the place at which the path has it, and of the size of the curve."""
+    mechanism = vad.load(example_path(name))()
+    if not mechanism.turning_diagrams:
+        return
+    turn = vad.turn(vad.solve(mechanism, angle=0.0), fps=10)
+    cycle = turn.cycle
+    for number in (90, 250, 601):
+        sheet = vad.draw(vad.solve(mechanism, angle=number / 2), panels=turn.panels)
+        for half in sheet.halves:
+            for spot, way in cycle.tracks.get(half.name, {}).items():
+                label = {"F": "FM", "R": "R"}.get(spot.letter, "")
+                ends = [s.shape.end for s in arrows(half) if s.label and s.label in label]
+                if half.picture == "vectors" and ends:
+                    assert abs(ends[0] - way[number]) < 1e-9 * abs(way).max()
+
+
+def test_a_resultant_is_largest_where_its_curve_is():
+    """The ellipse of a frame, the numbers of the engine and the curve of the turn agree."""
+    mechanism = vad.load(example_path("v-twin"))()
+    engine = mechanism.balancing(vad.solve(mechanism, angle=25.0))
+    curves = vad.turn(vad.solve(mechanism, angle=25.0)).cycle.curves
+    for kind in ("primary", "secondary"):
+        values = curves[kind].values
+        assert values.max() == pytest.approx(engine.largest(kind, "force"), rel=1e-12)
+        assert values.min() == pytest.approx(engine.least(kind, "force"), abs=1e-9 * values.max())
+    places = [720 * angle / 360 for angle in engine.angles("secondary", "force")]
+    for place in places:
+        assert curves["secondary"].values[round(place)] == pytest.approx(
+            engine.largest("secondary", "force"), rel=1e-12
+        )
+
+
+@pytest.mark.parametrize("angle", [0.0, 25.0, 90.0])
+def test_in_line_only_the_part_along_the_stroke_acts(angle):
+    sheet = sheet_of("four-in-line", angle)
+    (force,) = [s for s in arrows(sheet.panel("secondary")) if s.label == "F"]
+    size = 4 * 15 * 0.1125 * (25 * math.pi) ** 2 / 4
+    assert force.shape.end == pytest.approx(size * math.cos(math.radians(2 * angle)), rel=1e-12)
+    (cell,) = [c for r in sheet.rows if r.key == "F" for c in r.cells["secondary"] if not c.below]
+    assert cell.value == pytest.approx(force.shape.end.real)

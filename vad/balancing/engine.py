@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
-from typing import Any, ClassVar, NamedTuple
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 
 from vad import gate
 from vad.balancing.balance import Balance
-from vad.balancing.inertia import KINDS, WHATS, InertiaForces
+from vad.balancing.inertia import KINDS, WHATS, InertiaForces, rays
 from vad.balancing.locomotive import Locomotive
 from vad.kinematics.motion import Motion, solve
 from vad.kinematics.numbers import ray
 from vad.kinematics.results import block, plain
 from vad.written import DIGITS, MOST_DIGITS, typed
+
+if TYPE_CHECKING:
+    from vad.mechanisms.mechanism import Mechanism
 
 #: How many poses of a turn show what the two terms leave out.
 POSES = 720
@@ -86,10 +89,15 @@ class Engine:
         """Return the angles of the crank in degrees at which a resultant is least."""
         return self.inertia.phasors(kind, what).least_angles
 
-    def resultant(self, kind: str, what: str) -> complex:
-        """Return a resultant in the pose of the motion, as x + iy."""
-        found: complex = self.inertia.phasors(kind, what).at(ray(self.motion.inputs["angle"]))
-        return found
+    def resultant(self, kind: str, what: str) -> Any:
+        """Return a resultant in the pose of the motion, as x + iy, or in each of its poses."""
+        return self.inertia.phasors(kind, what).at(self.crank)
+
+    @property
+    def crank(self) -> Any:
+        """The direction of the first line of the shaft, in the pose or in each of the poses."""
+        angle = self.motion.inputs["angle"]
+        return rays(angle) if self.motion.many else ray(angle)
 
     def exact(self, what: str = "force") -> Any:
         """Return the resultant in the pose, from the exact accelerations of the pistons.
@@ -101,16 +109,10 @@ class Engine:
         found = self.inertia.exact(accelerations, motion.inputs["angle"], what)
         return found if motion.many else complex(found)
 
-    @cached_property
+    @property
     def left_out(self) -> LeftOut | None:
         """What both terms leave out at most over a turn; None for endless rods."""
-        if self.inertia.ratio is None:
-            return None
-        angles = np.linspace(0.0, 360.0, POSES, endpoint=False)
-        motion: Any = solve(self.motion.mechanism, angle=angles, omega=self.inertia.omega)
-        apart = np.abs(Engine(motion, self.inertia).exact() - self.inertia.forces(angles))
-        worst = int(apart.argmax())
-        return LeftOut(float(apart[worst]), float(angles[worst]))
+        return _left_out(self.motion.mechanism, self.inertia)
 
     def to_dict(self) -> dict[str, Any]:
         """Return the forces as JSON holds them."""
@@ -158,6 +160,17 @@ class Engine:
         if self.balance:
             blocks.append(self.balance.table(digits))
         return "\n\n".join(blocks)
+
+
+@lru_cache(maxsize=16)  # every pose of a turn asks for it
+def _left_out(mechanism: Mechanism, inertia: InertiaForces) -> LeftOut | None:
+    if inertia.ratio is None:
+        return None
+    angles = np.linspace(0.0, 360.0, POSES, endpoint=False)
+    motion: Any = solve(mechanism, angle=angles, omega=inertia.omega)
+    apart = np.abs(Engine(motion, inertia).exact() - inertia.forces(angles))
+    worst = int(apart.argmax())
+    return LeftOut(float(apart[worst]), float(angles[worst]))
 
 
 def _listed(angles: tuple[float, ...]) -> str:

@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from vad.balancing.closing import NOTHING
 from vad.balancing.phasors import Phasors
 from vad.balancing.shaft import Mass
 from vad.errors import one_of
@@ -140,11 +141,13 @@ class InertiaForces:
             turning = [self.turning(each, what) for each in self.rotating]
             direct += sum(turning, 0j)
             size += sum(map(abs, turning))
+        least = NOTHING * size
+        direct, reverse = (each if abs(each) > least else 0j for each in (direct, reverse))
         return Phasors(self.order(kind), direct, reverse, size)
 
     def forces(self, angles: Any, what: str = "force") -> Any:
         """Return the sum of primary and secondary forces at angles of the shaft in degrees."""
-        crank = _rays(angles)
+        crank = rays(angles)
         return sum(self.phasors(kind, what).at(crank) for kind in KINDS)
 
     def exact(self, accelerations: Sequence[Any], angles: Any, what: str = "force") -> Any:
@@ -159,7 +162,7 @@ class InertiaForces:
         what
             "force" or "couple".
         """
-        crank = _rays(angles)
+        crank = rays(angles)
         found = sum(self.turning(each, what) * crank for each in self.rotating)
         for cylinder, acceleration in zip(self.cylinders, accelerations, strict=True):
             size = -cylinder.mass * self.arm(cylinder.plane, what) * self.metres
@@ -167,7 +170,7 @@ class InertiaForces:
         return found
 
 
-def _rays(angles: Any) -> NDArray[np.complex128]:
+def rays(angles: Any) -> NDArray[np.complex128]:
     """Return the unit vectors at angles, exact where their parts are."""
     found = [complex(ray(float(each))) for each in np.ravel(angles)]
     return np.array(found).reshape(np.shape(angles))

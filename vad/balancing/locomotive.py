@@ -36,6 +36,9 @@ class HammerBlow(NamedTuple):
         The angles of the shaft, in degrees, at which it presses the wheel down, and lifts it.
     lifting
         The speed of the shaft in rad/s at which it lifts the wheel; None without a load.
+    vector
+        The force of that part of the mass in N, where the shaft is at 0°; its part across the track
+        is the blow.
     """
 
     wheel: str
@@ -43,6 +46,7 @@ class HammerBlow(NamedTuple):
     force: float
     angles: tuple[float, float]
     lifting: float | None
+    vector: complex
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,12 +117,14 @@ class Locomotive:
                 continue
             size, angle = each.size, each.angle
             assert each.mass is not None and size is not None and angle is not None
+            assert each.way is not None
             arm = size * self.engine.metres
             # A mass above the axle lifts its wheel, one below presses it on the rail.
             angles = positive((270.0 - angle) % 360.0), positive((90.0 - angle) % 360.0)
             lifting = None if self.load is None or not arm else math.sqrt(self.load / arm)
             force = arm * self.engine.omega**2
-            blows.append(HammerBlow(each.name, each.mass, force, angles, lifting))
+            vector = force * each.way
+            blows.append(HammerBlow(each.name, each.mass, force, angles, lifting, vector))
         return tuple(blows)
 
     @property

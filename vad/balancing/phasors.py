@@ -27,7 +27,7 @@ class Phasors(NamedTuple):
     order
         1 for primary, 2 for secondary forces.
     direct, reverse
-        The vectors where the crank is at 0°.
+        The vectors where the crank is at 0°; zero where only rounding is left.
     scale
         The sum of the sizes of all vectors of which they are sums.  What is very much smaller is
         rounding.
@@ -46,10 +46,8 @@ class Phasors(NamedTuple):
 
     @property
     def sizes(self) -> tuple[float, float]:
-        """The sizes of both; zero where only rounding is left."""
-        one, other = (abs(each) for each in (self.direct, self.reverse))
-        least = NOTHING * self.scale
-        return (one if one > least else 0.0), (other if other > least else 0.0)
+        """The sizes of both."""
+        return abs(self.direct), abs(self.reverse)
 
     @property
     def largest(self) -> float:

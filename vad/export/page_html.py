@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import Annotated, BinaryIO
 
+from vad.errors import UsageError
 from vad.export.frames import Progress
 from vad.lecture.lesson import Lesson, animate
 from vad.lecture.turn import Turn
@@ -28,6 +29,11 @@ def write(
     if isinstance(thing, Lesson):
         lesson = thing
     elif isinstance(thing, Turn):
+        if thing.mechanism.is_rotor:
+            raise UsageError(
+                "turn: a page of a turn is turned by hand, which an engine is not",
+                "a film shows the turn, as in -o engine.mp4; a page without it has the lesson",
+            )
         lesson = animate(thing.given, style=thing.style)
     else:
         lesson = animate(thing, style=STYLE if style is None else style)

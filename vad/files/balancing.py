@@ -13,6 +13,8 @@ from dataclasses import field
 from functools import lru_cache
 from typing import Any, ClassVar
 
+import numpy as np
+
 from vad import gate
 from vad.balancing.balance import Balance
 from vad.balancing.engine import Engine
@@ -264,6 +266,8 @@ def rotor_class(text: str) -> type[RotorMechanism]:
         slides=slides,
         inputs={"angle": 0.0, "omega": rotor.speed, "alpha": 0.0},
         diagrams=rotor.diagrams,
+        usual_diagrams=rotor.usual,
+        turning_diagrams=rotor.turning,
     )
     with source.at("", ""):
         made()
@@ -338,14 +342,31 @@ def balancing_of(rotor: Rotor, values: Values, choice: int, motion: Motion) -> B
     if not rotor.is_engine:
         assert balance is not None
         return balance
-    if motion.inputs["alpha"] != 0.0:
+    if even(motion, "alpha") != 0.0:
         raise InputError(
-            f"alpha: an engine is balanced at an even speed, got {motion.inputs['alpha']:g}",
+            f"alpha: an engine is balanced at an even speed, got {even(motion, 'alpha'):g}",
             "leave out alpha",
         )
     rotating = balance.found.masses if balance else ()
-    inertia = rotor.inertia(values, float(motion.inputs["omega"]), rotating)
+    inertia = rotor.inertia(values, even(motion, "omega"), rotating)
     return Engine(motion, inertia, balance, rotor.locomotive(values, inertia))
+
+
+def even(motion: Motion, name: str) -> float:
+    """Return an input of a motion that is the same in all of its poses.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If it changes.
+    """
+    values = np.ravel(motion.inputs[name])
+    if np.ptp(values):
+        raise InputError(
+            f"{name}: an engine is balanced at an even speed, got an array",
+            f"give one {name} for all poses",
+        )
+    return float(values[0])
 
 
 def check_rotor(rotor: Rotor, values: Values) -> None:

@@ -23,6 +23,8 @@ from vad.units import check_length_unit, metres_of, number_of
 #: The tables of such files; the masses of ``[shaft]`` stand in ``[shaft.masses]``.
 SHAFT, ENGINE, CYLINDERS, LOCOMOTIVE = ROTORS
 MASSES = f"{SHAFT}.masses"
+#: The diagrams of what changes over a turn of a locomotive.
+LOCOMOTIVES = ("traction", "hammer")
 _OF_SHAFT = ("clockwise", "speed", "bearings", "choice", "masses")
 _OF_ENGINE = ("radius", "rod", "ratio", "speed", "reference")
 _OF_CYLINDER = ("mass", "crank", "plane", "line")
@@ -89,14 +91,33 @@ class Rotor:
         return bool(self.cylinders)
 
     @property
+    def is_locomotive(self) -> bool:
+        """Whether its wheels balance a part of what goes to and fro."""
+        return "wheels" in self.settings
+
+    @property
     def diagrams(self) -> tuple[str, ...]:
         """The names of the diagrams that can be drawn of it."""
-        if self.is_engine and "wheels" not in self.settings:
+        if self.is_engine and not self.is_locomotive:
             second = "rod" in self.numbers or "ratio" in self.numbers
             return ("engine", "primary", *(("secondary",) if second else ()))
         values = {name: each.default for name, each in self.parameters.items()}
         planes = {mass.plane for mass in self.given_masses(values)}
-        return ("shaft", "force") if len(planes) == 1 else ("shaft", "couple", "force")
+        if len(planes) == 1 and not self.is_locomotive:
+            return ("shaft", "force")
+        return ("shaft", "couple", "force", *(LOCOMOTIVES if self.is_locomotive else ()))
+
+    @property
+    def usual(self) -> tuple[str, ...]:
+        """Those that are drawn where nobody asks for others."""
+        return tuple(name for name in self.diagrams if name not in LOCOMOTIVES)
+
+    @property
+    def turning(self) -> tuple[str, ...]:
+        """Those that change over a turn; none of a shaft, which turns as a whole."""
+        if self.is_locomotive:
+            return ("shaft", *LOCOMOTIVES)
+        return self.diagrams if self.is_engine else ()
 
     @property
     def title(self) -> str:
@@ -139,7 +160,7 @@ class Rotor:
 
     def locomotive(self, values: Values, inertia: InertiaForces) -> Locomotive | None:
         """Return what the wheels balance; None for any other engine."""
-        if "wheels" not in self.settings:
+        if not self.is_locomotive:
             return None
         numbers = {name: each(values) for name, each in self.numbers.items()}
         names = [name for name in ("X", "Y", "V", "W") if name not in self.cylinders]

@@ -252,12 +252,11 @@ def cycle_of(turn: Turn, later: float) -> Cycle:
         scene = whole_turn(turn, later * stuck)
         tracks = _tracks(scene, panels)
     motion, output = scene.motion, scene.output
-    part: Any = motion.slide(output) if output in motion.slides else motion.link(output)
-    rate = part.velocity if output in motion.slides else part.omega
+    rate = _rate(motion, output)
     driver = scene.driver.name
     rolls = pair_of(motion, turn.centrode)[0] if turn.centrode else driver
     curves = {
-        name: _curve(scene, name, output)
+        name: _curve(scene, name, DIAGRAMS[name].curve_row(scene))
         or _curve(scene, name, rolls)
         or _curve(scene, name, driver)
         for name in panels
@@ -268,6 +267,13 @@ def cycle_of(turn: Turn, later: float) -> Cycle:
     known = {name: curve for name, curve in curves.items() if curve}
     work = _work(turn, scene, known["drive"].values) if "drive" in known else None
     return Cycle(_SHARES, driver, output, place, known, tracks, back, work)
+
+
+def _rate(motion: Motion, output: str) -> Any:
+    """Return how fast the output moves; nothing where it is the resultant of an engine."""
+    if output in motion.slides:
+        return motion.slide(output).velocity
+    return motion.link(output).omega if output in motion.links else 0.0
 
 
 def whole_turn(turn: Turn, later: Any = 0.0) -> AnyScene:

@@ -196,11 +196,13 @@ def turn(
     from vad.lecture.cycle import course, whole_turn
     from vad.lecture.poles import poles_of
     from vad.strokes.centrodes import centrode_of
-    from vad.strokes.draw import chosen, started
+    from vad.strokes.draw import chosen, started, turning
     from vad.words import Language
 
     fps, size, speed = checked(fps, size, speed, style)
     motion, forces = started(mechanism, "a turn begins with one pose")
+    if motion.mechanism.is_rotor:
+        panels = turning(panels, motion)
     names = chosen(panels, motion, forces)
     rolls = centrode_of(motion, centrode, names)
     Language(language)

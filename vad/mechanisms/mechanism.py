@@ -124,9 +124,12 @@ class Mechanism:
     slides: ClassVar[dict[str, str]] = {}
     joints: ClassVar[dict[str, str]] = {}
     inputs: ClassVar[Mapping[str, float]] = CRANK
-    #: Whether it is a shaft or an engine, which is balanced, and the diagrams of such a one.
+    #: Whether it is a shaft or an engine, which is balanced; the diagrams of such a one, those that
+    #: are usual, and those that change over a turn.
     is_rotor: ClassVar[bool] = False
     diagrams: ClassVar[tuple[str, ...]] = ()
+    usual_diagrams: ClassVar[tuple[str, ...]] = ()
+    turning_diagrams: ClassVar[tuple[str, ...]] = ()
 
     _: KW_ONLY
     assembly: str = way("open", "crossed")

@@ -160,8 +160,9 @@ class MultiplesBoard:
         yield from head(panel, place, scale, self.form.centimetre, sheets[0].notation)
         title = bold(roman(panel.title))
         x = place.drawing.left + width(title, TITLE_SIZE) + GIVEN_GAP
+        driver = sheets[0].driver.row
         for index, row in enumerate(sheets[0].rows):
-            for cell in row.cells.get(name, ()):
+            for cell in row.cells.get(name, ()) if row.key == driver else ():
                 if cell.given and all(cell in each.rows[index].cells[name] for each in sheets):
                     at = complex(x, place.title)
                     reading = _reading(cell, sheets[0].notation)

@@ -192,15 +192,12 @@ def _number(column: Sequence[tuple[Sketch, TurnPanel]], shares: Sequence[float])
 
 
 def _add_dots(sketch: Sketch, moving: TurnPanel, shares: Sequence[float]) -> list[Numbered]:
-    """Add the positions, and return the point of each, its number and its place.
-
-    A point in two views is numbered in the first one.
-    """
+    """Add the positions, and return the point of each, its number and its place."""
     ways, room, obstacles = moving.hodographs, sketch.setting.room, sketch.obstacles
     spots = [
         (point, number, ways.at(point, share))
         for point in sorted(
-            (each for each in ways.drawn if not each.view and (each.lettered or each.row)),
+            (each for each in ways.drawn if _is_numbered(each)),
             key=lambda each: each in ways.straight,
         )
         for number, share in enumerate(shares, 1)
@@ -214,6 +211,11 @@ def _add_dots(sketch: Sketch, moving: TurnPanel, shares: Sequence[float]) -> lis
     dots = [disc(at, DOT, "position", ways.row(point)) for point, _, at in spots]
     sketch.add(None, Level.GLOW, 0, dots)
     return spots
+
+
+def _is_numbered(point: Spot) -> bool:
+    """Tell whether the positions of a point are numbered; one in two views is so in the first."""
+    return point.path != "bare" and not point.view and (point.lettered or bool(point.row))
 
 
 def _add_numerals(

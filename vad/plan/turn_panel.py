@@ -73,7 +73,7 @@ class TurnPanel:
     def __init__(self, setting: Setting, poses: Sequence[Panel], cycle: Cycle, opening: float):
         self._setting, self._opening = setting, opening
         self.room = setting.room
-        tracks = cycle.tracks[setting.panel.name]
+        tracks = cycle.tracks.get(setting.panel.name, {})  # of a balanced polygon none
         self.picture = over_turn(setting, poses)
         self.scale = scale = self.picture.scale
         fixed = {spot.letter for spot, way in tracks.items() if not spot.view and np.ptp(way) == 0}
@@ -86,7 +86,9 @@ class TurnPanel:
         #: The letters whose path is drawn.  In a mechanism the path of a block is not drawn: it is
         #: its guide.
         self.ways = [
-            each for each in drawn if each.path == "drawn" and not (is_place and each in straight)
+            each
+            for each in drawn
+            if each.path in ("drawn", "bare") and not (is_place and each in straight)
         ]
         self.names = self._place(poses)
 
@@ -148,7 +150,7 @@ class TurnPanel:
             start, end = self.scale(shape.start), self.scale(shape.end)
             at = (start + end) / 2
             alpha = min(max(abs(end - start) / FADING - 1.0, 0.0), 1.0)
-        elif letters[0].path != "drawn" and letters[0].letter not in lettered(panel):
+        elif letters[0].path in ("numbered", "none") and letters[0].letter not in lettered(panel):
             return complex("nan"), 0.0  # a centre that is far away in this pose
         else:
             at = self.hodographs.at(letters[0], phase - self._opening)
@@ -208,7 +210,7 @@ class TurnPanel:
             same = [group for group in found if _apart(tracks[group[0]], way) < PIXEL]
             if not same:
                 found.append([letter])
-            elif not np.ptp(way):  # the lever's point under a pin needs no letter
+            elif letter.row or not np.ptp(way):  # the lever's point under a pin needs no letter
                 same[0].append(letter)
         return [tuple(group) for group in sorted(found, key=lambda g: g[0] in self.ways)]
 

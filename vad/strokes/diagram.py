@@ -104,8 +104,8 @@ class Spot(NamedTuple):
     ``view`` is the name of the view, empty for the first.  ``below`` is true for a point of the
     polygon below.  One that is not ``lettered`` has a name that is not written beside it.  ``row``
     is that whose ink its path has, where no vector tells it that ends there.  ``path`` says whether
-    its path over a turn is drawn with numbered positions, is numbered alone because a stroke of the
-    panel draws it, or is left out.
+    its path over a turn is drawn with numbered positions, is bare of them, is numbered alone
+    because a stroke of the panel draws it, or is left out.
     """
 
     letter: str
@@ -113,7 +113,7 @@ class Spot(NamedTuple):
     below: bool = False
     lettered: bool = True
     row: str | None = None
-    path: Literal["drawn", "numbered", "none"] = "drawn"
+    path: Literal["drawn", "bare", "numbered", "none"] = "drawn"
 
 
 def in_plane(motion: Motion[Any, Any, Any]) -> bool:
@@ -139,6 +139,11 @@ def is_slider_crank(motion: Motion[Any, Any, Any]) -> bool:
     from vad.kinematics.klein import parts_of  # a list of diagrams does not need it
 
     return parts_of(motion.solver) is not None
+
+
+def output_of(scene: AnyScene) -> str:
+    """Return the row of the output."""
+    return scene.output
 
 
 def everywhere(motion: Motion[Any, Any, Any]) -> bool:
@@ -186,6 +191,8 @@ class Diagram:
         The function that tells whether the diagram can be drawn for the mechanism of a motion.
     by_hand
         Whether a hand may turn it on a page: its strokes are the same in all poses.
+    curve_row
+        The function from a scene to the row whose quantity is drawn over a turn.
     """
 
     name: str
@@ -199,6 +206,7 @@ class Diagram:
     usual: bool = True
     applies: Callable[[Motion[Any, Any, Any]], bool] = everywhere
     by_hand: bool = True
+    curve_row: Callable[[AnyScene], str] = output_of
 
     @classmethod
     def of_order(cls, order: Order, rank: float, picture: PictureKind) -> Diagram:
@@ -250,16 +258,32 @@ class Diagram:
             return own
 
         def tracks(scene: Any) -> Mapping[Spot, Any]:
-            own = otherwise and not balancing(scene)
-            found: Mapping[Spot, Any] = otherwise[3](scene) if own else {}
-            return found
+            found = balancing(scene)
+            own: Mapping[Spot, Any] = found.tracks(name) if found else otherwise[3](scene)
+            return own
+
+        def curve_row(scene: Any) -> str:
+            found = balancing(scene)
+            return str(found.curve_row(name) if found else scene.output)
 
         def applies(motion: Motion[Any, Any, Any]) -> bool:
             if everywhere(motion):
                 return bool(otherwise) and in_plane(motion)
             return name in motion.mechanism.diagrams
 
-        return cls(name, title, rank, picture, unit, pose, cells, tracks, False, applies)
+        return cls(
+            name,
+            title,
+            rank,
+            picture,
+            unit,
+            pose,
+            cells,
+            tracks,
+            usual=False,
+            applies=applies,
+            curve_row=curve_row,
+        )
 
     def panel(self, scene: AnyScene) -> Panel:
         """Return the panel of a pose, its title in the language of the scene."""

@@ -149,11 +149,6 @@ def started(
     motion, forces = parted(given if alone else solve(given))  # type: ignore[arg-type]
     if motion.many or (forces is not None and forces.many):
         raise InputError(f"motion: {what}, got arrays of poses")
-    if motion.mechanism.is_rotor:
-        raise InputError(
-            f"motion: {what}, and a shaft or an engine is drawn in one pose",
-            "vad draw and vad animate draw it, --angle turns it",
-        )
     return motion, forces
 
 
@@ -215,7 +210,7 @@ def chosen(
     fitting = [name for name, each in DIAGRAMS.items() if motion is None or each.applies(motion)]
     names = usual_of(forces) if forces else [n for n in fitting if DIAGRAMS[n].usual]
     if motion is not None and motion.mechanism.is_rotor:
-        names = fitting
+        names = motion.mechanism.usual_diagrams
     usual = tuple(name for name in fitting if name in names)
     given = usual if panels is None else gate.several("panels", panels, "names of panels")
     asked = [one_of("panel", name, DIAGRAMS) for name in given]
@@ -226,6 +221,25 @@ def chosen(
         hint = f"known for {mechanism}: {', '.join(fitting)}"
         raise UsageError(f"panel {name!r} does not apply to {mechanism}", hint)
     return tuple(name for name in DIAGRAMS if name in asked)
+
+
+def turning(
+    panels: Sequence[str] | str | None, motion: Motion[Any, Any, Any]
+) -> Sequence[str] | str:
+    """Return the panels of a turn of an engine: the given ones, or those that change.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For a shaft, whose polygons turn with it and do not change.
+    """
+    usual = motion.mechanism.turning_diagrams
+    if not usual:
+        raise InputError(
+            "turn: the masses of a shaft and their polygons turn with it; nothing else changes",
+            "an engine has forces that change over a turn; vad draw shows the shaft",
+        )
+    return usual if panels is None else panels
 
 
 @lru_cache(maxsize=64)

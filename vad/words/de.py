@@ -308,7 +308,7 @@ PHRASES = {
         "{di}°."
     ),
     # --- Wellen und Motoren
-    "balance axis": "*{axis}* ist die Achse der Welle, von ihrem Ende gesehen.",
+    "balance axis": "{axis} ist die Achse der Welle, von ihrem Ende gesehen.",
     "balance reference": "Von dieser Geraden an werden Winkel gemessen.",
     "balance mass": "Masse {letter}: {mass} kg bei {radius} {unit} unter {angle}°.",
     "balance open": "Masse {letter} bei {radius} {unit} ist gesucht.",
@@ -352,15 +352,64 @@ PHRASES = {
         "Gegenlaufende Kurbel von {letter}: die Hälfte, {value} {unit} unter {angle}°."
     ),
     "engine turning": "Masse {letter} dreht sich mit der Welle: {value} {unit} unter {angle}°.",
-    "engine resultant": (
-        "Die Resultierende ist {value} {unit} unter {angle}°; im Umlauf höchstens {largest} und "
-        "mindestens {least} {unit}."
+    "engine resultant": "Die Resultierende {letter} ist {value} {unit} unter {angle}°.",
+    "engine ellipse": (
+        "Im Umlauf läuft ihr Ende auf dieser Ellipse: {letter} ist höchstens {largest} {unit}, "
+        "bei {where}°, und mindestens {least} {unit}."
+    ),
+    "engine circle": "Ihr Ende läuft auf diesem Kreis: {letter} ist immer {largest} {unit}.",
+    "engine straight": (
+        "Ihr Ende läuft auf dieser Strecke hin und her: "
+        "{letter} ist höchstens {largest} {unit}, bei {where}°."
+    ),
+    "engine turned": "Die Welle hat sich um {angle}° gedreht.",
+    "engine closing primary": (
+        "Der Schlussvektor {letter} ist {value} {unit} unter {angle}°. Er dreht sich mit der "
+        "Kurbel."
+    ),
+    "engine closing secondary": (
+        "Der Schlussvektor {letter} ist {value} {unit} unter {angle}°. Er dreht sich doppelt so "
+        "schnell wie die Kurbel."
+    ),
+    "engine across": "Nur sein Anteil in der Hubrichtung wirkt.",
+    "engine nothing": (
+        "Hier wirkt kein Teil von ihm; im Umlauf erreicht {letter} {largest} {unit}."
     ),
     "engine resultant in line": (
-        "Der Schlussvektor ist {value} {unit} unter {angle}°: höchstens so viel wirkt in der "
-        "Hubrichtung."
+        "{letter} = {value} {unit} in der Hubrichtung; im Umlauf höchstens {largest} {unit}, bei "
+        "{where}°."
+    ),
+    "engine left out": (
+        "Beide Glieder lassen höchstens {value} {unit} der genauen Kraft aus, bei {angle}°."
     ),
     "engine balanced": "Das Polygon schließt sich: ausgeglichen.",
+    "traction forces": (
+        "Was hin und her geht und nicht ausgeglichen ist, zieht längs des Gleises: die "
+        "Zugkraft schwankt."
+    ),
+    "traction couples": (
+        "Es dreht die Lokomotive um ihre Mitte: die Drehmomente werden aneinandergereiht. "
+    ),
+    "hammer blows": (
+        "Was die Räder längs des Gleises ausgleichen, fügen sie quer dazu hinzu: den Hammerschlag."
+    ),
+    "hammer vector": (
+        "{mass} kg von {letter} gleichen aus, was hin und her geht; sie ziehen mit {value} "
+        "{unit} unter {angle}°."
+    ),
+    "hammer across": "Nur der Anteil quer zum Gleis wirkt auf die Schiene.",
+    "hammer nothing": (
+        "Rad {letter} wird hier weder gehoben noch gedrückt; es drückt mit {largest} {unit} "
+        "bei {pressing}°."
+    ),
+    "hammer lifts": (
+        "Rad {letter} wird mit {value} {unit} gehoben; es drückt mit {largest} {unit} bei "
+        "{pressing}°."
+    ),
+    "hammer presses": (
+        "Rad {letter} drückt mit {value} {unit} auf die Schiene; höchstens mit {largest} "
+        "{unit}, bei {pressing}°."
+    ),
     "balance found": "{letter} = {value} {unit} unter {angle}°.",
     # --- das Kreuzgelenk
     # Lageplan
@@ -794,10 +843,13 @@ NAMES = {
     "Shaft": "Welle",
     "Couples": "Momente",
     "Engine": "Motor",
+    "Tractive force": "Zugkraft",
+    "Hammer blow": "Hammerschlag",
     "Primary forces": "1. Ordnung",
     "Secondary forces": "2. Ordnung",
     "engine_cylinder": "Zylinder",
     "largest": "größte",
+    "resultant": "Resultierende",
     "Position": "Lage",
     "Velocity": "Geschwindigkeit",
     "Acceleration": "Beschleunigung",

@@ -304,7 +304,7 @@ PHRASES = {
         "{di}°."
     ),
     # --- shafts and engines
-    "balance axis": "*{axis}* is the axis of the shaft, seen from its end.",
+    "balance axis": "{axis} is the axis of the shaft, seen from its end.",
     "balance reference": "Angles are measured from this line.",
     "balance mass": "Mass {letter}: {mass} kg at {radius} {unit}, at {angle}°.",
     "balance open": "Mass {letter} at {radius} {unit} is to be found.",
@@ -338,15 +338,57 @@ PHRASES = {
     "engine direct": "Direct crank of {letter}: half of it, {value} {unit}, at {angle}°.",
     "engine reverse": "Reverse crank of {letter}: half of it, {value} {unit}, at {angle}°.",
     "engine turning": "Mass {letter} turns with the shaft: {value} {unit} at {angle}°.",
-    "engine resultant": (
-        "The resultant is {value} {unit} at {angle}°; over a turn at most {largest} and at least "
-        "{least} {unit}."
+    "engine resultant": "The resultant {letter} is {value} {unit} at {angle}°.",
+    "engine ellipse": (
+        "Over a turn its end runs on this ellipse: {letter} is at most {largest} {unit}, at "
+        "{where}°, and at least {least} {unit}."
     ),
+    "engine circle": "Its end runs on this circle: {letter} is {largest} {unit} all the time.",
+    "engine straight": (
+        "Its end runs to and fro on this line: {letter} is at most {largest} {unit}, at {where}°."
+    ),
+    "engine turned": "The shaft has turned by {angle}°.",
+    "engine closing primary": (
+        "The closing vector {letter} is {value} {unit} at {angle}°. It turns with the crank."
+    ),
+    "engine closing secondary": (
+        "The closing vector {letter} is {value} {unit} at {angle}°. It turns twice as fast as the "
+        "crank."
+    ),
+    "engine across": "Only its part along the line of stroke acts.",
+    "engine nothing": "No part of it acts here; over a turn {letter} reaches {largest} {unit}.",
     "engine resultant in line": (
-        "The closing vector is {value} {unit} at {angle}°: at most so much acts along the line of "
-        "stroke."
+        "{letter} = {value} {unit} along the line of stroke; over a turn at most {largest} "
+        "{unit}, at {where}°."
+    ),
+    "engine left out": (
+        "Both terms leave out at most {value} {unit} of the exact force, at {angle}°."
     ),
     "engine balanced": "The polygon closes: balanced.",
+    "traction forces": (
+        "What is left unbalanced to and fro pulls along the track: the tractive force changes."
+    ),
+    "traction couples": (
+        "It sways the locomotive about its middle: the couples are laid tip to tail. "
+    ),
+    "hammer blows": "What the wheels balance along the track, they add across it: the hammer blow.",
+    "hammer vector": (
+        "{mass} kg of {letter} balance what goes to and fro; they pull with {value} {unit}, "
+        "at {angle}°."
+    ),
+    "hammer across": "Only the part across the track acts on the rail.",
+    "hammer nothing": (
+        "Wheel {letter} neither lifts nor presses here; it presses with {largest} {unit} at "
+        "{pressing}°."
+    ),
+    "hammer lifts": (
+        "Wheel {letter} is lifted with {value} {unit}; it presses with {largest} {unit} at "
+        "{pressing}°."
+    ),
+    "hammer presses": (
+        "Wheel {letter} presses on the rail with {value} {unit}; at most with {largest} "
+        "{unit}, at {pressing}°."
+    ),
     "balance found": "{letter} = {value} {unit} at {angle}°.",
     # --- Hooke’s joint
     # position

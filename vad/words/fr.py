@@ -300,7 +300,7 @@ PHRASES = {
         "{di}°."
     ),
     # --- arbres et moteurs
-    "balance axis": "*{axis}* est l’axe de l’arbre, vu de son bout.",
+    "balance axis": "{axis} est l’axe de l’arbre, vu de son bout.",
     "balance reference": "Les angles se mesurent à partir de cette droite.",
     "balance mass": "Masse {letter} : {mass} kg à {radius} {unit}, à {angle}°.",
     "balance open": "La masse {letter}, à {radius} {unit}, est à trouver.",
@@ -336,14 +336,63 @@ PHRASES = {
     "engine direct": "Manivelle directe de {letter} : la moitié, {value} {unit}, à {angle}°.",
     "engine reverse": "Manivelle inverse de {letter} : la moitié, {value} {unit}, à {angle}°.",
     "engine turning": "La masse {letter} tourne avec l’arbre : {value} {unit} à {angle}°.",
-    "engine resultant": (
-        "La résultante est {value} {unit} à {angle}° ; dans un tour au plus {largest} et au moins "
-        "{least} {unit}."
+    "engine resultant": "La résultante {letter} est {value} {unit} à {angle}°.",
+    "engine ellipse": (
+        "Dans un tour son extrémité décrit cette ellipse : {letter} vaut au plus {largest} "
+        "{unit}, à {where}°, et au moins {least} {unit}."
     ),
+    "engine circle": "Son extrémité décrit ce cercle : {letter} vaut toujours {largest} {unit}.",
+    "engine straight": (
+        "Son extrémité va et vient sur cette droite : "
+        "{letter} vaut au plus {largest} {unit}, à {where}°."
+    ),
+    "engine turned": "L’arbre a tourné de {angle}°.",
+    "engine closing primary": (
+        "Le vecteur de fermeture {letter} est {value} {unit} à {angle}°. Il tourne avec la "
+        "manivelle."
+    ),
+    "engine closing secondary": (
+        "Le vecteur de fermeture {letter} est {value} {unit} à {angle}°. Il tourne deux fois plus "
+        "vite que la manivelle."
+    ),
+    "engine across": "Seule sa part selon la course agit.",
+    "engine nothing": ("Ici rien n’en agit ; dans un tour {letter} atteint {largest} {unit}."),
     "engine resultant in line": (
-        "Le vecteur qui ferme est {value} {unit} à {angle}° : au plus autant agit suivant l’axe."
+        "{letter} = {value} {unit} selon la course ; dans un tour au plus {largest} {unit}, à "
+        "{where}°."
+    ),
+    "engine left out": (
+        "Les deux termes négligent au plus {value} {unit} de la force exacte, à {angle}°."
     ),
     "engine balanced": "Le polygone se ferme : équilibré.",
+    "traction forces": (
+        "Ce qui va et vient sans être équilibré tire le long de la voie : l’effort de "
+        "traction varie."
+    ),
+    "traction couples": (
+        "Il fait tourner la locomotive autour de son milieu : les couples sont mis bout à bout."
+    ),
+    "hammer blows": (
+        "Ce que les roues équilibrent le long de la voie, elles l’ajoutent en travers : le "
+        "martèlement."
+    ),
+    "hammer vector": (
+        "{mass} kg de {letter} équilibrent ce qui va et vient ; ils tirent avec {value} "
+        "{unit} à {angle}°."
+    ),
+    "hammer across": "Seule la part perpendiculaire à la voie agit sur le rail.",
+    "hammer nothing": (
+        "La roue {letter} n’est ici ni soulevée ni pressée ; elle presse avec {largest} "
+        "{unit} à {pressing}°."
+    ),
+    "hammer lifts": (
+        "La roue {letter} est soulevée avec {value} {unit} ; elle presse avec {largest} "
+        "{unit} à {pressing}°."
+    ),
+    "hammer presses": (
+        "La roue {letter} presse le rail avec {value} {unit} ; au plus avec {largest} "
+        "{unit}, à {pressing}°."
+    ),
     "balance found": "{letter} = {value} {unit} à {angle}°.",
     # --- le joint de Cardan
     # position
@@ -781,10 +830,13 @@ NAMES = {
     "Shaft": "Arbre",
     "Couples": "Moments",
     "Engine": "Moteur",
+    "Tractive force": "Effort de traction",
+    "Hammer blow": "Martèlement",
     "Primary forces": "Forces primaires",
     "Secondary forces": "Forces secondaires",
     "engine_cylinder": "cylindre",
     "largest": "maximum",
+    "resultant": "résultante",
     "Position": "Position",
     "Velocity": "Vitesse",
     "Acceleration": "Accélération",

@@ -153,6 +153,17 @@ def bow_of(scale: Scale, shape: Ellipse) -> Bow:
     return Bow(centre, radius, start, sweep, axis, (abs(ahead) - abs(back)) / radius)
 
 
+def add_path(sketch: Sketch, index: int) -> None:
+    """Add the ellipse on which the end of a vector runs over a turn, as thin as a hodograph."""
+    setting = sketch.setting
+    stroke = setting.panel.strokes[index]
+    assert isinstance(stroke.shape, Ellipse)
+    curve, during = curve_of(sketch.scale, stroke.shape, stroke.name), setting.during(index)
+    marks = curve.marks("hodograph", "hodograph", setting.row(stroke.link))
+    sketch.add(stroke, Level.CONSTRUCTION, during, marks)
+    curve.block(sketch.obstacles, ROLES["hodograph"].width, (during, FOREVER))
+
+
 def add_curve(sketch: Sketch, index: int) -> None:
     """Add a curve: a bent link, an axis, an outline, or the path of a point."""
     setting = sketch.setting

@@ -23,6 +23,7 @@ from vad.plan.pictures.constructions import (
     line_of,
     name_construction,
 )
+from vad.plan.pictures.curves import add_path
 from vad.plan.pictures.inset import (
     SIZES,
     Inset,
@@ -38,7 +39,7 @@ from vad.plan.reach import corners
 from vad.plan.roles import DOT_RIM, ROLES
 from vad.plan.scale import Scale, bar_box, bar_marks, fill, polygon_scale, stated
 from vad.plan.sketch import Setting, Sketch
-from vad.strokes.sheet import Arc, Arrow, Dot, Line, Panel, PolarInset, Stroke, StrokePart
+from vad.strokes.sheet import Arc, Arrow, Dot, Ellipse, Line, Panel, PolarInset, Stroke, StrokePart
 
 CORIOLIS = "2ωv"
 DOT = 0.0068
@@ -82,6 +83,8 @@ class Polygon:
                 add_construction(sketch, index, line_of(sketch, index, placed))
             elif isinstance(stroke.shape, Arc):
                 add_compass_arc(sketch, index)
+            elif isinstance(stroke.shape, Ellipse):
+                add_path(sketch, index)
             elif isinstance(stroke.shape, Dot):
                 mark = dot(Anchor.of(stroke.name, "at"), SWELLING)
                 sketch.hang(index, Level.DOT, [mark], until="after")

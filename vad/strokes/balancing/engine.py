@@ -1,55 +1,50 @@
-"""An engine, and its polygons of primary and secondary forces, with those of couples below.
-
-In line, the vectors m·r·ω² stand as the cranks do, those of secondary forces at twice the angle;
-the force is the part of their sum along the line of stroke.  In V and radial engines half of each
-vector turns with the crank, and half of it the other way: direct and reverse cranks.
-"""
+"""An engine from the end of its shaft and from the side, and its polygons of inertia forces."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Mapping
 from typing import Any
 
-from vad.balancing.closing import NOTHING
 from vad.balancing.engine import Engine
-from vad.balancing.inertia import Cylinder
-from vad.balancing.phasors import Phasors
-from vad.kinematics.numbers import degrees_of, ray, times
+from vad.balancing.inertia import KINDS, Cylinder
+from vad.kinematics.numbers import degrees_of, ray
 from vad.strokes.arithmetic import Figure
+from vad.strokes.balancing.drawings import RESULTANT, Drawings
+from vad.strokes.balancing.inertia import (
+    LARGEST,
+    SYMBOLS,
+    UNITS,
+    InertiaPolygons,
+)
 from vad.strokes.balancing.scene import BalancingScene, Pen
 from vad.strokes.balancing.views import Arm, arm, end_view, side_view
-from vad.strokes.diagram import Drawing
+from vad.strokes.diagram import Drawing, Spot
 from vad.strokes.sentences import Unit
-from vad.strokes.sheet import Arrow, Block, Cell, Curve, Dot, Equation, Term
+from vad.strokes.sheet import Arc, Arrow, Block, Cell, Curve
 
-RESULTANT = "F"
-UNITS = {"force": "N", "couple": "N·m"}
-PRIME = "′"
 #: The lines of stroke end so far from the axis, in radii of the cranks.
 FAR = 1.35
+#: The radius of the arc of the angle of the shaft, in radii of the cranks.
+TURNED = 0.35
 
 
-class EngineDrawings:
-    """The drawings of an engine.
-
-    Attributes
-    ----------
-    rows
-        The title and the letters of each row of the results.
-    names
-        The names of its diagrams.
-    """
-
-    names: tuple[str, ...] = ("engine", "primary", "secondary")
+class EngineDrawings(Drawings):
+    """The drawings of an engine."""
 
     def __init__(self, scene: BalancingScene, engine: Engine) -> None:
-        self.scene, self.engine, self.inertia = scene, engine, engine.inertia
-        cylinders = {each.name: ("engine_cylinder", each.name) for each in self.inertia.cylinders}
-        masses = {each.name: ("mass", each.name) for each in self.inertia.rotating}
-        self.rows = {**cylinders, **masses, RESULTANT: ("largest", RESULTANT)}
-        self._crank = ray(scene.motion.inputs["angle"])
-        if self.inertia.ratio is None:
-            self.names = ("engine", "primary")
+        self.engine, self.inertia = engine, engine.inertia
+        driver = scene.driver.name
+        super().__init__(
+            scene,
+            {
+                driver: (driver, ""),
+                **{each.name: ("engine_cylinder", each.name) for each in self.inertia.cylinders},
+                **{each.name: ("mass", each.name) for each in self.inertia.rotating},
+                RESULTANT: ("resultant", ""),
+                LARGEST: ("largest", ""),
+            },
+        )
+        self._polygons = InertiaPolygons(scene, self.inertia)
 
     def unit(self, panel: str) -> str:
         """Return the unit of a diagram."""
@@ -59,29 +54,42 @@ class EngineDrawings:
         """Return a diagram."""
         if panel == "engine":
             return self._engine()
-        above = self._polygon(panel, "force")
-        if self.inertia.in_one_plane:
-            return above
-        below = self._polygon(panel, "couple")
-        return Drawing(above.strokes, equations=above.equations, unit=above.unit, below=below)
+        left, remark = self.engine.left_out if panel == "secondary" else None, ""
+        if left:
+            force, angle = Figure(left.force, "N"), Figure(left.angle, "°", given=True)
+            remark = self.scene.write("engine left out", value=force, unit=Unit("N"), angle=angle)
+        return self._polygons.drawing(panel, remark)
 
     def cells(self, panel: str, key: str) -> tuple[Cell, ...]:
         """Return what a diagram adds to a row."""
-        if panel == "engine":
-            found = [each for each in self.inertia.cylinders if each.name == key]
-            return tuple(Cell("φ", each.crank % 360.0, "°", True) for each in found)
-        whats = ("force",) if self.inertia.in_one_plane else ("force", "couple")
-        if key != RESULTANT:
-            return ()
-        return tuple(
-            Cell(
-                "F" if what == "force" else "M",
-                self.inertia.phasors(panel, what).largest,
-                UNITS[what],
-                below=what == "couple",
+        if panel != "engine":
+            return self._polygons.cells(panel, key)
+        if key == RESULTANT and self.scene.motion.many and self.inertia.ratio is not None:
+            return (self._exact(),)
+        found = [each for each in self.inertia.cylinders if each.name == key]
+        return tuple(Cell("φ", each.crank % 360.0, "°", True) for each in found)
+
+    def _exact(self) -> Cell:
+        """Return the exact force of all pistons, or their couple where the forces balance."""
+        *_, what = self._polygons.whats
+        if any(self.inertia.phasors(kind, "force").largest for kind in KINDS):
+            what = "force"
+        size = self._polygons.size(self.engine.exact(what))
+        return Cell(SYMBOLS[what], size, UNITS[what])
+
+    def tracks(self, panel: str) -> Mapping[Spot, Any]:
+        """Return where the points of a diagram are that move in a turn."""
+        if panel != "engine":
+            return self._polygons.tracks(panel)
+        radius = self.inertia.radius
+        first = self.inertia.cylinders[0]
+        pins = {
+            Spot(each.name, row=each.name, path="drawn" if each is first else "bare"): self.turned(
+                radius * ray(each.crank)
             )
-            for what in whats
-        )
+            for each in self.inertia.cylinders
+        }
+        return {Spot(self.scene.motion.mechanism.letters[0]): 0j, **pins}
 
     # --- the engine ---------------------------------------------------------------------------
 
@@ -90,6 +98,11 @@ class EngineDrawings:
         pistons = ratio is not None and not self.inertia.in_line
         far = (ratio or 0.0) + 1.3 if pistons else FAR
         end_view(pen, self.scene.motion.mechanism.letters[0], radius)
+        turned = float(self.scene.motion.inputs["angle"]) % 360.0
+        pen.draw(
+            "angle", "crank.angle", Arc(0j, TURNED * radius, 0.0, turned), "engine turned",
+            link=self.scene.driver.name, angle=Figure(turned, "°", given=True),
+        )  # fmt: skip
         lines = dict.fromkeys(each.line % 360.0 for each in self.inertia.cylinders)
         for line in lines:
             names = ", ".join(e.name for e in self.inertia.cylinders if e.line % 360.0 == line)
@@ -100,7 +113,7 @@ class EngineDrawings:
             )
         arms: list[Arm] = []
         for each in self.inertia.cylinders:
-            at = times(self._crank, radius * ray(each.crank))
+            at = self.turned(radius * ray(each.crank))
             arms.append(Arm(each.name, at, each.plane, False))
             angle = Figure(degrees_of(at), "°")
             arm(pen, arms[-1], "engine crank", angle=angle)
@@ -117,78 +130,3 @@ class EngineDrawings:
             "known", f"{name}.rod", rod, "engine rod", link=name, component="link", letter=name
         )
         pen.draw("known", f"{name}.piston", piston, "engine rod", link=name, letter=name)
-
-    # --- the polygons -------------------------------------------------------------------------
-
-    def _polygon(self, kind: str, what: str) -> Drawing:
-        pen, phasors, unit = Pen(self.scene), self.inertia.phasors(kind, what), UNITS[what]
-        pen.draw("pole", "pole", Dot(0j), f"engine {what}s")
-        tip = 0j
-        for name, row, phrase, vector in self._vectors(kind, what):
-            if abs(vector) <= NOTHING * phasors.scale:
-                continue
-            shape = Arrow(tip, tip + vector, "", "")
-            pen.draw(
-                "known", f"{name}.{what}", shape, phrase, link=row, label=name, component="force",
-                letter=row, **_figures(vector, unit),
-            )  # fmt: skip
-            tip += vector
-        total = abs(tip)
-        if total > NOTHING * phasors.scale:
-            self._resultant(pen, kind, what, tip)
-        terms = [Term(s.label, s.link, s.name) for s in pen.strokes if isinstance(s.shape, Arrow)]
-        last = terms[-1] if terms and terms[-1].link == RESULTANT else Term("0", None, None)
-        left = tuple(term for term in terms if term.link != RESULTANT)
-        equations = (Equation(left, (last,)),) if left else ()
-        if total <= NOTHING * phasors.scale:
-            phrase = "engine zero" if phasors.largest else "engine balanced"
-            largest = Figure(phasors.largest, unit)
-            pen.draw(
-                "intersection", "balanced", Dot(0j), phrase, reveals=(RESULTANT,), largest=largest,
-                unit=Unit(unit),
-            )  # fmt: skip
-        return Drawing(tuple(pen.strokes), equations=equations, unit=unit)
-
-    def _vectors(self, kind: str, what: str) -> Iterator[tuple[str, str, str, complex]]:
-        """Yield the vectors of a polygon in the pose: name, row, phrase and value."""
-        order = self.inertia.order(kind)
-        turned = times(self._crank, self._crank) if order == 2 else self._crank
-        pairs = [(e, self.inertia.pair(e, kind, what)) for e in self.inertia.cylinders]
-        if self.inertia.in_line:
-            for each, (direct, _) in pairs:
-                yield each.name, each.name, f"engine {kind}", 2.0 * times(direct, turned)
-            return
-        for each, (direct, _) in pairs:
-            yield each.name, each.name, "engine direct", times(direct, turned)
-        for each, (_, reverse) in pairs:
-            back = times(reverse, turned.conjugate())
-            yield each.name + PRIME, each.name, "engine reverse", back
-        if order == 1:
-            for mass in self.inertia.rotating:
-                vector = times(self.inertia.turning(mass, what), turned)
-                yield mass.name, mass.name, "engine turning", vector
-
-    def _resultant(self, pen: Pen, kind: str, what: str, tip: complex) -> None:
-        """Draw the sum, and where it is largest."""
-        phasors: Phasors = self.inertia.phasors(kind, what)
-        unit = UNITS[what]
-        parts = _figures(tip, unit) | {
-            "largest": Figure(phasors.largest, unit),
-            "least": Figure(phasors.least, unit),
-        }
-        phrase = "engine resultant in line" if self.inertia.in_line else "engine resultant"
-        label = "F" if what == "force" else "M"
-        pen.draw(
-            "result", f"F.{what}", Arrow(0j, tip, "", ""), phrase, link=RESULTANT, label=label,
-            component="force", reveals=(RESULTANT,), **parts,
-        )  # fmt: skip
-
-
-def _figures(vector: complex, unit: str) -> dict[str, Any]:
-    """Return the size and the direction of a vector for a sentence."""
-    angle = degrees_of(vector) if vector else 0.0
-    return {
-        "value": Figure(abs(vector), unit),
-        "unit": Unit(unit),
-        "angle": Figure(angle, "°"),
-    }

@@ -9,15 +9,17 @@ from typing import TYPE_CHECKING, Any
 
 from vad.balancing.balance import Balance
 from vad.balancing.engine import Engine
+from vad.balancing.inertia import rays
 from vad.kinematics.linkage import Scalar
+from vad.kinematics.numbers import ray
 from vad.strokes.arithmetic import Calculation
-from vad.strokes.diagram import Drawing, Order, Spot
+from vad.strokes.balancing.drawings import RESULTANT
+from vad.strokes.diagram import POSITION, Drawing, Order, Spot
 from vad.strokes.sentences import CaptionedMotion, SentencePart
 from vad.strokes.sheet import Cell, Component, Kind, Row, Shape, Stroke, StrokePart
 
 if TYPE_CHECKING:
-    from vad.strokes.balancing.engine import EngineDrawings
-    from vad.strokes.balancing.shaft import ShaftDrawings
+    from vad.strokes.balancing.drawings import Drawings
     from vad.strokes.diagram import Diagram
 
 
@@ -34,17 +36,28 @@ class BalancingScene(CaptionedMotion):
         return found
 
     @cached_property
-    def drawings(self) -> ShaftDrawings | EngineDrawings:
+    def crank(self) -> Any:
+        """The direction of the first line of the shaft, in the pose or in each of the poses."""
+        angle = self.motion.inputs["angle"]
+        return rays(angle) if self.motion.many else ray(angle)
+
+    @property
+    def place(self) -> Cell:
+        """The angle of the shaft."""
+        return Cell("θ", self.motion.inputs["angle"], "°", True)
+
+    @cached_property
+    def drawings(self) -> Drawings:
         """What draws it."""
         from vad.strokes.balancing.engine import EngineDrawings
+        from vad.strokes.balancing.locomotive import LocomotiveDrawings
         from vad.strokes.balancing.shaft import ShaftDrawings
 
         subject = self.subject
         if isinstance(subject, Balance):
             return ShaftDrawings(self, subject.found, subject.given)
         if subject.locomotive:
-            locomotive = subject.locomotive
-            return ShaftDrawings(self, locomotive.balance, locomotive.shaft)
+            return LocomotiveDrawings(self, subject.locomotive)
         return EngineDrawings(self, subject)
 
     @property
@@ -61,24 +74,27 @@ class BalancingScene(CaptionedMotion):
 
     @property
     def output(self) -> str:
-        """The last row of the results."""
-        return [*self.drawings.rows][-1]
+        """The row of the resultant."""
+        return RESULTANT
 
     def rows(self, diagrams: Sequence[Diagram]) -> list[Row]:
-        """Return the rows of the results."""
-        return [
-            Row(
-                key,
-                self.name(title),
-                letters,
-                {diagram.name: diagram.cells(self, key, False) for diagram in diagrams},
-            )
-            for key, (title, letters) in self.drawings.rows.items()
-        ]
+        """Return the rows of the results: those of which a diagram states anything.
+
+        The angle of the shaft stands with the first diagram.
+        """
+        driver, first = self.driver.name, diagrams[0].name
+        found = []
+        for key, (title, letters) in self.drawings.rows.items():
+            cells = {each.name: each.cells(self, key, False) for each in diagrams}
+            if key == driver:
+                cells[first] = (self.place,)
+            if any(cells.values()):
+                found.append(Row(key, self.name(title), letters, cells))
+        return found
 
     def cells(self, order: Order, key: str, slides: bool) -> tuple[Cell, ...]:
-        """Return nothing: its diagrams are of no order."""
-        return ()
+        """Return the angle of the shaft; its diagrams are of no order."""
+        return (self.place,) if order is POSITION and key == self.driver.name else ()
 
     def tracks(self, order: Order) -> Mapping[Spot, Any]:
         """Return nothing, likewise."""

@@ -6,16 +6,17 @@ line, two lines, two arcs of a compass, or a line and an arc.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from vad.balancing.closing import unit
 from vad.balancing.shaft import Balanced, Laid, Mass, Polygon
-from vad.kinematics.numbers import bearing, degrees_of, ray, times
+from vad.kinematics.numbers import bearing, degrees_of
 from vad.strokes.arithmetic import Calculation, Figure, product
+from vad.strokes.balancing.drawings import Drawings
 from vad.strokes.balancing.scene import BalancingScene, Pen
 from vad.strokes.balancing.views import Arm, arm, end_view, side_view
-from vad.strokes.diagram import Drawing
+from vad.strokes.diagram import Drawing, Spot
 from vad.strokes.sentences import SentencePart, Unit
 from vad.strokes.sheet import Arc, Arrow, Cell, Component, Dot, Equation, Line, Term
 
@@ -23,25 +24,15 @@ from vad.strokes.sheet import Arc, Arrow, Cell, Component, Dot, Equation, Line, 
 COMPASS = 12.0
 
 
-class ShaftDrawings:
-    """The drawings of a balanced shaft.
-
-    Attributes
-    ----------
-    rows
-        The title and the letters of each row of the results.
-    names
-        The names of its diagrams.
-    """
+class ShaftDrawings(Drawings):
+    """The drawings of a balanced shaft."""
 
     def __init__(self, scene: BalancingScene, found: Balanced, given: Sequence[Mass]) -> None:
-        self.scene, self.found = scene, found
+        super().__init__(scene, {each.name: ("mass", each.name) for each in found.masses})
+        self.found = found
         self.clockwise = bool(getattr(scene.subject, "clockwise", False))
         self.given = {each.name: each for each in given}
         self.masses = {each.name: each for each in found.masses}
-        self.rows = {name: ("mass", name) for name in self.masses}
-        self.names = ("shaft", "couple", "force") if found.couple else ("shaft", "force")
-        self._turn = ray(scene.motion.inputs["angle"])
         reference = self.masses.get(found.couple.reference) if found.couple else None
         self.level = (reference.plane or 0.0) if reference else 0.0
 
@@ -73,6 +64,16 @@ class ShaftDrawings:
             return (Cell("M", size * arm, self.unit(panel), whole and given.plane is not None),)
         return (Cell("mr", size, self.unit(panel), whole),)
 
+    def tracks(self, panel: str) -> Mapping[Spot, Any]:
+        """Return where the masses are over a turn."""
+        if panel != "shaft":
+            return {}
+        axis: dict[Spot, Any] = {Spot(self.scene.motion.mechanism.letters[0]): 0j}
+        return axis | {
+            Spot(name, row=name, path="bare" if number else "drawn"): self.turned(_place(mass))
+            for number, (name, mass) in enumerate(self.masses.items())
+        }
+
     # --- the shaft ----------------------------------------------------------------------------
 
     def _shaft(self) -> Drawing:
@@ -83,7 +84,7 @@ class ShaftDrawings:
         arms = []
         for name, mass in self.masses.items():
             loose = None in (self.given[name].mass, self.given[name].angle)
-            at = times(self._turn, (mass.radius or 0.0) * (mass.way or 1 + 0j))
+            at = self.turned(_place(mass))
             arms.append(Arm(name, at, mass.plane, loose))
             phrase = "balance open" if loose else "balance mass"
             arm(pen, arms[-1], phrase, **self._numbers(mass))
@@ -120,7 +121,7 @@ class ShaftDrawings:
 
     def _known(self, pen: Pen, each: Laid, tip: complex, what: Component) -> complex:
         """Lay a vector that is known at the tip, and return the new tip."""
-        vector: complex = times(self._turn, each.vector)
+        vector: complex = self.turned(each.vector)
         mass, given = self.masses[each.name], self.given[each.name]
         length, unit = self.scene.unit, self.unit(str(what))
         value = Figure(abs(each.vector), unit)
@@ -159,7 +160,7 @@ class ShaftDrawings:
     def _two(self, pen: Pen, found: Sequence[Laid], tip: complex, what: Component) -> None:
         """Close the polygon by two vectors, which meet."""
         one, other = found
-        meeting = tip + times(self._turn, one.vector)
+        meeting = tip + self.turned(one.vector)
         for each, start in ((one, tip), (other, 0j)):
             parts = self._parts(each, what)
             size, way = abs(meeting - start), unit(meeting - start) if meeting != start else 1 + 0j
@@ -180,7 +181,7 @@ class ShaftDrawings:
 
     def _parts(self, each: Laid, what: Component) -> dict[str, Any]:
         unit = self.unit(str(what))
-        turned = times(self._turn, each.vector)
+        turned = self.turned(each.vector)
         return {
             "letter": each.name,
             "value": Figure(abs(each.vector), unit),
@@ -194,3 +195,8 @@ class ShaftDrawings:
 
     def _reveals(self, name: str) -> tuple[str, ...]:
         return (name,)
+
+
+def _place(mass: Mass) -> complex:
+    """Return where a mass is in the end view, with the shaft at 0°."""
+    return (mass.radius or 0.0) * (mass.way or 1 + 0j)
