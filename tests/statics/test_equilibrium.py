@@ -17,8 +17,9 @@ from vad.kinematics.reach import closing_range
 pytestmark = pytest.mark.exhaustive
 
 NAMES = sorted(MACHINES)
-#: Random poses, lengths and loads of each mechanism: usually, and where all cases run, 5,000 in all.
-FEW, MANY = 10, 100
+#: Random poses with random lengths and loads, of each mechanism: usually, and in a run of all cases,
+#: which tries more than 5,000 of them.
+FEW, MANY = 10, 120
 
 
 def pose(machine, share, slow=1.0):
