@@ -32,8 +32,8 @@ _LATER = 2e-4
 class Turn(Displayed):
     """One turn as a film that begins again where it ends.
 
-    With a ``burden`` its sheets have forces, too, whose polygons keep their ``poles``; the arrows on
-    the driven body are measured by the ``largest`` force on it.  With centres they have the
+    With a ``burden`` its sheets have forces, too, whose polygons keep their ``poles``; the arrows
+    on the driven body are measured by the ``largest`` force on it.  With centres they have the
     centrodes of a body, which ``centrode`` names.
     """
 
