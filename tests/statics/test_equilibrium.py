@@ -17,7 +17,7 @@ from vad.kinematics.reach import closing_range
 pytestmark = pytest.mark.exhaustive
 
 NAMES = sorted(MACHINES)
-#: Random poses with random lengths and loads, of each mechanism: usually, and in a run of all cases,
+#: Random poses, lengths and loads of each mechanism: usually, and in a run of all cases,
 #: which tries more than 5,000 of them.
 FEW, MANY = 10, 120
 
