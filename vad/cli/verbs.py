@@ -19,6 +19,7 @@ from vad.cli.options import (
     NamedOption,
     burden_options,
     path,
+    pin_option,
     places,
     several,
     size,
@@ -153,7 +154,7 @@ def draw(
         raise UsageError("--turn and --at: choose one of them")
     if turn and "blank" in options:
         raise UsageError("--blank is for one pose, not for a turn")
-    _check_superposed(options, turn or at is not None)
+    _check_one_pose(options, turn or at is not None)
     if "centrode" in options and at is not None:
         raise UsageError("--centrode is for one pose or a turn", "leave out --at")
     burden = take_burden(mechanism, options)
@@ -180,8 +181,12 @@ def draw(
         note_change_points(mechanism)
 
 
-def _check_superposed(options: dict[str, Any], several: bool) -> None:
-    """Refuse superposition where several poses are drawn."""
+def _check_one_pose(options: dict[str, Any], several: bool) -> None:
+    """Refuse superposition and the rubbing of pins where several poses are drawn."""
+    if pins := options.pop("pin", None):
+        if several:
+            raise UsageError("--pin is for one pose", "leave out --turn and --at")
+        options["pins"] = pins
     if "superpose" in options and several:
         raise UsageError("--superpose is for one pose", "leave out --turn and --at")
 
@@ -214,7 +219,7 @@ def animate(
     **options: Any,
 ) -> None:
     """Write the film in which one pose is drawn stroke by stroke, one step of it, or a turn."""
-    _check_superposed(options, turn)
+    _check_one_pose(options, turn)
     burden = take_burden(mechanism, options)
     if turn:
         of_strokes = {"--still": still is not None, "--subtitles": subtitles}
@@ -341,6 +346,7 @@ VERBS: tuple[click.Command, ...] = (
             _SIZE,
             _PAPER,
             _BLANK,
+            pin_option(),
             _AT,
             _POSITIONS,
             *burden_options(),
@@ -351,7 +357,7 @@ VERBS: tuple[click.Command, ...] = (
         "animate",
         "Make a film that draws the polygons stroke by stroke.",
         animate,
-        [_output(FORMATS[Lesson]), *_SHEET, _CENTRODE, _SIZE, *_FILM, *_LOADS],
+        [_output(FORMATS[Lesson]), *_SHEET, _CENTRODE, _SIZE, pin_option(), *_FILM, *_LOADS],
         formats=FORMATS[Lesson] | FORMATS[Still],
     ),
     MechanismGroup(

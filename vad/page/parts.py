@@ -40,6 +40,7 @@ from vad.plan.page.table import table as laid_out
 from vad.plan.scale import bar
 from vad.strokes.description import parameters
 from vad.strokes.diagrams import DIAGRAMS
+from vad.strokes.draw import NO_PINS
 from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Cell, Panel, Row
 from vad.style import load_style
@@ -198,8 +199,8 @@ def turned_board(lesson: Lesson) -> HandBoard | None:
     if not all(DIAGRAMS[name].by_hand for name in names if name in DIAGRAMS):
         return None
     lines = caption_lines(sheet, form.width - 2 * MARGIN)
-    mechanism, _, burden = sheet.source
-    return hand_board(mechanism, names, sheet.language, form, lines, burden)
+    mechanism, _, burden, pins = sheet.source
+    return hand_board(mechanism, names, sheet.language, form, lines, burden, pins or NO_PINS)
 
 
 def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, str]:
@@ -280,7 +281,7 @@ def table(plan: Plan, key: float, inker: Inker, words: RunWriter) -> str:
     values = values_of(plan, key)
     heads = "".join(f'<th scope="col">{words.of(roman(p.title))}</th>' for p in sheet.panels)
     rows = "".join(
-        f'<tr role="row"><th scope="row" role="rowheader">{_key(number, key, inker)}'
+        f'<tr role="row"><th scope="row" role="rowheader">{_key(number, key, inker, row.inked)}'
         f"{words.of(roman(row.title + ' ') + symbols(row.letters))}</th>"
         + "".join(measured_cells(plan, panel, row, words, values) for panel in sheet.panels)
         + "</tr>"
@@ -298,11 +299,11 @@ def table(plan: Plan, key: float, inker: Inker, words: RunWriter) -> str:
     )
 
 
-def _key(number: int, key: float, inker: Inker) -> str:
-    """Return the line of a row in its ink, on a view of its own."""
+def _key(number: int, key: float, inker: Inker, inked: bool) -> str:
+    """Return the line of a row in its ink, on a view of its own; empty for a row without ink."""
     mark = line([complex(0.0, 0.5), complex(key, 0.5)], "key", number)
-    view = inker.view(Rect(0.0, 0.48, key, 0.52))
-    return f'<svg class="key" viewBox="{view}" aria-hidden="true">{inker.mark(mark)}</svg>'
+    view, drawn = inker.view(Rect(0.0, 0.48, key, 0.52)), inker.mark(mark) if inked else ""
+    return f'<svg class="key" viewBox="{view}" aria-hidden="true">{drawn}</svg>'
 
 
 def values_of(plan: Plan, key: float) -> float:

@@ -35,7 +35,7 @@ from vad.plan.pictures.vectors import ALONE, place_vectors
 from vad.plan.pictures.views import held_arc, tip_of
 from vad.plan.scale import Scale, calm_scale
 from vad.plan.sketch import Sketch
-from vad.strokes.draw import NO_POLES, parted, scene_of, sheet_of, with_forces
+from vad.strokes.draw import NO_PINS, NO_POLES, parted, scene_of, sheet_of, with_forces
 from vad.strokes.sheet import Arrow, Block, Panel, Sheet
 from vad.strokes.traced_sheet import TracedSheet, traced_sheet
 from vad.words import Language
@@ -284,6 +284,7 @@ def hand_board(
     form: Format,
     lines: int,
     burden: Burden | None = None,
+    pins: Mapping[str, Any] = NO_PINS,
 ) -> HandBoard:
     """Return the board of a mechanism for all its poses.
 
@@ -301,6 +302,8 @@ def hand_board(
         How many lines there are for a caption.
     burden
         What it bears beside its own, if there are forces.
+    pins
+        The diameters of pins by their points.
 
     Raises
     ------
@@ -309,7 +312,7 @@ def hand_board(
     """
     inputs = poses_over_reach(mechanism)
     poles = hand_poles(mechanism, burden) if "force" in panels else None
-    sheets = list(_drawn(mechanism, inputs, panels, language, burden, poles))
+    sheets = list(_drawn(mechanism, inputs, panels, language, burden, poles, pins))
     if not sheets:
         raise AssemblyError("with these lengths the links close nowhere")
     poses = [sheet.panels[0] for _, sheet in sheets]
@@ -317,7 +320,7 @@ def hand_board(
     general = min(sheets, key=lambda each: _specials(live, each[1]))[0]
     names = list(mechanism.dimensions())
     standing = poles.traced if poles else lambda _: NO_POLES
-    traced = traced_sheet(mechanism, general, panels, language, names, burden, standing)
+    traced = traced_sheet(mechanism, general, panels, language, names, burden, standing, pins)
     scales = {
         name: _as_input(traced, name, picture.scale)
         for name, picture in live.pictures.items()
@@ -372,13 +375,14 @@ def _drawn(
     language: str,
     burden: Burden | None,
     poles: HandPoles | None,
+    pins: Mapping[str, Any],
 ) -> Iterator[tuple[dict[str, float], Sheet]]:
     """Yield those of the poses that can be drawn, with their sheets."""
     for given in inputs:
         try:
             motion, forces = parted(with_forces(solve(mechanism, **given), burden))
             at = poles.traced(given) if poles else NO_POLES
-            scene = scene_of(motion, Language(language), forces, at)
+            scene = scene_of(motion, Language(language), forces, at, pins=pins)
             yield given, sheet_of(scene, panels)
         except VadError:
             continue

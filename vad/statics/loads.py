@@ -237,8 +237,7 @@ class Given:
     def _number(self, what: str, value: Any, quantity: str, least: float | None = None) -> Number:
         number = _read(what, value, quantity, self._unit)
         if least is not None and not traced([number]) and np.any(number < least):
-            hint = f"try {-value:g}" if isinstance(value, float | int) else None
-            raise InputError(f"{what}: must not be negative, got {quoted(value)}", hint)
+            raise InputError(f"{what}: must not be negative, got {quoted(value)}")
         return number
 
 

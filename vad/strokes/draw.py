@@ -19,6 +19,7 @@ from vad.strokes.diagram import ACCELERATION, VELOCITY, Drawing, Order
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.finishing import canonical, finished, without_noise
 from vad.strokes.notation import Notation, in_metres
+from vad.strokes.pin_rows import with_pins
 from vad.strokes.polygon import polygon
 from vad.strokes.scene import Scene
 from vad.strokes.sentences import named
@@ -52,6 +53,8 @@ _TWIST = "_twist"
 OF_FORCES = "position", "force", "drive"
 #: The poles of force polygons in one pose: each stands beside the last one.
 NO_POLES: Mapping[int, complex] = MappingProxyType({})
+#: What has no pins whose velocities of rubbing are asked for.
+NO_PINS: Mapping[str, Any] = MappingProxyType({})
 #: The largest number of parameters in a title.
 MOST = 8
 #: The most further points on links: with their number, the time to place their letters grows by its
@@ -65,6 +68,7 @@ def draw(
     language: str = "en",
     superpose: bool = False,
     centrode: str | None = None,
+    pins: Mapping[str, Any] | None = None,
 ) -> Sheet:
     """Draw one pose: the strokes of its panels in the order in which a teacher draws them.
 
@@ -84,6 +88,10 @@ def draw(
     centrode
         The body whose centrodes the panel "centres" shows: "coupler", or "rocker on crank" for the
         curves on which it rolls on another body than the frame.  None draws none.
+
+    pins
+        Diameters of pins by their points, as for `vad.merit`: how fast they rub stands in the
+        table, beside the velocities.
 
     Raises
     ------
@@ -106,11 +114,22 @@ def draw(
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
     if superpose and forces is None:
         raise InputError("superpose: there are no loads", "as in --load '80 N @ 150 at E'")
+    if pins:
+        _check_pins(motion, pins)
     names = chosen(panels, motion, forces)
     if centrode is not None:
         pair_of(motion, centrode, names)
-    more: dict[str, Any] = {"superpose": superpose, "centrode": centrode}
+    more: dict[str, Any] = {"superpose": superpose, "centrode": centrode, "pins": pins or {}}
     return sheet_of(scene_of(motion, Language(language), forces, **more), names)
+
+
+def _check_pins(motion: Motion[Any, Any, Any], pins: Mapping[str, Any]) -> None:
+    """Check that there are pins at these points, with positive diameters."""
+    from vad.merits.pins import rubbing  # most drawings have none
+
+    if motion.mechanism.is_rotor:
+        raise InputError("pins: a shaft or an engine has none", "leave them out")
+    rubbing(motion, pins)
 
 
 def parted(
@@ -163,6 +182,8 @@ def sheet_of(scene: AnyScene, panels: Sequence[str]) -> Sheet:
     motion, diagrams = scene.motion, [DIAGRAMS[name] for name in panels]
     language, forces = scene.language.code, scene.forces
     drawn = tuple(diagram.panel(scene) for diagram in diagrams)
+    if isinstance(scene, Scene) and scene.pins:
+        drawn = tuple(with_pins(panel, scene.rubs) for panel in drawn)
     rows = scene.rows(diagrams)
     largest = _largest(rows, drawn)
     for half in (half for panel in drawn for half in panel.halves):
@@ -182,7 +203,12 @@ def sheet_of(scene: AnyScene, panels: Sequence[str]) -> Sheet:
         driver=driver_of(scene.driver.name, scene.driver.kind == "angle", clean, drawn),
         source=None
         if mechanism.is_rotor
-        else Source(mechanism, dict(motion.inputs), forces.burden if forces else None),
+        else Source(
+            mechanism,
+            dict(motion.inputs),
+            forces.burden if forces else None,
+            dict(getattr(scene, "pins", ())) or None,
+        ),
     )
 
 
@@ -366,14 +392,14 @@ def scene_of(
     language: Language,
     forces: Forces[Any, Any, Any] | None = None,
     poles: Mapping[int, complex] = NO_POLES,
-    largest: float = 0.0,
     superpose: bool = False,
     centrode: str | None = None,
+    pins: Mapping[str, Any] = NO_PINS,
 ) -> AnyScene:
     """Return the scene of a motion, in the plane or in space, and of the forces in it.
 
-    The ``poles`` of the force polygons and the ``largest`` force on the driven body are those of a
-    whole turn.  The ``centrode`` is one that `pair_of` has read.
+    The ``poles`` of the force polygons are those of a whole turn.  The ``centrode`` is one that
+    `pair_of` has read.
 
     Raises
     ------
@@ -391,8 +417,8 @@ def scene_of(
                 f"points: a drawing has room for {MOST_POINTS} on links, got {count}",
                 hint="leave some out; vad solve and vad sweep take them all",
             )
-        more: dict[str, Any] = {"poles": poles, "largest": largest, "centrode": centrode}
-        return PlaneScene(motion, language, forces=forces, superpose=superpose, **more)
+        more: dict[str, Any] = {"superpose": superpose, "centrode": centrode, "pins": pins}
+        return PlaneScene(motion, language, forces=forces, poles=poles, **more)
     from vad.strokes.space.scene import SceneInSpace  # the plane does not need it
 
     in_space: Any = motion

@@ -76,11 +76,11 @@ def without_noise(rows: Sequence[Row], largest: Mapping[str, float]) -> tuple[Ro
         return replace(cell, value=0.0) if noise and not cell.given else canonical(cell)
 
     return tuple(
-        Row(
-            row.key,
-            row.title,
-            row.letters,
-            {name: tuple([cleaned(cell) for cell in cells]) for name, cells in row.cells.items()},
+        replace(
+            row,
+            cells={
+                name: tuple([cleaned(cell) for cell in cells]) for name, cells in row.cells.items()
+            },
         )
         for row in rows
     )

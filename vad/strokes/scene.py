@@ -27,6 +27,7 @@ from vad.kinematics.linkage import (
 from vad.kinematics.numbers import minimum
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import ORDERS, Spot
+from vad.strokes.pin_rows import pin_rows
 from vad.strokes.sentences import CaptionedMotion, Noun, Sentence
 from vad.strokes.sheet import LOADS, Cell, Row
 from vad.written import PRIME, numbered, per_second, subscript
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
     from vad.kinematics.state import Pose, Rates
     from vad.mechanisms.mechanism import Mechanism
+    from vad.merits.pins import Rubbing
     from vad.statics.forces import Forces
     from vad.strokes.diagram import Diagram, Drawing, Order
     from vad.strokes.force_names import ForceNames
@@ -223,22 +225,21 @@ class Scene(CaptionedMotion, ABC):
     poles
         The poles of the force polygons by the numbers of their dyads, where they are the same over
         a whole turn; empty where each polygon stands beside the last one.
-    largest
-        The largest force on the driven body over a whole turn, by which its arrows are measured; 0
-        where it is that of the pose.
     superpose
         Whether forces are drawn load by load, and then their sums.
     centrode
         The body whose centrodes are drawn, as `vad.strokes.centrodes.pair_of` reads it; None where
         none are.
+    pins
+        The diameters of pins by their points, whose velocities of rubbing stand in the table.
     """
 
     motion: Motion
     forces: Forces[Any, Any, Any] | None = field(default=None, kw_only=True)
     poles: Mapping[int, complex] = field(default_factory=dict, kw_only=True)
-    largest: float = field(default=0.0, kw_only=True)
     superpose: bool = field(default=False, kw_only=True)
     centrode: str | None = field(default=None, kw_only=True)
+    pins: Mapping[str, Any] = field(default_factory=dict, kw_only=True)
     # The places and images that were read before.
     _places: dict[str, complex] = field(default_factory=dict, init=False, compare=False)
     _images: dict[tuple[str, int], complex] = field(default_factory=dict, init=False, compare=False)
@@ -272,6 +273,13 @@ class Scene(CaptionedMotion, ABC):
         parts = enumerate(found.items(), start=1)
         named = [(name, ForceNames(self, part, number)) for number, (name, part) in parts]
         return named if len(named) > 1 else []
+
+    @cached_property
+    def rubs(self) -> list[Rubbing]:
+        """How fast the pins rub whose diameters are given."""
+        from vad.merits.pins import rubbing  # most drawings have none
+
+        return rubbing(self.motion, self.pins)
 
     @property
     def unit(self) -> str:
@@ -326,7 +334,7 @@ class Scene(CaptionedMotion, ABC):
                 if each.name == "force":
                     cells[each.name] = each.cells(self, LOADS, False)
             rows.append(Row(LOADS, say(LOADS), "", cells))
-        return rows
+        return rows + pin_rows(self, diagrams)
 
     @property
     def output(self) -> str:

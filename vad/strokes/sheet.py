@@ -290,12 +290,13 @@ class Coincidence:
 class Source(NamedTuple):
     """A mechanism, the motion of its driver in one pose, and what it bears beside its own.
 
-    There are forces only where there is a ``burden``.
+    There are forces only where there is a ``burden``; ``pins`` are diameters by points.
     """
 
     mechanism: Any
     inputs: Mapping[str, float]
     burden: Any = None
+    pins: Any = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -441,13 +442,14 @@ class Cell:
 class Row:
     """One link or slide of the results table; ``cells`` holds a panel's cells by its name.
 
-    ``title`` and ``letters`` make its heading: "crank" and "AB", "slider" and "C".
+    ``title`` and ``letters`` make its heading; not ``inked`` is one of which nothing is drawn.
     """
 
     key: str
     title: str
     letters: str
     cells: Mapping[str, tuple[Cell, ...]]
+    inked: bool = True
 
 
 @dataclass(frozen=True, slots=True, repr=False)

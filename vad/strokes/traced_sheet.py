@@ -17,7 +17,7 @@ from vad.kinematics.reach import travels
 from vad.kinematics.recording import Recorded
 from vad.kinematics.solver import Solver
 from vad.kinematics.traced import Guard, Traced, TracedTape, made_of
-from vad.strokes.draw import NO_POLES, chosen, parted, scene_of, sheet_of, with_forces
+from vad.strokes.draw import NO_PINS, NO_POLES, chosen, parted, scene_of, sheet_of, with_forces
 from vad.strokes.sheet import Sheet
 from vad.strokes.traced_dimensions import traced_dimensions, traced_motion
 from vad.words import Language
@@ -96,6 +96,7 @@ def traced_sheet(
     dimensions: Sequence[str] = (),
     burden: Burden | None = None,
     poles: Callable[[Mapping[str, Traced]], Mapping[int, complex]] = lambda _: NO_POLES,
+    pins: Mapping[str, Any] = NO_PINS,
 ) -> TracedSheet:
     """Return the sheet of a pose with numbers that follow from the driver and from dimensions.
 
@@ -117,6 +118,8 @@ def traced_sheet(
         What the mechanism bears beside its own, if there are forces.
     poles
         The function from the traced inputs to the poles of the force polygons.
+    pins
+        The diameters of pins by their points, which are the same for all dimensions.
 
     Raises
     ------
@@ -135,6 +138,6 @@ def traced_sheet(
         motion.travels = travels(mechanism)
     given = {**traced.inputs, **traced.sizes}
     _, forces = parted(with_forces(motion, burden))
-    scene = scene_of(motion, Language(language), forces, poles(traced.inputs))
+    scene = scene_of(motion, Language(language), forces, poles(traced.inputs), pins=pins)
     sheet = sheet_of(scene, chosen(panels, motion, forces))
     return TracedSheet(sheet, given, traced.tape, scene, traced.guards)

@@ -323,7 +323,14 @@ CELL = record(
     given=optional(FLAG, False),
     below=optional(FLAG, False),
 )
-ROW = record(Row, key=TEXT, title=words("title"), letters=TEXT, cells=by_name(many(CELL)))
+ROW = record(
+    Row,
+    key=TEXT,
+    title=words("title"),
+    letters=TEXT,
+    cells=by_name(many(CELL)),
+    inked=optional(FLAG, True),
+)
 NOTATION = record(
     Notation,
     point=one_of((".", ",")),

@@ -325,8 +325,9 @@ class Entries:
         number = next(i for i, other in enumerate(self.sheet.rows) if other.key == row.key)
         start = at + KEY_RISE * shrink * 1j
         name = self.heading(row) if words else symbols(row.letters)
+        ink = [line([start, start + key], "key", number)] if row.inked else []
         return [
-            line([start, start + key], "key", number),
+            *ink,
             Mark(Lettering(name, at + key + NAME_GAP * shrink, size), "words"),
         ]
 
