@@ -1,5 +1,5 @@
 """Builds the gallery: every mechanism in every style as a poster and a film, and a contact sheet;
-mechanisms from files in one style.
+mechanisms from files, and some with loads, in one style.
 
 ``python gallery/build.py`` writes them beside itself, with a page that shows them all;
 ``python gallery/build.py --check`` builds them elsewhere and names those that differ.
@@ -25,6 +25,7 @@ from vad.export.palette import Palette, fine
 from vad.files.examples import example_path
 from vad.lecture.lesson import Lesson
 from vad.painting.posed import picture
+from vad.statics.burden import burden_of
 from vad.strokes.sheet import Sheet
 from vad.style import style_names
 
@@ -54,6 +55,36 @@ SCENES: dict[str, tuple[dict[str, Any], dict[str, float]]] = {
 #: Mechanisms from files that ship with the program, shown in one style.
 EXAMPLES = ("toggle-press", "watt-1", "stephenson-3", "shaper", "landing-gear", "jansen-leg")
 
+#: Mechanisms with loads, by the names of their files: the mechanism or example, the numbers, and
+#: the words of the options that load it.
+LOADED: dict[str, tuple[str, dict[str, float], dict[str, tuple[str, ...]]]] = {
+    "loaded-four-bar": (
+        "four-bar",
+        {"ground": 500, "crank": 400, "coupler": 1000, "rocker": 750, "angle": 120},
+        {"point": ("E on rocker 350",), "load": ("P = 80 N @ 150 at E",)},
+    ),
+    "loaded-engine": (
+        "slider-crank",
+        {"rod": 220, "angle": 40, "omega": 150},
+        {
+            "point": ("G on rod 70",),
+            "load": ("P = 3 kN @ 180 at C",),
+            "mass": ("slider 1.2 kg", "rod 1.5 kg at G"),
+            "inertia": ("rod 0.01 kg m^2",),
+        },
+    ),
+    "loaded-shaper": ("shaper", {}, {"load": ("P = 2 kN @ 0 at E",)}),
+    "loaded-toggle-press": ("toggle-press", {"angle": 210}, {"load": ("P = 20 kN @ 180 at D",)}),
+    "loaded-excavator": ("excavator-bucket", {}, {"load": ("P = 12 kN @ 90 at T",)}),
+    "loaded-beam-engine": ("beam-engine", {}, {"load": ("P = 10 kN @ -90 at P on main_link",)}),
+    "loaded-watt-1": ("watt-1", {}, {"load": ("M = -20 N m on link",)}),
+    "loaded-gate": (
+        "gate-actuator",
+        {"position": 3.6},
+        {"load": ("W = 500 lbf @ -90 at B on arm",)},
+    ),
+}
+
 POSTER = 1280, 720
 FILM = 960, 540
 #: Share of a lecture's pauses: here one looks, and does not take notes.
@@ -68,18 +99,45 @@ SHEET_STYLE = "paper"
 
 
 def sheet(name: str) -> Sheet:
-    """Return the sheet of a mechanism's scene."""
+    """Return the sheet of a mechanism's scene, or of one with loads."""
+    if name in LOADED:
+        return _loaded(name)
     dimensions, inputs = SCENES.get(name, ({}, {}))
     return vad.draw(vad.solve(subject(name)(**dimensions), **inputs))
 
 
+def _loaded(name: str) -> Sheet:
+    """Return the sheet of a mechanism with loads."""
+    mechanism, numbers, words = LOADED[name]
+    kind = subject(mechanism)
+    inputs = {each: value for each, value in numbers.items() if each in kind.inputs}
+    dimensions = {each: value for each, value in numbers.items() if each not in kind.inputs}
+    points = {}
+    for text in words.get("point", ()):
+        point, _, link, distance = text.split()
+        points[point] = (link, float(distance))
+    motion = vad.solve(kind(**dimensions, points=points), **inputs)
+    options = {word: texts for word, texts in words.items() if word != "point"}
+    return vad.draw(vad.forces(motion, *burden_of(**options)))
+
+
 def subject(name: str) -> type[vad.Mechanism]:
     """Return a mechanism by its name, or by that of an example."""
-    return vad.load(example_path(name)) if name in EXAMPLES else vad.MECHANISMS[name]
+    if name in LOADED:
+        name = LOADED[name][0]
+    return vad.MECHANISMS.get(name) or vad.load(example_path(name))
 
 
 def command(name: str) -> str:
     """Return the words that make the film of a scene."""
+    if name in LOADED:
+        mechanism, numbers, words = LOADED[name]
+        given = [f"--{option} {value:g}" for option, value in numbers.items()]
+        given += [f'--{option} "{text}"' for option, texts in words.items() for text in texts]
+        end = " ".join([*given, f"-o {name}.mp4"])
+        if mechanism in vad.MECHANISMS:
+            return f"vad animate {mechanism} {end}"
+        return f"vad example {mechanism} > {mechanism}.toml && vad animate {mechanism}.toml {end}"
     if name in EXAMPLES:
         return f"vad example {name} > {name}.toml && vad animate {name}.toml -o {name}.mp4"
     return " ".join(["vad animate", name, *options(name), f"-o {name}.mp4"])
@@ -123,7 +181,7 @@ def film(name: str, style: str, path: Path) -> None:
 
 def most_bytes(name: str) -> int:
     """Return how large the film of a scene may be."""
-    return MOST_BYTES_OF_EXAMPLE if name in EXAMPLES else MOST_BYTES
+    return MOST_BYTES if name in vad.MECHANISMS else MOST_BYTES_OF_EXAMPLE
 
 
 def contact_sheet(path: Path) -> None:
@@ -156,6 +214,9 @@ def page(path: Path) -> None:
     lines += ["", "# From files", "", "Each of them is a short file that ships with the program."]
     for name in EXAMPLES:
         lines += _section(name, command(name))
+    lines += ["", "# With loads", "", "The force polygons of each dyad, and what drives."]
+    for name in LOADED:
+        lines += _section(name, command(name))
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
@@ -167,7 +228,7 @@ def _section(name: str, words: str) -> list[str]:
 def shown() -> Iterator[tuple[str, str]]:
     """Yield what is shown as poster and film: names with styles."""
     yield from ((name, style) for name in vad.MECHANISMS for style in style_names())
-    yield from ((name, SHEET_STYLE) for name in EXAMPLES)
+    yield from ((name, SHEET_STYLE) for name in (*EXAMPLES, *LOADED))
 
 
 def build(folder: Path) -> None:

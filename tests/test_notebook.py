@@ -215,3 +215,12 @@ def test_what_cannot_be_shown():
     with pytest.raises(UsageError, match="thing: cannot be shown, got ") as error:
         vad.show(vad.solve(vad.FourBar()))
     assert error.value.hint == "draw or animate it first"
+
+
+def test_an_error_is_one_line_and_a_hint(capsys):
+    shell = pytest.importorskip("IPython.core.interactiveshell").InteractiveShell.instance()
+    shell.run_cell("import vad; vad.solve(vad.FourBar(crank=130), angle=10).link('rocker').angle")
+    said = capsys.readouterr().out.strip().splitlines()
+    assert len(said) == 2
+    assert said[0].startswith("AssemblyError: angle 10°: the links miss by 4.014 mm")
+    assert said[1] == "hint: try angle 15.46"

@@ -43,6 +43,11 @@ class VadError(Exception):
         super().__init__(one_line(message))
         self.hint = None if hint is None else one_line(hint)
 
+    def _render_traceback_(self) -> list[str]:
+        """Return what IPython shows in place of frames: what is wrong, and what would work."""
+        said = [f"{type(self).__name__}: {self}"]
+        return [*said, f"hint: {self.hint}"] if self.hint else said
+
 
 class InputError(VadError):
     """A value that cannot be: zero, negative or infinite where that has no meaning."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import shlex
 from pathlib import Path
 
 import pytest
@@ -10,6 +12,8 @@ from PIL import Image
 import vad
 from gallery import build
 from vad.cli.run import run
+from vad.export.sheet_json import to_dict
+from vad.files.examples import example_path
 from vad.style import style_names
 
 FILMS = sorted(build.HERE.glob("films/*.gif"))
@@ -24,11 +28,26 @@ def test_every_scene_assembles(name: str):
     assert build.sheet(name).mechanism == name
 
 
+@pytest.mark.parametrize("name", build.LOADED)
+def test_every_load_is_borne(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """The sheet has its forces, and the command beside the film makes the same."""
+    monkeypatch.chdir(tmp_path)
+    found = build.sheet(name)
+    assert [panel.name for panel in found.panels][-2:] == ["force", "drive"]
+    mechanism = found.mechanism
+    if mechanism not in vad.MECHANISMS:
+        Path(f"{mechanism}.toml").write_bytes(example_path(mechanism).read_bytes())
+    words = shlex.split(build.command(name).rpartition("&& ")[2])
+    words[1:2], words[-1] = ["draw"], "sheet.json"
+    assert run(words[1:]) == 0
+    assert json.loads(Path("sheet.json").read_text("utf-8")) == to_dict(found)
+
+
 def test_what_is_shown_is_shown_in_every_style_as_picture_and_film():
     films = {path.stem for path in FILMS}
     assert films == {
         *(f"{name}-{style}" for name in vad.MECHANISMS for style in style_names()),
-        *(f"{name}-{build.SHEET_STYLE}" for name in build.EXAMPLES),
+        *(f"{name}-{build.SHEET_STYLE}" for name in (*build.EXAMPLES, *build.LOADED)),
     }
     assert films == {path.stem for path in build.HERE.glob("posters/*.png")}
 

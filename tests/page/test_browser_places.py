@@ -67,6 +67,55 @@ def test_on_a_phone_the_panel_in_hand_is_in_sight(lesson: Page) -> None:
     lesson.set_viewport_size({"width": 1280, "height": 720})
 
 
+def test_magnified_four_times_only_the_buttons_stay_in_the_window(
+    browser: Browser, tmp_path: Path
+) -> None:
+    """1280 by 720 pixels at 400 %: all else is in the page, which scrolls one way alone."""
+    with opened(browser, viewport={"width": 320, "height": 180}) as page:
+        show(page, tmp_path, page_of("crank-slotted-lever", "de"))
+        press(page, "End", "h")
+        assert page.evaluate("document.documentElement.scrollWidth") <= 320
+        staying = page.locator(".buttons").bounding_box()
+        assert staying["height"] < 0.3 * 180 and staying["y"] + staying["height"] <= 180.5
+        for what in ("[data-vad-grip]", ".turner", ".place input", ".results tbody tr >> nth=-1"):
+            page.locator(what).scroll_into_view_if_needed()
+            place = page.locator(what).bounding_box()
+            assert place["x"] >= 0 and place["x"] + place["width"] <= 320
+            assert 0 <= place["y"] < staying["y"], what
+
+
+def test_on_a_phone_fingers_have_room_and_the_line_of_the_hand_fits(
+    browser: Browser, tmp_path: Path
+) -> None:
+    edges = """() => [...document.querySelectorAll('.control > *, .said > *')]
+      .filter((each) => each.offsetParent && each.localName !== 'dialog')
+      .map((each) => each.getBoundingClientRect())
+      .map(({ left, right, top, height }) => [left, right, top, height])"""
+    with opened(browser, viewport={"width": 390, "height": 844}, has_touch=True) as page:
+        show(page, tmp_path, page_of("crank-slotted-lever", "de"))
+        for chapter in page.locator(".chapters button").all():
+            assert chapter.bounding_box()["height"] >= 44
+        dock = page.locator(".control").bounding_box()
+        press(page, "End", "Home", "ArrowRight", "h")
+        assert page.locator(".control").bounding_box() == dock
+        for left, right, top, _ in page.evaluate(edges):
+            assert left >= 0 and right <= 390 and top >= dock["y"]
+
+
+def test_a_chosen_chapter_is_the_current_one_and_its_panel_is_seen(lesson: Page) -> None:
+    lesson.set_viewport_size({"width": 390, "height": 844})
+    chapters = lesson.locator(".chapters button")
+    for number in (2, 1):
+        chapters.nth(number).click()
+        expect(chapters.nth(number)).to_have_attribute("aria-current", "true")
+        expect(lesson.locator(".chapters [aria-current=true]")).to_have_count(1)
+        expect(lesson.locator(".panel").nth(number)).to_be_visible()
+        assert lesson.locator(".count").text_content().startswith("0 / ")
+        press(lesson, "ArrowRight", "ArrowRight")
+        assert lesson.locator(".count").text_content().startswith("1 / ")
+    lesson.set_viewport_size({"width": 1280, "height": 720})
+
+
 def test_the_list_is_in_reach_on_a_full_screen(lesson: Page) -> None:
     press(lesson, "f")
     until(lesson, lambda: lesson.evaluate("() => !!document.fullscreenElement"))
@@ -113,10 +162,10 @@ def test_it_prints_as_a_handout(lesson: Page, tmp_path: Path) -> None:
     expect(lesson.locator(".vad")).to_have_css("background-color", "rgb(255, 255, 255)")
     lesson.emulate_media(media="null")
     press(lesson, "t")
-    first, *others = PdfReader(tmp_path / "a.pdf").pages
+    first, *_ = pages = PdfReader(tmp_path / "a.pdf").pages
     assert first.mediabox.width > first.mediabox.height
     assert re.search("639.5.*1918", first.extract_text())
-    text = " ".join(page.extract_text() for page in others)
+    text = " ".join(page.extract_text() for page in pages)
     assert all(f"{number}." in text for number in range(1, 10)) and "All strokes" in text
 
 

@@ -8,6 +8,7 @@ import vad
 from tests.statics.machines import MACHINES, burden
 from tests.statics.test_equilibrium import pose
 from vad.errors import InputError
+from vad.units import metres_of
 
 pytestmark = pytest.mark.exhaustive
 
@@ -38,6 +39,43 @@ def test_the_forces_on_a_dyad_close(name, friction):
             assert abs(half.known + half.unknown - half.outer.force) < 1e-13 * largest
             across = (half.direction.conjugate() * half.unknown).imag
             assert abs(across) < 1e-13 * largest
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_known_part_of_a_link_is_its_moment_about_the_inner_pin(name):
+    """It is square to the line of both pins, whatever other points and loads the link has."""
+    machine = MACHINES[name]()
+    motion = pose(machine, 0.37)
+    forces = vad.forces(motion, **burden(machine, 8))
+    metres = metres_of(machine.length_unit) or 1.0
+    pins = {
+        (frozenset((joint.one, joint.other)), joint.point)
+        for joint in forces.bodies.joints
+        if not joint.slide
+    }
+    slots = {joint.one for joint in forces.bodies.joints if joint.slide}  # take couples of blocks
+    for dyad in forces.dyads:
+        inner = dyad.inner
+        for half in (dyad.first, dyad.second):
+            outer = half.outer
+            joints = [(frozenset((each.one, each.other)), each.point) for each in (inner, outer)]
+            if len(half.bodies) > 1 or not pins.issuperset(joints) or slots & {*half.bodies}:
+                continue
+            centre, far = (place(forces, each.point) for each in (inner, outer))
+            arm = (far - centre) * metres
+            moments = [
+                ((place(forces, load.point) - centre).conjugate() * load.force).imag * metres
+                for load in half.loads
+            ]
+            wanted = -(sum(moments) + half.couples)
+            sizes = abs(half.couples) + sum(map(abs, moments)) + abs(arm * outer.force)
+            product = arm.conjugate() * half.known
+            assert abs(product.imag - wanted) < 1e-13 * sizes
+            assert abs(product.real) < 1e-13 * sizes
+
+
+def place(forces, point):
+    return complex(forces.read(("point", point, "position")))
 
 
 def test_the_known_part_is_found_by_moments():

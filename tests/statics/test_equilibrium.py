@@ -17,6 +17,9 @@ from vad.kinematics.reach import closing_range
 pytestmark = pytest.mark.exhaustive
 
 NAMES = sorted(MACHINES)
+#: Random poses, lengths and loads of each mechanism: usually, and in a run of all cases,
+#: which tries more than 5,000 of them.
+FEW, MANY = 10, 120
 
 
 def pose(machine, share, slow=1.0):
@@ -39,7 +42,7 @@ def varied(machine, seed):
 
 
 @pytest.mark.parametrize("name", NAMES)
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=FEW if settings.default.derandomize else MANY, deadline=None)
 @given(st.floats(0.0, 1.0), st.integers(0, 10**6))
 def test_equilibrium_and_power(name, share, seed):
     try:

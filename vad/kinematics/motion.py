@@ -19,7 +19,7 @@ from vad.kinematics.numbers import Number, Real, Truth, Vector
 from vad.kinematics.results import Joint, Link, Point, Slider, plain, table, units
 from vad.kinematics.solution import Solution
 from vad.kinematics.solver import Solver, solver_of
-from vad.units import number_of
+from vad.units import number_of, scene_unit
 from vad.written import DIGITS, MOST_DIGITS
 
 if TYPE_CHECKING:
@@ -138,7 +138,25 @@ class Motion(Solution[Truth], Generic[Real, Vector, Truth]):
 
     To type checkers, `Motion` alone is one pose, and its results are numbers; those of `Motions`,
     which is many poses, are arrays.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import vad
+    >>> vad.solve(vad.FourBar(), angle=40)
+    <Motion of four-bar: angle 40 deg, omega 10 rad/s, alpha 0 rad/s^2>
+    >>> vad.solve(vad.FourBar(), angle=np.linspace(0, 90, 7))
+    <Motion of four-bar: angle of 7 poses, omega 10 rad/s, alpha 0 rad/s^2>
     """
+
+    def __repr__(self) -> str:
+        """Return a line: the mechanism, and how it is driven."""
+        said = []
+        for name, value in self.inputs.items():
+            unit = scene_unit(name, self.mechanism.length_unit)
+            many = " x ".join(map(str, np.shape(value)))
+            said.append(f"{name} of {many} poses" if many else f"{name} {float(value):g} {unit}")
+        return f"<{type(self).__name__} of {self.mechanism.name}: {', '.join(said)}>"
 
     def link(self, name: str) -> Link[Real]:
         """Return the motion of a link.

@@ -66,6 +66,21 @@ def poles_of(found: Forces[Any, Any, Any]) -> dict[int, complex]:
     return dict.fromkeys(boxes, 0j) | dict(zip(acted, moved, strict=True))
 
 
+def largest_on_driver(found: Forces[Any, Any, Any]) -> float:
+    """Return the largest force on the driven body over a turn: its arrows are measured by it.
+
+    A few poses near a dead centre do not count.
+    """
+    driver = found.bodies.driver.name
+    forces = [each.force for each in found.joints if driver in (each.one, each.other)]
+    forces += [
+        found.acts(n) for n, each in enumerate(found.acting) if each.body == driver and each.point
+    ]
+    sizes = np.array([np.broadcast_to(np.abs(each), found.shape) for each in forces]).max(axis=0)
+    sizes = sizes[np.isfinite(sizes)]
+    return usual_limit(sizes) if sizes.size else 0.0
+
+
 @dataclass(frozen=True)
 class HandPoles:
     """The poles of a mechanism under a hand.

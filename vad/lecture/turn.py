@@ -32,8 +32,9 @@ _LATER = 2e-4
 class Turn(Displayed):
     """One turn as a film that begins again where it ends.
 
-    With a ``burden`` its sheets have forces, too, whose polygons keep their ``poles``.  With
-    centres they have the centrodes of a body, which ``centrode`` names.
+    With a ``burden`` its sheets have forces, too, whose polygons keep their ``poles``; the arrows
+    on the driven body are measured by the ``largest`` force on it.  With centres they have the
+    centrodes of a body, which ``centrode`` names.
     """
 
     mechanism: Mechanism
@@ -46,6 +47,7 @@ class Turn(Displayed):
     language: str
     burden: Burden | None = None
     poles: Mapping[int, complex] = field(default_factory=dict)
+    largest: float = 0.0
     centrode: str | None = None
 
     def __repr__(self) -> str:
@@ -111,7 +113,8 @@ class Turn(Displayed):
         from vad.words import Language
 
         motion, forces = parted(self._solved(inputs))
-        return scene_of(motion, Language(self.language), forces, self.poles, centrode=self.centrode)
+        at: dict[str, Any] = {"poles": self.poles, "largest": self.largest}
+        return scene_of(motion, Language(self.language), forces, **at, centrode=self.centrode)
 
     def _solved(self, inputs: Mapping[str, Any]) -> Any:
         """Return a motion, or the forces in it."""
@@ -194,7 +197,7 @@ def turn(
     (200, 8.0)
     """
     from vad.lecture.cycle import course, whole_turn
-    from vad.lecture.poles import poles_of
+    from vad.lecture.poles import largest_on_driver, poles_of
     from vad.strokes.centrodes import centrode_of
     from vad.strokes.draw import chosen, started, turning
     from vad.words import Language
@@ -218,5 +221,7 @@ def turn(
         forces.burden if forces else None,
         centrode=rolls,
     )
-    found = whole_turn(made).forces if "force" in names else None
-    return replace(made, poles=poles_of(found)) if found else made
+    found = whole_turn(made).forces if forces else None
+    if not found:
+        return made
+    return replace(made, poles=poles_of(found), largest=largest_on_driver(found))

@@ -155,7 +155,7 @@ export function mount(root, data, { address = true } = {}) {
     spoken = stroke;
     const panel = panelOf(stroke), words = lesson.spoken[stroke] ?? lesson.words.begin;
     lesson.panel = panel;
-    if (panel) near(panel);
+    near(Math.max(1, panel));
     if (stroke < 0) caption.textContent = words;
     else caption.innerHTML = lesson.links[stroke].innerHTML;
     const first = lesson.first[panel], whole = length(panel);
@@ -166,6 +166,16 @@ export function mount(root, data, { address = true } = {}) {
     lesson.chapters.forEach((each, i) => each.setAttribute("aria-current", i === panel));
     clearTimeout(timer);
     if (address) timer = setTimeout(write, 250);
+  }
+
+  // A chapter that was chosen is current before its first stroke, and its panel is seen.
+  function opened(at) {
+    const panel = lesson.panel = panelOf(at), chapter = lesson.chapters.findLast((each) => each.dataset.x <= at);
+    near(panel);
+    lesson.chapters.forEach((each) => each.setAttribute("aria-current", each === chapter));
+    caption.textContent = status.textContent = lesson.panels[panel][1];
+    count.textContent = `${at - lesson.first[panel]} / ${length(panel)}`;
+    spoken = null;
   }
 
   function link(heading, panel, title) {
@@ -248,7 +258,7 @@ export function mount(root, data, { address = true } = {}) {
     first: () => seek(0),
     last: () => seek(strokes()),
     back: () => seek(Math.ceil(x) - 1),
-    chapter: (to) => seek(to),
+    chapter: (to) => { seek(to); if (to && to < strokes()) opened(to); },
     onward: () => does.forward(false),
     forward: (atOnce) => atOnce || mode === "step" ? seek(next()) : run("step", next()),
     play: () => mode === "play" ? stop() : play(),

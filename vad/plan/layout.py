@@ -24,9 +24,9 @@ NARROWEST_COLUMN = 0.436  # three columns from W/H = 1.5 on
 NARROWEST_OF_FOUR = 0.37
 #: The panel that shows the driven body alone.
 ALONE = "drive"
-#: What the columns of four panels take of an equal share: the first one, below which the names of
-#: the rows stand, that of the driven body alone, and each other one.
-FIRST_SHARE, ALONE_SHARE, OTHER_SHARE = 1.15, 0.75, 1.05
+#: What two of four columns take of an equal share: the first one, below which the names of the rows
+#: stand, and that of the driven body alone.
+FIRST_SHARE, ALONE_SHARE = 1.1, 0.9
 SLENDER_COLUMN = 0.30  # of a tall picture, beside columns that are at least
 BESIDE_SLENDER = 0.40
 ROW_PITCH = 0.040
@@ -166,7 +166,7 @@ def _four_columns(form: Format, names: Sequence[str]) -> list[float]:
     room = (form.width - 2 * MARGIN - (len(names) - 1) * GUTTER) / len(names)
     if len(names) < 4 or room < NARROWEST_OF_FOUR * form.whole:
         return []
-    shares = [ALONE_SHARE if name == ALONE else OTHER_SHARE for name in names]
+    shares = [ALONE_SHARE if name == ALONE else 1.0 for name in names]
     shares[0] = FIRST_SHARE
     return [room * len(names) * share / sum(shares) for share in shares]
 
@@ -297,10 +297,8 @@ def lay_out_turn(form: Format, names: Sequence[str]) -> TurnPage:
     vad.errors.UsageError
         If the panels have no room.
     """
-    if form.width < form.height:
-        panels, charts = _rows_of_turn(form, names)
-    else:
-        panels, charts = _columns_of_turn(form, names, _four_columns(form, names))
+    build = _columns_of_turn if form.width >= form.height else _rows_of_turn
+    panels, charts = build(form, names)
     page = Page(
         form.width,
         form.height,
@@ -324,14 +322,14 @@ def lay_out_turn(form: Format, names: Sequence[str]) -> TurnPage:
 Places = tuple[dict[str, PanelPlace], dict[str, Rect]]
 
 
-def _columns_of_turn(form: Format, names: Sequence[str], widths: Sequence[float]) -> Places:
+def _columns_of_turn(form: Format, names: Sequence[str]) -> Places:
     room = (form.width - 2 * MARGIN - (len(names) - 1) * GUTTER) / len(names)
     rule, high = form.height - TOP_RULE, CURVE_SHARE * form.height + CURVE_WORDS
-    panels, charts, left = {}, {}, MARGIN
-    for name, wide in zip(names, widths or [room] * len(names), strict=True):
-        charts[name] = Rect(left, TURN_FLOOR, left + wide, TURN_FLOOR + high)
-        panels[name] = _place_of_turn(left, left + wide, rule, TURN_FLOOR + high)
-        left += wide + GUTTER
+    panels, charts = {}, {}
+    for index, name in enumerate(names):
+        left = MARGIN + index * (room + GUTTER)
+        charts[name] = Rect(left, TURN_FLOOR, left + room, TURN_FLOOR + high)
+        panels[name] = _place_of_turn(left, left + room, rule, TURN_FLOOR + high)
     return panels, charts
 
 

@@ -237,7 +237,8 @@ class Given:
     def _number(self, what: str, value: Any, quantity: str, least: float | None = None) -> Number:
         number = _read(what, value, quantity, self._unit)
         if least is not None and not traced([number]) and np.any(number < least):
-            raise InputError(f"{what}: must not be negative, got {quoted(value)}")
+            hint = f"try {-value:g}" if isinstance(value, float | int) else None
+            raise InputError(f"{what}: must not be negative, got {quoted(value)}", hint)
         return number
 
 

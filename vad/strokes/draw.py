@@ -392,14 +392,15 @@ def scene_of(
     language: Language,
     forces: Forces[Any, Any, Any] | None = None,
     poles: Mapping[int, complex] = NO_POLES,
+    largest: float = 0.0,
     superpose: bool = False,
     centrode: str | None = None,
     pins: Mapping[str, Any] = NO_PINS,
 ) -> AnyScene:
     """Return the scene of a motion, in the plane or in space, and of the forces in it.
 
-    The ``poles`` of the force polygons are those of a whole turn.  The ``centrode`` is one that
-    `pair_of` has read.
+    The ``poles`` of the force polygons and the ``largest`` force on the driven body are those of a
+    whole turn.  The ``centrode`` is one that `pair_of` has read.
 
     Raises
     ------
@@ -417,8 +418,13 @@ def scene_of(
                 f"points: a drawing has room for {MOST_POINTS} on links, got {count}",
                 hint="leave some out; vad solve and vad sweep take them all",
             )
+<<<<<<< b46727d
+        more: dict[str, Any] = {"poles": poles, "largest": largest, "centrode": centrode}
+        return PlaneScene(motion, language, forces=forces, superpose=superpose, **more)
+=======
         more: dict[str, Any] = {"superpose": superpose, "centrode": centrode, "pins": pins}
         return PlaneScene(motion, language, forces=forces, poles=poles, **more)
+>>>>>>> 5b59d02
     from vad.strokes.space.scene import SceneInSpace  # the plane does not need it
 
     in_space: Any = motion

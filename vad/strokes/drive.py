@@ -76,7 +76,7 @@ class _Drive:
         on = self.names.on_driver
         loads = self.names.loads_on_driver
         sizes = [*(abs(each.force) for each in on), *(abs(each.force) for each in loads)]
-        self.largest = max(sizes, default=0.0)
+        self.largest = self.scene.largest or max(sizes, default=0.0)
         seen = [each for each in on if self._shows(each.force)]
         couples = [each for each in self.names.couples if each.body == self.driver.name]
         simple = len(seen) == 2 and not any(each.value for each in couples)

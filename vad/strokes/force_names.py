@@ -6,7 +6,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vad.errors import InputError
-from vad.strokes.sentences import Noun, Sentence, Text
+from vad.strokes.body_names import BodyNames
+from vad.strokes.sentences import Sentence, Text
 from vad.strokes.sheet import LOADS, Cell
 from vad.strokes.three_forces import LETTERS, ThreeForces, directed, three_forces
 from vad.units import metres_of
@@ -84,8 +85,8 @@ def forces_of_scene(scene: Scene) -> Forces[Any, Any, Any]:
     return scene.forces
 
 
-class ForceNames:
-    """The names of the forces in a pose.
+class ForceNames(BodyNames):
+    """The names of the forces in a pose, and of the bodies on which they act.
 
     Parameters
     ----------
@@ -98,12 +99,9 @@ class ForceNames:
     def __init__(
         self, scene: Scene, part: Forces[Any, Any, Any] | None = None, number: int = 0
     ) -> None:
-        self.scene, self.members, self.voice = scene, scene.members, scene.voice
-        self.poles = scene.poles
         self.forces = part or forces_of_scene(scene)
-        self.number = number
-        self.bodies = self.forces.bodies.bodies
-        self._rows = {*self.members.links, *self.members.slides}
+        super().__init__(scene, self.forces.bodies.bodies)
+        self.scene, self.poles, self.number = scene, scene.poles, number
 
     @cached_property
     def found_dyads(self) -> tuple[DyadForces, ...]:
@@ -136,18 +134,6 @@ class ForceNames:
         letter = next((each for each in LETTERS if each not in self.members.points), LETTERS[0])
         others = self.meetings.keys() - {number}
         return letter + (subscript(number + 1) if others else "") + self.primes
-
-    @cached_property
-    def numbers(self) -> dict[str, int]:
-        """The number of each body: 1 is the frame, 2 the driver, as in the results."""
-        found = {name: self.members.number(name) for name in self.bodies}
-        known = {name: number for name, number in found.items() if number}
-        free = max(known.values(), default=1)
-        for name in self.bodies:
-            if name not in known:
-                free += 1
-                known[name] = free
-        return {"frame": 1, **known}
 
     def force(self, one: str, other: str) -> str:
         """Return the symbol of the force of one body on another: F₂₃."""
@@ -265,20 +251,6 @@ class ForceNames:
             return load.name
         letter = "I" if load.kind == "inertia" else SYMBOLS[load.kind]
         return f"{letter}{self.numbers[load.body]}{load.point}"
-
-    def row(self, body: str) -> str:
-        """Return the row of the results whose ink a body has."""
-        if body in self._rows:
-            return body
-        found = self.bodies[body]
-        names = (found.slide.name if found.slide else "", found.link or "")
-        return next((name for name in names if name in self._rows), self.members.driver.name)
-
-    def noun(self, body: str) -> Noun:
-        """Name a body in a sentence."""
-        if body in self.members.slides and body not in self.members.links:
-            return Noun(body.split("_", maxsplit=1)[0], generic="slider")
-        return Noun(body)
 
     def line(self, half: Half) -> str:
         """Return the label of the line of the unknown part of an outer force."""

@@ -10,8 +10,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from vad.strokes.diagram import Spot
 from vad.strokes.force_names import ForceNames
+from vad.strokes.vector_equations import NOTHING
 
 if TYPE_CHECKING:
     from vad.statics.forces import Forces
@@ -39,13 +42,23 @@ def ways_of(found: Forces[Any, Any, Any]) -> dict[int, dict[str, Any]]:
     return ways
 
 
+def _most(way: Any) -> float:
+    """Return the largest size of a force over a turn; 0 where it is nowhere a number."""
+    sizes = np.abs(np.atleast_1d(way))
+    return float(sizes[np.isfinite(sizes)].max(initial=0.0))
+
+
 def force_tracks(scene: Any) -> Mapping[Spot, Any]:
     """Return where the vertices of force polygons are; none has a letter."""
     names = ForceNames(scene)
     spots: dict[Spot, Any] = {}
     bodies = names.forces.bodies
     owners = {dyad.loop: bodies.bodies[dyad.first.bodies[0]].name for dyad in bodies.dyads}
-    for number, vertices in ways_of(names.forces).items():
+    ways = ways_of(names.forces)
+    sizes = {number: max(map(_most, vertices.values())) for number, vertices in ways.items()}
+    for number, vertices in ways.items():
+        if sizes[number] <= NOTHING * max(sizes.values()):
+            continue  # nothing acts on the dyad: it has no polygon
         for vertex, way in vertices.items():
             row = names.row(owners[number]) if vertex == "X" else None
             spot = Spot(f"{number}:{vertex}", lettered=False, row=row)

@@ -225,6 +225,9 @@ class Scene(CaptionedMotion, ABC):
     poles
         The poles of the force polygons by the numbers of their dyads, where they are the same over
         a whole turn; empty where each polygon stands beside the last one.
+    largest
+        The largest force on the driven body over a whole turn, by which its arrows are measured; 0
+        where it is that of the pose.
     superpose
         Whether forces are drawn load by load, and then their sums.
     centrode
@@ -237,6 +240,7 @@ class Scene(CaptionedMotion, ABC):
     motion: Motion
     forces: Forces[Any, Any, Any] | None = field(default=None, kw_only=True)
     poles: Mapping[int, complex] = field(default_factory=dict, kw_only=True)
+    largest: float = field(default=0.0, kw_only=True)
     superpose: bool = field(default=False, kw_only=True)
     centrode: str | None = field(default=None, kw_only=True)
     pins: Mapping[str, Any] = field(default_factory=dict, kw_only=True)

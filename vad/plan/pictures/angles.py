@@ -136,15 +136,15 @@ def free_place(
     return None
 
 
-def calm_place(poses: Iterable[tuple[complex, Obstacles]]) -> SensePlace:
-    """Return the place at which the arrow of ω meets strokes in the fewest poses."""
+def calm_place(poses: Iterable[tuple[complex, Obstacles]], name: str = "ω") -> SensePlace:
+    """Return the place at which the arrow of ω, or of another name, is free in the most poses."""
     places = [
         SensePlace(radius, span, float(middle))
         for (radius, span), middle in itertools.product(SENSE_SIZES[::2], range(0, 360, 30))
     ]
     points, ends = [], [0]
     for place in places:
-        points += [*place.line(0j), place.letter(0j).centre]
+        points += [*place.line(0j), place.letter(0j, name).centre]
         ends.append(len(points))
     met = np.zeros(len(places))
     for centre, obstacles in poses:

@@ -3,21 +3,27 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 from vad.plan.anchors import RIGHT, Anchor, Arch, Area, Hung
 from vad.plan.items import Level
+from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.vertices import text_beside
 from vad.plan.lettering.runs import symbols
 from vad.plan.marks import Trimming
 from vad.plan.pictures import angles
 from vad.plan.pictures.vectors import PlacedVector
+from vad.plan.reach import is_curved_arrow
+from vad.plan.scale import Scale
 from vad.plan.sketch import Sketch, Tag
-from vad.strokes.sheet import Arc, Arrow
+from vad.strokes.sheet import Arc, Arrow, Panel
 
 #: The largest radius of a couple.
 NEAR = 0.09
-#: The place of a couple while the mechanism turns.
+#: Half of the width of a curved arrow.
+LINE = 0.004
+#: The place of a couple about which nothing is known.
 CALM = angles.SensePlace(0.062, 78.0, 60.0)
 
 
@@ -46,6 +52,30 @@ def free_couple(sketch: Sketch, index: int) -> angles.SensePlace:
     return found or replace(CALM, middle=shape.start + 63.0 * sense)
 
 
+def calm_couples(
+    poses: Sequence[Panel], crowds: Sequence[Obstacles], scale: Scale
+) -> dict[str, angles.SensePlace]:
+    """Return a place for each curved arrow in all poses, by the names of their strokes.
+
+    There it meets strokes, and those before it, in the fewest poses.
+    """
+    found: dict[str, angles.SensePlace] = {}
+    taken = [Obstacles(each.edge, [*each.lines], [*each.boxes]) for each in crowds]
+    strokes = {s.name: s for pose in poses for s in pose.strokes if is_curved_arrow(s)}
+    for name, stroke in strokes.items():
+        seen = [
+            (scale(each.shape.centre), crowd)
+            for pose, crowd in zip(poses, taken, strict=True)
+            for each in pose.strokes
+            if each.name == name and isinstance(each.shape, Arc)
+        ]
+        place = found[name] = angles.calm_place(seen, stroke.label)
+        for centre, crowd in seen:
+            crowd.line(place.line(centre), LINE)
+            crowd.box(place.letter(centre, stroke.label).box)
+    return found
+
+
 def add_couple(sketch: Sketch, index: int, place: angles.SensePlace) -> None:
     """Add one couple as a curved arrow with its name, at a place about its centre."""
     setting, stroke = sketch.setting, sketch.setting.panel.strokes[index]
@@ -64,10 +94,8 @@ def add_couple(sketch: Sketch, index: int, place: angles.SensePlace) -> None:
     letter, runs = place.letter(at, stroke.label), symbols(stroke.label)
     marks = [Hung(Area(tuple(centre + RIGHT * corner for corner in head)), "head", row)]
     sketch.hang(index, Level.BLOCK, marks, since="after")
-    if sketch.finished:
-        return
     name = text_beside(centre, at, runs, letter.centre, angles.SIZE, "tag", row)
     sketch.add(stroke, Level.LABEL, setting.after(index), [name])
     sketch.tags.append(Tag(stroke.label, letter.box))
     sketch.obstacles.box(letter.box)
-    sketch.obstacles.line(place.line(at), 0.004)
+    sketch.obstacles.line(place.line(at), LINE)

@@ -274,8 +274,15 @@ def _nearest(panel: Panel, z: complex) -> PointName:
 
 
 def principal(panel: Panel) -> Panel:
-    """Return a polygon with whole vectors instead of their normal and tangential parts."""
-    wholes = [s for s in (*panel.strokes, *panel.zeros) if s.part.which == "whole"]
+    """Return a polygon with whole vectors instead of their normal and tangential parts.
+
+    Of vectors without a length only those whose ends have letters are there.
+    """
+    wholes = [
+        s
+        for s in (*panel.strokes, *panel.zeros)
+        if s.part.which == "whole" and (s in panel.strokes or _is_lettered(s))
+    ]
     steps = {stroke.part.of for stroke in wholes}
 
     def given_up(part: StrokePart) -> bool:
@@ -285,6 +292,11 @@ def principal(panel: Panel) -> Panel:
     # It stands alone, not beside its parts, and so it is drawn as any other vector.
     whole = [replace(stroke, component="absolute") for stroke in wholes]
     return replace(panel, strokes=(*whole, *kept), zeros=())
+
+
+def _is_lettered(stroke: Stroke) -> bool:
+    shape = stroke.shape
+    return not isinstance(shape, Arrow) or bool(shape.tail or shape.head)
 
 
 def dot(at: Anchor, growth: str | None = None) -> Hung:

@@ -28,7 +28,7 @@ from vad.plan.pictures.constructions import (
 )
 from vad.plan.pictures.figures import add_figures, letter_figures
 from vad.plan.pictures.links import Links
-from vad.plan.pictures.loads import CALM, add_couple, add_load, free_couple
+from vad.plan.pictures.loads import CALM, add_couple, add_load, calm_couples, free_couple
 from vad.plan.pictures.supports import Foot, PlacedRail, Rail
 from vad.plan.reach import is_curved_arrow, is_figure, is_load, is_yoke
 from vad.plan.scale import Scale
@@ -140,7 +140,7 @@ class Skeleton:
         if pivots.keys() - feet.keys() or not self._before:
             vertices = [find_vertices(pose, self.scale) for pose in self._poses]
             moved = zip(self._poses, vertices, strict=True)
-            crowds = [self._moving(pose, still, each).obstacles for pose, each in moved]
+            crowds = [self._moving(*each, still, couples=False).obstacles for each in moved]
         for name in pivots:
             if name not in feet:
                 at = self.scale(still.solved.point((name, "at")))
@@ -154,13 +154,15 @@ class Skeleton:
 
     def pose(self, panel: Panel) -> Sketch:
         """Return what moves, in one pose; its obstacles hold what stands still, too."""
-        return self._moving(panel, self.still, find_vertices(panel, self.scale))
+        return self._moving(panel, find_vertices(panel, self.scale), self.still)
 
-    def _moving(self, panel: Panel, still: Sketch, vertices: Sequence[Vertex]) -> Sketch:
+    def _moving(
+        self, panel: Panel, vertices: Sequence[Vertex], still: Sketch, couples: bool = True
+    ) -> Sketch:
         setting = replace(self._setting, panel=panel)
         obstacles = Obstacles(setting.room, list(still.obstacles.lines))
         sketch = Sketch(setting, self.scale, obstacles, finished=True)
-        self._add_strokes(sketch)
+        self._add_strokes(sketch, couples=couples)
         self._add_joints(sketch, vertices)
         return sketch
 
@@ -185,6 +187,13 @@ class Skeleton:
         crowds = self.crowds
         return angles.calm_place(zip(centres, crowds, strict=True)) if centres else None
 
+    @cached_property
+    def couples(self) -> dict[str, angles.SensePlace]:
+        """Where each curved arrow stands in all poses."""
+        if self._before:
+            return self._before.couples
+        return calm_couples(self._poses, self.crowds, self.scale)
+
     def under_hand(self, setting: Setting, labels: LabelChoice) -> Sketch:
         """Return what moves, in one pose that a hand has set, with all that is written about it.
 
@@ -206,10 +215,11 @@ class Skeleton:
         self._letter(sketch, vertices, labels, arcs)
         return sketch
 
-    def _add_strokes(self, sketch: Sketch, alone: bool = False) -> None:
+    def _add_strokes(self, sketch: Sketch, alone: bool = False, couples: bool = True) -> None:
         """Add all strokes; where some stand still, those that move.
 
-        ``alone`` draws each bar as if it lay on no other one in this pose.
+        ``alone`` draws each bar as if it lay on no other one in this pose; without ``couples``
+        curved arrows are left out.
         """
         panel = sketch.setting.panel
         order = painting_order(panel)
@@ -222,8 +232,8 @@ class Skeleton:
         for index, stroke in enumerate(panel.strokes):
             if is_load(stroke):
                 add_load(sketch, index)
-            elif is_curved_arrow(stroke) and sketch.finished:
-                add_couple(sketch, index, CALM)
+            elif is_curved_arrow(stroke) and sketch.finished and couples:
+                add_couple(sketch, index, self.couples.get(stroke.name, CALM))
         add_figures(sketch)
 
     def _add_other(self, sketch: Sketch, index: int) -> None:
