@@ -88,7 +88,6 @@ def draw(
     centrode
         The body whose centrodes the panel "centres" shows: "coupler", or "rocker on crank" for the
         curves on which it rolls on another body than the frame.  None draws none.
-
     pins
         Diameters of pins by their points, as for `vad.merit`: how fast they rub stands in the
         table, beside the velocities.
@@ -418,13 +417,9 @@ def scene_of(
                 f"points: a drawing has room for {MOST_POINTS} on links, got {count}",
                 hint="leave some out; vad solve and vad sweep take them all",
             )
-<<<<<<< b46727d
         more: dict[str, Any] = {"poles": poles, "largest": largest, "centrode": centrode}
-        return PlaneScene(motion, language, forces=forces, superpose=superpose, **more)
-=======
-        more: dict[str, Any] = {"superpose": superpose, "centrode": centrode, "pins": pins}
-        return PlaneScene(motion, language, forces=forces, poles=poles, **more)
->>>>>>> 5b59d02
+        more |= {"superpose": superpose, "pins": pins}
+        return PlaneScene(motion, language, forces=forces, **more)
     from vad.strokes.space.scene import SceneInSpace  # the plane does not need it
 
     in_space: Any = motion
