@@ -11,6 +11,9 @@ import pytest
 import vad
 from tests.strokes.calculations import Figure, chains
 from vad.files.examples import example_path, rotor_names
+from vad.plan.board import plan
+from vad.plan.format import screen
+from vad.plan.problem_sheet import blank_panels, problem
 from vad.strokes.sheet import Arrow
 
 every = pytest.mark.parametrize("name", rotor_names())
@@ -58,13 +61,52 @@ def test_lengths_are_the_products_of_the_book():
     for panel, arm in (("couple", lambda each: each["plane"] - 100), ("force", lambda each: 1)):
         for stroke in arrows(sheet.panel(panel)):
             each = found.masses[stroke.label]
-            size = each["mass"] * each["radius"] * arm(each)
+            metres = 1e-6 if panel == "couple" else 1e-3
+            size = each["mass"] * each["radius"] * arm(each) * metres
             vector = cmath.rect(size, math.radians(each["angle"]))
             got = stroke.shape.end - stroke.shape.start
             assert abs(got - vector) < 1e-12 * abs(vector), stroke.label
     order = [stroke.label for stroke in arrows(sheet.panel("force"))]
     assert order == ["A", "B", "C", "D", "Y", "X"]
     assert [s.kind for s in arrows(sheet.panel("couple"))] == ["known"] * 4 + ["result"]
+
+
+def test_products_have_a_unit_in_which_they_can_be_read():
+    sheet = sheet_of("shaft-two-planes")
+    assert [panel.unit for panel in sheet.panels] == ["", "kg·m²", "kg·m"]
+    (first, *_) = arrows(sheet.panel("couple"))
+    assert "200 × 0.08 × 0.1" in first.caption
+    light = {"A": {"mass": 0.01, "radius": 12, "angle": 0}, "X": {"radius": 10}}
+    assert vad.draw(vad.balance(light)).panel("force").unit == "kg·mm"
+    inches = {"A": {"mass": 500, "radius": 12, "angle": 0}, "X": {"radius": 10}}
+    assert vad.draw(vad.balance(inches, length_unit="in")).panel("force").unit == "kg·in"
+
+
+@every
+def test_what_a_polygon_finds_stands_in_the_shaft_from_then_on(name):
+    """A problem sheet and the beginning of a lecture do not give the found masses away."""
+    sheet = sheet_of(name)
+    key = plan(sheet, screen((1280, 720)), 0.03, lesson=True)
+    loose = [s.link for s in sheet.panels[0].strokes if s.kind == "result"]
+    left = problem(key, blank_panels(sheet, [p.name for p in sheet.panels[1:]]), 0.03)
+    for link in loose:
+        row = next(number for number, row in enumerate(sheet.rows) if row.key == link)
+        force = sheet.panel("force").number(f"{link}.force")
+        found = key.sketches["force"].setting.during(force)
+        drawn = [
+            item
+            for item in key.items
+            if item.region == "shaft" and item.stroke == f"force:{link}.force"
+        ]
+        assert drawn and all(item.since >= found for item in drawn)
+        bars = [
+            mark
+            for item in left.items
+            if item.region == "shaft"
+            for mark in item.marks
+            if mark.row == row and mark.role == "bar"
+        ]
+        assert not bars
 
 
 def test_two_angles_are_found_by_two_arcs():

@@ -17,6 +17,7 @@ from vad.discovery import names_in, one_of_all
 from vad.displayed import Displayed
 from vad.errors import InputError, UsageError, one_of, quoted
 from vad.lecture.moment import Moment, done, drawing
+from vad.strokes.reveals import revealed
 from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke, driver_of
 
 
@@ -318,11 +319,11 @@ def drawn_so_far(sheet: Sheet, strokes: Mapping[str, tuple[Stroke, ...]]) -> She
     """
     panels = tuple(filter(None, (_panel_so_far(panel, strokes) for panel in sheet.panels)))
     known = {
-        (half.name, key)
+        found
         for panel in panels
         for half in panel.halves
         for stroke in half.strokes
-        for key in stroke.reveals
+        for found in revealed(half, stroke)
     }
     rows = []
     for row in sheet.rows:

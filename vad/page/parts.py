@@ -330,7 +330,7 @@ def measured_cells(plan: Plan, panel: Panel, row: Row, words: RunWriter, values:
     written = map(_cell, cells, readings, repeat(words))
     halves = []
     for half, measured in panel.measures(row):
-        _, since = measuring(plan.sketches[half.name].setting, row, measured)
+        _, since = measuring(plan.sketches, half, row, measured)
         own = "".join(islice(written, len(measured)))
         halves.append(f"<div{when([(since, FOREVER)])}{small}>{own}</div>")
     whole = "".join(halves)

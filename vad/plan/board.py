@@ -44,6 +44,7 @@ from vad.plan.page.heads import Foot, compose, lines_of, title_marks
 from vad.plan.page.table import height_of_halves
 from vad.plan.pictures import sketched
 from vad.plan.pictures.figures import turned_polygons
+from vad.plan.pictures.found import found_later
 from vad.plan.pictures.views import folds
 from vad.plan.reach import corners
 from vad.plan.scale import Scale, is_tall
@@ -171,7 +172,8 @@ def plan(
             taken = sketches[half.name].obstacles
             first += len(half.strokes)
     regions = regions_of(page)
-    items = [item for sketch in sketches.values() for item in sketch.items]
+    drawn = (item for sketch in sketches.values() for item in sketch.items)
+    items = list(found_later(drawn, sketches))
     items += lights(sketches)
     items += folds(sketches)
     items += turned_polygons(sketches)

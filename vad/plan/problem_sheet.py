@@ -15,6 +15,7 @@ from vad.errors import one_of
 from vad.plan.board import Plan
 from vad.plan.items import FOREVER, RESULTS, Item, Level, foot_of, head_of
 from vad.plan.page.table import table
+from vad.strokes.reveals import measurer
 from vad.strokes.sheet import POLE, Sheet, Stroke, StrokePart
 
 #: The circle of bodies, on which a student draws what is known and what is found.
@@ -61,8 +62,11 @@ def problem(key: Plan, blank: Blank, line: float) -> Plan:
     answers = {panel.full(stroke.name) for panel in panels for stroke in panel.strokes}
     items = [shown for each in key.items if (shown := _without_answer(each, key, blank, answers))]
     cells = table(key.sheet, key.page, line).cells
-    for name in (name for name in blank if name in key.page.panels):
+    for name in key.page.panels:
         for index, row in enumerate(key.sheet.rows):
+            by = measurer(key.sheet, key.sheet.panel(name), row)
+            if name not in blank and (by is None or by[0].full(by[1].name) not in answers):
+                continue
             both = zip(row.cells.get(name, ()), cells(index, row, name, False), strict=True)
             marks = [entry.marks if cell.given else entry.blank for cell, entry in both]
             if not all(cell.given for cell in row.cells.get(name, ())):  # those stand there

@@ -18,7 +18,8 @@ from vad.plan.marks import Lettering, Mark
 from vad.plan.page.heads import REMARK_SIZE, Foot, head, lines_of, measured, pale, placed
 from vad.plan.page.quarter import Entry
 from vad.plan.page.table import table
-from vad.plan.sketch import Setting, Sketch
+from vad.plan.sketch import Sketch
+from vad.strokes.reveals import measurer
 from vad.strokes.sentences import Sentence, pieces_of
 from vad.strokes.sheet import Cell, Panel, Row, Sheet
 
@@ -89,7 +90,7 @@ def results(
                 count = len(cells)
                 marks, new = _marks(plain[:count]), _marks(bold[:count])
                 plain, bold = plain[count:], bold[count:]
-                name, since = measuring(sketches[half.name].setting, row, cells)
+                name, since = measuring(sketches, half, row, cells)
                 if lesson and name:
                     yield Item(name, RESULTS, Level.LABEL, new, since, since + 1)
                     since += 1
@@ -100,18 +101,21 @@ def _marks(entries: Iterable[Entry]) -> tuple[Mark, ...]:
     return tuple(mark for entry in entries for mark in entry.marks)
 
 
-def measuring(setting: Setting, row: Row, cells: Sequence[Cell]) -> tuple[str, int]:
+def measuring(
+    sketches: Mapping[str, Sketch], half: Panel, row: Row, cells: Sequence[Cell]
+) -> tuple[str, int]:
     """Return the stroke that measures cells of a row, and the beat from which they show.
 
     Given values are visible at once; values that nothing measures never are.
     """
-    panel = setting.panel
     if all(cell.given for cell in cells):
         return "", 0
-    for number, stroke in enumerate(panel.strokes):
-        if row.key in stroke.reveals:
-            return panel.full(stroke.name), setting.after(number)
-    return "", FOREVER
+    found = measurer(sketches[half.name].setting.sheet, half, row)
+    if found is None:
+        return "", FOREVER
+    panel, stroke = found
+    since = sketches[panel.name].setting.after(panel.number(stroke.name))
+    return panel.full(stroke.name), since
 
 
 def captions(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[Item]:

@@ -24,6 +24,8 @@ from vad.strokes.sheet import Arc, Arrow, Block, Cell, Curve
 
 #: The lines of stroke end so far from the axis, in radii of the cranks.
 FAR = 1.35
+#: What both terms leave out is not said below this share of all primary forces.
+LEAST = 1e-6
 #: The radius of the arc of the angle of the shaft, in radii of the cranks.
 TURNED = 0.35
 
@@ -55,7 +57,7 @@ class EngineDrawings(Drawings):
         if panel == "engine":
             return self._engine()
         left, remark = self.engine.left_out if panel == "secondary" else None, ""
-        if left:
+        if left and left.force > LEAST * self.inertia.phasors("primary", "force").scale:
             force, angle = Figure(left.force, "N"), Figure(left.angle, "°", given=True)
             remark = self.scene.write("engine left out", value=force, unit=Unit("N"), angle=angle)
         return self._polygons.drawing(panel, remark)
@@ -99,10 +101,11 @@ class EngineDrawings(Drawings):
         far = (ratio or 0.0) + 1.3 if pistons else FAR
         end_view(pen, self.scene.motion.mechanism.letters[0], radius)
         turned = float(self.scene.motion.inputs["angle"]) % 360.0
-        pen.draw(
-            "angle", "crank.angle", Arc(0j, TURNED * radius, 0.0, turned), "engine turned",
-            link=self.scene.driver.name, angle=Figure(turned, "°", given=True),
-        )  # fmt: skip
+        if turned:
+            pen.draw(
+                "angle", "crank.angle", Arc(0j, TURNED * radius, 0.0, turned), "engine turned",
+                link=self.scene.driver.name, label="θ", angle=Figure(turned, "°", given=True),
+            )  # fmt: skip
         lines = dict.fromkeys(each.line % 360.0 for each in self.inertia.cylinders)
         for line in lines:
             names = ", ".join(e.name for e in self.inertia.cylinders if e.line % 360.0 == line)

@@ -17,11 +17,15 @@ from vad.strokes.balancing.drawings import Drawings
 from vad.strokes.balancing.scene import BalancingScene, Pen
 from vad.strokes.balancing.views import Arm, arm, end_view, side_view
 from vad.strokes.diagram import Drawing, Spot
+from vad.strokes.reveals import elsewhere
 from vad.strokes.sentences import SentencePart, Unit
 from vad.strokes.sheet import Arc, Arrow, Cell, Component, Dot, Equation, Line, Term
+from vad.units import metres_of
 
 #: Half of an arc of the compass, in degrees.
 COMPASS = 12.0
+#: The largest product of a diagram in metres is no less than this.
+LEAST = 0.1
 
 
 class ShaftDrawings(Drawings):
@@ -38,8 +42,27 @@ class ShaftDrawings(Drawings):
 
     def unit(self, panel: str) -> str:
         """Return the unit of a diagram."""
-        length = self.scene.unit
+        length = self._length(panel)[0]
         return {"shaft": "", "couple": f"kg·{length}²", "force": f"kg·{length}"}[panel]
+
+    def _length(self, panel: str) -> tuple[str, float]:
+        """Return the unit of lengths in a diagram, and how many of the shaft's own it has.
+
+        Products are in metres, as books have them, where they are not very small then.
+        """
+        own, metres = self.scene.unit, metres_of(self.scene.unit)
+        many = 1.0 / metres if metres else 1.0
+        polygon = self.found.couple if panel == "couple" else self.found.force
+        if panel == "shaft" or polygon is None or many <= 1.0 or many != round(many):
+            return own, 1.0
+        largest = max((abs(each.vector) for each in polygon.vectors), default=0.0)
+        power = 2 if panel == "couple" else 1
+        return ("m", many) if largest >= LEAST * many**power else (own, 1.0)
+
+    def _measured(self, size: float, panel: str) -> float:
+        """Return a product m·r or m·r·l in the unit of its diagram."""
+        many = self._length(panel)[1]
+        return size / many**2 if panel == "couple" else size / many
 
     def drawing(self, panel: str) -> Drawing:
         """Return a diagram."""
@@ -47,7 +70,12 @@ class ShaftDrawings(Drawings):
             return self._shaft()
         polygon = self.found.couple if panel == "couple" else self.found.force
         assert polygon is not None
-        return self._polygon(polygon, "couple" if panel == "couple" else "force")
+        what: Component = "couple" if panel == "couple" else "force"
+        laid = (
+            each._replace(vector=each.vector * self._measured(1.0, panel))
+            for each in polygon.vectors
+        )
+        return self._polygon(polygon._replace(vectors=tuple(laid)), what)
 
     def cells(self, panel: str, key: str) -> tuple[Cell, ...]:
         """Return what a diagram adds to the row of a mass."""
@@ -61,8 +89,9 @@ class ShaftDrawings(Drawings):
             )
         whole = given.size is not None
         if panel == "couple":
-            return (Cell("M", size * arm, self.unit(panel), whole and given.plane is not None),)
-        return (Cell("mr", size, self.unit(panel), whole),)
+            couple = self._measured(size * arm, panel)
+            return (Cell("M", couple, self.unit(panel), whole and given.plane is not None),)
+        return (Cell("mr", self._measured(size, panel), self.unit(panel), whole),)
 
     def tracks(self, panel: str) -> Mapping[Spot, Any]:
         """Return where the masses are over a turn."""
@@ -83,9 +112,10 @@ class ShaftDrawings(Drawings):
         end_view(pen, axis, radius)
         arms = []
         for name, mass in self.masses.items():
-            loose = None in (self.given[name].mass, self.given[name].angle)
+            given = self.given[name]
+            loose, moved = _is_loose(given), given.plane is None and mass.plane is not None
             at = self.turned(_place(mass))
-            arms.append(Arm(name, at, mass.plane, loose))
+            arms.append(Arm(name, at, mass.plane, loose, moved))
             phrase = "balance open" if loose else "balance mass"
             arm(pen, arms[-1], phrase, **self._numbers(mass))
         notes = side_view(pen, arms, radius, self.scene.unit)
@@ -123,18 +153,22 @@ class ShaftDrawings(Drawings):
         """Lay a vector that is known at the tip, and return the new tip."""
         vector: complex = self.turned(each.vector)
         mass, given = self.masses[each.name], self.given[each.name]
-        length, unit = self.scene.unit, self.unit(str(what))
+        unit, (length, many) = self.unit(str(what)), self._length(str(what))
         value = Figure(abs(each.vector), unit)
         parts: dict[str, Any] = {"letter": each.name, "value": value, "unit": Unit(unit)}
         if abs(each.vector) == 0.0:
             return tip
         calculations: list[Calculation] = []
-        if None in (given.mass, given.radius, given.angle):
+        if _is_loose(given):
             phrase = f"balance from couples {what}"
         else:
             names = ("mass", "radius") if what == "force" else ("mass", "radius", "arm")
             arm = mass.arm(self.level) or 0.0
-            numbers = {"mass": mass.mass, "radius": mass.radius, "arm": abs(arm)}
+            numbers = {
+                "mass": mass.mass,
+                "radius": (mass.radius or 0.0) / many,
+                "arm": abs(arm) / many,
+            }
             units = {"mass": "kg", "radius": length, "arm": length}
             parts |= {name: Figure(numbers[name] or 0.0, units[name], given=True) for name in names}
             calculations.append(product("value", *names))
@@ -143,7 +177,7 @@ class ShaftDrawings(Drawings):
         shape = Arrow(tip, tip + vector, "", "")
         pen.draw(
             "known", f"{each.name}.{what}", shape, phrase, *calculations, link=each.name,
-            label=each.name, component=what, reveals=self._reveals(each.name), **parts,
+            label=each.name, component=what, reveals=self._reveals(each.name, what), **parts,
         )  # fmt: skip
         return tip + vector
 
@@ -154,7 +188,8 @@ class ShaftDrawings(Drawings):
         parts = self._parts(each, what)
         pen.draw(
             "result", f"{each.name}.{what}", Arrow(tip, 0j, "", ""), "balance closes",
-            link=each.name, label=each.name, component=what, reveals=(each.name,), **parts,
+            link=each.name, label=each.name, component=what,
+            reveals=self._reveals(each.name, what), **parts,
         )  # fmt: skip
 
     def _two(self, pen: Pen, found: Sequence[Laid], tip: complex, what: Component) -> None:
@@ -175,7 +210,8 @@ class ShaftDrawings(Drawings):
         for each, start, end in ((one, tip, meeting), (other, meeting, 0j)):
             pen.draw(
                 "result", f"{each.name}.{what}", Arrow(start, end, "", ""), "balance found",
-                link=each.name, label=each.name, component=what, reveals=(each.name,),
+                link=each.name, label=each.name, component=what,
+                reveals=self._reveals(each.name, what),
                 **self._parts(each, what),
             )  # fmt: skip
 
@@ -193,8 +229,17 @@ class ShaftDrawings(Drawings):
         """Return an angle as its user counts it: clockwise books count the other way."""
         return (-angle if self.clockwise else angle) % 360.0
 
-    def _reveals(self, name: str) -> tuple[str, ...]:
+    def _reveals(self, name: str, what: Component) -> tuple[str, ...]:
+        """Return what a vector measures: its row, and the mass that it finds in the views."""
+        given = self.given[name]
+        if what == "force" and (_is_loose(given) or given.plane is None):
+            return (name, elsewhere("shaft", name))
         return (name,)
+
+
+def _is_loose(mass: Mass) -> bool:
+    """Tell whether anything of a mass is to be found."""
+    return None in (mass.mass, mass.radius, mass.angle)
 
 
 def _place(mass: Mass) -> complex:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vad.strokes.balancing.scene import Pen
-from vad.strokes.sheet import Arrow, Curve, Dot, Note
+from vad.strokes.sheet import Arrow, Curve, Dot, Kind, Note
 
 #: Of the end view's radius: the length of the side view, its depth below, half the height of a
 #: plane, and the line of reference.
@@ -14,12 +14,16 @@ LENGTH, BELOW, HALF, REFERENCE = 2.3, 1.75, 0.17, 1.15
 
 
 class Arm(NamedTuple):
-    """What turns with a shaft: a name, its place in the end view, its plane, if it was found."""
+    """What turns with a shaft: a name, its place in the end view, its plane.
+
+    ``found`` tells whether it was found, ``moved`` whether its plane was.
+    """
 
     name: str
     at: complex
     plane: float | None
     found: bool
+    moved: bool = False
 
 
 def end_view(pen: Pen, axis: str, radius: float) -> None:
@@ -38,7 +42,6 @@ def arm(pen: Pen, each: Arm, phrase: str, **parts: object) -> None:
         phrase,
         link=each.name,
         component="link",
-        reveals=(each.name,) if each.found else (),
         letter=each.name,
         **parts,  # type: ignore[arg-type]
     )
@@ -63,8 +66,9 @@ def side_view(pen: Pen, arms: Sequence[Arm], radius: float, unit: str) -> tuple[
         half = 1j * HALF * radius
         tick = Curve((at(plane) - half, at(plane) + half), far=all(each.found for each in own))
         name, link = f"{own[0].name}.plane", own[0].name
+        kind: Kind = "result" if own[0].moved else "known"
         pen.draw(
-            "known", name, tick, "balance plane", link=link, label=names, component="link",
+            kind, name, tick, "balance plane", link=link, label=names, component="link",
             letter=names,
         )  # fmt: skip
     return (Note(at(0.5 * (low + high)) - 0.4j * radius, _written(planes, unit)),)
