@@ -139,6 +139,31 @@ def test_what_is_wrong_is_said(vad, tmp_path, verb, words, message, hint):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.parametrize(
+    ("verb", "name"),
+    [
+        ("draw", "press.png"),
+        ("draw", "press.json"),
+        ("animate", "press.gif"),
+        ("animate", "press.html"),
+        ("sweep", "press.csv"),
+        ("batch", "folder"),
+    ],
+)
+def test_of_a_file_that_is_wrong_nothing_is_written(vad, tmp_path, monkeypatch, verb, name):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "press.toml").write_text(PRESS.replace('at = "D", force', 'at = "X", force'))
+    (tmp_path / "card.csv").write_text(CARD)
+    (tmp_path / "sheets.toml").write_text('[sheet]\nmechanism = "press.toml"\n')
+    source = "sheets.toml" if verb == "batch" else "press.toml"
+    result = vad(verb, source, "-o", name)
+    error, hint = result.err.strip().split("\n")
+    assert (result.code, result.out) == (1, "")
+    assert "press.toml, line 21: P: unknown point 'X'" in error
+    assert hint.startswith("hint: known: ")
+    assert not (tmp_path / name).exists()
+
+
 def test_in_space(vad):
     result = vad("solve", "hooke-joint", "--load", "3 N at P")
     assert result.err.startswith("error: forces: hooke-joint moves in space")

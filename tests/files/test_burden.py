@@ -10,6 +10,8 @@ import pytest
 
 import vad
 from vad.errors import InputError
+from vad.files.loading import class_of
+from vad.files.tables import read_text
 
 PRESS = """\
 title = "Toggle press"
@@ -177,6 +179,12 @@ WRONG = [
     ("ram = 25", "rim = 25", 26, "unknown body 'rim'", "ram"),
     ("ram = 0.1", "rod = 0.1", 28, "unknown slide 'rod'", "ram"),
     ("ram = 0.1", 'ram = "0.1 mm"', 28, "ram_friction: 'mm' is not a unit of friction", "0.1"),
+    ("inertia = 0.01", "inertia = -0.01", 25, "rocker_inertia: must not be negative", "try 0.01"),
+    ("ram = 25", "ram = { mass = 25, inertia = 1 }", 26, "ram does not turn", None),
+    ("ram = 0.1", "ram = -0.1", 28, "ram_friction: must not be negative, got -0.1", "try 0.1"),
+    ('force = "1 kN"', "force = -inf", 21, "P: must be a finite number", None),
+    ('force = "1 kN"', "force = 1e100", 21, "force: must be within", None),
+    ('force = "1 kN"', "force = [1, 2]", 21, "P: must be", None),
     ("gravity = 9.81", 'gravity = "down"', 2, "gravity: 'down' is not a number", "write"),
     ("gravity = 9.81", "gravity = [1, 2, 3]", 2, "gravity: must be one number or two", "as in"),
     ("[loads]", "P = 3\n[loads]", 20, "P", None),
@@ -208,6 +216,35 @@ def test_what_is_wrong_in_a_table(tmp_path, card, message):
     with pytest.raises(InputError) as caught:
         press(tmp_path, card=card)
     assert str(caught.value) == f"press.toml, line 23: {message}"
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (None, "other.csv': Is a directory"),
+        (b"0,1\n" * 300_000, "other.csv: is longer than 1000000 bytes"),
+        (b"".join(b"%d,1\n" % place for place in range(20_001)), "has more than 20000 rows"),
+        (bytes(range(256)), "other.csv: is no text in UTF-8"),
+        (b"0,1\n0\x00,2\n", "other.csv, line 2: '0?,2' is no pair of numbers"),
+    ],
+    ids=["a folder", "huge", "many rows", "no text", "a zero"],
+)
+def test_what_is_no_table(tmp_path, content, message):
+    path = tmp_path / "other.csv"
+    if content is None:
+        path.mkdir()
+    else:
+        path.write_bytes(content)
+    with pytest.raises(InputError) as caught:
+        press(tmp_path, PRESS.replace("card.csv", "other.csv"))
+    assert str(caught.value).startswith("press.toml, line 23: ")
+    assert message in str(caught.value)
+
+
+def test_a_text_from_elsewhere_names_no_file(tmp_path):
+    """A window and a batch on another machine get the text alone, and read no file for it."""
+    with pytest.raises(InputError, match="line 23: Q: table: must be places and loads"):
+        class_of(read_text(PRESS.replace("card.csv", "/etc/passwd"), "press.toml"))
 
 
 def test_a_link_may_be_called_frame_where_nothing_loads_it(tmp_path):
