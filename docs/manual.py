@@ -14,6 +14,7 @@ import click
 
 from vad import __version__
 from vad.cli.app import CARD, app
+from vad.cli.design import DesignGroup
 from vad.cli.groups import MechanismGroup
 
 PAGE = Path(__file__).parents[1] / "packaging" / "vad.1"
@@ -50,7 +51,8 @@ def _first(command: click.Command) -> str:
 
 def _options(command: click.Command) -> Iterator[str]:
     """Yield the lines of a command's options."""
-    own = command.options if isinstance(command, MechanismGroup) else command.params
+    has_names = isinstance(command, MechanismGroup | DesignGroup)
+    own = command.options if has_names else command.params
     context = click.Context(command)
     for option in own:
         record = option.get_help_record(context)

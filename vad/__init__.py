@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from vad.batches.batch import batch
     from vad.batches.quiz import quiz
     from vad.batches.sweep import sweep
+    from vad.designs.design import Design, Solution, design
     from vad.errors import (
         AssemblyError,
         DeadCentreError,
@@ -68,6 +69,7 @@ __all__ = [
     "Centres",
     "CrankSlottedLever",
     "DeadCentreError",
+    "Design",
     "DoubleSlider",
     "EllipticalTrammel",
     "Engine",
@@ -86,6 +88,7 @@ __all__ = [
     "ScotchYoke",
     "Sheet",
     "SliderCrank",
+    "Solution",
     "SpatialFourBar",
     "SphericalFourBar",
     "Still",
@@ -97,6 +100,7 @@ __all__ = [
     "balance",
     "batch",
     "centres",
+    "design",
     "draw",
     "engine",
     "forces",
@@ -132,6 +136,9 @@ _HOMES = {
     "Engine": "vad.balancing.engine",
     "merit": "vad.merits.merit",
     "Merit": "vad.merits.merit",
+    "design": "vad.designs.design",
+    "Design": "vad.designs.design",
+    "Solution": "vad.designs.design",
     "draw": "vad.strokes.draw",
     "Sheet": "vad.strokes.sheet",
     "multiples": "vad.strokes.multiples",

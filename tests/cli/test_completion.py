@@ -39,7 +39,18 @@ def plain(*words: str) -> list[str]:
 
 def test_the_verbs(offered):
     assert offered("vad ") == plain(
-        *("animate", "batch", "check", "compare", "draw", "example", "exercise", "gui", "help"),
+        *(
+            "animate",
+            "batch",
+            "check",
+            "compare",
+            "design",
+            "draw",
+            "example",
+            "exercise",
+            "gui",
+            "help",
+        ),
         *("list", "quiz", "solve", "sweep"),
     )
 

@@ -14,7 +14,7 @@ import click
 
 import vad
 from vad import __version__
-from vad.cli import check, compare, completion, exercise
+from vad.cli import check, compare, completion, design, exercise
 from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import (
     burden_options,
@@ -306,4 +306,5 @@ app.add_command(
 )
 app.add_command(compare.command)
 app.add_command(check.command)
+app.add_command(design.command)
 app.add_command(exercise.command)

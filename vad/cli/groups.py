@@ -100,7 +100,7 @@ class MechanismGroup(click.Group):
         """Bring NAME to the front, wherever it stands among the options."""
         own = [] if ctx.resilient_parsing else self._own_options(_output(args))
         ctx.meta[_OWN_OPTIONS] = own
-        place = _first_word(args, [*self.options, *own])
+        place = first_word(args, [*self.options, *own])
         helped = ctx.resilient_parsing or {"-h", "--help"}.intersection(args)
         if place is None and self.usual and not helped:
             args = [self.usual, *args]
@@ -196,7 +196,7 @@ def _output(args: Sequence[str]) -> str | None:
     return None
 
 
-def _first_word(args: Sequence[str], options: Iterable[click.Option]) -> int | None:
+def first_word(args: Sequence[str], options: Iterable[click.Option]) -> int | None:
     """Return the place of the first word that is neither an option nor an option's value."""
     alone = {name for option in options if option.is_flag for name in option.opts}
     alone |= {"-h", "--help"}

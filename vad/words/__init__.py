@@ -156,7 +156,7 @@ class Language:
         return self._tables.noun(name, article, generic)
 
     def page(self, table: str) -> Mapping[str, str]:
-        """Return what pages say: the table ``PLAYER``, ``HAND``, ``SPOKEN`` or ``WINDOW``."""
+        """Return a table: ``PLAYER``, ``HAND``, ``SPOKEN``, ``WINDOW`` or ``DESIGN``."""
         return self._tables.page(table)
 
 
