@@ -14,7 +14,7 @@ import click
 
 import vad
 from vad import __version__
-from vad.cli import check, compare, completion, design, exercise
+from vad.cli import check, compare, completion, exercise
 from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import (
     burden_options,
@@ -120,6 +120,8 @@ def _what(kind: type[Mechanism]) -> str:
 
 #: The verbs that draw, which `vad.cli.verbs` has.
 _DRAWING = ("draw", "animate", "sweep", "gui", "batch", "quiz")
+#: The verb that designs, which `vad.cli.design` has.
+_DESIGN = "design"
 
 
 class App(click.Group):
@@ -127,18 +129,23 @@ class App(click.Group):
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Return the names of all commands."""
-        return sorted({*self.commands, *_DRAWING})
+        return sorted({*self.commands, *_DRAWING, _DESIGN})
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """Return a command; the verbs that draw are imported when one of them is asked for."""
-        if cmd_name in _DRAWING and cmd_name not in self.commands:
-            self._import_drawing()
+        """Return a command; some are imported when they are asked for."""
+        if cmd_name not in self.commands:
+            if cmd_name in _DRAWING:
+                self._import_drawing()
+            elif cmd_name == _DESIGN:
+                self._import_design()
         return super().get_command(ctx, cmd_name)
 
     def all_commands(self) -> dict[str, click.Command]:
         """Return every command by its name, in the order of the documentation."""
         self._import_drawing()
-        order = ("list", "example", "solve", "draw", "animate", "sweep", "gui", "compare", "batch")
+        self._import_design()
+        first = ("list", "example", "solve", "draw", "animate", "sweep", "gui", "compare")
+        order = (*first, _DESIGN, "batch")
         return {name: self.commands[name] for name in dict.fromkeys((*order, *self.commands))}
 
     def _import_drawing(self) -> None:
@@ -146,6 +153,11 @@ class App(click.Group):
 
         for verb in (*verbs.VERBS, *classes.VERBS):
             self.add_command(verb)
+
+    def _import_design(self) -> None:
+        from vad.cli import design
+
+        self.add_command(design.command)
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -306,5 +318,4 @@ app.add_command(
 )
 app.add_command(compare.command)
 app.add_command(check.command)
-app.add_command(design.command)
 app.add_command(exercise.command)
