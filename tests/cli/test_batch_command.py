@@ -58,3 +58,9 @@ def test_one_sheet_alone(vad, written, tmp_path):
     result = vad("batch", str(written(CLASS)), "-o", str(tmp_path / "out"), "--only", "3")
     assert (result.code, result.err) == (0, "")
     assert (tmp_path / "out" / "003-key.json").exists()
+
+
+def test_the_command_lists_the_roster(vad, tmp_path):
+    (tmp_path / "a.csv").write_text("mechanism,name,files\nfour-bar,Ada,key.json\n", "utf-8")
+    result = vad("batch", str(tmp_path / "a.csv"), "-o", str(tmp_path / "out"))
+    assert (result.code, result.err) == (0, "note: carried into names, titles and answers: name\n")

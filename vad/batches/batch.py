@@ -18,13 +18,17 @@ from typing import Any
 
 from vad import gate
 from vad.batches.job import Done, Job, Product
+from vad.batches.merging import check_merged, merged
 from vad.batches.sheets import read_sheets
 from vad.batches.workers import products
+from vad.discovery import from_extra
 from vad.errors import ExportError, UsageError, quoted
 from vad.export.files import new_file
+from vad.export.workbook import workbook
 from vad.statics.forces import given_burden
 
 _ANSWERS, _TABLE, _JOURNAL = "answers.json", "answers.csv", "answers.part.jsonl"
+_BOOK = "answers.xlsx"
 JournalNote = Mapping[str, Any]
 _AXES = "xyz"
 
@@ -36,6 +40,8 @@ def batch(
     *,
     cluster: str | None = None,
     only: int | None = None,
+    merge: str | os.PathLike[str] | None = None,
+    excel: bool = False,
     loads: Iterable[Any] = (),
     masses: Mapping[str, Any] | None = None,
     gravity: Any = None,
@@ -62,6 +68,12 @@ def batch(
         ``cluster``.
     only
         The number of one sheet, which is made again.
+    merge
+        A PDF that gets the pages of all files of that kind, with bookmarks: first those of one
+        name, such as the problems, then those of the next one.  It needs the extra ``merge``.
+    excel
+        Whether the answers are a sheet of Excel, too, ``answers.xlsx``; it needs the extra
+        ``excel``.
     loads, masses, gravity, friction
         As for `forces`: what every mechanism bears beside all that the file says.
     progress
@@ -83,6 +95,10 @@ def batch(
     if (gate.index(jobs) or 0) < 1:
         raise UsageError(f"jobs: must be a whole number from 1 on, got {quoted(jobs)}")
     gate.function("progress", progress)
+    if gate.flag("excel", excel):
+        from_extra("xlsxwriter", "excel")  # before anything is made
+    if merge is not None:
+        check_merged(merge)
     if cluster is not None and jobs != 1:
         raise UsageError("jobs: a cluster has its own workers", "leave out one of them")
     sheets = read_sheets(path, given_burden(loads, masses, gravity, friction))
@@ -103,7 +119,9 @@ def batch(
         if progress is not None:
             progress(count, len(wanted))
     ordered = [done[number] for number in sorted(done)]
-    target.finish(ordered)
+    target.finish(ordered, excel)
+    if merge is not None:
+        merged(ordered, merge)
     return [each for each in ordered if only in (None, each.number)]
 
 
@@ -171,9 +189,13 @@ class Folder:
             raise _cannot(self.path / _JOURNAL, error) from None
         return self._done(note, new=True)
 
-    def finish(self, sheets: Iterable[Done]) -> None:
-        """Write the answers of these sheets."""
+    def finish(self, sheets: Iterable[Done], excel: bool = False) -> None:
+        """Write the answers of these sheets, as a sheet of Excel, too, where that is wanted."""
         notes = [self._notes[done.number] for done in sheets if done.error is None]
+        if excel:
+            columns, rows = _rows(notes)
+            with new_file(self.path / _BOOK) as stream, workbook(stream, "answers") as book:
+                book.sheet("answers", columns, ([row.get(c) for c in columns] for row in rows))
         with new_file(self.path / _TABLE) as stream:
             stream.write(_table(notes).encode())
         with new_file(self.path / _ANSWERS) as stream:
@@ -216,13 +238,18 @@ def _line(note: JournalNote) -> str:
 
 def _table(notes: list[JournalNote]) -> str:
     """Return the answers as a table with every digit, empty where a mechanism has no such thing."""
-    rows = [{"number": note["number"], **cells(note)} for note in notes]
-    columns = dict.fromkeys(name for row in rows for name in row)
+    columns, rows = _rows(notes)
     text = io.StringIO()
-    table = csv.DictWriter(text, columns or ["number"], lineterminator="\n")
+    table = csv.DictWriter(text, columns, lineterminator="\n")
     table.writeheader()
     table.writerows(rows)
     return text.getvalue()
+
+
+def _rows(notes: list[JournalNote]) -> tuple[list[str], list[dict[str, Any]]]:
+    """Return the columns of a table of answers, and its rows."""
+    rows = [{"number": note["number"], **cells(note)} for note in notes]
+    return list(dict.fromkeys(name for row in rows for name in row)) or ["number"], rows
 
 
 def _digest(content: bytes) -> str:
@@ -265,7 +292,8 @@ def cells(answers: Mapping[str, Any]) -> dict[str, Any]:
         kin = {"position": "length", "coriolis": "acceleration"}
         return f"{name} [{units[kin.get(quantity, quantity)]}]"
 
-    row: dict[str, Any] = {"mechanism": answers["mechanism"], **answers["parameters"]}
+    row: dict[str, Any] = {**answers.get("roster", {}), "mechanism": answers["mechanism"]}
+    row |= answers["parameters"]
     row |= {"assembly": _assembly(answers["assembly"]), "length_unit": units["length"]}
     row |= answers["input"]
     joints = {f"joint {letter}": each for letter, each in answers.get("joints", {}).items()}

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from vad import __version__
+from vad.batches.roster import in_file_name
 from vad.errors import VadError
 from vad.statics.burden import NOTHING, Burden
 
@@ -73,17 +74,22 @@ class Job:
         The number as it stands in front of the names of its files: "017".
     place
         Where it is written: "sheets.csv, line 18".
+    roster
+        Whose sheet it is: the columns of a table that are no options, by name.
     """
 
     recipe: Recipe
     number: int
     label: str
     place: str = field(repr=False)
+    roster: tuple[tuple[str, str], ...] = ()
 
     @property
     def names(self) -> tuple[str, ...]:
         """The names of its files."""
-        return tuple(f"{self.label}-{name}" for name in self.recipe.files)
+        whose = in_file_name(dict(self.roster))
+        parts = [self.label, *([whose] if whose else [])]
+        return tuple("-".join([*parts, name]) for name in self.recipe.files)
 
     @property
     def fingerprint(self) -> str:
@@ -124,7 +130,7 @@ class Done:
     files
         Where its files are; none where there is an error.
     answers
-        All results, as `vad.Motion.to_dict` gives them.
+        All results, as `vad.Motion.to_dict` gives them, and the ``roster``, if there is one.
     error
         Why it could not be made, or None.
     new

@@ -18,6 +18,7 @@ import numpy as np
 import vad
 from vad.batches.choices import kind_of
 from vad.batches.job import Job, Product, Value
+from vad.batches.roster import in_title
 from vad.batches.sheets import is_film, is_problem
 from vad.errors import AssemblyError, InputError, VadError
 from vad.export import FORMATS, options_of, own_options
@@ -46,8 +47,11 @@ def make(job: Job) -> Product:
         options = dict(job.recipe.options)
         pose = loaded(job, motion)
         sheet = vad.draw(pose, **_only(options, "panels", "language"))
-        sheet = replace(sheet, title=f"{sheet.title} · {job.label}")
+        behind = [sheet.title, job.label, *([in_title(dict(job.roster))] if job.roster else [])]
+        sheet = replace(sheet, title=" · ".join(behind))
         answers = motion.to_dict()
+        if job.roster:
+            answers["roster"] = dict(job.roster)
         balancing = motion.mechanism.balancing(motion)
         if balancing is not None:
             answers[balancing.kind] = balancing.to_dict()

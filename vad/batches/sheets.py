@@ -21,6 +21,7 @@ from vad import gate
 from vad.batches.burdens import BURDEN_WORDS, burden_in, check_borne, check_recipe
 from vad.batches.choices import kind_of, offered, text_beside, written_at
 from vad.batches.job import Done, Job, Recipe
+from vad.batches.roster import roster_columns
 from vad.discovery import one_of_all
 from vad.errors import InputError, UsageError, VadError, one_of, quoted, unknown
 from vad.export import FOLDER, FORMATS, options_of, own_options
@@ -330,31 +331,38 @@ def read_csv(text: str, path: Path) -> Rows:
             raise InputError("has no rows", "a line of names, and a line for each sheet")
     columns = [name.strip() for name in rows[0][1]]
     with written_at(f"{path.name}, line {rows[0][0]}"):
-        _check_columns(columns, [row for _, row in rows[1:]], path)
-    read: list[tuple[str, int, Recipe | VadError]] = []
+        options, students = _sorted_out(columns, [row for _, row in rows[1:]], path)
+    read: list[tuple[str, dict[str, str], Recipe | VadError]] = []
     for line, row in rows[1:]:
         place = f"{path.name}, line {line}"
         try:
             with written_at(place):
                 cells = _cells(columns, row)
+                student = {name: cells[name] for name in students if name in cells}
+                cells = {name: cell for name, cell in cells.items() if name in options}
+                for name, cell in student.items():
+                    gate.line(name, cell)
                 count = read_word("count", _typed("count", cells.pop("count", "1")))
-                read += [(place, line, _recipe(cells, path))] * count
+                read += [(place, student, _recipe(cells, path))] * count
         except VadError as error:
-            read.append((place, line, error))
+            read.append((place, {}, error))
         if len(read) > MOST:
             raise InputError(f"{place}: asks for more than {MOST} sheets", "make two files of it")
     found = Rows()
     width = max(3, len(str(len(read))))
-    for number, (place, _, made) in enumerate(read, start=1):
+    for number, (place, student, made) in enumerate(read, start=1):
         if isinstance(made, Recipe):
-            found.jobs.append(Job(made, number, f"{number:0{width}}", place))
+            job = Job(made, number, f"{number:0{width}}", place, tuple(student.items()))
+            found.jobs.append(job)
         else:
             found.failed.append(Done(number, error=made))
     return found
 
 
-def _check_columns(columns: list[str], rows: list[list[str]], path: Path) -> None:
-    """Check that each column means something to one of the mechanisms."""
+def _sorted_out(
+    columns: list[str], rows: list[list[str]], path: Path
+) -> tuple[set[str], tuple[str, ...]]:
+    """Return the columns that mean something to one of the mechanisms, and those of a roster."""
     if "mechanism" not in columns:
         raise InputError("the column 'mechanism' is missing")
     known = {"mechanism", *WORDS}
@@ -366,10 +374,10 @@ def _check_columns(columns: list[str], rows: list[list[str]], path: Path) -> Non
             continue
         known |= {each.name for each in fields(kind)} | set(kind.inputs)
     for place, column in enumerate(columns):
-        if column not in known and column not in format_words():
-            raise unknown("column", column, sorted({*known, *format_words()}))
         if column in columns[:place]:
             raise InputError(f"there are two columns '{column}'")
+    known |= {*format_words()}
+    return known, roster_columns(columns, known)
 
 
 def _cells(columns: list[str], row: list[str]) -> dict[str, str]:

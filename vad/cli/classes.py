@@ -34,6 +34,9 @@ SHEETS is a .csv file with one row a sheet, or a .toml file such as
 
 [sheet] also takes seed, panels, points, language, style, paper, size, fps, speed, length_unit,
 and load, mass, inertia, gravity, friction, as these options have them.
+In a .csv file columns that are no option, such as name, are a roster: they are carried into
+the names of the files, the titles and the answers.
+
 What stands in FOLDER already, made from the same settings, is not made again.
 """
 
@@ -52,6 +55,8 @@ What stands in FOLDER already, made from the same settings, is not made again.
 @click.option("--jobs", type=int, help="how many sheets are made at a time  [1]")
 @click.option("--cluster", metavar="ADDRESS", help="of a Dask scheduler, as in tcp://host:8786")
 @click.option("--only", type=int, metavar="K", help="make sheet K again  [all]")
+@click.option("--merge", metavar="FILE.pdf", help="one PDF of all sheets, with bookmarks  [none]")
+@click.option("--excel", is_flag=True, help="answers.xlsx, too, a sheet of Excel")
 @click.pass_context
 def make_batch(
     ctx: click.Context,
@@ -61,6 +66,8 @@ def make_batch(
     jobs: int | None,
     cluster: str | None,
     only: int | None,
+    merge: str | None,
+    excel: bool,
     **given: Any,
 ) -> None:
     """Make problem sheets with their keys by the hundred."""
@@ -74,8 +81,13 @@ def make_batch(
             jobs=1 if jobs is None else jobs,
             cluster=cluster,
             only=only,
+            merge=merge,
+            excel=excel,
             progress=moved,
         )
+    rosters = (each.answers.get("roster", {}) for each in made)
+    if roster := dict.fromkeys(name for each in rosters for name in each):
+        say(f"note: carried into names, titles and answers: {', '.join(roster)}")
     failed = [each for each in made if each.error is not None]
     for each in failed:
         hint = f" ({each.error.hint})" if each.error and each.error.hint else ""
