@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 import vad
+from vad.balancing.results import results
 from vad.batches.choices import kind_of
 from vad.batches.job import Job, Product, Value
 from vad.batches.roster import in_title
@@ -35,7 +36,10 @@ from vad.strokes.sheet import Sheet
 #: where many sheets are made, no other core is free.
 _THREADS = 1
 #: The panels that are left blank unless the file says others.
-_BLANK = ("velocity", "acceleration", "force", "drive")
+_BLANK = (
+    *("velocity", "acceleration", "force", "drive"),
+    *("couple", "primary", "secondary", "traction", "hammer"),
+)
 #: How often numbers are chosen before the program gives up.
 TRIES = 2000
 
@@ -55,6 +59,10 @@ def make(job: Job) -> Product:
         balancing = motion.mechanism.balancing(motion)
         if balancing is not None:
             answers[balancing.kind] = balancing.to_dict()
+            answers["found"] = [
+                {"name": each.name, "value": each.value, "unit": each.unit}
+                for each in results(balancing).values()
+            ]
         if isinstance(pose, Forces):
             answers["forces"] = pose.to_dict()
         with temporary_folder() as folder:

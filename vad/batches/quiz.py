@@ -12,12 +12,13 @@ from pathlib import Path
 from typing import Any
 
 import vad
+from vad.balancing.results import results
 from vad.batches.choices import written_at
 from vad.batches.job import Job
 from vad.batches.making import blank_of, loaded, picked
 from vad.batches.sheets import read_sheets
 from vad.batches.sweep import sweep
-from vad.errors import unknown
+from vad.errors import one_of, unknown
 from vad.export.files import temporary_folder
 from vad.export.quiz import Question, format_of, save_quiz
 from vad.kinematics.motion import Motion
@@ -34,6 +35,8 @@ SIZE = (1024, 576)
 _LEAST_SHARE = 0.1
 _OF_LINKS = {"position": "angle", "velocity": "omega", "acceleration": "alpha"}
 _OF_POINTS = ("velocity", "acceleration")
+#: The letters of the numbers of a mass on a shaft, and of a cylinder.
+_SYMBOLS = {"mass": "m", "radius": "r", "angle": "θ", "plane": "l", "crank": "φ", "line": "ψ"}
 
 
 def quiz(
@@ -104,7 +107,7 @@ def _questions(job: Job) -> Iterator[Question]:
     numbered = replace(sheet, title=f"{sheet.title} · {job.label}")
     problem = _png(numbered, style, blank)
     key, title = _png(numbered, style, ()), f"{sheet.title} · {job.label}"
-    given = language.say("quiz given", title=sheet.title, given=", ".join(_given(sheet)))
+    given = language.say("quiz given", title=sheet.title, given=", ".join(_given(sheet, motion)))
     forces = pose if isinstance(pose, Forces) else None
     found = _values(motion, forces, job.recipe.ask or tuple(_usual(motion, forces, blank)))
     for result, (phrase, unit, value) in found.items():
@@ -132,15 +135,41 @@ def _png(sheet: Sheet, style: str | None, blank: tuple[str, ...]) -> bytes:
         return path.read_bytes()
 
 
-def _given(sheet: Sheet) -> Iterator[str]:
-    """Yield the dimensions, and the driver's place and rates, as the sheet writes them."""
+def _given(sheet: Sheet, motion: Motion) -> Iterator[str]:
+    """Yield the dimensions, and the driver's place and rates, as the sheet writes them.
+
+    The numbers of masses and cylinders have the name of theirs: m_A, r_A.
+    """
     yield from parameters(sheet)
+    if motion.mechanism.is_rotor:
+        for symbol, size, unit in _of_rotor(motion):
+            yield f"{symbol} = {sheet.notation.quantity(size, unit, given=True)}"
+        yield f"ω = {sheet.notation.quantity(float(motion.inputs['omega']), 'rad/s')}"
+        return
     for panel in sheet.panels:
         for row in sheet.rows:
             for cell in row.cells.get(panel.name, ()):
                 if cell.given:
                     value = sheet.notation.quantity(cell.value, cell.unit, given=True)
                     yield f"{cell.symbol} = {value}"
+
+
+def _of_rotor(motion: Motion) -> Iterator[tuple[str, float, str]]:
+    """Yield the numbers of masses, cylinders and wheels: their symbols, values and units."""
+    length = motion.mechanism.length_unit
+    units = {"mass": "kg", "radius": length, "plane": length}
+    numbers = motion.mechanism.parameters()
+    for name, number in numbers.items():
+        letter, _, what = name.rpartition("_")
+        if what in _SYMBOLS and name != "balance_radius" and letter:
+            yield f"{_SYMBOLS[what]}_{letter}", number, units.get(what, "°")
+    locomotive = getattr(motion.mechanism.balancing(motion), "locomotive", None)
+    if locomotive:
+        yield "c", locomotive.share, ""
+        yield "m", locomotive.rotating, "kg"
+        yield "r", locomotive.balance_radius, length
+        for wheel, plane in zip(locomotive.names, locomotive.wheels, strict=True):
+            yield f"l_{wheel}", plane, length
 
 
 def _usual(
@@ -152,6 +181,10 @@ def _usual(
     drive.
     """
     driven = motion.solver.driver.name
+    if motion.mechanism.is_rotor:
+        balanced = results(motion.mechanism.balancing(motion))
+        yield from (name for name, each in balanced.items() if each.panel in blank)
+        return
     for panel in blank:
         if panel not in _OF_LINKS:
             continue
@@ -173,6 +206,12 @@ def _values(
 ) -> Mapping[str, tuple[str, str, float]]:
     """Return for each result the phrase that asks for it, its unit and its value."""
     found: dict[str, tuple[str, str, float]] = {}
+    if motion.mechanism.is_rotor:
+        balanced = results(motion.mechanism.balancing(motion))
+        for name in names:
+            each = balanced[one_of("result of a question", name, balanced)]
+            found[name] = f"quiz found {each.kind}", each.unit, each.value
+        return found
     inputs: dict[str, Any] = {name: float(value) for name, value in motion.inputs.items()}
     burden = vars(forces.burden) if forces else {}
     swept = sweep(motion.mechanism, names, **burden, **inputs)

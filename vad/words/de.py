@@ -37,6 +37,17 @@ PHRASES = {
         "Gesucht: die Kraft, die an {slide:dem} wirken muss, in {unit}, positiv in der Richtung, "
         "in der die Lage zunimmt."
     ),
+    "quiz found mass": "Gesucht: die Masse von {point} in kg.",
+    "quiz found radius": "Gesucht: der Halbmesser von {point} in {unit}.",
+    "quiz found angle": "Gesucht: der Winkel von {point} in Grad.",
+    "quiz found plane": "Gesucht: die Ebene von {point} in {unit}.",
+    "quiz found primary force": ("Gesucht: die größte Kraft 1. Ordnung im Umlauf in {unit}."),
+    "quiz found secondary force": ("Gesucht: die größte Kraft 2. Ordnung im Umlauf in {unit}."),
+    "quiz found primary couple": ("Gesucht: das größte Moment 1. Ordnung im Umlauf in {unit}."),
+    "quiz found secondary couple": ("Gesucht: das größte Moment 2. Ordnung im Umlauf in {unit}."),
+    "quiz found hammer blow": "Gesucht: der Hammerschlag des Rades {point} in {unit}.",
+    "quiz found tractive force": "Gesucht: die größte Schwankung der Zugkraft in {unit}.",
+    "quiz found swaying couple": ("Gesucht: das größte Drehmoment um die Hochachse in {unit}."),
     "quiz key": "Die Zeichnung mit allen Ergebnissen:",
     # Umlauf
     "stroke": "Hub",

@@ -46,6 +46,17 @@ PHRASES = {
     "quiz push": (
         "Find the force that must act on the {slide} in {unit}, positive where its position grows."
     ),
+    "quiz found mass": "Find the mass of {point} in kg.",
+    "quiz found radius": "Find the radius at which {point} turns, in {unit}.",
+    "quiz found angle": "Find the angle of {point} in degrees.",
+    "quiz found plane": "Find the plane of {point} in {unit}.",
+    "quiz found primary force": "Find the largest primary force over a turn in {unit}.",
+    "quiz found secondary force": "Find the largest secondary force over a turn in {unit}.",
+    "quiz found primary couple": "Find the largest primary couple over a turn in {unit}.",
+    "quiz found secondary couple": "Find the largest secondary couple over a turn in {unit}.",
+    "quiz found hammer blow": "Find the hammer blow of the wheel {point} in {unit}.",
+    "quiz found tractive force": "Find the largest change of the tractive force in {unit}.",
+    "quiz found swaying couple": "Find the largest swaying couple in {unit}.",
     "quiz key": "The drawing with all answers:",
     # a turn
     "stroke": "stroke",

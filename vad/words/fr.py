@@ -36,6 +36,23 @@ PHRASES = {
         "Trouver la force qui doit agir sur {slide:le} en {unit}, positive dans la direction où sa "
         "position augmente."
     ),
+    "quiz found mass": "Trouver la masse de {point} en kg.",
+    "quiz found radius": "Trouver le rayon de {point} en {unit}.",
+    "quiz found angle": "Trouver l’angle de {point} en degrés.",
+    "quiz found plane": "Trouver le plan de {point} en {unit}.",
+    "quiz found primary force": "Trouver la plus grande force primaire dans un tour en {unit}.",
+    "quiz found secondary force": (
+        "Trouver la plus grande force secondaire dans un tour en {unit}."
+    ),
+    "quiz found primary couple": ("Trouver le plus grand couple primaire dans un tour en {unit}."),
+    "quiz found secondary couple": (
+        "Trouver le plus grand couple secondaire dans un tour en {unit}."
+    ),
+    "quiz found hammer blow": "Trouver le martèlement de la roue {point} en {unit}.",
+    "quiz found tractive force": (
+        "Trouver la plus grande variation de l’effort de traction en {unit}."
+    ),
+    "quiz found swaying couple": "Trouver le plus grand couple de lacet en {unit}.",
     "quiz key": "Le tracé avec toutes les réponses :",
     # un tour
     "stroke": "course",
