@@ -48,7 +48,7 @@ FIELDS = (
         "panels",
         "language",
     ),
-    *("style", "scales", "ways", "stands", "known", "size", "fps", "speed", "crnak", ""),
+    *("style", "burden", "scales", "ways", "stands", "known", "size", "fps", "speed", "crnak", ""),
 )
 
 
@@ -66,6 +66,8 @@ def case(seed: int) -> tuple[str, bytes]:
         data["parameters"] = {name: value for name, value in lengths.items() if value is not None}
     if dice.random() < 0.7:
         data["inputs"] = {next(iter(kind.inputs)): dice.uniform(-400.0, 400.0)}
+    if dice.random() < 0.4:
+        data["burden"] = _burden(dice, mechanism)
     for _ in range(dice.choice((0, 1, 1, 1, 2, 4))):
         held = dice.choice([data, *(each for each in data.values() if isinstance(each, dict))])
         held[dice.choice(list(held) if held and dice.random() < 0.4 else FIELDS)] = _one(dice)
@@ -81,6 +83,39 @@ def case(seed: int) -> tuple[str, bytes]:
         at = dice.randrange(len(body))
         body = body[:at] + dice.choice((b"", b"\xff", b"[" * 50_000, b"9" * 5000)) + body[at + 1 :]
     return dice.choice(STRANGE) if dice.random() < 0.05 else dice.choice(PATHS), body
+
+
+def _burden(dice: random.Random, mechanism: vad.Mechanism) -> dict[str, Any]:
+    """Return loads and masses on bodies that there are, in part of values that cannot be."""
+    letters, bodies = [*mechanism.letters, "Z"], [*mechanism.links, *mechanism.slides, "frame"]
+
+    def number() -> Any:
+        return (
+            _one(dice)
+            if dice.random() < 0.2
+            else dice.uniform(-1.0, 1.0) * 10.0 ** dice.choice((0, 3, 59))
+        )
+
+    loads = [
+        {
+            "at": dice.choice(letters),
+            "on": dice.choice(bodies),
+            "force": number(),
+            "angle": number(),
+        },
+        {"on": dice.choice(bodies), "couple": number()},
+        {"at": dice.choice(letters), "table": [[0, 90, number()], [number(), 1, 2]]},
+        f"{dice.uniform(-9, 9)} N at {dice.choice(letters)}",
+    ]
+    found: dict[str, Any] = {"loads": dice.sample(loads, dice.randint(0, len(loads)))}
+    if dice.random() < 0.5:
+        found["masses"] = {
+            dice.choice(bodies): dice.choice((number(), {"mass": 1, "inertia": number()}))
+        }
+        found["gravity"] = dice.choice((9.81, number(), [0, number()]))
+    if dice.random() < 0.2:
+        found["friction"] = {dice.choice(bodies): number()}
+    return found
 
 
 def _one(dice: random.Random) -> Any:

@@ -46,6 +46,15 @@ def test_a_lesson_and_a_pose_have_the_forces(forces):
     assert taught["results"]["input"] == posed["results"]["input"]
 
 
+def test_a_panel_in_which_all_forces_are_zero_is_empty():
+    """The crank's own pivot takes the load."""
+    burden = {"loads": ["0.3 N at A"]}
+    posed = pose(read(PoseQuestion, {"mechanism": "scotch-yoke", "burden": burden}))
+    assert posed["results"]["forces"]["drive"] == 0.0
+    (drawing,) = [each for name, _, each in posed["panels"] if name == "force"]
+    assert "<path" not in drawing
+
+
 def test_another_load_is_another_page():
     """A page keeps what a hand moves as long as it has the key of the same loads."""
     first = lesson(read(LessonQuestion, ASKED))

@@ -241,7 +241,8 @@ def scale_bar(board: Plan, panel: Panel, words: RunWriter) -> str:
 def picture(board: Plan, panel: Panel, inker: Inker) -> str:
     """Return the drawing of a panel, with how far its ink reaches up and down."""
     area = board.page.panels[panel.name].drawing
-    ink = reach(item for item in board.items if item.region == panel.name)
+    drawn = [item for item in board.items if item.region == panel.name and item.marks]
+    ink = reach(drawn) if drawn else area  # where all forces are zero, nothing is drawn
     top, low = min(area.top, ink.top + 0.01), max(area.bottom, ink.bottom - 0.01)
     cut = [(area.top - top) / area.width, (top - low) / area.width]
     return (
