@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 import vad
 from vad.balancing.inertia import Cylinder, InertiaForces
 from vad.errors import InputError
+from vad.files.examples import example_path
 
 row = st.tuples(
     st.floats(0.5, 30.0), st.floats(0.0, 360.0), st.floats(-500.0, 500.0), st.floats(0.0, 360.0)
@@ -123,3 +124,14 @@ def test_an_engine_has_an_even_speed():
     made = vad.engine([{"mass": 1}], 50, 4, 500).motion.mechanism
     with pytest.raises(InputError, match="even speed"):
         made.balancing(vad.solve(made, alpha=3))
+
+
+def test_a_single_cylinder_partly_balanced():
+    """With the share c balanced, (1 - c)·m·r·ω² is left along the stroke and c·m·r·ω² across it."""
+    mechanism = vad.load(example_path("single-cylinder"))()
+    engine = mechanism.balancing(vad.solve(mechanism))
+    whole = 6 * 0.05 * (50 * math.pi) ** 2
+    assert engine.largest("primary", "force") == pytest.approx(whole * 2 / 3, rel=1e-12)
+    assert engine.least("primary", "force") == pytest.approx(whole / 3, rel=1e-12)
+    assert engine.angles("primary", "force") == (90.0, 270.0)
+    assert engine.least_angles("primary", "force") == (0.0, 180.0)

@@ -101,7 +101,8 @@ class InertiaForces:
     @property
     def in_one_plane(self) -> bool:
         """Whether there are no couples, because everything is in the plane of reference."""
-        planes = {each.plane for each in self.cylinders} | {each.plane for each in self.rotating}
+        planes = {each.plane for each in self.cylinders}
+        planes |= {each.plane or 0.0 for each in self.rotating}
         return planes == {self.reference}
 
     def order(self, kind: str) -> int:

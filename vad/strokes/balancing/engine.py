@@ -17,7 +17,14 @@ from vad.strokes.balancing.inertia import (
     InertiaPolygons,
 )
 from vad.strokes.balancing.scene import BalancingScene, Pen
-from vad.strokes.balancing.views import Arm, arm, end_view, side_view
+from vad.strokes.balancing.views import (
+    Arm,
+    arm,
+    end_view,
+    numbers_of,
+    place_of,
+    side_view,
+)
 from vad.strokes.diagram import Drawing, Spot
 from vad.strokes.sentences import Unit
 from vad.strokes.sheet import Arc, Arrow, Block, Cell, Curve
@@ -68,8 +75,9 @@ class EngineDrawings(Drawings):
             return self._polygons.cells(panel, key)
         if key == RESULTANT and self.scene.motion.many and self.inertia.ratio is not None:
             return (self._exact(),)
-        found = [each for each in self.inertia.cylinders if each.name == key]
-        return tuple(Cell("φ", each.crank % 360.0, "°", True) for each in found)
+        angles = {each.name: each.crank for each in self.inertia.cylinders}
+        angles |= {each.name: each.angle or 0.0 for each in self.inertia.rotating}
+        return (Cell("φ", angles[key] % 360.0, "°", True),) if key in angles else ()
 
     def _exact(self) -> Cell:
         """Return the exact force of all pistons, or their couple where the forces balance."""
@@ -91,7 +99,12 @@ class EngineDrawings(Drawings):
             )
             for each in self.inertia.cylinders
         }
-        return {Spot(self.scene.motion.mechanism.letters[0]): 0j, **pins}
+        axis: dict[Spot, Any] = {Spot(self.scene.motion.mechanism.letters[0]): 0j}
+        masses = {
+            Spot(each.name, row=each.name, path="bare"): self.turned(place_of(each))
+            for each in self.inertia.rotating
+        }
+        return axis | pins | masses
 
     # --- the engine ---------------------------------------------------------------------------
 
@@ -122,6 +135,9 @@ class EngineDrawings(Drawings):
             arm(pen, arms[-1], "engine crank", angle=angle)
             if pistons:
                 self._piston(pen, each, at)
+        for mass in self.inertia.rotating:
+            arms.append(Arm(mass.name, self.turned(place_of(mass)), mass.plane or 0.0, False))
+            arm(pen, arms[-1], "balance mass", **numbers_of(mass, self.scene.unit))
         notes = side_view(pen, arms, radius, self.scene.unit)
         return Drawing(tuple(pen.strokes), picture="views", notes=notes)
 

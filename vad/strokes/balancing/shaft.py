@@ -15,10 +15,17 @@ from vad.kinematics.numbers import bearing, degrees_of
 from vad.strokes.arithmetic import Calculation, Figure, product
 from vad.strokes.balancing.drawings import Drawings
 from vad.strokes.balancing.scene import BalancingScene, Pen
-from vad.strokes.balancing.views import Arm, arm, end_view, side_view
+from vad.strokes.balancing.views import (
+    Arm,
+    arm,
+    end_view,
+    numbers_of,
+    place_of,
+    side_view,
+)
 from vad.strokes.diagram import Drawing, Spot
 from vad.strokes.reveals import elsewhere
-from vad.strokes.sentences import SentencePart, Unit
+from vad.strokes.sentences import Unit
 from vad.strokes.sheet import Arc, Arrow, Cell, Component, Dot, Equation, Line, Term
 from vad.units import metres_of
 
@@ -99,7 +106,7 @@ class ShaftDrawings(Drawings):
             return {}
         axis: dict[Spot, Any] = {Spot(self.scene.motion.mechanism.letters[0]): 0j}
         return axis | {
-            Spot(name, row=name, path="bare" if number else "drawn"): self.turned(_place(mass))
+            Spot(name, row=name, path="bare" if number else "drawn"): self.turned(place_of(mass))
             for number, (name, mass) in enumerate(self.masses.items())
         }
 
@@ -114,20 +121,12 @@ class ShaftDrawings(Drawings):
         for name, mass in self.masses.items():
             given = self.given[name]
             loose, moved = _is_loose(given), given.plane is None and mass.plane is not None
-            at = self.turned(_place(mass))
+            at = self.turned(place_of(mass))
             arms.append(Arm(name, at, mass.plane, loose, moved))
             phrase = "balance open" if loose else "balance mass"
-            arm(pen, arms[-1], phrase, **self._numbers(mass))
+            arm(pen, arms[-1], phrase, **numbers_of(mass, self.scene.unit, self.clockwise))
         notes = side_view(pen, arms, radius, self.scene.unit)
         return Drawing(tuple(pen.strokes), picture="views", notes=notes)
-
-    def _numbers(self, mass: Mass) -> dict[str, SentencePart]:
-        return {
-            "mass": Figure(mass.mass or 0.0, "kg", given=True),
-            "radius": Figure(mass.radius or 0.0, self.scene.unit, given=True),
-            "angle": Figure(self._counted(mass.angle or 0.0), "°", given=True),
-            "unit": Unit(self.scene.unit),
-        }
 
     # --- the polygons -------------------------------------------------------------------------
 
@@ -240,8 +239,3 @@ class ShaftDrawings(Drawings):
 def _is_loose(mass: Mass) -> bool:
     """Tell whether anything of a mass is to be found."""
     return None in (mass.mass, mass.radius, mass.angle)
-
-
-def _place(mass: Mass) -> complex:
-    """Return where a mass is in the end view, with the shaft at 0°."""
-    return (mass.radius or 0.0) * (mass.way or 1 + 0j)

@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from vad.balancing.shaft import Mass
+from vad.strokes.arithmetic import Figure
 from vad.strokes.balancing.scene import Pen
+from vad.strokes.sentences import SentencePart, Unit
 from vad.strokes.sheet import Arrow, Curve, Dot, Kind, Note
 
 #: Of the end view's radius: the length of the side view, its depth below, half the height of a
@@ -76,3 +79,19 @@ def side_view(pen: Pen, arms: Sequence[Arm], radius: float, unit: str) -> tuple[
 
 def _written(planes: Sequence[float], unit: str) -> str:
     return f"{max(planes) - min(planes):g} {unit}"
+
+
+def place_of(mass: Mass) -> complex:
+    """Return where a mass is in the end view, with the shaft at 0°."""
+    return (mass.radius or 0.0) * (mass.way or 1 + 0j)
+
+
+def numbers_of(mass: Mass, unit: str, clockwise: bool = False) -> dict[str, SentencePart]:
+    """Return the numbers of a mass for a sentence."""
+    angle = mass.angle or 0.0
+    return {
+        "mass": Figure(mass.mass or 0.0, "kg", given=True),
+        "radius": Figure(mass.radius or 0.0, unit, given=True),
+        "angle": Figure((-angle if clockwise else angle) % 360.0, "°", given=True),
+        "unit": Unit(unit),
+    }
