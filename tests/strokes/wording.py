@@ -67,7 +67,7 @@ WORDING = {
         senses={"counter-clockwise": 1, "clockwise": -1},
         towards=re.compile("from (?P<tail>[A-Z]) towards (?P<head>[A-Z])"),
         seen=re.compile("(?P<head>[A-Z]) moves (?P<way>.+) as seen from (?P<tail>[A-Z])"),
-        own=re.compile("is the velocity of (?P<head>[A-Z]), (?P<way>.+)[.]"),
+        own=re.compile(": (?P<head>[A-Z]) moves (?P<way>[^:]+)[.]$"),
         sideways=re.compile("across (?P<bar>[A-Z]{2}), (?P<head>[A-Z]) moves (?P<way>.+)[.]"),
         square=re.compile("(?:perpendicular to|⟂) (?P<bar>[A-Z]{2})"),
         with_it=re.compile("in the sense of (?P<rate>[ωα])"),
@@ -87,7 +87,7 @@ WORDING = {
         senses={"gegen den Uhrzeigersinn": 1, "im Uhrzeigersinn": -1},
         towards=re.compile("von (?P<tail>[A-Z]) nach (?P<head>[A-Z])"),
         seen=re.compile("von (?P<tail>[A-Z]) aus gesehen läuft (?P<head>[A-Z]) (?P<way>.+)[.]"),
-        own=re.compile("ist die Geschwindigkeit von (?P<head>[A-Z]), (?P<way>.+)[.]"),
+        own=re.compile(": (?P<head>[A-Z]) läuft (?P<way>[^:]+)[.]$"),
         sideways=re.compile("quer zu (?P<bar>[A-Z]{2}) läuft (?P<head>[A-Z]) (?P<way>.+)[.]"),
         square=re.compile("(?:senkrecht zu|⟂) (?P<bar>[A-Z]{2})"),
         with_it=re.compile("im Sinn von (?P<rate>[ωα])"),
@@ -112,7 +112,7 @@ WORDING = {
         senses={"dans le sens trigonométrique": 1, "dans le sens horaire": -1},
         towards=re.compile("de (?P<tail>[A-Z]) vers (?P<head>[A-Z])"),
         seen=re.compile("vu de (?P<tail>[A-Z]), (?P<head>[A-Z]) se déplace (?P<way>.+)[.]"),
-        own=re.compile("est la vitesse de (?P<head>[A-Z]), (?P<way>.+)[.]"),
+        own=re.compile(" : (?P<head>[A-Z]) se déplace (?P<way>[^:]+)[.]$"),
         sideways=re.compile(
             "perpendiculairement à (?P<bar>[A-Z]{2}), (?P<head>[A-Z]) se déplace (?P<way>.+)[.]"
         ),

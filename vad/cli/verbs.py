@@ -34,6 +34,7 @@ from vad.cli.process import (
     signals_held_back,
     wait_for_signal,
 )
+from vad.cli.talk import PAUSE, SCRIPT, script_in
 from vad.errors import UsageError, VadError
 from vad.export import FOLDER, FORMATS, format_of, formats, own_options
 from vad.export.files import clear_unfinished
@@ -157,6 +158,7 @@ def draw(
     _check_one_pose(options, turn or at is not None)
     if "centrode" in options and at is not None:
         raise UsageError("--centrode is for one pose or a turn", "leave out --at")
+    script = script_in(options, turn or at is not None)
     burden = take_burden(mechanism, options)
     made = Turn if turn else Sheet if at is None else Multiples
     kind = format_of(Sheet, output)  # before anything is calculated
@@ -174,7 +176,7 @@ def draw(
     elif turn:
         drawn = vad.turn(_pose(mechanism, inputs, burden), **options)
     else:
-        drawn = vad.draw(_pose(mechanism, inputs, burden), **options)
+        drawn = script.told(vad.draw(_pose(mechanism, inputs, burden), **options))
     vad.save(drawn, output, **look)
     say_written(output)
     if turn:
@@ -220,6 +222,7 @@ def animate(
 ) -> None:
     """Write the film in which one pose is drawn stroke by stroke, one step of it, or a turn."""
     _check_one_pose(options, turn)
+    script = script_in(options, turn)
     burden = take_burden(mechanism, options)
     if turn:
         of_strokes = {"--still": still is not None, "--subtitles": subtitles}
@@ -237,7 +240,7 @@ def animate(
     own = _pop(options, *own_options([FORMATS[thing][kind]]))
     timing = _pop(options, "fps", "size", "speed", "style", "loop")
     sheet = vad.draw(_pose(mechanism, inputs, burden), **options)
-    lesson = vad.animate(sheet, **timing)
+    lesson = vad.animate(sheet, **timing, script=script)
     if still is not None:
         vad.save(_still(lesson, still), output, **own)
         say_written(output)
@@ -349,6 +352,7 @@ VERBS: tuple[click.Command, ...] = (
             pin_option(),
             _AT,
             _POSITIONS,
+            SCRIPT,
             *burden_options(),
         ],
         formats=FORMATS[Sheet],
@@ -357,7 +361,17 @@ VERBS: tuple[click.Command, ...] = (
         "animate",
         "Make a film that draws the polygons stroke by stroke.",
         animate,
-        [_output(FORMATS[Lesson]), *_SHEET, _CENTRODE, _SIZE, pin_option(), *_FILM, *_LOADS],
+        [
+            _output(FORMATS[Lesson]),
+            *_SHEET,
+            _CENTRODE,
+            _SIZE,
+            pin_option(),
+            *_FILM,
+            SCRIPT,
+            PAUSE,
+            *_LOADS,
+        ],
         formats=FORMATS[Lesson] | FORMATS[Still],
     ),
     MechanismGroup(

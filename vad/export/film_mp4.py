@@ -22,6 +22,7 @@ from vad import gate
 from vad.errors import ExportError, UsageError
 from vad.export.frames import Film, Progress, painted, rate, with_boxes
 from vad.export.lesson_srt import Cue, cues
+from vad.lecture.chapters import Chapter, chapters
 from vad.lecture.lesson import Lesson
 from vad.lecture.turn import Turn
 from vad.painting.film import Box, Frame
@@ -100,6 +101,7 @@ def write(
         subtitles=cues(lesson) if subtitles and isinstance(lesson, Lesson) else (),
         language=lesson.sheet.language,
         title=title(lesson.sheet),
+        parts=chapters(lesson) if isinstance(lesson, Lesson) else (),
         codec=_X264_OF_TURN if isinstance(lesson, Turn) else _X264,
         threads=threads,
     )
@@ -123,10 +125,14 @@ def encode(
     subtitles: Sequence[Cue] = (),
     language: str = "en",
     title: str = "",
+    parts: Sequence[Chapter] = (),
     codec: Mapping[str, str] = MappingProxyType(_X264),
     threads: int = _THREADS,
 ) -> None:
-    """Encode ``frames`` of ``size`` (width, height) at ``rate``, with the options of ``codec``."""
+    """Encode ``frames`` of ``size`` (width, height) at ``rate``, with the options of ``codec``.
+
+    ``parts`` are the chapters of the film.
+    """
     import av
 
     # FFmpeg opens the file by its name: to put the index in front it must read what it wrote.
@@ -135,6 +141,18 @@ def encode(
     try:
         with av.open(stream.name, "w", format="mp4", options=options) as container:
             container.metadata["title"] = title
+            container.set_chapters(
+                [
+                    {
+                        "id": number,
+                        "start": part.start,
+                        "end": part.end,
+                        "time_base": 1 / rate,
+                        "metadata": {"title": part.title},
+                    }
+                    for number, part in enumerate(parts)
+                ]
+            )
             video = _video_stream(container, size, rate, codec, threads)
             track = _subtitle_stream(container, language) if subtitles else None
             container.start_encoding()

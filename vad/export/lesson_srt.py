@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import accumulate
 from typing import BinaryIO
 
 from vad.errors import UsageError
 from vad.export.frames import Progress
 from vad.lecture.lesson import Lesson
+from vad.lecture.telling import told, told_together
+from vad.words import text_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,15 +24,23 @@ class Cue:
 
 
 def cues(lesson: Lesson) -> list[Cue]:
-    """Return one cue per captioned step, as long as the page shows it."""
-    found = []
-    frame = lesson.opening
-    for step in lesson.steps:
-        start, frame = frame, frame + step.frames
-        text = " ".join(step.stroke.caption.split())
-        if text and frame > start:
-            found.append(Cue(start / lesson.fps, frame / lesson.fps, text))
-    return found
+    """Return one cue per caption, and the answer, as long as the page shows them."""
+    found: list[tuple[int, int, str]] = []
+    ends = list(accumulate((step.frames for step in lesson.steps), initial=lesson.opening))
+    number = 0
+    for panel in lesson.sheet.halves:
+        for first, last in told_together(panel):
+            count = last + 1 - first
+            start, end = ends[number], ends[number + count]
+            found.append((start, end, text_of(told(panel, first, last))))
+            number += count
+    if lesson.answer:
+        found.append((ends[-1], lesson.frames, str(lesson.answer)))
+    return [
+        Cue(start / lesson.fps, end / lesson.fps, " ".join(text.split()))
+        for start, end, text in found
+        if text.strip() and end > start
+    ]
 
 
 def required_cues(lesson: Lesson) -> list[Cue]:

@@ -7,6 +7,7 @@ looks.
 from __future__ import annotations
 
 import contextlib
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from itertools import accumulate, pairwise
@@ -15,10 +16,15 @@ from typing import Any
 from vad import gate
 from vad.discovery import names_in, one_of_all
 from vad.displayed import Displayed
-from vad.errors import InputError, UsageError, one_of, quoted
+from vad.errors import InputError, UsageError, quoted
+from vad.lecture.answer import answer
 from vad.lecture.moment import Moment, done, drawing
+from vad.lecture.pace import AFTER_ANSWER, CLOSING, OPENING, scripted, times
+from vad.lecture.script import Script, script_of, step_number
+from vad.lecture.telling import reading
 from vad.strokes.reveals import revealed
-from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke, driver_of
+from vad.strokes.sentences import Sentence
+from vad.strokes.sheet import Panel, Sheet, Stroke, driver_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +32,8 @@ class LessonStep:
     """One stroke in time: it grows for ``grow`` frames and then rests for ``hold``.
 
     After the last stroke of a panel that stood large, this glides into its place for ``glide``, and
-    the page that comes with it rests for ``settle``.  A stroke that is ``there`` is not drawn: it
+    the page that comes with it rests for ``settle``.  After ``beats`` frames the second beat of its
+    caption is said, then the third.  A stroke that is ``there`` is not drawn: it
     is on the board when its panel begins.
     """
 
@@ -36,6 +43,7 @@ class LessonStep:
     hold: int
     glide: int = 0
     settle: int = 0
+    beats: tuple[int, ...] = field(default=(), kw_only=True)
     there: bool = field(default=False, kw_only=True)
 
     @property
@@ -53,7 +61,8 @@ class LessonStep:
 class Lesson(Displayed):
     """A sheet that is drawn stroke by stroke.
 
-    ``opening`` frames show the empty page, ``closing`` frames the finished one.
+    ``opening`` frames show the empty page, ``closing`` frames the finished one with the ``answer``
+    in words, if it has one.
     """
 
     sheet: Sheet
@@ -63,6 +72,7 @@ class Lesson(Displayed):
     fps: float
     size: tuple[int, int]
     style: str = "paper"
+    answer: Sentence | None = None
 
     def __repr__(self) -> str:
         """Return a line: what is drawn, in how many steps, and how long that takes."""
@@ -91,29 +101,6 @@ class Lesson(Displayed):
         return self.frames / self.fps
 
 
-#: Seconds in which each kind of stroke grows.  A vector takes as long if it is the longest one of
-#: its panel.
-GROWTH = {
-    "fixed": 0.4,
-    "guide": 0.8,
-    "pole": 0.3,
-    "angle": 0.8,
-    "known": 1.2,
-    "construction": 1.5,
-    "intersection": 0.3,
-    "result": 1.2,
-}
-FOLD = 1.0  # a plane that is rotated into the paper
-SHORT = 0.75  # share of that time for a vector of length zero
-WORDS_PER_SECOND = 5.0
-BREATH = 0.3  # after a caption has been read
-LEAST_REST = 0.5
-GLIDE = 0.8
-SETTLE = 0.8
-OPENING = 0.8
-CLOSING = 4.0
-LOOK = 1.5  # seconds to look at what is on the board already
-
 FPS = (1.0, 240.0)
 SPEED = (0.01, 1000.0)
 SMALLEST = (320, 240)
@@ -127,6 +114,7 @@ def animate(
     speed: float = 1.0,
     style: str = "paper",
     loop: int = 1,
+    script: Script | Mapping[str, Any] | str | os.PathLike[str] | None = None,
 ) -> Lesson:
     """Return the lesson in which ``sheet`` is drawn stroke by stroke.
 
@@ -145,41 +133,53 @@ def animate(
     loop
         The number of the loop, and so of the dyad, at which drawing starts.  In every panel the
         loops before it are on the board already.
+    script
+        Captions of one's own, pauses and markers, by the names of strokes or their steps: a file in
+        TOML, or a mapping with the tables ``captions``, ``pauses`` and ``markers``.
 
     Raises
     ------
     vad.errors.UsageError
-        If a value is out of its range, or the style unknown.
+        If a value is out of its range, or the style unknown; for a stroke in the script that is
+        none, or a marker before which the strokes cannot be drawn.
+    vad.errors.InputError
+        For a script that cannot be read.
+
+    Examples
+    --------
+    >>> import vad
+    >>> sheet = vad.draw(vad.solve(vad.SliderCrank()))
+    >>> usual = vad.animate(sheet)
+    >>> slower = vad.animate(sheet, script={"pauses": {"velocity:C.crossing": 3}})
+    >>> round(slower.duration - usual.duration, 1)
+    3.0
     """
     if not isinstance(sheet, Sheet):
         raise UsageError(f"sheet: must be what vad.draw returns, got {quoted(sheet)}")
     loop = _loop(sheet, loop)
     fps, size, speed = checked(fps, size, speed, style)
 
-    def count(seconds: float) -> int:
-        return max(1, round(seconds / speed * fps))
-
+    script = script_of(script)
+    sheet, opening = script.told(sheet), OPENING / speed
+    found = [each.faster(speed) for each in times(sheet, loop)]
+    if script.pauses or script.markers:
+        found, opening = scripted(found, script, sheet, opening)
     steps: list[LessonStep] = []
     clock = 0.0
-    for panel in sheet.halves:
-        longest = max(map(_length, panel.strokes), default=0.0)
-        for index, stroke in enumerate(panel.strokes):
-            last = index + 1 == len(panel.strokes)
-            begun = panel.loops[loop - 1] if 1 < loop <= len(panel.loops) else panel.given
-            glide, settle = (GLIDE, SETTLE) if last and opens(sheet, panel) else (0.0, 0.0)
-            if index < begun:
-                grow, hold = 0.0, LOOK if index + 1 == begun else 0.0
-            else:
-                grow = growth(stroke, longest)
-                hold = rest(stroke, grow)
-            times = grow, hold, glide, settle
-            # Whole frames are counted from the start, so that roundings do not add up.
-            seconds = list(accumulate(times, initial=clock))
-            ends = [round(second / speed * fps) for second in seconds]
-            lasts = (end - start for start, end in pairwise(ends))
-            steps.append(LessonStep(panel, index, *lasts, there=index < begun))
-            clock = seconds[-1]
-    return Lesson(sheet, tuple(steps), count(OPENING), count(CLOSING), fps, size, style)
+    places = ((panel, index) for panel in sheet.halves for index in range(len(panel.strokes)))
+    for (panel, index), each in zip(places, found, strict=True):
+        # Whole frames are counted from the start, so that roundings do not add up.
+        parts = each.grow, each.hold, each.glide, each.settle
+        seconds = list(accumulate(parts, initial=clock))
+        ends = [round(second * fps) for second in seconds]
+        lasts = (end - start for start, end in pairwise(ends))
+        beats = tuple(round((clock + beat) * fps) - ends[0] for beat in each.beats)
+        steps.append(LessonStep(panel, index, *lasts, beats=beats, there=each.there))
+        clock = seconds[-1]
+    said = answer(sheet)
+    closing = max(CLOSING, reading(said.pieces) + AFTER_ANSWER if said else 0.0) / speed
+    first, last = (max(1, round(each * fps)) for each in (opening, closing))
+    return Lesson(sheet, tuple(steps), first, last, fps, size, style, answer=said)
 
 
 def _loop(sheet: Sheet, loop: object) -> int:
@@ -190,34 +190,6 @@ def _loop(sheet: Sheet, loop: object) -> int:
         hint = "this mechanism has one loop" if count < 2 else f"try 2, of its {count} loops"
         raise UsageError(f"loop: must be between 1 and {max(count, 1)}, got {quoted(loop)}", hint)
     return found
-
-
-def opens(sheet: Sheet, panel: Panel) -> bool:
-    """Tell whether a panel stands large while it is drawn: a mechanism before its polygons."""
-    return panel is sheet.panels[0] and panel.picture != "vectors" and len(sheet.panels) > 1
-
-
-def growth(stroke: Stroke, longest: float) -> float:
-    """Return how many seconds a stroke takes to draw; the ``longest`` vector takes most."""
-    seconds = FOLD if isinstance(stroke.shape, Fold) else GROWTH[stroke.kind]
-    if not isinstance(stroke.shape, Arrow) or not longest:
-        return seconds
-    return seconds * (SHORT + (1.0 - SHORT) * _length(stroke) / longest)
-
-
-def rest(stroke: Stroke, grown: float) -> float:
-    """Return how many seconds a stroke rests that has grown for ``grown`` seconds.
-
-    Both times together are long enough to read its caption.
-    """
-    reading = len(stroke.caption.split()) / WORDS_PER_SECOND
-    return max(reading + BREATH - grown, LEAST_REST)
-
-
-def _length(stroke: Stroke) -> float:
-    """Return the length of a vector, 0 for another stroke."""
-    shape = stroke.shape
-    return abs(shape.end - shape.start) if isinstance(shape, Arrow) else 0.0
 
 
 def checked(
@@ -276,8 +248,6 @@ def check_size(size: tuple[int, int]) -> tuple[int, int]:
 
 #: How much of a construction is drawn while it stands still.
 AT_WORK = 0.7
-#: A longer number is larger than any step, and Python refuses to read a very long one.
-_DIGITS = 9
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -357,7 +327,8 @@ def still(lesson: Lesson, step: int | str) -> Still:
     lesson
         The lesson.
     step
-        Its number, from 1, over the whole lesson; or ``"velocity:4"``, the fourth of a panel.
+        Its number, from 1, over the whole lesson; ``"velocity:4"``, the fourth of a panel; or the
+        name of its stroke, ``"velocity:BC.line"``.
 
     Raises
     ------
@@ -366,24 +337,4 @@ def still(lesson: Lesson, step: int | str) -> Still:
     """
     if not isinstance(lesson, Lesson):
         raise UsageError(f"lesson: must be what vad.animate returns, got {quoted(lesson)}")
-    panel, colon, number = step.rpartition(":") if isinstance(step, str) else ("", "", step)
-    places: dict[str, list[int]] = {
-        name: [i for i, each in enumerate(lesson.steps, 1) if each.panel.column == name]
-        for name in (each.name for each in lesson.sheet.panels)
-    }
-    steps = places[one_of("panel", panel, places)] if colon else range(1, len(lesson.steps) + 1)
-    where = f"the {panel} panel" if colon else "the lesson"
-    place = _place(number)
-    if place is None:
-        raise UsageError(f"{quoted(step)} is not a step", hint="as in 4 or velocity:4")
-    if not 1 <= place <= len(steps):
-        got = quoted(number).strip("'")
-        raise UsageError(f"there is no step {got}: {where} has {len(steps)}, from 1 on")
-    return Still(lesson, steps[place - 1])
-
-
-def _place(number: Any) -> int | None:
-    """Return the number of a step, or None if this is no such number."""
-    if isinstance(number, str):
-        return int(number.strip()[:_DIGITS]) if number.strip().isdecimal() else None
-    return gate.index(number)
+    return Still(lesson, step_number(lesson.sheet, step) + 1)

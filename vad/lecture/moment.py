@@ -8,12 +8,18 @@ painter follows.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import chain, pairwise
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from vad.lecture.lesson import Lesson
+
+
+#: More beats than any caption has.
+WHOLE = 1_000
 
 
 def smooth(share: float) -> float:
@@ -39,11 +45,14 @@ class Moment:
         How much of the beat's stroke is drawn: 1 at rest.
     near
         How large the first panel is: 1 while it is alone on the page, 0 in its own place.
+    said
+        How many beats of its caption have been said; `WHOLE` where it stands as a whole.
     """
 
     beat: int
     share: float = 1.0
     near: float = 0.0
+    said: int = WHOLE
 
 
 def drawing(stroke: int) -> int:
@@ -70,10 +79,12 @@ def moments(lesson: Lesson, most: float = math.inf) -> Iterator[tuple[Moment, in
     near = 1.0 if any(step.glide for step in lesson.steps) else 0.0
     yield Moment(done(lesson.begun), near=near), lesson.opening
     for number, step in enumerate(lesson.steps):
-        for share, repeats in _shares_of_movement(step.grow, pace):
-            yield Moment(drawing(number), smooth(share), near), repeats
-        if step.hold:
-            yield Moment(done(number + 1), near=near), step.hold
+        grown = (
+            (Moment(drawing(number), smooth(share), near), repeats)
+            for share, repeats in _shares_of_movement(step.grow, pace)
+        )
+        rests = [(Moment(done(number + 1), near=near), step.hold)] if step.hold else []
+        yield from _said(chain(grown, rests), step.beats)
         for share, repeats in _shares_of_movement(step.glide, pace):
             near = 1.0 - smooth(share)
             yield Moment(done(number + 1), near=near), repeats
@@ -81,6 +92,19 @@ def moments(lesson: Lesson, most: float = math.inf) -> Iterator[tuple[Moment, in
         if step.settle:
             yield Moment(done(number + 1), near=near), step.settle
     yield Moment(finished(len(lesson.steps))), lesson.closing
+
+
+def _said(
+    states: Iterable[tuple[Moment, int]], beats: Sequence[int]
+) -> Iterator[tuple[Moment, int]]:
+    """Yield the states of a stroke, each as far as its caption is said by then."""
+    frame = 0
+    for state, repeats in states:
+        cuts = [each for each in beats if frame < each < frame + repeats] if beats else ()
+        for start, end in pairwise((frame, *cuts, frame + repeats)):
+            said = bisect_right(beats, start) + 1 if beats else WHOLE
+            yield replace(state, said=said), end - start
+        frame += repeats
 
 
 def _shares_of_movement(frames: int, pace: float) -> Iterator[tuple[float, int]]:

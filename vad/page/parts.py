@@ -10,11 +10,13 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
-from itertools import islice, pairwise, repeat
+from itertools import accumulate, islice, pairwise, repeat
 from typing import Any
 
+from vad.lecture.chapters import Chapter, chapters
 from vad.lecture.lesson import Lesson, LessonStep
 from vad.lecture.moment import drawing
+from vad.lecture.telling import beats
 from vad.page.hand import Hand, hand
 from vad.page.ink import Inker, when
 from vad.page.spoken import spoken
@@ -30,7 +32,7 @@ from vad.plan.items import FOREVER
 from vad.plan.layout import MARGIN
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, said, symbols
-from vad.plan.lettering.wrapping import tied
+from vad.plan.lettering.wrapping import cut, tied
 from vad.plan.marks import line
 from vad.plan.page.changing import caption_lines, measuring
 from vad.plan.page.heads import APART, REMARK_SIZE, TITLE, Piece, compose
@@ -44,7 +46,7 @@ from vad.strokes.draw import NO_PINS
 from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Cell, Panel, Row
 from vad.style import load_style
-from vad.words import Language
+from vad.words import Language, text_of
 from vad.written import with_unit
 
 PADDING = 0.25 * ENTRY  # after a symbol
@@ -126,15 +128,11 @@ def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = 
         f"<span>{words.of(roman(item.replace(' ', _FIRM)))}</span>" for item in parameters(sheet)
     )
     first = [board.sketches[panel.name].setting.first for panel in sheet.panels]
-    counts = [sum(len(half.strokes) for half in panel.halves) for panel in sheet.panels]
     return Parts(
         head=f"<h1>{title}</h1><p>{items}</p>",
         panels="".join(drawn),
         table=results,
-        chapters="".join(
-            f'<button data-x="{start}" style="flex-grow:{count}">{escape(panel.title)}</button>'
-            for panel, start, count in zip(sheet.panels, first, counts, strict=True)
-        ),
+        chapters="".join(_chapter(*each) for each in pairwise(_chapters(lesson))),
         steps="".join(
             f"<div><h3>{words.of(roman(panel.title), light=False, heavy=True)}</h3><ol>"
             + "".join(
@@ -149,9 +147,10 @@ def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = 
             "first": first,
             "panels": [[panel.name, panel.title] for panel in sheet.panels],
             "times": [
-                [round(step.grow / lesson.fps, 3), round(step.hold / lesson.fps, 3)]
+                [round(frames / lesson.fps, 3) for frames in (step.grow, step.hold, *step.beats)]
                 for step in lesson.steps
             ],
+            "answer": _answer(lesson, words),
             "spoken": [words for _, words in listed],
             "grow": inker.growths,
             "words": Language(sheet.language).page("PLAYER"),
@@ -207,8 +206,41 @@ def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, st
     """Return the caption of a step as an entry of the list, and as it is read out."""
     pieces = pieces_of(step.stroke.said)
     place = f"#step={step.panel.column}:{lesson.place(step)}"
-    item = f'<li><a href="{place}">{words.of(said(tied(pieces)))}</a></li>'
+    item = f'<li><a href="{place}">{_beats(step, words)}</a></li>'
     return item, spoken(pieces, lesson.sheet.language)
+
+
+def _beats(step: LessonStep, words: RunWriter) -> str:
+    """Return a caption; each of its beats is an element, if it has several."""
+    pieces = tied(pieces_of(step.stroke.said))
+    parts = beats(step.stroke.said)
+    if len(parts) == 1:
+        return words.of(said(pieces))
+    ends = accumulate((len(text_of(part)) for part in parts), initial=0)
+    return "".join(f"<span>{words.of(said(cut(pieces, each)))}</span>" for each in pairwise(ends))
+
+
+def _answer(lesson: Lesson, words: RunWriter) -> list[str]:
+    """Return the answer of a lesson and how it is read out; nothing where it has none."""
+    if lesson.answer is None:
+        return []
+    pieces = lesson.answer.pieces
+    return [words.of(said(tied(pieces))), spoken(pieces, lesson.sheet.language)]
+
+
+def _chapters(lesson: Lesson) -> list[Chapter]:
+    """Return the chapters of strokes, and where they end."""
+    count = len(lesson.steps)
+    return [*(each for each in chapters(lesson) if each.step < count), Chapter("", count, 0, 0)]
+
+
+def _chapter(chapter: Chapter, after: Chapter) -> str:
+    """Return the button of a chapter; that of a further loop has the number of the loop."""
+    count = after.step - chapter.step
+    name, more = escape(chapter.title), ""
+    if chapter.loop > 1:
+        name, more = str(chapter.loop), f' title="{name}"'
+    return f'<button data-x="{chapter.step}" style="flex-grow:{count}"{more}>{name}</button>'
 
 
 def panel_section(board: Plan, panel: Panel, inker: Inker, words: RunWriter) -> str:

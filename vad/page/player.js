@@ -163,7 +163,8 @@ export function mount(root, data, { address = true } = {}) {
     scrub.setAttribute("aria-valuetext", words);
     status.textContent = document.activeElement === scrub ? "" : words;
     lesson.links.forEach((link, i) => i === stroke ? link.setAttribute("aria-current", "step") : link.removeAttribute("aria-current"));
-    lesson.chapters.forEach((each, i) => each.setAttribute("aria-current", i === panel));
+    const chapter = lesson.chapters.findLast((each) => each.dataset.x <= Math.max(stroke, 0));
+    lesson.chapters.forEach((each) => each.setAttribute("aria-current", each === chapter));
     clearTimeout(timer);
     if (address) timer = setTimeout(write, 250);
   }
@@ -173,8 +174,23 @@ export function mount(root, data, { address = true } = {}) {
     const panel = lesson.panel = panelOf(at), chapter = lesson.chapters.findLast((each) => each.dataset.x <= at);
     near(panel);
     lesson.chapters.forEach((each) => each.setAttribute("aria-current", each === chapter));
-    caption.textContent = status.textContent = lesson.panels[panel][1];
+    caption.textContent = status.textContent = chapter.title || chapter.textContent;
     count.textContent = `${at - lesson.first[panel]} / ${length(panel)}`;
+    spoken = null;
+  }
+
+  // While it is played, a caption that calculates is said in beats.
+  function beats(at) {
+    const stroke = rest > 0 ? at - 1 : Math.floor(at), [grow, hold, ...starts] = lesson.times[stroke] ?? [];
+    const past = rest > 0 ? grow + hold - rest : (at - stroke) * grow;
+    caption.dataset.said = 1 + starts.filter((start) => start <= past).length;
+  }
+
+  // After the last stroke the answer is said in words.
+  function conclude() {
+    if (!lesson.answer?.length) return;
+    [caption.innerHTML, status.textContent] = lesson.answer;
+    count.textContent = "";
     spoken = null;
   }
 
@@ -209,6 +225,7 @@ export function mount(root, data, { address = true } = {}) {
 
   function stop() {
     mode = "";
+    delete caption.dataset.said;
     cancelAnimationFrame(frame);
     one("[data-do=play]").classList.remove("on");
     label(lesson?.words.play);
@@ -243,8 +260,14 @@ export function mount(root, data, { address = true } = {}) {
       else [at, rest] = [stroke + 1, mode === "play" ? hold : 0];
     }
     if (at !== x) paint(at);
-    if (rest > 0 || at < goal) frame = requestAnimationFrame(tick);
-    else stop();
+    if (rest > 0 || at < goal) {
+      if (mode === "play") beats(at);
+      frame = requestAnimationFrame(tick);
+    } else {
+      const played = mode === "play";
+      stop();
+      if (played) conclude();
+    }
   }
 
   function seek(to) {
@@ -260,7 +283,7 @@ export function mount(root, data, { address = true } = {}) {
     back: () => seek(Math.ceil(x) - 1),
     chapter: (to) => { seek(to); if (to && to < strokes()) opened(to); },
     onward: () => does.forward(false),
-    forward: (atOnce) => atOnce || mode === "step" ? seek(next()) : run("step", next()),
+    forward: (atOnce) => x === strokes() ? conclude() : atOnce || mode === "step" ? seek(next()) : run("step", next()),
     play: () => mode === "play" ? stop() : play(),
     strokes: () => unfold(rail.classList.contains("closed")),
     theme: () => {

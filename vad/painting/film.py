@@ -140,7 +140,8 @@ class _Incremental:
         #: with the box of their pixels.
         self._top: list[tuple[Mark, Box | None]] = []
         self._beat: int | None = None
-        self._near = 0.0
+        #: Beat, place of the first panel, and words of the caption, as they were painted last.
+        self._state: tuple[int, float, int] | None = None
         self._dirty: Box = EMPTY
         #: For each region the items that it began with when it last changed, and their pixels.
         self._beneath: dict[str, tuple[list[Item], PixelWords]] = {}
@@ -151,7 +152,8 @@ class _Incremental:
         first, box = self._beat is None, EMPTY
         regions: dict[str, list[Item]] = {}
         top = self._top
-        turned = (moment.beat, moment.near) != (self._beat, self._near)
+        state = moment.beat, moment.near, moment.said
+        turned = state != self._state
         if turned:
             regions = self._changed(moment)
             box = self._dirty
@@ -163,7 +165,7 @@ class _Incremental:
         before = self._cut(box).copy()
         if turned:
             self._commit(regions, top, moment.beat)
-            self._beat, self._near, self._top = moment.beat, moment.near, top
+            self._beat, self._state, self._top = moment.beat, state, top
         self._lay(now)
         if first:
             return 0, 0, self.pixels.shape[1], self.pixels.shape[0]

@@ -13,10 +13,12 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import Protocol
 
+from vad.lecture.answer import answer
 from vad.lecture.moment import Moment, finished
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import (
+    ALWAYS,
     CAPTION,
     FOREVER,
     OPENING,
@@ -121,7 +123,11 @@ class Plan:
 
 def seen(board: Board, moment: Moment) -> Sequence[Item]:
     """Return the items that show at a moment, in painting order."""
-    items = board.shown(moment.beat)
+    items = [
+        item
+        for item in board.shown(moment.beat)
+        if item.words is ALWAYS or item.words[0] <= moment.said < item.words[1]
+    ]
     if not moment.near:
         return items
     assert isinstance(board, Plan)  # a turn has no opening
@@ -184,7 +190,7 @@ def plan(
             *equations(sheet, page, feet, sketches),
             *(readings(page, feet, sketches) if form.centimetre else ()),
             *results(sheet, page, sketches, key, lesson),
-            *(captions(sheet, page, sketches) if lesson else ()),
+            *(captions(sheet, page, sketches, answer(sheet)) if lesson else ()),
         ]
     shown = tuple(in_painting_order(items, regions))
     return Plan(sheet, form, page, regions, shown, sketches)

@@ -50,6 +50,9 @@ class Item:
         In painting order; those with a growth come about while the stroke is drawn.
     since, until
         The beats between which they show.
+    words
+        How many beats of the caption have been said while they show: from the first number on,
+        until the second.
     """
 
     stroke: str
@@ -58,6 +61,7 @@ class Item:
     marks: tuple[Mark, ...]
     since: int = 0
     until: int = FOREVER
+    words: Span = ALWAYS
 
     @property
     def grows(self) -> bool:

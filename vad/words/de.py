@@ -93,17 +93,11 @@ PHRASES = {
     "third point": "{letter} ist der Schnittpunkt der Bögen: {corners} behält seinen Umlaufsinn.",
     "on link slot": "{letter} liegt, wo der Bogen die Gerade des Schlitzes schneidet.",
     "in slot": "{head} liegt auf der Geraden des Schlitzes {link:des}.",
-    "tip": "{letter} liegt auf {link:dem}, {size} {unit} von {tail} entfernt.",
-    "tip against": (
-        "{letter} liegt auf {link:dem}, {size} {unit} von {tail} entfernt auf der anderen Seite."
-    ),
+    "tip": "{letter} liegt auf {link:dem}, {size} {unit} von {tail}.",
+    "tip against": "{letter} liegt auf {link:dem}, {size} {unit} von {tail} auf der anderen Seite.",
     # Polygone
-    "pole velocity": (
-        "Der Pol: feste Punkte haben keine Geschwindigkeit, also liegen {letters} hier."
-    ),
-    "pole acceleration": (
-        "Der Pol: feste Punkte haben keine Beschleunigung, also liegen {letters} hier."
-    ),
+    "pole velocity": "Der Pol: die festen Punkte {letters} haben keine Geschwindigkeit.",
+    "pole acceleration": "Der Pol: die festen Punkte {letters} haben keine Beschleunigung.",
     "pole velocity one": (
         "Der Pol: der feste Punkt {point} hat keine Geschwindigkeit, also liegt {letters} hier."
     ),
@@ -153,8 +147,8 @@ PHRASES = {
         "bewegen, also liegt {meeting} darauf."
     ),
     "across acceleration": (
-        "⟂ {bar} durch {point}: von {alpha}·{bar} ist die Richtung bekannt, die Länge nicht, also "
-        "liegt {meeting} darauf."
+        "⟂ {bar} durch {point}: von {alpha}·{bar} ist nur die Richtung bekannt, also liegt "
+        "{meeting} darauf."
     ),
     "along velocity": (
         "∥ {line} durch {point}: anders kann sich {slide:der} {head} nicht bewegen, also liegt "
@@ -169,8 +163,8 @@ PHRASES = {
         "liegt {meeting} darauf."
     ),
     "along acceleration": (
-        "∥ {line} durch {point}: vom Gleitanteil ist die Richtung bekannt, die Länge nicht, also "
-        "liegt {meeting} darauf."
+        "∥ {line} durch {point}: vom Gleitanteil ist nur die Richtung bekannt, also liegt "
+        "{meeting} darauf."
     ),
     "crossing": "{letter} ist der Schnittpunkt der Geraden.",
     "crossing zero": "{letter} ist der Schnittpunkt der Geraden: {found}.",
@@ -181,8 +175,7 @@ PHRASES = {
         "gesehen läuft {head} {way}."
     ),
     "measured omega absolute": (
-        "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense}: {label} ist die "
-        "Geschwindigkeit von {head}, {way}."
+        "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense}: {head} läuft {way}."
     ),
     "measured omega strut": (
         "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense}: quer zu {bar} läuft "
@@ -223,8 +216,20 @@ PHRASES = {
         "{letter} fällt auf {point}: alle Punkte {link:des} haben in diesem Augenblick dieselbe "
         "Beschleunigung."
     ),
-    "image whose": ", {whose}",
     "image other": "; {label} = {value} {unit}",
+    # die Antwort
+    "answer": "Antwort",
+    "answer at angle": "Bei {value}°",
+    "answer at place": "Bei {symbol} = {value} {unit}",
+    "answer here": "In dieser Lage",
+    "answer turns": "{place} dreht sich {name:der} {of} {way} mit {rate} {unit}{trend}.",
+    "answer moves": "{place} bewegt sich {name:der} {of} {way} mit {rate} {unit}{trend}.",
+    "answer measures": "{place} hat {name:der} {of} {symbol} = {rate} {unit}{trend}.",
+    "answer rests": "{place} steht {name:der} {of} für einen Augenblick still.",
+    "answer gains": " und wird schneller",
+    "answer loses": " und wird langsamer",
+    "answer steady": "",
+    "loop": "{panel}, Masche {number}",
     # Wörter
     "and": "{first} und {last}",
     "the pole": "den Pol",
@@ -290,29 +295,27 @@ PHRASES = {
         "Koppelebene dreht sich {symbol} mit *OI*."
     ),
     "bodies line 24 velocity": (
-        "Durch {point} parallel zu *OI*: nur *OI* liegt in der Gestellebene und in der "
-        "Koppelebene, also dreht sich Körper 4 gegenüber Körper 2 um *OI*, und {meeting} liegt auf "
-        "dieser Geraden."
+        "∥ *OI* durch {point}: nur *OI* liegt in den Ebenen von Gestell und Koppel, also dreht "
+        "sich 4 relativ zu 2 um *OI*, und {meeting} liegt darauf."
     ),
     "bodies line 24 acceleration": (
-        "Durch {point} parallel zu *OI*: um wie viel die Drehung längs *OI* wächst, ist noch "
-        "unbekannt, also liegt {meeting} auf dieser Geraden."
+        "∥ *OI* durch {point}: wie die Drehung längs *OI* wächst, ist noch unbekannt, also liegt "
+        "{meeting} darauf."
     ),
     "bodies line 14": (
-        "Durch {point} parallel zu *OD*: um eine andere Gerade dreht sich die Schwinge nicht, also "
-        "liegt {meeting} auf dieser Geraden."
+        "∥ *OD* durch {point}: nur um *OD* dreht sich die Schwinge, also liegt {meeting} darauf."
     ),
     "bodies fold": (
         "Die Koppelebene wird um *OI* in das Blatt umgeklappt: *OB* und *OC* liegen in wahrer "
         "Richtung."
     ),
     "bodies line 23": (
-        "Durch {point} parallel zum umgeklappten *OB*, {arc}° von *OI*: um *OB* dreht sich die "
-        "Koppel gegenüber der Kurbel, also liegt {meeting} auf dieser Geraden."
+        "∥ *OB* (umgeklappt) durch {point}, {arc}° von *OI*: um *OB* dreht sich die Koppel "
+        "relativ zur Kurbel, also liegt {meeting} darauf."
     ),
     "bodies line 43": (
-        "Durch {point} parallel zu *OC*, {arc}° von *OI*: um *OC* dreht sich die Koppel gegenüber "
-        "der Schwinge, also liegt {meeting} auf dieser Geraden."
+        "∥ *OC* durch {point}, {arc}° von *OI*: um *OC* dreht sich die Koppel relativ zur "
+        "Schwinge, also liegt {meeting} darauf."
     ),
     "bodies sines": (
         "{label} = {symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
@@ -471,26 +474,24 @@ PHRASES = {
     "hooke speeds": "Drehzahlen über einen Umlauf",
     "hooke shaft": "Welle {shaft}",
     "hooke line 24 velocity": (
-        "Durch {point} parallel zu *OT*: gegenüber Gabel 2 kann sich Gabel 4 nur um Geraden in der "
-        "Ebene des Kreuzes drehen; in der Ebene der Wellen ist nur *OT* eine, also liegt {meeting} "
-        "auf dieser Geraden."
+        "∥ *OT* durch {point}: relativ zu Gabel 2 dreht sich Gabel 4 nur um Geraden in der Ebene "
+        "des Kreuzes; in der Ebene der Wellen liegt davon nur *OT*, also liegt {meeting} darauf."
     ),
     "hooke line 24 acceleration": (
-        "Durch {point} parallel zu *OT*: um wie viel die Drehung längs *OT* wächst, ist noch "
-        "unbekannt, also liegt {meeting} auf dieser Geraden."
+        "∥ *OT* durch {point}: wie die Drehung längs *OT* wächst, ist noch unbekannt, also liegt "
+        "{meeting} darauf."
     ),
     "hooke line 14": (
-        "Durch {point} parallel zu Welle 4: um eine andere Gerade dreht sie sich nicht, also liegt "
-        "{meeting} auf dieser Geraden."
+        "∥ Welle 4 durch {point}: nur um sie dreht sich Gabel 4, also liegt {meeting} darauf."
     ),
     "hooke fold": "Die Ebene des Kreuzes wird um *OT* in die der Wellen umgeklappt.",
     "hooke line 23": (
-        "Durch {point} parallel zum umgeklappten *OP*: um *OP* dreht sich das Kreuz gegenüber "
-        "Gabel 2, also liegt {meeting} auf dieser Geraden."
+        "∥ *OP* (umgeklappt) durch {point}: um *OP* dreht sich das Kreuz relativ zu Gabel 2, also "
+        "liegt {meeting} darauf."
     ),
     "hooke line 43": (
-        "Durch {point} parallel zu *OQ*, senkrecht zur anderen Geraden: {meeting} liegt auf dem "
-        "Thaleskreis über 24."
+        "∥ *OQ* durch {point}, senkrecht zur anderen Geraden: {meeting} liegt auf dem Thaleskreis "
+        "über 24."
     ),
     "hooke turned frame": (
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*: {symbol} dreht sich "
@@ -735,20 +736,20 @@ PHRASES = {
         "dreht sich *A* um *D*."
     ),
     "spatial along I velocity": (
-        "Durch {point} parallel zu *OI*: wie schnell *A* längs *I* gleitet, ist noch unbekannt, "
-        "also liegt {meeting} auf dieser Geraden."
+        "∥ *OI* durch {point}: wie schnell *A* längs *I* gleitet, ist noch unbekannt, also liegt "
+        "{meeting} darauf."
     ),
     "spatial along I acceleration": (
-        "Durch {point} parallel zu *OI*: der Anteil längs *I* ist noch unbekannt, also liegt "
-        "{meeting} auf dieser Geraden."
+        "∥ *OI* durch {point}: der Anteil längs *I* ist noch unbekannt, also liegt {meeting} "
+        "darauf."
     ),
     "spatial along D velocity": (
-        "Durch {point} parallel zu *OD*: wie schnell *A* längs *d* gleitet, ist noch unbekannt, "
-        "also liegt {meeting} auf dieser Geraden."
+        "∥ *OD* durch {point}: wie schnell *A* längs *d* gleitet, ist noch unbekannt, also liegt "
+        "{meeting} darauf."
     ),
     "spatial along D acceleration": (
-        "Durch {point} parallel zu *OD*: der Anteil längs *d* ist noch unbekannt, also liegt "
-        "{meeting} auf dieser Geraden."
+        "∥ *OD* durch {point}: der Anteil längs *d* ist noch unbekannt, also liegt {meeting} "
+        "darauf."
     ),
     # --- das Gelenkviereck mit Kugelgelenken
     # Lageplan
@@ -762,8 +763,8 @@ PHRASES = {
     "balls B front": "*B* in dieser Ansicht: senkrecht darüber.",
     "balls AB front": "Die Kurbel in dieser Ansicht.",
     "balls compass": (
-        "*B* steht {height} {unit} {side} der Ebene des Kreises von *C*: von hier gesehen ist *C* "
-        "um √({size}² − {height}²) = {reach} {unit} von *B* entfernt."
+        "*B* steht {height} {unit} {side} der Ebene des Kreises von *C*: hier ist *BC* = "
+        "√({size}² − {height}²) = {reach} {unit}."
     ),
     "balls C": "*C* liegt, wo sich die beiden Kreise schneiden.",
     "balls BC front": "Die Koppel *BC*.",
@@ -787,52 +788,51 @@ PHRASES = {
     "balls path": "Bahn von *C*",
     "balls remark": "gesehen wie *BC* rechts im Lageplan; die Koppel dreht sich nicht um *BC*",
     "balls tangential velocity": (
-        "{label} ist die Geschwindigkeit von *B*, {symbol}·{ends} = {rate} × {size} = {value} "
-        "{unit}: diese Ansicht zeigt davon {seen} {unit}."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, die Geschwindigkeit von "
+        "*B*; diese Ansicht zeigt {seen} {unit}."
     ),
     "balls tangential acceleration": (
-        "{label} ist {symbol}·{ends} = {rate} × {size} = {value} {unit}, senkrecht zu {ends}: "
-        "diese Ansicht zeigt davon {seen} {unit}."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; diese Ansicht "
+        "zeigt {seen} {unit}."
     ),
     "balls normal": (
-        "{label} ist {symbol}²·{ends} = {rate} × {size} = {value} {unit}, von {head} nach {tail}: "
-        "diese Ansicht zeigt davon {seen} {unit}."
+        "{label}: {symbol}²·{ends} = {rate} × {size} = {value} {unit}, von {head} nach {tail}; "
+        "diese Ansicht zeigt {seen} {unit}."
     ),
     "balls normal BC": (
-        "{label} = {speed}/{size} = {seen} {unit}, das Quadrat der Geschwindigkeit von *C* "
-        "gegenüber *B* durch *BC*, von *C* nach *B* in wahrer Länge."
+        "{label} = {speed}/{size} = {seen} {unit}: das Quadrat der Geschwindigkeit von *C* "
+        "relativ zu *B* durch *BC*, von *C* nach *B*."
     ),
     "balls line BC velocity": (
-        "Durch {point} senkrecht zu *BC*: die Koppel behält ihre Länge, also liegt {meeting} in "
-        "einer Ebene senkrecht zu *BC*, und die ist diese Gerade."
+        "⟂ *BC* durch {point}: die Koppel behält ihre Länge, also liegt {meeting} in einer Ebene "
+        "⟂ *BC*: diese Gerade."
     ),
     "balls line DC velocity": (
-        "Durch {point} parallel zur Bahn von *C*: *C* kann sich nur so bewegen, also liegt "
-        "{meeting} auf dieser Geraden, die in wahrer Länge erscheint."
+        "∥ Bahn von *C* durch {point}: *C* kann sich nur so bewegen, also liegt {meeting} darauf, "
+        "in wahrer Länge."
     ),
     "balls line BC acceleration": (
-        "Durch {point} senkrecht zu *BC*: längs *BC* ist alles angetragen, also liegt {meeting} in "
-        "einer Ebene senkrecht zu *BC*, und die ist diese Gerade."
+        "⟂ *BC* durch {point}: längs *BC* ist alles angetragen, also liegt {meeting} in einer "
+        "Ebene ⟂ *BC*: diese Gerade."
     ),
     "balls line DC acceleration": (
-        "Durch {point} parallel zur Bahn von *C*: der tangentiale Teil {symbol}·*DC* ist noch "
-        "unbekannt, also liegt {meeting} auf dieser Geraden."
+        "∥ Bahn von *C* durch {point}: von {symbol}·*DC* ist nur die Richtung bekannt, also liegt "
+        "{meeting} darauf."
     ),
     "balls coupler velocity": (
-        "{label} = {value} {unit} hier und {off} {unit} aus dem Papier heraus: zusammen {whole} "
-        "{unit}, also {symbol} = {whole}/{size} = {rate} {rad/s}."
+        "{label} = {value} {unit} hier, {off} {unit} aus dem Papier heraus, zusammen {symbol} = "
+        "{whole}/{size} = {rate} {rad/s}."
     ),
     "balls coupler acceleration": (
-        "{label} = {value} {unit} hier und {off} {unit} aus dem Papier heraus: zusammen {whole} "
-        "{unit}, also {symbol} = {whole}/{size} = {rate} {rad/s²}."
+        "{label} = {value} {unit} hier, {off} {unit} aus dem Papier heraus, zusammen {symbol} = "
+        "{whole}/{size} = {rate} {rad/s²}."
     ),
     "balls rocker velocity": (
-        "{label} = {value} {unit} ist die Geschwindigkeit von *C*, also {symbol} = {label}/*DC* = "
-        "{value}/{size} = {rate} {rad/s}, {sense}."
+        "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}: {label} ist die "
+        "Geschwindigkeit von *C*."
     ),
     "balls rocker acceleration": (
-        "{label} = {value} {unit}, also {symbol} = {label}/*DC* = {value}/{size} = {rate} "
-        "{rad/s²}, {sense}."
+        "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, {sense}."
     ),
     "balls whole": "{label} = {value} {unit} in dieser Ansicht, {whose}.",
     # Bilder und Tabellen von Läufen, und Kennwerte

@@ -152,8 +152,8 @@ PHRASES = {
         "{meeting} lies on it."
     ),
     "across acceleration": (
-        "⟂ {bar} through {point}: the direction of {alpha}·{bar} is known, its length is not, so "
-        "{meeting} lies on it."
+        "⟂ {bar} through {point}: only the direction of {alpha}·{bar} is known, so {meeting} lies "
+        "on it."
     ),
     "along velocity": (
         "∥ {line} through {point}: the {slide} {head} can move no other way, so {meeting} lies on "
@@ -168,8 +168,8 @@ PHRASES = {
         "{meeting} lies on it."
     ),
     "along acceleration": (
-        "∥ {line} through {point}: the direction of the sliding part is known, its length is not, "
-        "so {meeting} lies on it."
+        "∥ {line} through {point}: only the direction of the sliding part is known, so {meeting} "
+        "lies on it."
     ),
     "crossing": "{letter} is where both lines cross.",
     "crossing zero": "{letter} is where both lines cross: {found}.",
@@ -180,8 +180,7 @@ PHRASES = {
         "as seen from {tail}."
     ),
     "measured omega absolute": (
-        "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense}: {label} is the "
-        "velocity of {head}, {way}."
+        "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense}: {head} moves {way}."
     ),
     "measured omega strut": (
         "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense}: across {bar}, {head} "
@@ -222,8 +221,20 @@ PHRASES = {
         "{letter} falls on {point}: all points of the {link} have the same acceleration at this "
         "instant."
     ),
-    "image whose": ", {whose}",
     "image other": "; {label} = {value} {unit}",
+    # the answer
+    "answer": "Answer",
+    "answer at angle": "At {value}°",
+    "answer at place": "At {symbol} = {value} {unit}",
+    "answer here": "In this pose",
+    "answer turns": "{place} the {name} {of} turns {way} at {rate} {unit}{trend}.",
+    "answer moves": "{place} the {name} {of} moves {way} at {rate} {unit}{trend}.",
+    "answer measures": "{place} the {name} {of} has {symbol} = {rate} {unit}{trend}.",
+    "answer rests": "{place} the {name} {of} stands still for an instant.",
+    "answer gains": " and gains speed",
+    "answer loses": " and loses speed",
+    "answer steady": "",
+    "loop": "{panel}, loop {number}",
     # words
     "and": "{first} and {last}",
     "the pole": "the pole",
@@ -287,28 +298,27 @@ PHRASES = {
         "coupler {symbol} turns with *OI*, too."
     ),
     "bodies line 24 velocity": (
-        "Through {point}, parallel to *OI*: in the planes of frame and coupler alike lies *OI* "
-        "alone, so about it body 4 turns against body 2, and {meeting} lies on this line."
+        "∥ *OI* through {point}: *OI* alone lies in the planes of frame and coupler, so about it "
+        "body 4 turns relative to body 2, and {meeting} lies on it."
     ),
     "bodies line 24 acceleration": (
-        "Through {point}, parallel to *OI*: by how much the turning grows along *OI* is not known "
-        "yet, so {meeting} lies on this line."
+        "∥ *OI* through {point}: how the turning grows along *OI* is not known yet, so {meeting} "
+        "lies on it."
     ),
     "bodies line 14": (
-        "Through {point}, parallel to *OD*: the rocker turns about no other line, so {meeting} "
-        "lies on this line."
+        "∥ *OD* through {point}: the rocker turns about no other line, so {meeting} lies on it."
     ),
     "bodies fold": (
         "The plane of the coupler is laid over into the paper, about *OI*: *OB* and *OC* lie in "
         "true direction."
     ),
     "bodies line 23": (
-        "Through {point}, parallel to *OB* as laid over, {arc}° from *OI*: about *OB* the coupler "
-        "turns against the crank, so {meeting} lies on this line."
+        "∥ laid-over *OB* through {point}, {arc}° from *OI*: about *OB* the coupler turns "
+        "relative to the crank, so {meeting} lies on it."
     ),
     "bodies line 43": (
-        "Through {point}, parallel to *OC*, {arc}° from *OI*: about *OC* the coupler turns against "
-        "the rocker, so {meeting} lies on this line."
+        "∥ *OC* through {point}, {arc}° from *OI*: about *OC* the coupler turns relative to the "
+        "rocker, so {meeting} lies on it."
     ),
     "bodies sines": (
         "{label} = {symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
@@ -446,26 +456,23 @@ PHRASES = {
     "hooke speeds": "speeds over a turn",
     "hooke shaft": "shaft {shaft}",
     "hooke line 24 velocity": (
-        "Through {point}, parallel to *OT*: against yoke 2, yoke 4 can turn only about lines in "
-        "the plane of the cross; in the plane of the shafts only *OT* is one, so {meeting} lies on "
-        "this line."
+        "∥ *OT* through {point}: relative to yoke 2, yoke 4 can turn only about lines in the "
+        "plane of the cross; *OT* alone lies in that of the shafts, too, so {meeting} lies on it."
     ),
     "hooke line 24 acceleration": (
-        "Through {point}, parallel to *OT*: by how much the turning grows along *OT* is not known "
-        "yet, so {meeting} lies on this line."
+        "∥ *OT* through {point}: how the turning grows along *OT* is not known yet, so {meeting} "
+        "lies on it."
     ),
     "hooke line 14": (
-        "Through {point}, parallel to shaft 4: it turns about no other line, so {meeting} lies on "
-        "this line."
+        "∥ shaft 4 through {point}: it turns about no other line, so {meeting} lies on it."
     ),
     "hooke fold": "The plane of the cross is laid over into that of the shafts, about *OT*.",
     "hooke line 23": (
-        "Through {point}, parallel to *OP* as laid over: about *OP* the cross turns against yoke "
-        "2, so {meeting} lies on this line."
+        "∥ laid-over *OP* through {point}: about *OP* the cross turns relative to yoke 2, so "
+        "{meeting} lies on it."
     ),
     "hooke line 43": (
-        "Through {point}, parallel to *OQ*, square to the other line: {meeting} lies on the circle "
-        "over 24."
+        "∥ *OQ* through {point}, square to the other line: {meeting} lies on the circle over 24."
     ),
     "hooke turned frame": (
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*: {symbol} turns with "
@@ -695,20 +702,18 @@ PHRASES = {
         "turns about *D*."
     ),
     "spatial along I velocity": (
-        "Through {point}, parallel to *OI*: how fast it slides along *I* is not known yet, so "
-        "{meeting} lies on this line."
+        "∥ *OI* through {point}: how fast it slides along *I* is not known yet, so {meeting} lies "
+        "on it."
     ),
     "spatial along I acceleration": (
-        "Through {point}, parallel to *OI*: what is along *I* is not known yet, so {meeting} lies "
-        "on this line."
+        "∥ *OI* through {point}: what is along *I* is not known yet, so {meeting} lies on it."
     ),
     "spatial along D velocity": (
-        "Through {point}, parallel to *OD*: how fast it slides along *d* is not known yet, so "
-        "{meeting} lies on this line."
+        "∥ *OD* through {point}: how fast it slides along *d* is not known yet, so {meeting} lies "
+        "on it."
     ),
     "spatial along D acceleration": (
-        "Through {point}, parallel to *OD*: what is along *d* is not known yet, so {meeting} lies "
-        "on this line."
+        "∥ *OD* through {point}: what is along *d* is not known yet, so {meeting} lies on it."
     ),
     # --- the ball-jointed four-bar
     # position
@@ -747,52 +752,51 @@ PHRASES = {
     "balls path": "path of *C*",
     "balls remark": "seen as *BC* to the right of the views; the coupler does not spin about *BC*",
     "balls tangential velocity": (
-        "{label} is the velocity of *B*, {symbol}·{ends} = {rate} × {size} = {value} {unit}: this "
-        "view sees {seen} {unit} of it."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, the velocity of *B*, of "
+        "which this view shows {seen} {unit}."
     ),
     "balls tangential acceleration": (
-        "{label} is {symbol}·{ends} = {rate} × {size} = {value} {unit}, square to {ends}: this "
-        "view sees {seen} {unit} of it."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}, of which this "
+        "view shows {seen} {unit}."
     ),
     "balls normal": (
-        "{label} is {symbol}²·{ends} = {rate} × {size} = {value} {unit}, from {head} towards "
-        "{tail}: this view sees {seen} {unit} of it."
+        "{label}: {symbol}²·{ends} = {rate} × {size} = {value} {unit}, from {head} towards "
+        "{tail}, of which this view shows {seen} {unit}."
     ),
     "balls normal BC": (
-        "{label} = {speed}/{size} = {seen} {unit}, the square of the velocity of *C* relative to "
-        "*B* over *BC*, from *C* towards *B* in true length."
+        "{label} = {speed}/{size} = {seen} {unit}: the square of *C*’s velocity relative to *B* "
+        "over *BC*, from *C* towards *B*."
     ),
     "balls line BC velocity": (
-        "Through {point}, perpendicular to *BC*: the coupler keeps its length, so {meeting} lies "
-        "in a plane square to *BC*, which is this line."
+        "⟂ *BC* through {point}: the coupler keeps its length, so {meeting} lies in a plane "
+        "square to *BC*, seen as this line."
     ),
     "balls line DC velocity": (
-        "Through {point}, parallel to the path of *C*: *C* can move no other way, so {meeting} "
-        "lies on this line, which is in true length."
+        "∥ the path of *C* through {point}: *C* can move no other way, so {meeting} lies on it, "
+        "in true length."
     ),
     "balls line BC acceleration": (
-        "Through {point}, perpendicular to *BC*: along *BC* all is laid off, so {meeting} lies in "
-        "a plane square to *BC*, which is this line."
+        "⟂ *BC* through {point}: along *BC* all is laid off, so {meeting} lies in a plane square "
+        "to *BC*, seen as this line."
     ),
     "balls line DC acceleration": (
-        "Through {point}, parallel to the path of *C*: the tangential part {symbol}·*DC* is not "
-        "known yet, so {meeting} lies on this line."
+        "∥ the path of *C* through {point}: only the direction of {symbol}·*DC* is known, so "
+        "{meeting} lies on it."
     ),
     "balls coupler velocity": (
-        "{label} = {value} {unit} here and {off} {unit} off the paper: together {whole} {unit}, so "
-        "{symbol} = {whole}/{size} = {rate} {rad/s}."
+        "{label} = {value} {unit} here and {off} {unit} off the paper, together {symbol} = "
+        "{whole}/{size} = {rate} {rad/s}."
     ),
     "balls coupler acceleration": (
-        "{label} = {value} {unit} here and {off} {unit} off the paper: together {whole} {unit}, so "
-        "{symbol} = {whole}/{size} = {rate} {rad/s²}."
+        "{label} = {value} {unit} here and {off} {unit} off the paper, together {symbol} = "
+        "{whole}/{size} = {rate} {rad/s²}."
     ),
     "balls rocker velocity": (
-        "{label} = {value} {unit} is the velocity of *C*, so {symbol} = {label}/*DC* = "
-        "{value}/{size} = {rate} {rad/s}, {sense}."
+        "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}: {label} is the "
+        "velocity of *C*."
     ),
     "balls rocker acceleration": (
-        "{label} = {value} {unit}, so {symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, "
-        "{sense}."
+        "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, {sense}."
     ),
     "balls whole": "{label} = {value} {unit} in this view, {whose}.",
     # plots and tables of sweeps, and figures of merit

@@ -99,10 +99,8 @@ PHRASES = {
     "tip": "{letter} est sur {link:le}, à {size} {unit} de {tail}.",
     "tip against": "{letter} est sur {link:le}, à {size} {unit} de {tail}, de l’autre côté.",
     # polygones
-    "pole velocity": "Le pôle : les points fixes n’ont pas de vitesse, donc {letters} sont ici.",
-    "pole acceleration": (
-        "Le pôle : les points fixes n’ont pas d’accélération, donc {letters} sont ici."
-    ),
+    "pole velocity": "Le pôle : la vitesse des points fixes {letters} est nulle.",
+    "pole acceleration": "Le pôle : l’accélération des points fixes {letters} est nulle.",
     "pole velocity one": (
         "Le pôle : le point fixe {point} n’a pas de vitesse, donc {letters} est ici."
     ),
@@ -151,8 +149,8 @@ PHRASES = {
         "qu’en travers, donc {meeting} y est."
     ),
     "across acceleration": (
-        "⟂ {bar} par {point} : la direction de {alpha}·{bar} est connue, sa longueur non, donc "
-        "{meeting} y est."
+        "⟂ {bar} par {point} : de {alpha}·{bar} on ne connaît que la direction, donc {meeting} y "
+        "est."
     ),
     "along velocity": (
         "∥ {line} par {point} : {slide:le} {head} ne peut pas se déplacer autrement, donc "
@@ -167,8 +165,7 @@ PHRASES = {
         "autrement, donc {meeting} y est."
     ),
     "along acceleration": (
-        "∥ {line} par {point} : la direction du glissement est connue, sa longueur non, donc "
-        "{meeting} y est."
+        "∥ {line} par {point} : on ne connaît que la direction du glissement, donc {meeting} y est."
     ),
     "crossing": "{letter} est à l’intersection des deux droites.",
     "crossing zero": "{letter} est à l’intersection des deux droites : {found}.",
@@ -181,8 +178,8 @@ PHRASES = {
         "{head} se déplace {way}."
     ),
     "measured omega absolute": (
-        "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense} : {label} est la "
-        "vitesse de {head}, {way}."
+        "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense} : {head} se déplace "
+        "{way}."
     ),
     "measured omega strut": (
         "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense} : perpendiculairement "
@@ -222,8 +219,20 @@ PHRASES = {
         "{letter} tombe sur {point} : tous les points {link:du} ont à cet instant la même "
         "accélération."
     ),
-    "image whose": ", {whose}",
     "image other": " ; {label} = {value} {unit}",
+    # la réponse
+    "answer": "Réponse",
+    "answer at angle": "À {value}°",
+    "answer at place": "En {symbol} = {value} {unit}",
+    "answer here": "Dans cette position",
+    "answer turns": "{place}, {name:le} {of} tourne {way} à {rate} {unit}{trend}.",
+    "answer moves": "{place}, {name:le} {of} se déplace {way} à {rate} {unit}{trend}.",
+    "answer measures": "{place}, {name:le} {of} a {symbol} = {rate} {unit}{trend}.",
+    "answer rests": "{place}, {name:le} {of} est immobile un instant.",
+    "answer gains": " et accélère",
+    "answer loses": " et ralentit",
+    "answer steady": "",
+    "loop": "{panel}, boucle {number}",
     # mots
     "and": "{first} et {last}",
     "the pole": "le pôle",
@@ -288,29 +297,27 @@ PHRASES = {
         "bielle aussi, {symbol} tourne avec *OI*."
     ),
     "bodies line 24 velocity": (
-        "Par {point}, parallèlement à *OI* : seul *OI* est à la fois dans le plan du bâti et dans "
-        "celui de la bielle, donc le corps 4 tourne autour de *OI* par rapport au corps 2, et "
-        "{meeting} est sur cette droite."
+        "∥ *OI* par {point} : seul *OI* est dans les plans du bâti et de la bielle, donc 4 tourne "
+        "autour de *OI* par rapport à 2, et {meeting} y est."
     ),
     "bodies line 24 acceleration": (
-        "Par {point}, parallèlement à *OI* : on ne sait pas encore de combien la rotation croît "
-        "suivant *OI*, donc {meeting} est sur cette droite."
+        "∥ *OI* par {point} : on ne sait pas encore de combien la rotation croît suivant *OI*, "
+        "donc {meeting} y est."
     ),
     "bodies line 14": (
-        "Par {point}, parallèlement à *OD* : le balancier ne tourne autour d’aucune autre droite, "
-        "donc {meeting} est sur cette droite."
+        "∥ *OD* par {point} : le balancier ne tourne qu’autour de *OD*, donc {meeting} y est."
     ),
     "bodies fold": (
         "Le plan de la bielle est rabattu sur la feuille autour de *OI* : *OB* et *OC* y sont en "
         "vraie direction."
     ),
     "bodies line 23": (
-        "Par {point}, parallèlement à *OB* rabattu, à {arc}° de *OI* : la bielle tourne autour de "
-        "*OB* par rapport à la manivelle, donc {meeting} est sur cette droite."
+        "∥ *OB* rabattu par {point}, à {arc}° de *OI* : la bielle tourne autour de *OB* par "
+        "rapport à la manivelle, donc {meeting} y est."
     ),
     "bodies line 43": (
-        "Par {point}, parallèlement à *OC*, à {arc}° de *OI* : la bielle tourne autour de *OC* par "
-        "rapport au balancier, donc {meeting} est sur cette droite."
+        "∥ *OC* par {point}, à {arc}° de *OI* : la bielle tourne autour de *OC* par rapport au "
+        "balancier, donc {meeting} y est."
     ),
     "bodies sines": (
         "{label} = {symbol} = {value} {unit} : *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
@@ -463,26 +470,25 @@ PHRASES = {
     "hooke speeds": "vitesses sur un tour",
     "hooke shaft": "l’arbre {shaft}",
     "hooke line 24 velocity": (
-        "Par {point}, parallèlement à *OT* : par rapport à la fourche 2, la fourche 4 ne peut "
-        "tourner qu’autour de droites du plan du croisillon ; dans le plan des arbres, *OT* est la "
-        "seule, donc {meeting} est sur cette droite."
+        "∥ *OT* par {point} : par rapport à la fourche 2, la fourche 4 ne tourne qu’autour de "
+        "droites du plan du croisillon ; seule *OT* est aussi dans celui des arbres, donc "
+        "{meeting} y est."
     ),
     "hooke line 24 acceleration": (
-        "Par {point}, parallèlement à *OT* : la croissance de la rotation suivant *OT* n’est pas "
-        "encore connue, donc {meeting} est sur cette droite."
+        "∥ *OT* par {point} : la croissance de la rotation suivant *OT* n’est pas encore connue, "
+        "donc {meeting} y est."
     ),
     "hooke line 14": (
-        "Par {point}, parallèlement à l’arbre 4 : il ne tourne autour d’aucune autre droite, donc "
-        "{meeting} est sur cette droite."
+        "∥ l’arbre 4 par {point} : la fourche 4 ne tourne qu’autour de lui, donc {meeting} y est."
     ),
     "hooke fold": "Le plan du croisillon est rabattu sur celui des arbres autour de *OT*.",
     "hooke line 23": (
-        "Par {point}, parallèlement à *OP* rabattu : autour de *OP*, le croisillon tourne par "
-        "rapport à la fourche 2, donc {meeting} est sur cette droite."
+        "∥ *OP* rabattu par {point} : autour de *OP*, le croisillon tourne par rapport à la "
+        "fourche 2, donc {meeting} y est."
     ),
     "hooke line 43": (
-        "Par {point}, parallèlement à *OQ*, perpendiculairement à l’autre droite : {meeting} est "
-        "sur le cercle de diamètre 24."
+        "∥ *OQ* par {point}, perpendiculairement à l’autre droite : {meeting} est sur le cercle "
+        "de diamètre 24."
     ),
     "hooke turned frame": (
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT* : {symbol} tourne avec "
@@ -727,20 +733,18 @@ PHRASES = {
         "*A* tourne autour de *D*."
     ),
     "spatial along I velocity": (
-        "Par {point}, parallèlement à *OI* : on ne sait pas encore à quelle vitesse *A* glisse "
-        "suivant *I*, donc {meeting} est sur cette droite."
+        "∥ *OI* par {point} : on ne sait pas encore à quelle vitesse *A* glisse suivant *I*, donc "
+        "{meeting} y est."
     ),
     "spatial along I acceleration": (
-        "Par {point}, parallèlement à *OI* : la part suivant *I* n’est pas encore connue, donc "
-        "{meeting} est sur cette droite."
+        "∥ *OI* par {point} : la part suivant *I* n’est pas encore connue, donc {meeting} y est."
     ),
     "spatial along D velocity": (
-        "Par {point}, parallèlement à *OD* : on ne sait pas encore à quelle vitesse *A* glisse "
-        "suivant *d*, donc {meeting} est sur cette droite."
+        "∥ *OD* par {point} : on ne sait pas encore à quelle vitesse *A* glisse suivant *d*, donc "
+        "{meeting} y est."
     ),
     "spatial along D acceleration": (
-        "Par {point}, parallèlement à *OD* : la part suivant *d* n’est pas encore connue, donc "
-        "{meeting} est sur cette droite."
+        "∥ *OD* par {point} : la part suivant *d* n’est pas encore connue, donc {meeting} y est."
     ),
     # --- le quadrilatère à rotules
     # position
@@ -796,20 +800,20 @@ PHRASES = {
         "divisé par *BC*, de *C* vers *B* en vraie grandeur."
     ),
     "balls line BC velocity": (
-        "Par {point}, perpendiculairement à *BC* : la bielle garde sa longueur, donc {meeting} est "
-        "dans un plan perpendiculaire à *BC*, qui est cette droite."
+        "⟂ *BC* par {point} : la bielle garde sa longueur, donc {meeting} est dans un plan "
+        "perpendiculaire à *BC*, qui est cette droite."
     ),
     "balls line DC velocity": (
-        "Par {point}, parallèlement à la trajectoire de *C* : *C* ne peut pas se déplacer "
-        "autrement, donc {meeting} est sur cette droite, vue en vraie grandeur."
+        "∥ la trajectoire de *C* par {point} : *C* ne peut pas se déplacer autrement, donc "
+        "{meeting} y est, en vraie grandeur."
     ),
     "balls line BC acceleration": (
-        "Par {point}, perpendiculairement à *BC* : suivant *BC* tout est porté, donc {meeting} est "
-        "dans un plan perpendiculaire à *BC*, qui est cette droite."
+        "⟂ *BC* par {point} : suivant *BC* tout est porté, donc {meeting} est dans un plan "
+        "perpendiculaire à *BC*, qui est cette droite."
     ),
     "balls line DC acceleration": (
-        "Par {point}, parallèlement à la trajectoire de *C* : la partie tangentielle {symbol}·*DC* "
-        "n’est pas encore connue, donc {meeting} est sur cette droite."
+        "∥ la trajectoire de *C* par {point} : de {symbol}·*DC* on ne connaît que la direction, "
+        "donc {meeting} y est."
     ),
     "balls coupler velocity": (
         "{label} = {value} {unit} ici et {off} {unit} hors du papier : en tout {whole} {unit}, "
@@ -820,12 +824,11 @@ PHRASES = {
         "donc {symbol} = {whole}/{size} = {rate} {rad/s²}."
     ),
     "balls rocker velocity": (
-        "{label} = {value} {unit} est la vitesse de *C*, donc {symbol} = {label}/*DC* = "
-        "{value}/{size} = {rate} {rad/s}, {sense}."
+        "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense} : {label} est la "
+        "vitesse de *C*."
     ),
     "balls rocker acceleration": (
-        "{label} = {value} {unit}, donc {symbol} = {label}/*DC* = {value}/{size} = {rate} "
-        "{rad/s²}, {sense}."
+        "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, {sense}."
     ),
     "balls whole": "{label} = {value} {unit} dans cette vue, {whose}.",
     # images et tableaux de balayages, et caractéristiques
@@ -940,8 +943,8 @@ GENDERS = {
     "yoke": "m",
     "guide": "f",
     "slot": "f",
-    "driving": "m",
-    "driven": "m",
+    "driving": "mv",
+    "driven": "mv",
     "cross": "m",
     "axis": "m",
 }
@@ -949,6 +952,7 @@ GENDERS = {
 #: L’article masculin que demande une phrase, et ce qu’il devient selon le genre.
 ARTICLES = {
     "m": {"le": "le {}", "du": "du {}", "au": "au {}"},
+    "mv": {"le": "l’{}", "du": "de l’{}", "au": "à l’{}"},
     "f": {"le": "la {}", "du": "de la {}", "au": "à la {}"},
 }
 

@@ -15,8 +15,8 @@ _BREAKS = (r"(?<=[:;]) ", r"(?<=[,:;]) ", rf"{_WORD}(?![=×+])", _WORD)
 _TIE = "\N{NO-BREAK SPACE}"
 
 Pieces = tuple[TextPiece, ...]
-#: Where a stretch of a sentence begins and ends.
-_Stretch = tuple[int, int]
+#: Where a stretch of a sentence begins and ends, in letters.
+Stretch = tuple[int, int]
 
 
 def tied(pieces: Pieces) -> Pieces:
@@ -45,21 +45,26 @@ def wrap(pieces: Pieces, size: float, room: float) -> list[Runs]:
     They break at a colon or comma if they can, never between a number and its unit, and inside
     an equation only if it is longer than a line.
     """
-    whole = said(pieces)
-    if width(whole, size) <= room:
-        return [whole]
+    return [said(cut(pieces, line)) for line in stretches(pieces, size, room)]
+
+
+def stretches(pieces: Pieces, size: float, room: float) -> list[Stretch]:
+    """Return where the lines of a sentence begin and end, as `wrap` breaks it."""
+    if width(said(pieces), size) <= room:
+        return [(0, len(text_of(pieces)))]
     fewest = len(_lines(pieces, _WORD, size, room))
     for breaks in _BREAKS:
         lines = _lines(pieces, breaks, size, room)
-        if len(lines) == fewest and all(width(line, size) <= room for line in lines):
+        wide = (width(said(cut(pieces, line)), size) for line in lines)
+        if len(lines) == fewest and all(each <= room for each in wide):
             break
     return lines
 
 
-def _lines(pieces: Pieces, breaks: str, size: float, room: float) -> list[Runs]:
+def _lines(pieces: Pieces, breaks: str, size: float, room: float) -> list[Stretch]:
     """Return a sentence in as few lines as possible, with line breaks only at ``breaks``."""
     parts = _parts(text_of(pieces), breaks)
-    widths = [width(said(_cut(pieces, part)), size) for part in parts]
+    widths = [width(said(cut(pieces, part)), size) for part in parts]
     space = 0.25 * size
     total = sum(widths) + space * (len(parts) - 1)
     fewest = len(_filled(parts, widths, space, room))
@@ -68,10 +73,10 @@ def _lines(pieces: Pieces, breaks: str, size: float, room: float) -> list[Runs]:
         lines = _filled(parts, widths, space, goal)
         if len(lines) == fewest:
             break
-    return [said(_cut(pieces, line)) for line in lines]
+    return lines
 
 
-def _parts(text: str, breaks: str) -> list[_Stretch]:
+def _parts(text: str, breaks: str) -> list[Stretch]:
     """Return the stretches of a text between its breaks."""
     found = list(re.finditer(breaks, text))
     starts = [0, *(each.end() for each in found)]
@@ -79,8 +84,8 @@ def _parts(text: str, breaks: str) -> list[_Stretch]:
     return list(zip(starts, ends, strict=True))
 
 
-def _cut(pieces: Pieces, stretch: _Stretch) -> Pieces:
-    """Return a stretch of a sentence."""
+def cut(pieces: Pieces, stretch: Stretch) -> Pieces:
+    """Return a stretch of a sentence; nothing of it where it ends before it begins."""
     start, end = stretch
     found, at = [], 0
     for piece in pieces:
@@ -91,11 +96,9 @@ def _cut(pieces: Pieces, stretch: _Stretch) -> Pieces:
     return tuple(found)
 
 
-def _filled(
-    parts: list[_Stretch], widths: list[float], space: float, goal: float
-) -> list[_Stretch]:
+def _filled(parts: list[Stretch], widths: list[float], space: float, goal: float) -> list[Stretch]:
     """Return the parts joined to lines, each as long as ``goal`` allows."""
-    lines: list[_Stretch] = []
+    lines: list[Stretch] = []
     used = 0.0
     for (start, end), wide in zip(parts, widths, strict=True):
         if lines and used + space + wide <= goal:

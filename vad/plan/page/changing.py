@@ -7,27 +7,45 @@ stands the caption of its stroke, with the number of the stroke in its panel.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import accumulate, pairwise
 
-from vad.lecture.moment import drawing
-from vad.plan.items import CAPTION, FOREVER, RESULTS, Item, Level, foot_of, head_of
+from vad.lecture.moment import drawing, finished
+from vad.lecture.telling import beats, told, told_together
+from vad.plan.items import (
+    ALWAYS,
+    CAPTION,
+    FOREVER,
+    RESULTS,
+    Item,
+    Level,
+    Span,
+    foot_of,
+    head_of,
+)
 from vad.plan.layout import Page
 from vad.plan.lettering.glyphs import typeset, width
-from vad.plan.lettering.runs import Runs, roman, said
-from vad.plan.lettering.wrapping import wrap
+from vad.plan.lettering.runs import Run, roman, said
+from vad.plan.lettering.wrapping import Stretch, cut, stretches
 from vad.plan.marks import Lettering, Mark
 from vad.plan.page.heads import REMARK_SIZE, Foot, head, lines_of, measured, pale, placed
 from vad.plan.page.quarter import Entry
 from vad.plan.page.table import table
 from vad.plan.sketch import Sketch
 from vad.strokes.reveals import measurer
-from vad.strokes.sentences import Sentence, pieces_of
+from vad.strokes.sentences import Sentence
 from vad.strokes.sheet import Cell, Panel, Row, Sheet
+from vad.words import TextPiece, text_of
 
 CAPTION_SIZE = 0.040
 LEAST_CAPTION_SIZE = 26.0 / 720.0
 COUNT = 0.032
 COUNT_ROOM = 0.095
 COUNT_GAP = 0.022
+#: How much ink the beats of a caption keep when the next one is said.
+SAID = 0.45
+
+Pieces = tuple[TextPiece, ...]
 
 
 def heads(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[Item]:
@@ -118,18 +136,31 @@ def measuring(
     return panel.full(stroke.name), since
 
 
-def captions(sheet: Sheet, page: Page, sketches: Mapping[str, Sketch]) -> Iterator[Item]:
-    """Yield the captions, each from when its stroke is begun until the next one is."""
+def captions(
+    sheet: Sheet, page: Page, sketches: Mapping[str, Sketch], last: Sentence | None
+) -> Iterator[Item]:
+    """Yield the captions, each from when its stroke is begun until the next one is.
+
+    Strokes that are told together have one.  The ``last`` one is said of the finished page.
+    """
     for panel in sheet.panels:
         most = drawn_in(panel)
-        first = sketches[panel.name].setting.first
+        before = 0
         for half in panel.halves:
             setting = sketches[half.name].setting
-            for index, stroke in enumerate(half.strokes):
-                number = setting.first - first + index + 1
-                marks = caption_marks(stroke.said, number, most, page)
-                since, name = setting.during(index), half.full(stroke.name)
-                yield Item(name, CAPTION, Level.LABEL, tuple(marks), since, setting.over(index))
+            for first, end in told_together(half):
+                since, until = setting.during(first), setting.over(end)
+                name, caption = half.full(half.strokes[first].name), told(half, first, end)
+                count = count_mark(before + first + 1, before + end + 1, most, page)
+                parts = beats(half.strokes[first].said) if first == end else (caption,)
+                for marks, words in caption_marks(parts, most, page):
+                    item = Item(name, CAPTION, Level.LABEL, (*marks, count), since, until, words)
+                    yield item
+            before += len(half.strokes)
+    if last:
+        since = finished(sum(len(half.strokes) for half in sheet.halves))
+        ((marks, _),) = caption_marks((last.pieces,), 0, page)
+        yield Item("", CAPTION, Level.LABEL, tuple(marks), since)
 
 
 def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
@@ -152,10 +183,10 @@ def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
 def caption_lines(sheet: Sheet, room: float) -> int:
     """Return how many lines the sheet's longest caption takes."""
     lines = (
-        len(_set(stroke.said, room - _count_room(drawn_in(panel)))[0])
+        len(_set(told(half, first, end), room - _count_room(drawn_in(panel)))[0])
         for panel in sheet.panels
         for half in panel.halves
-        for stroke in half.strokes
+        for first, end in told_together(half)
     )
     return max(lines, default=1)
 
@@ -167,30 +198,61 @@ def drawn_in(panel: Panel) -> int:
 
 def _count_room(most: int) -> float:
     """Return the width of the largest number of a stroke, with a gap."""
-    return max(COUNT_ROOM, width(roman(f"{most} / {most}"), COUNT) + COUNT_GAP)
+    widest = roman(f"{most - 1}\N{EN DASH}{most} / {most}")
+    return max(COUNT_ROOM, width(widest, COUNT) + COUNT_GAP)
 
 
-def _set(caption: Sentence | str, room: float) -> tuple[list[Runs], float]:
+def _set(pieces: Pieces, room: float) -> tuple[list[Stretch], float]:
     """Return a caption in lines, and its size: one line if it can be, two if need be."""
-    pieces = pieces_of(caption)
     advance = typeset(said(pieces)).advance
     size = min(CAPTION_SIZE, room / max(advance, 1e-9))
     size = CAPTION_SIZE if size < LEAST_CAPTION_SIZE else size
-    lines = wrap(pieces, size, room * (1 + 1e-9))
+    lines = stretches(pieces, size, room * (1 + 1e-9))
     if len(lines) > 2:
         size = LEAST_CAPTION_SIZE
-        lines = wrap(pieces, size, room)
+        lines = stretches(pieces, size, room)
     return lines, size
 
 
-def caption_marks(caption: Sentence | str, number: int, most: int, page: Page) -> list[Mark]:
-    """Return the caption of a stroke and, level with its first line, its number of so many."""
-    room = page.right - page.left - _count_room(most)
-    lines, size = _set(caption, room)
-    marks = [
-        Mark(Lettering(runs, complex(page.left, baseline), size), "words")
-        for runs, baseline in zip(lines, page.captions, strict=False)
-    ]
-    count = roman(f"{number} / {most}")
+def caption_marks(
+    parts: Sequence[Pieces], most: int, page: Page
+) -> Iterator[tuple[list[Mark], Span]]:
+    """Yield the marks of a caption for each of its beats, and for the whole of it.
+
+    Each comes with the numbers of beats that have been said meanwhile.  Of a beat, what was said
+    before is pale.  On its right the page has room for numbers up to ``most``.
+    """
+    whole = tuple(piece for part in parts for piece in part)
+    lines, size = _set(whole, page.right - page.left - _count_room(most))
+    ends = [*accumulate((len(text_of(part)) for part in parts), initial=0)]
+    places = [complex(page.left, baseline) for baseline in page.captions]
+
+    def marks(first: int, last: int, alpha: float) -> list[Mark]:
+        """Return the beats from the ``first`` to the one before the ``last``, in their places."""
+        found = []
+        for (start, end), at in zip(lines, places, strict=False):
+            runs: list[Run] = []
+            for number, (low, high) in enumerate(pairwise(ends)):
+                part = said(cut(whole, (max(start, low), min(end, high))))
+                shown = first <= number < last
+                runs += [replace(run, shown=shown) for run in part]
+            if any(run.shown for run in runs):
+                found.append(Mark(Lettering(tuple(runs), at, size), "words", alpha=alpha))
+        return found
+
+    count = len(parts)
+    if count == 1:
+        yield marks(0, 1, 1.0), ALWAYS
+        return
+    for number in range(count):
+        beat = marks(0, number, SAID) + marks(number, number + 1, 1.0)
+        yield beat, (number + 1, number + 2)
+    yield marks(0, count, 1.0), (count + 1, FOREVER)
+
+
+def count_mark(first: int, last: int, most: int, page: Page) -> Mark:
+    """Return the numbers of the strokes that a caption is said of, level with its first line."""
+    numbers = f"{first}" if first == last else f"{first}\N{EN DASH}{last}"
+    count = roman(f"{numbers} / {most}")
     at = complex(page.right - width(count, COUNT), page.captions[0])
-    return [*marks, Mark(Lettering(count, at, COUNT), "notes")]
+    return Mark(Lettering(count, at, COUNT), "notes")

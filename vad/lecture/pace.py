@@ -1,0 +1,173 @@
+"""The pace of a lesson: the seconds in which each stroke is drawn, and rests while it is read.
+
+A script may add pauses, and place strokes at moments of a recorded voice.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from vad.errors import UsageError
+from vad.lecture.script import Script, step_number
+from vad.lecture.telling import reading, starts, told_together
+from vad.strokes.sentences import pieces_of
+from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke
+
+#: Seconds in which each kind of stroke grows.  A vector takes as long if it is the longest one of
+#: its panel.
+GROWTH = {
+    "fixed": 0.4,
+    "guide": 0.8,
+    "pole": 0.3,
+    "angle": 0.8,
+    "known": 1.2,
+    "construction": 1.5,
+    "intersection": 0.3,
+    "result": 1.2,
+}
+FOLD = 1.0  # a plane that is rotated into the paper
+SHORT = 0.75  # share of that time for a vector of length zero
+LEAST_REST = 0.5  # after a caption, and before the next one
+GLIDE = 0.8
+SETTLE = 0.6
+OPENING = 0.8
+CLOSING = 4.0
+AFTER_ANSWER = 0.5
+LOOK = 1.5  # seconds to look at what is on the board already
+
+
+@dataclass(frozen=True, slots=True)
+class Times:
+    """The seconds of one stroke: it grows, rests, glides into its place, and settles there.
+
+    ``beats`` are the seconds after which the second beat of its caption begins, and the third.
+    """
+
+    grow: float
+    hold: float
+    glide: float = 0.0
+    settle: float = 0.0
+    beats: tuple[float, ...] = ()
+    there: bool = False
+
+    @property
+    def all(self) -> float:
+        """The seconds from its beginning to the next stroke's."""
+        return self.grow + self.hold + self.glide + self.settle
+
+    def resting(self, hold: float) -> Times:
+        """Return the times with another rest; in a shorter one the beats come sooner."""
+        whole = self.grow + self.hold
+        share = min(1.0, (self.grow + hold) / whole) if whole else 1.0
+        return replace(self, hold=hold, beats=tuple(share * beat for beat in self.beats))
+
+    def faster(self, speed: float) -> Times:
+        """Return the times at a speed."""
+        return replace(
+            self,
+            grow=self.grow / speed,
+            hold=self.hold / speed,
+            glide=self.glide / speed,
+            settle=self.settle / speed,
+            beats=tuple(beat / speed for beat in self.beats),
+        )
+
+
+def opens(sheet: Sheet, panel: Panel) -> bool:
+    """Tell whether a panel stands large while it is drawn: a mechanism before its polygons."""
+    return panel is sheet.panels[0] and panel.picture != "vectors" and len(sheet.panels) > 1
+
+
+def growth(stroke: Stroke, longest: float) -> float:
+    """Return how many seconds a stroke takes to draw; the ``longest`` vector takes most."""
+    seconds = FOLD if isinstance(stroke.shape, Fold) else GROWTH[stroke.kind]
+    if not isinstance(stroke.shape, Arrow) or not longest:
+        return seconds
+    return seconds * (SHORT + (1.0 - SHORT) * _length(stroke) / longest)
+
+
+def rest(stroke: Stroke, grown: float, least: float = LEAST_REST) -> float:
+    """Return how many seconds a stroke rests that has grown for ``grown`` seconds.
+
+    Both times together are long enough to read its caption.
+    """
+    return max(reading(pieces_of(stroke.said)) - grown, least)
+
+
+def _length(stroke: Stroke) -> float:
+    """Return the length of a vector, 0 for another stroke."""
+    shape = stroke.shape
+    return abs(shape.end - shape.start) if isinstance(shape, Arrow) else 0.0
+
+
+def times(sheet: Sheet, loop: int) -> Iterator[Times]:
+    """Yield the times of all strokes of a sheet, of which those before a loop are there already."""
+    for panel in sheet.halves:
+        longest = max(map(_length, panel.strokes), default=0.0)
+        begun = panel.loops[loop - 1] if 1 < loop <= len(panel.loops) else panel.given
+        leads = {number for first, last in told_together(panel) for number in range(first, last)}
+        for index, stroke in enumerate(panel.strokes):
+            last = index + 1 == len(panel.strokes)
+            moved = (GLIDE, SETTLE) if last and opens(sheet, panel) else (0.0, 0.0)
+            if index < begun:
+                look = LOOK if index + 1 == begun else 0.0
+                yield Times(0.0, look, *moved, there=True)
+                continue
+            grow = growth(stroke, longest)
+            hold = rest(stroke, grow, 0.0 if index in leads else LEAST_REST)
+            yield Times(grow, hold, *moved, beats=starts(stroke.said))
+
+
+def scripted(
+    found: list[Times], script: Script, sheet: Sheet, opening: float
+) -> tuple[list[Times], float]:
+    """Return the times as a script wants them, and the seconds of the opening.
+
+    Its pauses are added to rests.  Before its markers rests are shortened, or the last one is
+    prolonged.
+
+    Parameters
+    ----------
+    found
+        The times of all strokes, at the speed of the film.
+    script
+        The lecturer's script.
+    sheet
+        What is drawn.
+    opening
+        The seconds before the first stroke.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        For a stroke that is none, and for a marker before which the strokes cannot be drawn.
+    """
+    for step, seconds in script.pauses.items():
+        place = step_number(sheet, step)
+        found[place] = found[place].resting(found[place].hold + seconds)
+    names = {step_number(sheet, step): step for step in script.markers}
+    first, clock = 0, 0.0
+    for number, step in sorted(names.items()):
+        before, at = found[first:number], script.markers[step]
+        still = opening if first == 0 else 0.0
+        rests = still + sum(each.hold for each in before)
+        drawn = sum(each.all - each.hold for each in before)
+        wanted = at - clock - drawn
+        if wanted < 0.0:
+            raise UsageError(
+                f"marker: {step} at {at:g} s: the strokes before it are drawn until "
+                f"{clock + drawn:.1f} s",
+                hint=f"try {clock + drawn + 0.05:.1f} or later",
+            )
+        if wanted < rests:
+            before = [each.resting(wanted / rests * each.hold) for each in before]
+            still *= wanted / rests
+        elif before:
+            before[-1] = before[-1].resting(before[-1].hold + wanted - rests)
+        else:
+            still = wanted
+        found[first:number] = before
+        opening = still if first == 0 else opening
+        first, clock = number, at
+    return found, opening

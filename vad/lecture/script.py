@@ -1,0 +1,189 @@
+"""A lecturer's script: captions of one's own, pauses, and the moments of a recorded voice.
+
+It is a file in TOML with three tables, or a mapping of the same form::
+
+    [captions]                       # instead of what the program says
+    "velocity:pole" = "We begin at the pole."
+
+    [pauses]                         # seconds that a stroke rests longer
+    "velocity:C.crossing" = 3
+
+    [markers]                        # the second of the film at which a stroke begins
+    "velocity:pole" = 21.5
+
+A stroke is called by its name, ``velocity:BC.line``, or by its step: ``7``, ``velocity:4``.
+"""
+
+from __future__ import annotations
+
+import os
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from vad import gate
+from vad.errors import InputError, UsageError, one_of, quoted, unknown
+from vad.strokes.sheet import Panel, Sheet
+
+#: The most seconds of a pause, and of a film until a marker.
+LONGEST = 3600.0
+#: The most letters of a caption: three lines of a page.
+LONGEST_CAPTION = 300
+#: The most bytes of a file.
+LONGEST_FILE = 1_000_000
+TABLES = ("captions", "pauses", "markers")
+#: A longer number is larger than any step, and Python refuses to read a very long one.
+_DIGITS = 9
+
+
+@dataclass(frozen=True, slots=True)
+class Script:
+    """What a lecturer wants otherwise, by the name of a stroke or its step."""
+
+    captions: Mapping[str, str] = field(default_factory=dict)
+    pauses: Mapping[str, float] = field(default_factory=dict)
+    markers: Mapping[str, float] = field(default_factory=dict)
+
+    def told(self, sheet: Sheet) -> Sheet:
+        """Return a sheet with the captions of the script.
+
+        Raises
+        ------
+        vad.errors.UsageError
+            For a stroke that the sheet does not have.
+        """
+        if not self.captions:
+            return sheet
+        own = {step_number(sheet, step): text for step, text in self.captions.items()}
+        first, panels = 0, []
+        for panel in sheet.panels:
+            panels.append(_retold(panel, first, own))
+            first += sum(len(half.strokes) for half in panel.halves)
+        return replace(sheet, panels=tuple(panels))
+
+
+def _retold(panel: Panel, first: int, own: Mapping[int, str]) -> Panel:
+    """Return a panel, whose first stroke has the number ``first``, with captions of one's own."""
+    strokes = tuple(
+        replace(stroke, said=own[number]) if number in own else stroke
+        for number, stroke in enumerate(panel.strokes, first)
+    )
+    below = panel.below and _retold(panel.below, first + len(strokes), own)
+    return replace(panel, strokes=strokes, below=below)
+
+
+def script_of(given: Any) -> Script:
+    """Return the script in a file, or in a mapping with its tables.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For a file that cannot be read, or is no script; with its line where there is one.
+    vad.errors.UsageError
+        For anything that is no script.
+    """
+    if given is None or isinstance(given, Script):
+        return given or Script()
+    name, text, tables = "script", "", given
+    if not isinstance(given, Mapping):
+        path = gate.path("script", given)
+        name, text = os.path.basename(path), _text(path)
+        tables = _parsed(text, name)
+    found: dict[str, dict[str, Any]] = {table: {} for table in TABLES}
+    for table, entries in tables.items():
+        if table not in TABLES:
+            wrong = unknown("table", table, TABLES)
+            raise InputError(f"{_place(name, text, table)}: {wrong}", wrong.hint)
+        if not isinstance(entries, Mapping):
+            message = f"{_place(name, text, table)}: {table}: must be a table"
+            raise InputError(message, f"write [{table}]")
+        for step, value in entries.items():
+            try:
+                found[table][str(step)] = _entry(table, value)
+            except (InputError, UsageError) as error:
+                place = _place(name, text, str(step))
+                raise InputError(f"{place}: {error}", error.hint) from None
+    return Script(**found)
+
+
+def _entry(table: str, value: Any) -> str | float:
+    if table == "captions":
+        return gate.line("caption", value, LONGEST_CAPTION)
+    word = table.removesuffix("s")
+    seconds = gate.number(word, value)
+    if not 0.0 <= seconds <= LONGEST:
+        raise UsageError(f"{word}: must be seconds from 0 to {LONGEST:g}, got {quoted(value)}")
+    return seconds
+
+
+def _text(path: str) -> str:
+    name = os.path.basename(path)
+    try:
+        with open(path, "rb") as file:
+            data = file.read(LONGEST_FILE + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or "is no name of a file"
+        raise InputError(f"'{path}': {reason}") from None
+    if len(data) > LONGEST_FILE:
+        raise InputError(f"{name}: is longer than {LONGEST_FILE} bytes")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise InputError(f"{name}: is no text in UTF-8") from None
+
+
+def _parsed(text: str, name: str) -> Mapping[str, Any]:
+    try:
+        return tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
+        hint = 'names and texts stand in quotes: "velocity:pole" = 3'
+        raise InputError(f"{name}: is no TOML: {error}", hint) from None
+
+
+def _place(name: str, text: str, key: str) -> str:
+    """Return where a key stands: "talk.toml, line 3"."""
+    lines = enumerate(text.split("\n"), start=1)
+    line = next((number for number, each in lines if key in each), None)
+    return f"{name}, line {line}" if line else name
+
+
+def step_number(sheet: Sheet, step: int | str) -> int:
+    """Return the number of a stroke, from 0 over the whole sheet.
+
+    Parameters
+    ----------
+    sheet
+        What is drawn.
+    step
+        The number of its step, from 1; ``"velocity:4"``, the fourth of a panel; or its name,
+        ``"velocity:BC.line"``.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If there is no such step.
+    """
+    panel, colon, number = step.rpartition(":") if isinstance(step, str) else ("", "", step)
+    named = [half.full(stroke.name) for half in sheet.halves for stroke in half.strokes]
+    if step in named:
+        return named.index(str(step))
+    columns = [half.column for half in sheet.halves for _ in half.strokes]
+    if colon:
+        panel = one_of("panel", panel, [each.name for each in sheet.panels])
+    steps = [each for each, column in enumerate(columns) if column == panel or not colon]
+    where = f"the {panel} panel" if colon else "the lesson"
+    place = _digits(number)
+    if place is None:
+        raise UsageError(f"{quoted(step)} is not a step", hint="as in 4 or velocity:4")
+    if not 1 <= place <= len(steps):
+        got = quoted(number).strip("'")
+        raise UsageError(f"there is no step {got}: {where} has {len(steps)}, from 1 on")
+    return steps[place - 1]
+
+
+def _digits(number: Any) -> int | None:
+    """Return the number of a step, or None if this is no such number."""
+    if isinstance(number, str):
+        return int(number.strip()[:_DIGITS]) if number.strip().isdecimal() else None
+    return gate.index(number)
