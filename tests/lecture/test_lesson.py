@@ -11,8 +11,9 @@ import pytest
 
 from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
-from vad.lecture.lesson import animate, rest
+from vad.lecture.lesson import animate
 from vad.lecture.moment import Moment, done, drawing, finished, moment, moments, smooth
+from vad.lecture.pace import rest
 from vad.lecture.turn import turn
 from vad.mechanisms.four_bar import FourBar
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from itertools import accumulate
 from typing import BinaryIO
 
 from vad.errors import UsageError
@@ -26,16 +25,16 @@ class Cue:
 def cues(lesson: Lesson) -> list[Cue]:
     """Return one cue per caption, and the answer, as long as the page shows them."""
     found: list[tuple[int, int, str]] = []
-    ends = list(accumulate((step.frames for step in lesson.steps), initial=lesson.opening))
-    number = 0
-    for panel in lesson.sheet.halves:
-        for first, last in told_together(panel):
-            count = last + 1 - first
-            start, end = ends[number], ends[number + count]
-            found.append((start, end, text_of(told(panel, first, last))))
-            number += count
+    frame = lesson.opening
+    for step in lesson.steps:
+        start, frame = frame, frame + step.frames
+        first, last = next(each for each in told_together(step.panel) if step.index <= each[1])
+        if step.index == first or not found:
+            found.append((start, frame, text_of(told(step.panel, first, last))))
+        else:
+            found[-1] = (found[-1][0], frame, found[-1][2])
     if lesson.answer:
-        found.append((ends[-1], lesson.frames, str(lesson.answer)))
+        found.append((frame, lesson.frames, str(lesson.answer)))
     return [
         Cue(start / lesson.fps, end / lesson.fps, " ".join(text.split()))
         for start, end, text in found
