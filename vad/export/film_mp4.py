@@ -71,6 +71,8 @@ _LONG = 16  # of an atom whose length takes 64 bits
 _TO_THE_END = 0
 _FLAGS = 3  # where the last byte of the flags lies in an atom's content
 _ENABLED = 1
+#: The place of the subtitles among the tracks: after the pictures, before the chapters.
+_SUBTITLES = 1
 
 
 def write(
@@ -160,7 +162,7 @@ def encode(
                 _write_cues(container, track, subtitles)
             _write_frames(container, video, converted(frames, size))
         if track is not None:
-            leave_off_last_track(stream)
+            leave_off_track(stream, _SUBTITLES)
     except av.FFmpegError as error:
         if isinstance(error, OSError):
             raise
@@ -317,11 +319,11 @@ def _weighted(
     return total.astype(np.uint8)
 
 
-def leave_off_last_track(stream: BinaryIO) -> None:
-    """Let players show the last track when they are asked to, and not before."""
+def leave_off_track(stream: BinaryIO, number: int) -> None:
+    """Let players show a track, counted from 0, when they are asked to, and not before."""
     film = next(place for kind, *place in _atoms(stream, 0, stream.seek(0, 2)) if kind == b"moov")
     tracks = [place for kind, *place in _atoms(stream, *film) if kind == b"trak"]
-    header = next(place for kind, *place in _atoms(stream, *tracks[-1]) if kind == b"tkhd")
+    header = next(place for kind, *place in _atoms(stream, *tracks[number]) if kind == b"tkhd")
     stream.seek(header[0] + _FLAGS)
     flags = stream.read(1)[0]
     stream.seek(header[0] + _FLAGS)
