@@ -1,9 +1,12 @@
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+import vad
 from tests.export.synthetic import SHEET, lesson
 from vad.errors import UsageError
 from vad.export import save
@@ -12,19 +15,43 @@ from vad.export.lesson_vtt import vtt
 from vad.lecture.lesson import Lesson, LessonStep
 
 
-def test_a_cue_lasts_from_the_first_to_the_last_frame_of_its_step() -> None:
-    made = lesson(steps=3, grow=3, hold=4, fps=10)
-    assert [cue.start for cue in cues(made)] == pytest.approx([0.5, 1.2, 1.9])
-    assert [cue.end for cue in cues(made)] == pytest.approx([1.2, 1.9, 2.6])
-    assert [cue.text for cue in cues(made)] == [step.stroke.caption for step in made.steps]
+def in_order(steps: int, **look: Any) -> Lesson:
+    """Return a lesson that draws the last strokes of `SHEET` in their order."""
+    made = lesson(steps=steps, **look)
+    return replace(made, steps=made.steps[::-1])
 
 
-def test_steps_without_time_have_no_cue() -> None:
+def test_a_cue_lasts_from_the_first_to_the_last_frame_of_its_strokes() -> None:
+    """A step takes 0.7 s; strokes that are told together have one cue."""
+    found = cues(in_order(11, grow=3, hold=4, fps=10))
+    assert [cue.start for cue in found] == pytest.approx([0.5, 1.9, 2.6, 3.3, 4.0, 5.4, 6.1, 6.8])
+    assert [cue.end for cue in found] == pytest.approx([1.9, 2.6, 3.3, 4.0, 5.4, 6.1, 6.8, 8.2])
+    assert [cue.text for cue in found] == [
+        "Fix A. The guide.",
+        "The slot.",
+        "The angle.",
+        "Compass.",
+        "The crank. The block.",
+        "Choose a pole.",
+        "ab = ω₂·AB = 10 × 60 = 600 mm/s, ⟂ AB",
+        "Perpendicular to BC: a < b & c. They meet in c.",
+    ]
+
+
+def test_the_answer_stands_to_the_end() -> None:
+    made = vad.animate(vad.draw(vad.solve(vad.SliderCrank())), fps=10)
+    *_, before, last = cues(made)
+    assert last.text == str(made.answer)
+    assert before.end == last.start == (made.frames - made.closing) / 10
+    assert last.end == made.frames / 10
+
+
+def test_strokes_without_time_have_no_cue() -> None:
     panel = SHEET.panels[0]
-    made = Lesson(
-        SHEET, (LessonStep(panel, 0, 0, 0), LessonStep(panel, 1, 2, 2)), 0, 5, 10.0, (96, 64)
-    )
-    assert cues(made) == [Cue(0.0, 0.4, "The guide.")]
+    times = [(0, 0), (2, 2), (0, 0)]  # the first two are told together, the third alone
+    steps = tuple(LessonStep(panel, index, *each) for index, each in enumerate(times))
+    made = Lesson(SHEET, steps, 0, 5, 10.0, (96, 64))
+    assert cues(made) == [Cue(0.0, 0.4, "Fix A. The guide.")]
 
 
 def test_times_past_the_hour() -> None:
@@ -33,14 +60,17 @@ def test_times_past_the_hour() -> None:
 
 
 def test_files(folder: Path) -> None:
-    save(lesson(steps=2), "film.srt")
-    save(lesson(steps=2), "film.vtt")
+    save(in_order(3), "film.srt")
+    save(in_order(3), "film.vtt")
     text = Path("film.srt").read_text(encoding="utf-8")
-    assert text.startswith("1\n00:00:00,167 --> 00:00:00,400\nThey meet in c.\n\n2\n")
-    assert "a < b & c." in text
+    first, second = "ab = ω₂·AB = 10 × 60 = 600 mm/s, ⟂ AB", "Perpendicular to BC: "
+    assert text == (
+        f"1\n00:00:00,167 --> 00:00:00,400\n{first}\n\n"
+        f"2\n00:00:00,400 --> 00:00:00,867\n{second}a < b & c. They meet in c.\n\n"
+    )
     text = Path("film.vtt").read_text(encoding="utf-8")
-    assert text.startswith("WEBVTT\n\n00:00:00.167 --> 00:00:00.400\nThey meet in c.\n\n")
-    assert "a &lt; b &amp; c." in text
+    assert text.startswith(f"WEBVTT\n\n00:00:00.167 --> 00:00:00.400\n{first}\n\n")
+    assert f"00:00:00.400 --> 00:00:00.867\n{second}a &lt; b &amp; c. They meet in c.\n" in text
 
 
 @pytest.mark.parametrize("path", ["film.srt", "film.vtt"])

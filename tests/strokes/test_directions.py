@@ -218,8 +218,11 @@ def test_a_vector_belongs_to_the_points_that_are_said(name: str, code: str) -> N
             # What is no component of a link's vector is said to be somebody's.
             against = WORDING[code].other_side in stroke.caption
             bare = (slide_of(motion, stroke) is None or stroke.image) and not against
-            seen = WORDING[code].seen.search(stroke.caption)
-            assert not (order and bare) or (whole is None) == (seen is not None), stroke
+            said = (WORDING[code].seen, WORDING[code].own)
+            moves = [found for each in said if (found := each.search(stroke.caption))]
+            assert not (order and bare) or (whole is None) == bool(moves), stroke
+            if not whole and moves and "tail" not in moves[0].groupdict():
+                assert letters[0] in motion.frame.fixed and letters[1] == moves[0]["head"]
             if whole and whole["tail"]:
                 assert letters == whole["tail"] + whole["head"]
             elif whole:

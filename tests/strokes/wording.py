@@ -112,7 +112,7 @@ WORDING = {
         senses={"dans le sens trigonométrique": 1, "dans le sens horaire": -1},
         towards=re.compile("de (?P<tail>[A-Z]) vers (?P<head>[A-Z])"),
         seen=re.compile("vu de (?P<tail>[A-Z]), (?P<head>[A-Z]) se déplace (?P<way>.+)[.]"),
-        own=re.compile(" : (?P<head>[A-Z]) se déplace (?P<way>[^:]+)[.]$"),
+        own=re.compile(r"\s: (?P<head>[A-Z]) se déplace (?P<way>[^:]+)[.]$"),
         sideways=re.compile(
             "perpendiculairement à (?P<bar>[A-Z]{2}), (?P<head>[A-Z]) se déplace (?P<way>.+)[.]"
         ),

@@ -38,7 +38,7 @@ def script_in(options: dict[str, Any], several: bool) -> Script:
 
     path, extra = options.pop("script", None), options.pop("pause", None)
     for name, given in (("--script", path), ("--pause", extra)):
-        if several and given is not None:
+        if several and given:
             raise UsageError(f"{name} is for one pose, whose strokes are drawn one by one")
     script = script_of(path)
     return Script(script.captions, {**script.pauses, **(extra or {})}, script.markers)

@@ -249,6 +249,9 @@ class Captions(PolygonCaptions[StepVector]):
         also: list[SentencePart] = []
         if part != label:
             also.append(self.quantity("image other", label=label, value=found))
+        if not against:  # otherwise the caption would have three lines
+            whose = self.say(f"{self.panel} of", head=bar.head)
+            also.append(self.say("image whose", whose=whose))
         return self.say(
             "image against" if against else "image",
             product("own", "known", "size", "length"),

@@ -216,6 +216,7 @@ PHRASES = {
         "{letter} fällt auf {point}: alle Punkte {link:des} haben in diesem Augenblick dieselbe "
         "Beschleunigung."
     ),
+    "image whose": ", {whose}",
     "image other": "; {label} = {value} {unit}",
     # die Antwort
     "answer": "Antwort",

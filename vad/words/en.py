@@ -221,6 +221,7 @@ PHRASES = {
         "{letter} falls on {point}: all points of the {link} have the same acceleration at this "
         "instant."
     ),
+    "image whose": ", {whose}",
     "image other": "; {label} = {value} {unit}",
     # the answer
     "answer": "Answer",

@@ -219,6 +219,7 @@ PHRASES = {
         "{letter} tombe sur {point} : tous les points {link:du} ont à cet instant la même "
         "accélération."
     ),
+    "image whose": ", {whose}",
     "image other": " ; {label} = {value} {unit}",
     # la réponse
     "answer": "Réponse",
