@@ -14,6 +14,7 @@ from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
 from vad.lecture.lesson import Lesson
 from vad.lecture.moment import done, drawing, moment, moments
+from vad.lecture.telling import told_together
 from vad.painting.film import redraw
 from vad.painting.posed import board_of
 from vad.style import load_style
@@ -36,9 +37,14 @@ class TestLesson:
         assert media_box(data) == (0, 0, 1280, 720)
         for place in (0, 8, len(lesson.steps) - 1):
             step = lesson.steps[place]
-            written = pdf_text(data, place)
-            assert " ".join(step.stroke.caption.split()[:3]) in written.replace("\n", " ")
-            assert f"{step.index + 1} / {len(step.panel.strokes)}" in written
+            first, last = next(
+                each for each in told_together(step.panel) if each[0] <= step.index <= each[1]
+            )
+            numbers = f"{first + 1}" if first == last else f"{first + 1}\N{EN DASH}{last + 1}"
+            written = pdf_text(data, place).replace("\n", " ")
+            caption = step.panel.strokes[first].caption
+            assert " ".join(caption.split()[:3]) in written
+            assert f"{numbers} / {len(step.panel.strokes)}" in written
 
     def test_is_small_and_the_same_each_time(self, lesson: Lesson, tmp_path: Path) -> None:
         data = saved(lesson, tmp_path / "lesson.pdf")
@@ -59,7 +65,11 @@ class TestLesson:
 
 def test_a_still_is_the_board_of_the_film_with_the_mechanism_in_its_panel(lesson: Lesson) -> None:
     """At the end of its step; a construction is shown while its tool is at work."""
-    rests = {done(number) for number in range(len(lesson.steps) + 1)}
+    # Between strokes that are told together the film need not rest.
+    rests = {0, *(done(n) for n, step in enumerate(lesson.steps, 1) if step.hold)}
+    for panel in lesson.sheet.halves:
+        ends = {last for _, last in told_together(panel)}
+        assert all(s.hold for s in lesson.steps if s.panel is panel and s.index in ends)
     assert rests <= {state.beat for state, _ in moments(lesson)}
     for number, step in enumerate(lesson.steps, 1):
         shown = vad.still(lesson, number).moment

@@ -5,13 +5,16 @@ from __future__ import annotations
 import cmath
 import math
 import re
+from itertools import pairwise
 
 import pytest
 
 import vad
 from tests.kinds import PLANE
 from tests.plan.snapshots import KEY, SCENES, lesson, written
+from vad.lecture.answer import answer
 from vad.lecture.moment import done, drawing
+from vad.lecture.telling import beats, told, told_together
 from vad.painting.posed import board_of
 from vad.plan.board import Plan, plan
 from vad.plan.format import screen
@@ -103,15 +106,33 @@ def covered(panel: Panel, stroke: Stroke, scale: Scale) -> bool:
 
 @EVERY
 def test_captions_stand_until_the_next_stroke_is_begun(scene: str):
+    """Strokes that are told together have one caption; one that calculates comes in beats."""
     shown = board(scene)
     captions = [item for item in shown.items if item.region == "caption"]
-    assert [item.stroke for item in captions] == names(shown.sheet)
-    assert [item.since for item in captions] == [drawing(n) for n in range(len(captions))]
-    assert [item.until for item in captions] == [drawing(n + 1) for n in range(len(captions))]
-    strokes = [stroke for half in shown.sheet.halves for stroke in half.strokes]
-    for item, stroke in zip(captions, strokes, strict=True):
-        said = re.sub(r"[ ₀-₉ₐ-ₜ⁰¹²³⁴-⁹⁻]", "", stroke.caption)
-        assert len(re.sub(r"[^\w]", "", text(item))) >= 0.8 * len(re.sub(r"[^\w]", "", said))
+    before = 0
+    for half in shown.sheet.halves:
+        for first, last in told_together(half):
+            parts = beats(half.strokes[first].said) if first == last else (told(half, first, last),)
+            items = captions[: len(parts) + (len(parts) > 1)]
+            del captions[: len(items)]
+            for item in items:
+                assert item.stroke == half.full(half.strokes[first].name)
+                assert item.since == drawing(before + first)
+                assert item.until == drawing(before + last + 1)
+            said = " ".join(stroke.caption for stroke in half.strokes[first : last + 1])
+            assert letters(text(items[-1])) >= 0.8 * letters(said)
+            # At each time one of the items shows.
+            spans = [item.words for item in items]
+            assert spans[0][0] <= 1 and spans[-1][1] == FOREVER
+            assert all(one[1] == other[0] for one, other in pairwise(spans))
+        before += len(half.strokes)
+    said_last = answer(shown.sheet)
+    assert [item.since for item in captions] == [shown.finished] * (said_last is not None)
+
+
+def letters(written: str) -> int:
+    """Return how many letters and digits there are, but for indices and exponents."""
+    return len(re.sub(r"[^\w]|[₀-₉ₐ-ₜ⁰¹²³⁴-⁹]", "", written))
 
 
 @EVERY

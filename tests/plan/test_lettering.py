@@ -8,6 +8,7 @@ import pytest
 
 import vad
 from vad.files.examples import example_path
+from vad.lecture.telling import told, told_together
 from vad.painting.shapes import outline
 from vad.plan.format import screen
 from vad.plan.layout import lay_out
@@ -15,7 +16,7 @@ from vad.plan.lettering.glyphs import _font, fitted, typeset, width
 from vad.plan.lettering.runs import Run, roman, said, symbols
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Lettering
-from vad.plan.page.changing import caption_marks
+from vad.plan.page.changing import caption_marks, count_mark
 from vad.strokes.arithmetic import Figure
 from vad.strokes.sentences import Sentence, Unit, Voice
 from vad.words import TextPiece, languages, text_of
@@ -65,10 +66,12 @@ def test_a_caption_keeps_off_its_number():
     sheet = vad.draw(vad.solve(vad.load(example_path("leg-from-coordinates"))()))
     page = lay_out(screen((1280, 720)), {"acceleration": 1}, 3, 2)
     panel = sheet.panels[2]
-    for index, stroke in enumerate(panel.strokes, start=1):
-        marks = caption_marks(stroke.said, index, len(panel.strokes), page)
-        first, *_, number = (mark.shape for mark in marks)
-        assert first.at.real + width(first.runs, first.size) < number.at.real - 0.015
+    most = len(panel.strokes)
+    for first, last in told_together(panel):
+        number = count_mark(first + 1, last + 1, most, page).shape
+        for marks, _ in caption_marks((told(panel, first, last),), most, page):
+            words = marks[0].shape
+            assert words.at.real + width(words.runs, words.size) < number.at.real - 0.015
 
 
 def test_a_caption_names_every_vector_of_an_image():

@@ -43,7 +43,7 @@ def cues(lesson: Lesson) -> list[Cue]:
 
 
 def required_cues(lesson: Lesson) -> list[Cue]:
-    """Return the cues of a file of captions, which needs at least one.
+    """Return the cues of a file of captions, which needs at least one that is said of a stroke.
 
     Raises
     ------
@@ -51,7 +51,8 @@ def required_cues(lesson: Lesson) -> list[Cue]:
         If there is none.
     """
     found = cues(lesson)
-    if not found:
+    drawn = (lesson.frames - lesson.closing) / lesson.fps
+    if not any(cue.start < drawn for cue in found):
         raise UsageError("subtitles: no caption stands as long as a frame", hint="try --speed 1")
     return found
 

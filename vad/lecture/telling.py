@@ -48,8 +48,8 @@ def reading(pieces: Pieces) -> float:
 
     Examples
     --------
-    >>> reading((TextPiece("b", "symbol"), TextPiece(" is the head of it.")))
-    1.25
+    >>> round(reading((TextPiece("b", "symbol"), TextPiece(" is the head of it."))), 2)
+    1.23
     """
     text = text_of(pieces)
     numbers = [piece.text for piece in pieces if piece.kind == "figure"]
@@ -126,12 +126,15 @@ def starts(said: str | Sentence) -> tuple[float, ...]:
 
 
 def told_together(panel: Panel) -> Iterator[tuple[int, int]]:
-    """Yield the first and last number of strokes that are told together, in drawing order."""
+    """Yield the first and last number of strokes that are told together, in drawing order.
+
+    What is on the board when drawing may begin is not told together with what is drawn then.
+    """
     pairs = _PAIRS_OF_VECTORS if panel.picture == "vectors" else _PAIRS
     strokes, number = panel.strokes, 0
-    while number < len(strokes):
+    while number < len(strokes):  # Each round tells one stroke or two.
         last = number + 1 if _are_pair(strokes[number : number + 2], pairs) else number
-        if last in panel.loops:
+        if last == panel.given or last in panel.loops:
             last = number
         yield number, last
         number = last + 1
