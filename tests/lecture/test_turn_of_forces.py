@@ -115,6 +115,30 @@ def test_work_over_part_of_a_turn_is_the_change_of_kinetic_energy():
     assert work == pytest.approx(energy[-1] - energy[0], rel=1e-9)
 
 
+def test_arrows_on_the_driven_body_grow_with_the_forces(turn: Any):
+    """One length stands for one force in all poses, and the largest one fills its room."""
+    scales, longest = [], 0.0
+    crank = turn.at(0.0).panel("drive")
+    for phase in np.linspace(0.0, 1.0, 24, endpoint=False):
+        panel = turn.at(phase).panel("drive")
+        found = vad.forces(vad.solve(turn.mechanism, **turn.course.inputs(phase)), *turn.burden)
+        size = max(abs(j.force) for j in found.joints if "crank" in (j.one, j.other))
+        arrows = [s.shape for s in panel.strokes if s.component == "action"]
+        drawn = max(abs(a.end - a.start) for a in arrows if isinstance(a, Arrow))
+        scales.append(drawn / size)
+        longest = max(longest, drawn)
+    assert scales == pytest.approx([scales[0]] * len(scales), rel=1e-9)
+    body = next(s.shape for s in crank.strokes if s.link == "crank" and isinstance(s.shape, Arrow))
+    assert 0.5 < longest / abs(body.end - body.start) < 0.8
+
+
+def test_a_dyad_on_which_nothing_acts_leaves_no_track():
+    shaper = vad.load(example_path("shaper"))
+    film = vad.turn(vad.forces(vad.solve(shaper()), ["1 kN @ 0 at E"]))
+    numbers = {spot.letter.partition(":")[0] for spot in film.cycle.tracks["force"]}
+    assert len(numbers) == len(film.poles) - 1
+
+
 def test_polygons_of_two_dyads_keep_apart():
     turn = vad.turn(watt())
     first, second = sorted(turn.poles.values(), key=lambda pole: pole.real)

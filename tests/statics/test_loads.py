@@ -175,6 +175,16 @@ def test_a_turn_is_asked_for_with_a_turn():
     assert several.fluctuation == pytest.approx([turn.fluctuation, 2.0 * turn.fluctuation])
 
 
+@pytest.mark.parametrize("ask", ["mean_drive", "fluctuation"])
+def test_a_driver_that_swings_has_no_mean_and_no_flywheel(ask: str):
+    motion = vad.solve(vad.GateActuator(), position=np.linspace(3.5, 4.0, 9))
+    found = vad.forces(motion, ["100 N @ 270 at B on arm"])
+    with pytest.raises(InputError, match="actuator_rod swings to and fro"):
+        getattr(found, ask)
+    with pytest.raises(InputError, match="goes round"):
+        found.flywheel(0.02, 10)
+
+
 def test_the_slide_of_a_cylinder_has_two_names():
     """That of the slide, and that of the rod; friction makes the drive larger as it grows."""
     motion = vad.solve(vad.GateActuator(length_unit="m"))

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 SAMPLES = 181
 #: If the largest of all poses is very much larger than three in four, these decide.
 USUAL, DWARFED, ABOUT = 75.0, 2.2, 1.15
+#: So many times that of three poses in four is the largest force on the driven body.
+BEYOND = 5.0
 
 
 def usual_limit(sizes: Any) -> float:
@@ -69,7 +71,7 @@ def poles_of(found: Forces[Any, Any, Any]) -> dict[int, complex]:
 def largest_on_driver(found: Forces[Any, Any, Any]) -> float:
     """Return the largest force on the driven body over a turn: its arrows are measured by it.
 
-    A few poses near a dead centre do not count.
+    Near a dead centre forces are larger still, and are drawn as long as this one.
     """
     driver = found.bodies.driver.name
     forces = [each.force for each in found.joints if driver in (each.one, each.other)]
@@ -78,7 +80,9 @@ def largest_on_driver(found: Forces[Any, Any, Any]) -> float:
     ]
     sizes = np.array([np.broadcast_to(np.abs(each), found.shape) for each in forces]).max(axis=0)
     sizes = sizes[np.isfinite(sizes)]
-    return usual_limit(sizes) if sizes.size else 0.0
+    return (
+        min(float(sizes.max()), BEYOND * float(np.percentile(sizes, USUAL))) if sizes.size else 0.0
+    )
 
 
 @dataclass(frozen=True)

@@ -354,7 +354,13 @@ class Forces(Solution[Truth], Generic[Real, Vector, Truth]):
 
     def _turning(self) -> Turning:
         name, place = next(iter(self.inputs.items()))
-        if name != "angle" or not np.ndim(place):
+        if name != "angle":
+            driver = self.bodies.driver.name
+            raise InputError(
+                f"forces: {driver} swings to and fro; mean drive, excess energy and flywheel are "
+                "those of a driver that goes round by even turns"
+            )
+        if not np.ndim(place):
             raise InputError(
                 "forces: a turn needs an array of angles of the driver",
                 "as in vad.solve(mechanism, angle=numpy.linspace(0, 360, 361))",

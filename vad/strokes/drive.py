@@ -148,7 +148,8 @@ class _Drive:
         component: Component,
     ) -> None:
         at = self.scene.at(point)
-        arrow = force * (LENGTH * self._span / self.largest) if self.largest else 0j
+        largest = max(self.largest, abs(force)) if self.scene.largest else self.largest
+        arrow = force * (LENGTH * self._span / largest) if largest else 0j
         shape = Arrow(at, at + arrow, "", "")
         if self._shows(force):
             stroke = Stroke("result", symbol, shape, said, row, component, part=part)

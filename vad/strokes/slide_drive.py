@@ -120,8 +120,6 @@ class _SlideDrive:
         self.unknown = self._unknown()
         every = [each.force for each in (*self.known, *self.unknown)]
         self.longest = max(map(abs, every), default=0.0)
-        #: The force whose arrow on the body is the longest.
-        self.measure = scene.largest or self.longest
 
     def _known(self) -> list[SlideForce]:
         """Return the forces that are known: those of other bodies, of friction and of loads."""
@@ -254,7 +252,8 @@ class _SlideDrive:
 
     def _arrow(self, each: SlideForce) -> Stroke:
         at, part = self.scene.at(each.point), StrokePart(each.name, "action")
-        arrow = each.force * (LENGTH * self._size / self.measure) if self.longest else 0j
+        largest = max(self.scene.largest, abs(each.force)) if self.scene.largest else self.longest
+        arrow = each.force * (LENGTH * self._size / largest) if self.longest else 0j
         shown = self._shows(each.force)
         shape, said = Arrow(at, at + arrow, "", ""), each.said if shown else ""
         component: Component = "load" if each.component == "load" else "action"
