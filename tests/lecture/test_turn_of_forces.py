@@ -53,6 +53,18 @@ def test_polygons_close_on_the_hodographs(turn: Any, phase: float):
         assert min(abs(closes - end) for end in ends) < 1e-12 * size
 
 
+def test_every_track_passes_where_an_arrow_ends(turn: Any):
+    """Heads of loads, too: they are laid one after the other from the pole."""
+    cycle = turn.cycle
+    for place in (0, cycle.shares.size // 3, cycle.shares.size // 2):
+        panel = turn.at(turn.course.opening + cycle.shares[place]).panel("force")
+        ends = [s.shape.end for s in panel.strokes if isinstance(s.shape, Arrow)]
+        size = max(map(abs, ends))
+        for way in cycle.tracks["force"].values():
+            at = np.broadcast_to(way, cycle.shares.shape)[place]
+            assert min(abs(at - end) for end in ends) < 1e-9 * size
+
+
 def test_the_hodographs_are_the_forces_of_the_whole_turn(turn: Any):
     cycle = turn.cycle
     angles = np.array(
