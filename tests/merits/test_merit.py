@@ -18,11 +18,11 @@ from vad.merits.grashof import kind_of
 lengths = st.floats(0.2, 10.0)
 
 
-# --- textbooks --------------------------------------------------------------------------------
+# --- by hand --------------------------------------------------------------------------------
 
 
-def test_a_published_crank_and_slotted_lever():
-    """R. S. Khurmi and J. K. Gupta, Theory of Machines, ex. 5.2: 30° to each side, ratio 2."""
+def test_a_crank_and_slotted_lever_by_hand():
+    """The lever leans by the angle whose sine is crank over ground, 30°: 240° against 120°."""
     lever = vad.CrankSlottedLever(ground=240, crank=120, lever=450, rod=300, ram_height=150)
     found = vad.merit(lever)
     assert found["time_ratio"] == pytest.approx(2.0, rel=1e-13)
@@ -31,16 +31,18 @@ def test_a_published_crank_and_slotted_lever():
     assert vad.merit(lever, output="lever")["stroke"] == pytest.approx(60.0, rel=1e-13)
 
 
-def test_a_published_whitworth_quick_return():
-    """The same, ex. 5.3: fixed centres 50 mm apart, driving crank 75 mm: ratio 2.735."""
+def test_a_whitworth_quick_return_by_hand():
+    """The return takes twice the angle whose cosine is ground over crank: 96.38°."""
+    back = 2.0 * math.degrees(math.acos(50.0 / 75.0))
     found = vad.merit(vad.Whitworth(ground=50, crank=75, arm=60, rod=135))
-    assert found["time_ratio"] == pytest.approx(2.735, abs=6e-4)
+    assert found["time_ratio"] == pytest.approx((360.0 - back) / back, rel=1e-12)
+    assert found["return_angle"] == pytest.approx(back, rel=1e-12)
     assert found["stroke"] == pytest.approx(120.0, rel=1e-13)
     assert vad.merit(vad.Whitworth())["stroke"] is None
 
 
-def test_a_published_double_crank():
-    """R. L. Norton, Design of Machinery: ground shortest, both links turn; the drag link."""
+def test_a_double_crank_has_no_stroke():
+    """The ground is the shortest link, and both others turn: the drag link."""
     found = vad.merit(vad.FourBar(ground=20, crank=50, coupler=45, rocker=60))
     assert found["grashof"] == "double-crank"
     assert found["stroke"] is None

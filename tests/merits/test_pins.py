@@ -16,24 +16,27 @@ PLANE = [kind for kind in KINDS if isinstance(vad.solve(kind()).solver, Solver)]
 
 
 def engine() -> vad.Motion:
-    """R. S. Khurmi and J. K. Gupta, Theory of Machines, example 7.4: 45° at 180 rpm, in metres."""
+    """A crank of 0.5 m and a rod of 2 m, at 45° and 180 rpm."""
     engine = vad.SliderCrank(crank=0.5, rod=2.0, length_unit="m")
     return vad.solve(engine, angle=45.0, omega=180.0 * math.pi / 30.0)
 
 
-def test_the_pins_of_a_published_engine():
+def test_the_pins_of_an_engine_by_hand():
     found = rubbing(engine(), {"A": 0.05, "B": 0.06, "C": 0.03})
     assert [(each.pin, each.one, each.other) for each in found] == [
         ("A", "crank", "frame"),
         ("B", "crank", "rod"),
         ("C", "rod", "slider"),
     ]
-    sizes = [abs(each.velocity) for each in found]
-    assert sizes == pytest.approx([0.47, 0.6675, 0.051], rel=5e-3)
+    omega = 180.0 * math.pi / 30.0
+    lean = math.asin(0.5 * math.sin(math.pi / 4) / 2.0)
+    rod = 0.5 * omega * math.cos(math.pi / 4) / (2.0 * math.cos(lean))
+    expected = [0.025 * omega, 0.03 * (omega + rod), 0.015 * rod]  # crank and rod turn apart
+    assert [abs(each.velocity) for each in found] == pytest.approx(expected, rel=1e-13)
 
 
-def test_the_slowest_point_of_a_published_rod():
-    """The book measures 8 m/s, at 1.47 m from the crank pin, in a drawing."""
+def test_the_slowest_point_of_a_rod_by_hand():
+    """The whole rod has one velocity along itself; across, that of its points is linear."""
     motion = engine()
     point, lean = slowest(motion)["rod"], math.asin(0.5 * math.sin(math.pi / 4) / 2.0)
     pin = 0.5 * motion.link("crank").omega
@@ -41,7 +44,6 @@ def test_the_slowest_point_of_a_published_rod():
     assert abs(point.velocity) == pytest.approx(pin * math.sin(math.pi / 4 + lean), rel=1e-14)
     across = pin * math.cos(math.pi / 4 + lean)
     assert point.distance == pytest.approx(across / -motion.link("rod").omega, rel=1e-14)
-    assert (abs(point.velocity), point.distance) == pytest.approx((8.0, 1.47), rel=0.1)
 
 
 @pytest.mark.exhaustive(4)

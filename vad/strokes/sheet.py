@@ -289,10 +289,7 @@ class Coincidence:
 
 
 class Source(NamedTuple):
-    """A mechanism, the motion of its driver in one pose, and what it bears beside its own.
-
-    There are forces only where there is a ``burden``; ``pins`` are diameters by points.
-    """
+    """A mechanism, its inputs, what it bears (None without forces), and diameters of its pins."""
 
     mechanism: Any
     inputs: Mapping[str, float]
