@@ -115,6 +115,7 @@ function complain(error) {
   const tries = error.try && Object.entries(error.try);
   tell(error.hint && !tries ? `${error.message} (${error.hint})` : error.message);
   message.classList.add("wrong");
+  find("[data-what=command]").hidden = !["stopped", "refused"].includes(error.kind);
   mend.hidden = !tries && !["stopped", "refused", "busy"].includes(error.kind);
   const label = (name) => settable().find((each) => each.name === name)?.label ?? name;
   mend.textContent = tries ? gaps(words.try, { values: tries.map(([name, value]) => `${label(name)} ${shortened(value)}`).join(", ") }) : words.retry;
@@ -125,7 +126,7 @@ function tell(text) {
   const place = message.querySelector("span");
   message.classList.remove("wrong");
   message.hidden = !text;
-  mend.hidden = true;
+  for (const each of message.querySelectorAll("button")) each.hidden = true;
   if (place.textContent !== text) place.textContent = text;
 }
 

@@ -54,7 +54,28 @@ async function opened(file) {
   want(true);
 }
 
+// The command that opens the window with what is set: a server that is started again has another
+// address.
+function command() {
+  const quoted = (text) => /^[\w.,=+-]+$/.test(text) ? text : `'${text}'`, given = [];
+  for (const { name, default: usual } of settable()) {
+    const own = group(name)[name];
+    if (own !== null && own !== usual) given.push(name, String(own));
+  }
+  for (const [name, [link, distance, angle]] of Object.entries(set.points)) given.push("point", `${name} on ${link} ${distance} at ${angle}`);
+  const places = entry().assemblies.filter(([point, , [[usual]]]) => set.places[point] !== usual);
+  if (places.length) given.push("assembly", places.map(([point]) => point ? `${point}=${set.places[point]}` : set.places[point]).join());
+  if (set.length_unit !== entry().unit) given.push("length_unit", set.length_unit);
+  if (start.language !== "en") given.push("language", start.language);
+  const words = given.map((text, i) => i % 2 ? quoted(text) : `--${text.replaceAll("_", "-")}`);
+  return ["vad gui", quoted(set.mechanism), ...words].join(" ");
+}
+
 const does = {
+  command: () => {
+    const line = command();
+    (navigator.clipboard?.writeText(line) ?? Promise.reject()).then(() => tell(gaps(words.copied, { line })), () => tell(line));
+  },
   draw: () => { clearTimeout(timer); retry = "play"; want(true); },
   reset: () => { choose(set.mechanism); standing &&= { ...standing, mechanism: null }; want(true); },
   link: () => { remember(); navigator.clipboard?.writeText(location.href).then(() => tell(words.linked), () => {}); },
@@ -75,7 +96,7 @@ async function save(extension) {
   tell(gaps(words.saved, { name }));
 }
 
-bar.addEventListener("click", ({ target }) => {
+for (const place of [bar, message]) place.addEventListener("click", ({ target }) => {
   const button = target.closest("[data-what]"), file = target.closest("[data-save]");
   if (button) does[button.dataset.what]();
   if (file) {

@@ -1117,6 +1117,8 @@ WINDOW = {
     "save": "Speichern als",
     "saving": "Wird gespeichert …",
     "saved": "Gespeichert: {name}",
+    "command": "Befehl kopieren",
+    "copied": "Kopiert: {line}",
     "retry": "Noch einmal",
     "try": "nimm {values}",
     "stopped": "vad gui ist beendet. Starte es im Terminal neu.",

@@ -989,6 +989,8 @@ WINDOW = {
     "save": "Save as",
     "saving": "Saving …",
     "saved": "Saved: {name}",
+    "command": "Copy the command",
+    "copied": "Copied: {line}",
     "retry": "Try again",
     "try": "try {values}",
     "stopped": "vad gui has stopped. Start it again in the terminal.",

@@ -1114,6 +1114,8 @@ WINDOW = {
     "save": "Enregistrer en",
     "saving": "Enregistrement …",
     "saved": "Enregistré : {name}",
+    "command": "Copier la commande",
+    "copied": "Copié : {line}",
     "retry": "Réessayer",
     "try": "essayer {values}",
     "stopped": "vad gui est arrêté. Relancez-le dans le terminal.",
