@@ -14,7 +14,7 @@ import re
 import tomllib
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import date, time
 from difflib import get_close_matches
 from pathlib import Path
@@ -74,11 +74,14 @@ class Source:
         What is written, by table and key; single words stand in the table "".
     lines
         The line of each key, and of each table under the key "".
+    text
+        What the file says; empty for tables that come from no file.
     """
 
     name: str
     tables: Mapping[str, Mapping[str, Any]]
     lines: Mapping[tuple[str, str], int] = field(default_factory=dict)
+    text: str = ""
 
     def table(self, name: str) -> Mapping[str, Any]:
         """Return a table; one that is not written is empty."""
@@ -113,15 +116,15 @@ class Source:
         """
         lines = [[*place, line] for place, line in self.lines.items()]
         try:
-            return json.dumps([self.name, _plain(self.tables), lines])
+            return json.dumps([self.name, _plain(self.tables), lines, self.text])
         except RecursionError:
             raise InputError("tables: are nested too deep") from None
 
     @classmethod
     def unpacked(cls, text: str) -> Source:
         """Return the source that was packed."""
-        name, tables, lines = json.loads(text)
-        return cls(name, tables, {(table, key): line for table, key, line in lines})
+        name, tables, lines, said = json.loads(text)
+        return cls(name, tables, {(table, key): line for table, key, line in lines}, said)
 
 
 def _plain(value: Any) -> Any:
@@ -179,7 +182,7 @@ def with_tables(source: Source, folder: Path) -> Source:
                 text = text_of(folder / gate.path("table", file), LONGEST_TABLE)
                 loads[name] = {**load, "table": table_of(text, os.path.basename(file))}
     tables = {**source.tables, "loads": loads} if loads else source.tables
-    return Source(source.name, tables, source.lines)
+    return replace(source, tables=tables)
 
 
 def text_of(path: object, longest: int = LONGEST) -> str:
@@ -269,7 +272,7 @@ def parsed(text: str, name: str) -> Source:
             hint = f"a name is one word, as in {'_'.join(words[1].split())}"
         message = f"{name}, line {number}: {said[:1].lower()}{said[1:]}"
         raise InputError(message, hint) from None
-    return Source(name, {"": tables}, _lines(text))
+    return Source(name, {"": tables}, _lines(text), text)
 
 
 def sorted_out(source: Source) -> Source:
@@ -303,7 +306,7 @@ def sorted_out(source: Source) -> Source:
         else:
             wrong = unknown("word", key, (*WORDS, GRAVITY, *TABLES, *ROTORS))
             raise source.error("", key, str(wrong), wrong.hint)
-    return Source(source.name, tables, source.lines)
+    return replace(source, tables=tables)
 
 
 def _check_count(source: Source, table: str, entries: Mapping[str, Any]) -> None:

@@ -18,6 +18,9 @@ from typing import Any
 import vad
 from vad.errors import AssemblyError, DeadCentreError, ExportError, UsageError, VadError
 from vad.export.files import temporary_folder
+from vad.files.examples import EXTENSION
+from vad.files.loading import WrittenMechanism
+from vad.files.rewriting import rewritten
 from vad.gui.messages import (
     ExportQuestion,
     LessonQuestion,
@@ -67,6 +70,7 @@ MEDIA = {
     "html": "text/html",
     "turn": "text/html",
     "problem": "application/pdf",
+    "toml": "application/toml",
 }
 #: The ends of names that say more than their extension.
 _ENDS = {"turn": "-turn.html", "problem": "-problem.pdf"}
@@ -377,7 +381,8 @@ def saved(question: ExportQuestion, extension: str) -> tuple[bytes, str]:
     """Return the bytes of a file, and what it is called.
 
     Its kind is an extension; or "turn", the page of a whole turn, or "problem", a problem sheet, in
-    which the polygons are left to be drawn.
+    which the polygons are left to be drawn; or "toml", the file of a mechanism that has one, with
+    the numbers that are set.
 
     Raises
     ------
@@ -385,6 +390,8 @@ def saved(question: ExportQuestion, extension: str) -> tuple[bytes, str]:
         For what cannot be drawn or saved, or takes more than `LARGEST_FILE` bytes.
     """
     motion, burden = question.solved()
+    if extension == "toml":
+        return _file_of(motion)
     pose, panels = with_forces(motion, burden), _panels(question, motion, burden)
     sheet = vad.draw(pose, panels, question.language)
     name = motion.mechanism.name + _ENDS.get(extension, f".{extension}")
@@ -404,6 +411,15 @@ def saved(question: ExportQuestion, extension: str) -> tuple[bytes, str]:
             played = vad.animate(sheet, question.fps, question.size, question.speed, question.style)
             vad.save(played, path, progress=lambda *_: _check_size(folder))
         return path.read_bytes(), name
+
+
+def _file_of(motion: Motion) -> tuple[bytes, str]:
+    """Return the file of a mechanism with its numbers, and what it is called."""
+    mechanism = motion.mechanism
+    if not isinstance(mechanism, WrittenMechanism):
+        raise UsageError(f"{mechanism.name}: is from no file", "vad example four-bar prints one")
+    inputs = {name: float(value) for name, value in motion.inputs.items()}
+    return rewritten(mechanism, inputs).encode(), mechanism.name + EXTENSION
 
 
 def _check_size(folder: Path) -> None:

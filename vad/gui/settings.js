@@ -14,6 +14,7 @@ function choose(mechanism, given = {}) {
   fields.clear();
   find("#parameters").replaceChildren(...parameters.map(row));
   find("#inputs").replaceChildren(...inputs.map(row));
+  find("[data-save=toml]").hidden = !entry().file;
   find("#assemblies").hidden = !assemblies.length;
   find("#places").replaceChildren(...assemblies.map(choice));
   spare();

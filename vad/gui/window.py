@@ -141,8 +141,9 @@ def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
     Returns
     -------
     dict
-        ``title``; ``name`` of its files; ``unit`` of lengths; ``parameters`` and ``inputs`` with
-        name, label, unit, default (null where there is none), the ends of the slider and its step;
+        ``title``; ``name`` of its files, and whether a ``file`` describes it; ``unit`` of lengths;
+        ``parameters`` and ``inputs`` with name, label, unit, default (null where there is none),
+        the ends of the slider and its step;
         ``assemblies``, for each point that is placed (or for "", where there is one choice for the
         mechanism) its label and the choices, each with name and label, the first of them the
         default.
@@ -156,6 +157,7 @@ def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
     return {
         "title": say.name(kind.title),
         "name": kind.name,
+        "file": issubclass(kind, WrittenMechanism),
         "unit": unit,
         "parameters": [
             _box(each.name, label(each, say), each.metadata["quantity"], unit, each.default)
