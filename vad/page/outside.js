@@ -143,6 +143,8 @@ function outside(root, body, dock, player) {
     solve, pose, step,
     back: () => dock.leave(),
     get state() { return now(); },
+    // How much work moves were: the attributes that they set, and the places tried for labels.
+    get counts() { return { ...body.view.counts }; },
     addEventListener: (kind, listener) => { if (typeof listener === "function") listeners[kind]?.add(listener); },
     removeEventListener: (kind, listener) => listeners[kind]?.delete(listener),
   };
