@@ -11,6 +11,7 @@ import pypdf
 import pytest
 
 import vad
+from vad.batches.roster import in_file_name
 from vad.errors import InputError, UsageError
 
 CLASS = """mechanism,name,group,number,files,crank,angle
@@ -92,6 +93,12 @@ def test_a_table_of_answers_is_a_table_of_sheets(made, tmp_path):
     (tmp_path / "again.csv").write_text(text, "utf-8")
     again = vad.batch(tmp_path / "again.csv", tmp_path / "again")
     assert [each.answers["roster"]["name"] for each in again] == ["Ada King", "../Émile, d'Été"]
+
+
+def test_a_long_roster_is_cut_between_letters():
+    assert len(in_file_name({"name": "ж" * 99}).encode()) == 46
+    assert in_file_name({"name": "x" + "ж" * 99}) == "x" + "ж" * 22
+    assert in_file_name({"name": "x" * 46, "group": "B"}) == "x" * 46
 
 
 @pytest.mark.parametrize("column", ["crnak", "crak", "Crank", "langauge", "omgea", "agnle"])

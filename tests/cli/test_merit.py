@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 import pytest
 
@@ -64,3 +65,31 @@ def test_check_has_the_figures_of_a_file(vad, tmp_path):
     found = json.loads(vad("check", str(path), "--json").out)["merit"]
     assert found["stroke"] == library.merit(library.load(path)())["stroke"]
     assert found["time_ratio"] == pytest.approx(2.076135594677738)
+
+
+@pytest.mark.parametrize(
+    ("language", "words"),
+    [
+        (
+            "de",
+            ("Kurbelschwinge", "Totlagen", "Zeitverhältnis", "Kurbel auf Koppel"),
+        ),
+        ("fr", ("manivelle-balancier", "points morts", "rapport des temps", "tout angle")),
+    ],
+)
+def test_figures_have_the_words_of_a_language(vad, language, words):
+    result = vad("solve", "four-bar", "--merit", "--pin", "B 20", "--language", language)
+    assert (result.code, result.err) == (0, "")
+    for word in words:
+        assert word in result.out
+    english = vad("solve", "four-bar", "--merit", "--pin", "B 20").out
+    assert "Grashof                     crank-rocker" in english
+    assert sorted(re.findall(r"-?\d+\.\d+", english)) == sorted(
+        re.findall(r"-?\d+\.\d+", result.out)
+    )
+
+
+def test_a_language_without_words_is_refused(vad):
+    result = vad("solve", "four-bar", "--language", "de")
+    assert result.code == 2
+    assert "it goes with --merit" in result.err

@@ -14,8 +14,9 @@ from vad.errors import unknown
 
 #: From this likeness on a column is a misspelt option, and no column of a roster.
 _NEAR = 0.78
-#: The most characters of a roster in the name of a file.
-_LONGEST = 60
+#: The most bytes of a roster in the name of a file, which with its number and the longest name that
+#: sheets may have is still one for every system.
+_LONGEST = 46
 #: A table of answers, which is a table of sheets, too, has its results with units in brackets.
 _RESULT = re.compile(r".* \[.*\]")
 _NUMBER = "number"
@@ -68,7 +69,8 @@ def in_file_name(roster: Mapping[str, str]) -> str:
     """
     text = normalize("NFC", " ".join(roster.values()))
     words = re.findall(r"\w+", text)
-    return "-".join(words)[:_LONGEST].rstrip("-")
+    cut = "-".join(words).encode("utf-8", "ignore")[:_LONGEST].decode("utf-8", "ignore")
+    return cut.rstrip("-")
 
 
 def in_title(roster: Mapping[str, str]) -> str:

@@ -17,6 +17,7 @@ from vad import __version__
 from vad.cli import check, compare, completion, exercise
 from vad.cli.groups import HelpfulCommand, MechanismGroup
 from vad.cli.options import (
+    NamedOption,
     burden_options,
     flag,
     length_unit_of,
@@ -24,7 +25,8 @@ from vad.cli.options import (
     take_burden,
     words_of,
 )
-from vad.errors import InputError, unknown
+from vad.discovery import names_in
+from vad.errors import InputError, UsageError, unknown
 from vad.files.examples import all_names, example_names, example_path, example_title, rotor_names
 from vad.mechanisms import MECHANISMS, Mechanism, mechanism_named, mechanism_names
 from vad.units import scene_unit
@@ -250,6 +252,11 @@ def _solve(
     """Print the numbers of one pose, its forces if anything makes some, and what is balanced."""
     asked = {name: given.pop(name, None) for name in ("merit", "extremes", "pin")}
     figures = {name: value for name, value in asked.items() if value}
+    if language := given.pop("language", None):
+        if not figures:
+            hint = "it goes with --merit, --extremes or --pin"
+            raise UsageError("--language: the table of a pose has no words but names", hint)
+        figures["language"] = language
     burden = take_burden(mechanism, given)
     motion = vad.solve(mechanism, **inputs)
     found = motion.to_dict()
@@ -276,6 +283,7 @@ def _figures(
     merit: bool = False,
     extremes: tuple[str, ...] = (),
     pin: dict[str, float] | None = None,
+    language: str = "en",
 ) -> tuple[dict[str, Any], str]:
     """Return figures of merit, or the rubbing of pins alone, as data and as text."""
     from vad.merits.listing import rubbing_table  # most commands need no figures
@@ -283,14 +291,17 @@ def _figures(
 
     if not merit and not extremes:
         rubs = listed(rubbing(motion, pin or {}))
-        return {"rubbing": rubs}, rubbing_table(rubs, motion.mechanism.length_unit, digits)
+        unit = motion.mechanism.length_unit
+        return {"rubbing": rubs}, rubbing_table(rubs, unit, digits, language)
     loads, masses, gravity, friction = burden or ((), None, None, None)
     found = vad.merit(
         motion, pins=pin, loads=loads, masses=masses, gravity=gravity, friction=friction
     )
-    return {"merit": found.to_dict(extremes)}, found.table(extremes, digits)
+    return {"merit": found.to_dict(extremes)}, found.table(extremes, digits, language)
 
 
+#: The names of the languages, without their words, which a pose needs not; a help text; a group.
+_LANGUAGES = names_in("words"), "of figures of merit  [en]", "vad.languages"
 app.add_command(
     MechanismGroup(
         "solve",
@@ -312,6 +323,7 @@ app.add_command(
                 help="figures of merit with the ends of results: rocker.omega  [none]",
             ),
             pin_option(),
+            NamedOption("language", "language", *_LANGUAGES),
             *burden_options(),
         ],
     )

@@ -182,12 +182,12 @@ class Merit(Mapping[str, Any]):
             if name in known or name not in own
         }
 
-    def table(self, results: Iterable[str] = (), digits: int = DIGITS) -> str:
+    def table(self, results: Iterable[str] = (), digits: int = DIGITS, language: str = "en") -> str:
         """Return the figures as plain text with units; with the extremes of ``results``, if any."""
         from vad.merits.listing import extremes_table, table
 
-        named, text = tuple(results), table(self, digits)
-        most = extremes_table(self, named, digits) if named else ""
+        named, text = tuple(results), table(self, digits, language)
+        most = extremes_table(self, named, digits, language) if named else ""
         return f"{text}\n\n{most}" if most else text
 
     @cached_property
