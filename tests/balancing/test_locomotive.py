@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 
 import numpy as np
@@ -82,3 +83,47 @@ def test_refused():
     ):
         with pytest.raises(InputError, match=said):
             vad.engine(TWO, 300, rpm=300, locomotive=TWO_WORDS | words)
+
+
+COUPLED = TWO_WORDS | {
+    "coupled": 2,
+    "coupling": 120,
+    "coupling_radius": 250,
+    "coupling_planes": (-800, 800),
+}
+
+
+def test_coupled_wheels():
+    """Each axle is balanced by itself; together they leave what uncoupled wheels leave."""
+    found = vad.engine(TWO, 300, rpm=300, locomotive=COUPLED).locomotive
+    alone = vad.engine(TWO, 300, rpm=300, locomotive=TWO_WORDS).locomotive
+    assert found.coupled_balance is not None
+    for balance, turning in ((found.balance, 150), (found.coupled_balance, 0)):
+        force, couple = 0j, 0j
+        places = [(turning + 180 / 3, 300, each["crank"], each["plane"]) for each in TWO]
+        places += [(120, 250, 180, -800), (120, 250, 270, 800)]
+        places += [
+            (each.mass, each.radius, each.angle, each.plane)
+            for each in balance.masses
+            if each.name in found.names
+        ]
+        for mass, radius, angle, plane in places:
+            vector = cmath.rect(mass * radius, math.radians(angle))
+            force, couple = force + vector, couple + vector * plane
+        assert abs(force) < 1e-9 * 300 * 210 and abs(couple) < 1e-9 * 300 * 210 * 750
+    assert found.tractive_force == alone.tractive_force
+    assert found.swaying_couple == alone.swaying_couple
+    for one, other in zip(found.hammer_blows, alone.hammer_blows, strict=True):
+        assert one.force == pytest.approx(other.force / 2, rel=1e-12)
+
+
+def test_coupled_wheels_that_are_refused():
+    for words, said in (
+        ({"coupled": 1.5}, "number of pairs"),
+        ({"coupled": 0}, "coupled"),
+    ):
+        with pytest.raises(InputError, match=said):
+            vad.engine(TWO, 300, rpm=300, locomotive=COUPLED | words)
+    few = {name: value for name, value in COUPLED.items() if name != "coupling_radius"}
+    with pytest.raises(InputError, match="no coupling_radius"):
+        vad.engine(TWO, 300, rpm=300, locomotive=few)

@@ -181,8 +181,11 @@ def locomotive_data(found: Locomotive) -> dict[str, Any]:
     """Return the balance of a locomotive as JSON holds it."""
     traction, sway = found.tractive_force, found.swaying_couple
     masses = {each.name: each.numbers() for each in found.balance.masses}
+    coupled = found.coupled_balance
+    others = {each.name: each.numbers() for each in coupled.masses} if coupled else {}
     return {
         "balance_masses": {name: masses[name] for name in found.names},
+        "coupled_wheels": {name: others[name] for name in found.names} if coupled else None,
         "hammer_blow": {
             each.wheel: {
                 "force": each.force,
@@ -221,6 +224,13 @@ def locomotive_table(found: Locomotive, digits: int) -> str:
         "swaying couple, N m": {"largest": sway.largest, "at": _listed(sway.angles)},
     }
     checked = gate.whole("digits", digits, 1, MOST_DIGITS)
-    return "\n\n".join(
-        [block(head, rows, checked), block(["change", "largest", "at, deg"], changes, checked)]
-    )
+    blocks = [block(head, rows, checked)]
+    if found.coupled_balance:
+        others = {each.name: each.numbers() for each in found.coupled_balance.masses}
+        rest = {
+            name: {key: others[name][key] for key in ("mass", "radius", "angle")}
+            for name in found.names
+        }
+        blocks.append(block(["coupled wheel", *head[1:4]], rest, checked))
+    blocks.append(block(["change", "largest", "at, deg"], changes, checked))
+    return "\n\n".join(blocks)

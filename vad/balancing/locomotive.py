@@ -49,6 +49,27 @@ class HammerBlow(NamedTuple):
     vector: complex
 
 
+class Coupling(NamedTuple):
+    """The rods that couple wheels, as masses that turn at their pins.
+
+    Attributes
+    ----------
+    mass
+        At each pin, in kg.
+    radius
+        Of the pins.
+    angle
+        From the crank on the same side, in degrees.
+    planes
+        Of the pins; the first is beside the first cylinder, the other one beside the last.
+    """
+
+    mass: float
+    radius: float
+    angle: float
+    planes: tuple[float, float]
+
+
 @dataclass(frozen=True, slots=True)
 class Locomotive:
     """The balance of a locomotive.
@@ -73,6 +94,10 @@ class Locomotive:
         The load on each wheel at rest, in N, if it is known.
     diameter
         That of the wheels, if it is known.
+    coupled
+        How many pairs of wheels share what is balanced of what goes to and fro.
+    coupling
+        The rods that couple them, if their masses are known.
     """
 
     engine: InertiaForces
@@ -84,17 +109,49 @@ class Locomotive:
     names: tuple[str, str] = ("X", "Y")
     load: float | None = None
     diameter: float | None = None
+    coupled: float = 1.0
+    coupling: Coupling | None = None
 
     @property
     def shaft(self) -> tuple[Mass, ...]:
-        """All that the wheels balance, at the crank pins, and the balance masses to be found."""
-        return (*self._pins(self.rotating, self.share), *self._wheels())
+        """All that the driving wheels balance, and the balance masses to be found."""
+        return (*self._pins(self.rotating, self._part), *self._rods(), *self._wheels())
 
     @property
     def balance(self) -> Balanced:
-        """The shaft with its balance masses."""
+        """The shaft of the driving wheels with their balance masses."""
         (found,) = balanced(self.shaft, self.length_unit)
         return found
+
+    @property
+    def coupled_balance(self) -> Balanced | None:
+        """The masses of the coupled wheels with their balance masses; None without such wheels.
+
+        These wheels bear no crank pins; they balance the rods and their part of what goes to and
+        fro, which is in the planes of the cylinders.
+        """
+        if self.coupled == 1.0:
+            return None
+        masses = (*self._pins(0.0, self._part), *self._rods(), *self._wheels())
+        (found,) = balanced(masses, self.length_unit)
+        return found
+
+    @property
+    def _part(self) -> float:
+        """The share that each pair of wheels balances."""
+        return self.share / self.coupled
+
+    def _rods(self) -> Iterable[Mass]:
+        if self.coupling is None:
+            return []
+        mass, radius, angle, planes = self.coupling
+        cylinders = self.engine.cylinders[0], self.engine.cylinders[-1]
+        taken = {*self.names, *(each.name for each in self.engine.cylinders)}
+        free = (name for name in ("P", "Q", "E", "F", "G", "H") if name not in taken)
+        return [
+            Mass(name, mass, radius, cylinder.crank + angle, plane)
+            for name, cylinder, plane in zip(free, cylinders, planes, strict=False)
+        ]
 
     def _pins(self, rotating: float, share: float) -> Iterable[Mass]:
         radius = self.engine.radius
@@ -110,7 +167,7 @@ class Locomotive:
     @property
     def hammer_blows(self) -> tuple[HammerBlow, ...]:
         """The hammer blow of each wheel."""
-        (found,) = balanced((*self._pins(0.0, self.share), *self._wheels()), self.length_unit)
+        (found,) = balanced((*self._pins(0.0, self._part), *self._wheels()), self.length_unit)
         blows = []
         for each in found.masses:
             if each.name not in self.names:

@@ -140,7 +140,8 @@ def engine(
     locomotive
         What is balanced in the wheels of a locomotive: ``{"balanced": 2 / 3, "rotating": 160,
         "wheels": (-750, 750), "balance_radius": 600}``, and perhaps ``wheel_diameter`` and
-        ``wheel_load``, in N.
+        ``wheel_load``, in N; of coupled wheels ``coupled``, ``coupling``, ``coupling_radius``,
+        ``coupling_angle`` and ``coupling_planes``.
     length_unit
         The unit of lengths.
     title
@@ -402,6 +403,9 @@ def check_rotor(rotor: Rotor, values: Values) -> None:
         if found and not 0.0 <= found.share <= 1.0:
             message = f"balanced: must be between 0 and 1, got {found.share:g}"
             raise InputError(message, 'as in balanced = "2/3"')
+        if found and (found.coupled < 1.0 or found.coupled != round(found.coupled)):
+            message = f"coupled: must be a number of pairs of wheels, got {found.coupled:g}"
+            raise InputError(message, "as in coupled = 2")
         if found:
             found.balance  # noqa: B018  # raises where it cannot be balanced
 

@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 
 from vad import gate
 from vad.balancing.inertia import Cylinder, InertiaForces
-from vad.balancing.locomotive import Locomotive
+from vad.balancing.locomotive import Coupling, Locomotive
 from vad.balancing.shaft import NUMBERS, Mass
 from vad.errors import InputError, VadError, quoted, unknown
 from vad.files.description import Expression, Parameter, Values
@@ -23,6 +23,8 @@ from vad.units import check_length_unit, metres_of, number_of
 #: The tables of such files; the masses of ``[shaft]`` stand in ``[shaft.masses]``.
 SHAFT, ENGINE, CYLINDERS, LOCOMOTIVE = ROTORS
 MASSES = f"{SHAFT}.masses"
+#: A coupling pin stands opposite to the crank beside it unless another angle is given.
+OPPOSITE = 180.0
 #: The diagrams of what changes over a turn of a locomotive.
 LOCOMOTIVES = ("traction", "hammer")
 _OF_SHAFT = ("clockwise", "speed", "bearings", "choice", "masses")
@@ -31,6 +33,7 @@ _OF_CYLINDER = ("mass", "crank", "plane", "line")
 _OF_LOCOMOTIVE = (
     *("balanced", "rotating", "wheels", "balance_radius"),
     *("wheel_diameter", "wheel_load", "road_speed"),
+    *("coupled", "coupling", "coupling_radius", "coupling_angle", "coupling_planes"),
 )
 AS_MASS = "as in A = { mass = 200, radius = 80, angle = 0, plane = 0 }"
 AS_CYLINDER = "as in A = { mass = 11.5, crank = 0, plane = 0, line = 45 }"
@@ -164,6 +167,11 @@ class Rotor:
             return None
         numbers = {name: each(values) for name, each in self.numbers.items()}
         names = [name for name in ("X", "Y", "V", "W") if name not in self.cylinders]
+        coupling = None
+        if "rods" in self.settings:
+            mass, radius = numbers["coupling"], numbers["coupling_radius"]
+            angle = numbers.get("coupling_angle", OPPOSITE)
+            coupling = Coupling(mass, radius, angle, self.settings["rods"])
         return Locomotive(
             inertia,
             numbers["balanced"],
@@ -174,6 +182,8 @@ class Rotor:
             (names[0], names[1]),
             numbers.get("wheel_load"),
             numbers.get("wheel_diameter"),
+            numbers.get("coupled", 1.0),
+            coupling,
         )
 
 
@@ -223,6 +233,9 @@ class _Reader:
                 found, wheels = self.of_locomotive()
                 numbers |= found
                 words["wheels"] = wheels
+                rods = self.source.table(LOCOMOTIVE).get("coupling_planes")
+                if rods is not None:
+                    words["rods"] = self.pair(LOCOMOTIVE, "coupling_planes", rods)
                 speed = speed or self.road_speed(numbers)
             if not speed:
                 raise self.error(ENGINE, "", "the engine has no speed", 'as in speed = "500 rpm"')
@@ -344,15 +357,36 @@ class _Reader:
             "balance_radius": ("length", "radius of the balance masses"),
             "wheel_diameter": ("length", "diameter of the driving wheels"),
             "wheel_load": ("force", "load on each wheel at rest"),
+            "coupled": ("number", "pairs of wheels that share the balance"),
+            "coupling": ("mass", "mass that turns at each pin of a coupling rod"),
+            "coupling_radius": ("length", "radius of the pins of coupling rods"),
+            "coupling_angle": ("angle", "angle of such a pin from the crank beside it"),
         }
         found = {
             name: self.numbers.take(
-                LOCOMOTIVE, name, name, given[name], kind, signed=name == "balanced", help=help
+                LOCOMOTIVE,
+                name,
+                name,
+                given[name],
+                kind,
+                signed=name in ("balanced", "coupling_angle"),
+                help=help,
             )
             for name, (kind, help) in kinds.items()
             if name in given
         }
+        self.check_coupling(given)
         return found, self.pair(LOCOMOTIVE, "wheels", given["wheels"])
+
+    def check_coupling(self, given: Mapping[str, Any]) -> None:
+        """Refuse coupling rods of which not all is said."""
+        rods = ("coupling", "coupling_radius", "coupling_planes")
+        named = [word for word in (*rods, "coupling_angle") if word in given]
+        missing = [word for word in rods if word not in given]
+        hint = "as in coupling = 120, coupling_radius = 250, coupling_planes = [-800, 800]"
+        if named and missing:
+            message = f"{named[0]}: the coupling rods have no {missing[0]}"
+            raise self.error(LOCOMOTIVE, named[0], message, hint)
 
     def road_speed(self, numbers: Entry) -> float:
         """Return the speed of the wheels from that along the track."""

@@ -22,7 +22,7 @@ from vad.lecture.moment import Moment, done, drawing
 from vad.lecture.pace import AFTER_ANSWER, CLOSING, OPENING, scripted, times
 from vad.lecture.script import Script, script_of, step_number
 from vad.lecture.telling import reading
-from vad.strokes.reveals import revealed
+from vad.strokes.reveals import finder, revealed
 from vad.strokes.sentences import Sentence
 from vad.strokes.sheet import Panel, Sheet, Stroke, driver_of
 
@@ -294,6 +294,7 @@ def drawn_so_far(sheet: Sheet, strokes: Mapping[str, tuple[Stroke, ...]]) -> She
         for half in panel.halves
         for stroke in half.strokes
         for found in revealed(half, stroke)
+        if found[0] != half.name or finder(sheet, half, found[1]) is None
     }
     rows = []
     for row in sheet.rows:

@@ -31,8 +31,10 @@ def finder(sheet: Sheet, panel: Panel, row: str | None) -> tuple[Panel, Stroke] 
 
 
 def measurer(sheet: Sheet, panel: Panel, row: Row) -> tuple[Panel, Stroke] | None:
-    """Return the first stroke that measures the cells of a row in a panel, and its panel."""
-    for stroke in panel.strokes:
-        if (panel.name, row.key) in revealed(panel, stroke):
-            return panel, stroke
-    return finder(sheet, panel, row.key)
+    """Return the stroke that measures the cells of a row in a panel, and its panel.
+
+    It is that of another panel where one finds the row, else the first one of the panel itself.
+    """
+    found = finder(sheet, panel, row.key)
+    own = (stroke for stroke in panel.strokes if row.key in stroke.reveals)
+    return found or next(((panel, stroke) for stroke in own), None)

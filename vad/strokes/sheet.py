@@ -182,8 +182,7 @@ class Stroke:
     image
         True for the vector to a point found by the velocity or acceleration image.
     reveals
-        The rows of the results table whose cell in this panel is measured by this stroke, and
-        those of another panel, as in ``shaft:A`` (`vad.strokes.reveals`).
+        The rows of the results whose cell this stroke measures; ``shaft:A`` is in another panel.
     part
         Which part of what it draws.  The stroke's name is made of it, and is the same in every
         pose.

@@ -45,6 +45,7 @@ def arm(pen: Pen, each: Arm, phrase: str, **parts: object) -> None:
         phrase,
         link=each.name,
         component="link",
+        reveals=(each.name,) if each.found else (),
         letter=each.name,
         **parts,  # type: ignore[arg-type]
     )
