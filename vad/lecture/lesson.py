@@ -34,7 +34,7 @@ class LessonStep:
     After the last stroke of a panel that stood large, this glides into its place for ``glide``, and
     the page that comes with it rests for ``settle``.  After ``beats`` frames the second beat of its
     caption is said, then the third.  A stroke that is ``there`` is not drawn: it
-    is on the board when its panel begins.
+    is on the board when its panel begins.  The ``chapter`` is the panel with which it is told.
     """
 
     panel: Panel
@@ -45,6 +45,7 @@ class LessonStep:
     settle: int = 0
     beats: tuple[int, ...] = field(default=(), kw_only=True)
     there: bool = field(default=False, kw_only=True)
+    chapter: str = field(default="", kw_only=True)
 
     @property
     def frames(self) -> int:
@@ -91,9 +92,9 @@ class Lesson(Displayed):
         return next((i for i, step in enumerate(self.steps) if not step.there), len(self.steps))
 
     def place(self, step: LessonStep) -> int:
-        """Return the number of a step in its panel, from 1; a polygon above counts, too."""
-        column = self.sheet.panel(step.panel.column)
-        return step.index + 1 + (0 if step.panel is column else len(column.strokes))
+        """Return the number of a step in its chapter, from 1; a polygon above counts, too."""
+        mine = [each for each in self.steps if each.chapter == step.chapter]
+        return mine.index(step) + 1
 
     @property
     def duration(self) -> float:
@@ -166,15 +167,15 @@ def animate(
         found, opening = scripted(found, script, sheet, opening)
     steps: list[LessonStep] = []
     clock = 0.0
-    places = ((panel, index) for panel in sheet.halves for index in range(len(panel.strokes)))
-    for (panel, index), each in zip(places, found, strict=True):
+    for (panel, index, chapter), each in zip(sheet.telling, found, strict=True):
         # Whole frames are counted from the start, so that roundings do not add up.
         parts = each.grow, each.hold, each.glide, each.settle
         seconds = list(accumulate(parts, initial=clock))
         ends = [round(second * fps) for second in seconds]
         lasts = (end - start for start, end in pairwise(ends))
         beats = tuple(round((clock + beat) * fps) - ends[0] for beat in each.beats)
-        steps.append(LessonStep(panel, index, *lasts, beats=beats, there=each.there))
+        more: dict[str, Any] = {"beats": beats, "there": each.there, "chapter": chapter}
+        steps.append(LessonStep(panel, index, *lasts, **more))
         clock = seconds[-1]
     said = answer(sheet)
     closing = max(CLOSING, reading(said.pieces) + AFTER_ANSWER if said else 0.0) / speed

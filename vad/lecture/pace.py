@@ -102,21 +102,30 @@ def _length(stroke: Stroke) -> float:
 
 
 def times(sheet: Sheet, loop: int) -> Iterator[Times]:
-    """Yield the times of all strokes of a sheet, of which those before a loop are there already."""
-    for panel in sheet.halves:
-        longest = max(map(_length, panel.strokes), default=0.0)
-        begun = panel.loops[loop - 1] if 1 < loop <= len(panel.loops) else panel.given
-        leads = {number for first, last in told_together(panel) for number in range(first, last)}
-        for index, stroke in enumerate(panel.strokes):
-            last = index + 1 == len(panel.strokes)
-            moved = (GLIDE, SETTLE) if last and opens(sheet, panel) else (0.0, 0.0)
-            if index < begun:
-                look = LOOK if index + 1 == begun else 0.0
-                yield Times(0.0, look, *moved, there=True)
-                continue
-            grow = growth(stroke, longest)
-            hold = rest(stroke, grow, 0.0 if index in leads else LEAST_REST)
-            yield Times(grow, hold, *moved, beats=starts(stroke.said))
+    """Yield the times of all strokes of a sheet, as they are told.
+
+    Those before a loop are there already.
+    """
+    found = {half.name: list(_times_of(half, loop)) for half in sheet.halves}
+    large = [opens(sheet, each.half) for each in sheet.telling]
+    leaves = large.index(False) - 1 if False in large else -1
+    for number, each in enumerate(sheet.telling):
+        own = found[each.half.name][each.number]
+        yield replace(own, glide=GLIDE, settle=SETTLE) if number == leaves else own
+
+
+def _times_of(panel: Panel, loop: int) -> Iterator[Times]:
+    """Yield the times of the strokes of a panel."""
+    longest = max(map(_length, panel.strokes), default=0.0)
+    begun = panel.loops[loop - 1] if 1 < loop <= len(panel.loops) else panel.given
+    leads = {number for first, last in told_together(panel) for number in range(first, last)}
+    for index, stroke in enumerate(panel.strokes):
+        if index < begun:
+            yield Times(0.0, LOOK if index + 1 == begun else 0.0, there=True)
+            continue
+        grow = growth(stroke, longest)
+        hold = rest(stroke, grow, 0.0 if index in leads else LEAST_REST)
+        yield Times(grow, hold, beats=starts(stroke.said))
 
 
 def scripted(

@@ -56,21 +56,18 @@ class Script:
         if not self.captions:
             return sheet
         own = {step_number(sheet, step): text for step, text in self.captions.items()}
-        first, panels = 0, []
-        for panel in sheet.panels:
-            panels.append(_retold(panel, first, own))
-            first += sum(len(half.strokes) for half in panel.halves)
-        return replace(sheet, panels=tuple(panels))
+        told = enumerate(sheet.telling)
+        texts = {(each.half.name, each.number): own[n] for n, each in told if n in own}
+        return replace(sheet, panels=tuple(_retold(panel, texts) for panel in sheet.panels))
 
 
-def _retold(panel: Panel, first: int, own: Mapping[int, str]) -> Panel:
-    """Return a panel, whose first stroke has the number ``first``, with captions of one's own."""
+def _retold(panel: Panel, own: Mapping[tuple[str, int], str]) -> Panel:
+    """Return a panel with captions of one's own, by panel and number."""
     strokes = tuple(
-        replace(stroke, said=own[number]) if number in own else stroke
-        for number, stroke in enumerate(panel.strokes, first)
+        replace(stroke, said=own[panel.name, number]) if (panel.name, number) in own else stroke
+        for number, stroke in enumerate(panel.strokes)
     )
-    below = panel.below and _retold(panel.below, first + len(strokes), own)
-    return replace(panel, strokes=strokes, below=below)
+    return replace(panel, strokes=strokes, below=panel.below and _retold(panel.below, own))
 
 
 def script_of(given: Any) -> Script:
@@ -165,10 +162,10 @@ def step_number(sheet: Sheet, step: int | str) -> int:
         If there is no such step.
     """
     panel, colon, number = step.rpartition(":") if isinstance(step, str) else ("", "", step)
-    named = [half.full(stroke.name) for half in sheet.halves for stroke in half.strokes]
+    named = [half.full(half.strokes[number].name) for half, number, _ in sheet.telling]
     if step in named:
         return named.index(str(step))
-    columns = [half.column for half in sheet.halves for _ in half.strokes]
+    columns = [each.chapter for each in sheet.telling]
     if colon:
         panel = one_of("panel", panel, [each.name for each in sheet.panels])
     steps = [each for each, column in enumerate(columns) if column == panel or not colon]

@@ -127,7 +127,8 @@ def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = 
     items = ", ".join(
         f"<span>{words.of(roman(item.replace(' ', _FIRM)))}</span>" for item in parameters(sheet)
     )
-    first = [board.sketches[panel.name].setting.first for panel in sheet.panels]
+    told = [step.chapter for step in lesson.steps]
+    first = [told.index(panel.name) for panel in sheet.panels]
     return Parts(
         head=f"<h1>{title}</h1><p>{items}</p>",
         panels="".join(drawn),
@@ -138,7 +139,7 @@ def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = 
             + "".join(
                 item
                 for step, (item, _) in zip(lesson.steps, listed, strict=True)
-                if step.panel.column == panel.name
+                if step.chapter == panel.name
             )
             + "</ol></div>"
             for panel in sheet.panels
@@ -205,7 +206,7 @@ def turned_board(lesson: Lesson) -> HandBoard | None:
 def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, str]:
     """Return the caption of a step as an entry of the list, and as it is read out."""
     pieces = pieces_of(step.stroke.said)
-    place = f"#step={step.panel.column}:{lesson.place(step)}"
+    place = f"#step={step.chapter}:{lesson.place(step)}"
     item = f'<li><a href="{place}">{_beats(step, words)}</a></li>'
     return item, spoken(pieces, lesson.sheet.language)
 

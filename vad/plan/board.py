@@ -167,16 +167,18 @@ def plan(
     page, feet = arrange(sheet, form, lines)
     rows = rows_of(sheet)
     sketches: dict[str, Sketch] = {}
-    first = 0
+    numbers: dict[str, list[int]] = {half.name: [] for half in sheet.halves}
+    for number, each in enumerate(sheet.telling):
+        numbers[each.half.name].append(number)
     for panel in sheet.panels:
         taken = None
         for half, room in rooms(panel, page.panels[panel.name].drawing, OVERLAP):
             scale = scales.get(half.name)
             aside = beside(panel, page.panels[panel.name].drawing)
-            setting = Setting(sheet, half, room, rows, first, form.centimetre, scale, taken, aside)
+            told = numbers[half.name]
+            setting = Setting(sheet, half, room, rows, told, form.centimetre, scale, taken, aside)
             sketches[half.name] = sketched(setting)
             taken = sketches[half.name].obstacles
-            first += len(half.strokes)
     regions = regions_of(page)
     drawn = (item for sketch in sketches.values() for item in sketch.items)
     items = list(found_later(drawn, sketches))

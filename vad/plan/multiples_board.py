@@ -119,7 +119,7 @@ class MultiplesBoard:
         panel = replace(sheet.panel(name), inset=None)
         room = self._cell(number, name)
         aside = self._beside(number, name)
-        return Setting(sheet, panel, room, rows_of(sheet), 0, self.form.centimetre, beside=aside)
+        return Setting(sheet, panel, room, rows_of(sheet), (), self.form.centimetre, beside=aside)
 
     def _sketched(self, name: str) -> Iterator[Sketch]:
         """Yield one kind of panel in all poses, at one scale."""

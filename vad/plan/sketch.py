@@ -5,9 +5,10 @@ Every drawing function of this folder adds to a `Sketch`; nothing moves later.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import pairwise
 from typing import Literal
 
 from vad.lecture.moment import done, drawing
@@ -42,8 +43,8 @@ class Setting:
         Where.
     rows
         The row of the results whose ink a link or slide takes.
-    first
-        The number of the panel's first stroke in the lesson.
+    numbers
+        The numbers of the panel's strokes in the lesson; none where it is the only panel.
     centimetre
         Its length on paper, where scales are round; None on a screen.
     scale
@@ -58,7 +59,7 @@ class Setting:
     panel: Panel
     room: Rect
     rows: Mapping[str, int]
-    first: int = 0
+    numbers: Sequence[int] = ()
     centimetre: float | None = None
     scale: Scale | None = None
     taken: Obstacles | None = None
@@ -74,22 +75,33 @@ class Setting:
         """Return the row of a link or slide; None for the frame of the mechanism."""
         return self.rows.get(link or "")
 
+    @property
+    def first(self) -> int:
+        """The number of the panel's first stroke in the lesson."""
+        return self.number(0)
+
+    def number(self, index: int) -> int:
+        """Return the number of stroke ``index`` of the panel in the lesson."""
+        return self.numbers[index] if self.numbers else index
+
     def during(self, index: int) -> int:
         """Return the beat in which stroke ``index`` of the panel is drawn."""
-        return drawing(self.first + index)
+        return drawing(self.number(index))
 
     def after(self, index: int) -> int:
         """Return the beat at which stroke ``index`` of the panel is done."""
-        return done(self.first + index + 1)
+        return done(self.number(index) + 1)
 
     def over(self, index: int) -> int:
         """Return the beat that takes tools and lights of stroke ``index`` away: the next one."""
-        return drawing(self.first + index + 1)
+        return drawing(self.number(index) + 1)
 
     @property
     def end(self) -> int:
-        """The beat at which the panel is finished: only what stays is there."""
-        return self.over(len(self.panel.strokes) - 1)
+        """The beat at which the panel is finished, or left for another: what stays is there."""
+        numbers = self.numbers or range(len(self.panel.strokes))
+        jump = (n for n, (one, next_one) in enumerate(pairwise(numbers)) if next_one > one + 1)
+        return self.over(next(jump, len(numbers) - 1))
 
 
 #: When marks of a stroke come and go: while it is drawn, when it is done, when the next one is

@@ -82,7 +82,7 @@ class TurnBoard:
                 drawing = Rect(drawing.left, drawing.bottom, drawing.right, top)
             for half, room in rooms(panel, drawing):
                 aside = beside_mechanism(panel, drawing)
-                setting = Setting(sheet, half, room, rows, 0, self.form.centimetre, beside=aside)
+                setting = Setting(sheet, half, room, rows, (), self.form.centimetre, beside=aside)
                 same = [pose.panel(half.name) for pose in poses]
                 opening = turn.course.opening
                 self.panels[half.name] = TurnPanel(setting, same, self.cycle, opening)

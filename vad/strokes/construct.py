@@ -121,7 +121,7 @@ class _Construction:
             equations.append(position_equation(self.scene, loop, self.ink.strokes))
         for bar in self.linkage.images:
             self.further.draw(bar)
-        loads, zeros = loads_at_points(self.scene)
+        loads, zeros, resumes = loads_at_points(self.scene)
         return Drawing(
             (*self.ink.strokes, *loads),
             tuple(zeros),
@@ -129,6 +129,7 @@ class _Construction:
             loops=tuple(begins),
             bodies=self.ink.bodies,
             coincident=self.ink.coincident,
+            resumes=resumes,
         )
 
     # --- what is given ------------------------------------------------------------------------

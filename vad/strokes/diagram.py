@@ -96,6 +96,7 @@ class Drawing:
     coincident: tuple[Coincidence, ...] = ()
     given: int = 0
     turned: tuple[tuple[str, float], ...] = ()
+    resumes: str = ""
 
 
 class Spot(NamedTuple):
@@ -308,4 +309,5 @@ class Diagram:
             drawing.coincident,
             drawing.given,
             drawing.turned,
+            drawing.resumes,
         )

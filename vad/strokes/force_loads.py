@@ -37,18 +37,27 @@ class _AtPoints:
         self.words = ForceCaptions(scene, self.names)
         self.strokes: list[Stroke] = []
         self.zeros: list[Stroke] = []
+        self.resumes = 0
         places = [scene.at(point) for point in scene.members.points]
         across, up = [z.real for z in places], [z.imag for z in places]
         size = abs(complex(max(across) - min(across), max(up) - min(up)))
         self.length = LENGTH * size
 
     def draw(self) -> None:
-        """Draw the loads, then the lines of members with three forces, the last dyad first."""
+        """Draw the loads, what follows from the accelerations, and the lines of three forces.
+
+        Of these lines those on the last dyad come first.
+        """
         largest = max((abs(load.force) for load in self.names.loads), default=0.0)
-        for load in self.names.loads:
-            self._load(load, abs(load.force) > NOTHING * largest)
-        for couple in self.names.couples:
-            self._couple(couple)
+        for moving in (False, True):
+            for load in self.names.loads:
+                if (load.kind == "inertia") is moving:
+                    self._load(load, abs(load.force) > NOTHING * largest)
+            for couple in self.names.couples:
+                if (couple.kind == "spin") is moving:
+                    self._couple(couple)
+            if not moving:
+                self.resumes = len(self.strokes)
         for load in self.names.loads:
             if load.kind == "inertia":
                 self._moved(load, abs(load.force) > NOTHING * largest)
@@ -167,13 +176,16 @@ class _AtPoints:
         (self.strokes if shown else self.zeros).append(stroke)
 
 
-def loads_at_points(scene: Scene) -> tuple[list[Stroke], list[Stroke]]:
+def loads_at_points(scene: Scene) -> tuple[list[Stroke], list[Stroke], str]:
     """Return the strokes of loads, and those that are left out in this pose.
 
-    All arrows are of one length: their sizes stand in the results.
+    All arrows are of one length: their sizes stand in the results.  The name is that of the first
+    stroke that needs accelerations; it is empty where none does.
     """
     if scene.forces is None:
-        return [], []
+        return [], [], ""
     drawn = _AtPoints(scene)
     drawn.draw()
-    return drawn.strokes, drawn.zeros
+    moving = any(each.kind == "inertia" for each in drawn.names.forces.acting)
+    first = drawn.strokes[drawn.resumes :][:1] if moving else []
+    return drawn.strokes, drawn.zeros, first[0].name if first else ""

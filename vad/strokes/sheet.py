@@ -117,6 +117,8 @@ TWIST = "∠"
 LOADS = "loads"
 #: The ending of the name of a polygon that stands below another.
 BELOW = ".below"
+#: The panel after which inertia forces are told.
+BEFORE_INERTIA = "acceleration"
 #: A mechanism in the plane, vectors from a pole, or a mechanism in space as it is seen.
 PictureKind = Literal["skeleton", "vectors", "views"]
 #: Why points have one place: all of them stand still, one lies under the pin of a block in every
@@ -343,8 +345,9 @@ class Panel:
     polygon.  ``below`` is a second polygon under the first, drawn after it, in a unit of its own;
     it is called ``velocity.below``.  ``bodies`` are those of a mechanism, ``coincident`` the points
     that have one place.  So many strokes as ``given`` says, the first, are there when the panel is
-    begun.  ``turned`` names the panels of which it holds the polygon, turned back by an angle in
-    degrees.
+    begun.  From the one that ``resumes`` names on, strokes are told after the polygon of the
+    accelerations, if there is one.  ``turned`` names the panels of which it holds the polygon,
+    turned back by an angle in degrees.
     """
 
     name: str
@@ -364,6 +367,7 @@ class Panel:
     coincident: tuple[Coincidence, ...] = ()
     given: int = 0
     turned: tuple[tuple[str, float], ...] = ()
+    resumes: str = ""
 
     @property
     def halves(self) -> tuple[Panel, ...]:
@@ -449,6 +453,22 @@ class Row:
     inked: bool = True
 
 
+class Told(NamedTuple):
+    """A stroke as it is told.
+
+    Attributes
+    ----------
+    half, number
+        Its panel and its number there, from 0.
+    chapter
+        The panel with which it is told.
+    """
+
+    half: Panel
+    number: int
+    chapter: str
+
+
 @dataclass(frozen=True, slots=True, repr=False)
 class Sheet(Displayed):
     """Everything that is drawn for one pose of one mechanism: pure data, in drawing order.
@@ -478,6 +498,28 @@ class Sheet(Displayed):
     def halves(self) -> tuple[Panel, ...]:
         """All panels, each followed by the one below it."""
         return tuple(half for panel in self.panels for half in panel.halves)
+
+    @property
+    def telling(self) -> tuple[Told, ...]:
+        """All strokes in the order in which they are told.
+
+        That is panel after panel; inertia forces, which stand on the mechanism, follow from the
+        accelerations, and are told after them.
+        """
+        found: list[Told] = []
+        later: list[Told] = []
+        waits = any(panel.name == BEFORE_INERTIA for panel in self.panels)
+        for panel in self.panels:
+            for half in panel.halves:
+                begun = half.find(half.resumes) if waits else None
+                early = len(half.strokes) if begun is None else begun
+                found += [Told(half, number, panel.name) for number in range(early)]
+                rest = range(early, len(half.strokes))
+                later += [Told(half, number, BEFORE_INERTIA) for number in rest]
+            if panel.name == BEFORE_INERTIA:
+                found += later
+                later = []
+        return (*found, *later)
 
     def panel(self, name: str) -> Panel:
         """Return the panel called ``name``, which may stand below another."""

@@ -308,6 +308,7 @@ _DRAWN: dict[str, Form | Key] = {
     "coincident": optional(many(COINCIDENCE), ()),
     "given": optional(COUNT, 0),
     "turned": optional(many(row(TEXT, ANGLE)), ()),
+    "resumes": words("resumes", missing=""),
 }
 LOWER = record(Panel, name=TEXT, **_DRAWN)
 PANEL = record(

@@ -143,22 +143,23 @@ def captions(
 
     Strokes that are told together have one.  The ``last`` one is said of the finished page.
     """
+    chapters = [each.chapter for each in sheet.telling]
     for panel in sheet.panels:
-        most = drawn_in(panel)
-        before = 0
         for half in panel.halves:
             setting = sketches[half.name].setting
             for first, end in told_together(half):
                 since, until = setting.during(first), setting.over(end)
                 name, caption = half.full(half.strokes[first].name), told(half, first, end)
-                count = count_mark(before + first + 1, before + end + 1, most, page)
+                chapter = chapters[setting.number(first)]
+                before, most = chapters.index(chapter) - 1, chapters.count(chapter)
+                places = setting.number(first) - before, setting.number(end) - before
+                count = count_mark(*places, most, page)
                 parts = beats(half.strokes[first].said) if first == end else (caption,)
                 for marks, words in caption_marks(parts, most, page):
                     item = Item(name, CAPTION, Level.LABEL, (*marks, count), since, until, words)
                     yield item
-            before += len(half.strokes)
     if last:
-        since = finished(sum(len(half.strokes) for half in sheet.halves))
+        since = finished(len(chapters))
         ((marks, _),) = caption_marks((last.pieces,), 0, page)
         yield Item("", CAPTION, Level.LABEL, tuple(marks), since)
 
@@ -182,18 +183,15 @@ def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
 
 def caption_lines(sheet: Sheet, room: float) -> int:
     """Return how many lines the sheet's longest caption takes."""
+    chapters = [each.chapter for each in sheet.telling]
+    most = max(map(chapters.count, chapters), default=1)
     lines = (
-        len(_set(told(half, first, end), room - _count_room(drawn_in(panel)))[0])
+        len(_set(told(half, first, end), room - _count_room(most))[0])
         for panel in sheet.panels
         for half in panel.halves
         for first, end in told_together(half)
     )
     return max(lines, default=1)
-
-
-def drawn_in(panel: Panel) -> int:
-    """Return how many strokes a panel has, with those below it."""
-    return sum(len(half.strokes) for half in panel.halves)
 
 
 def _count_room(most: int) -> float:
