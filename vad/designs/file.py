@@ -28,11 +28,11 @@ def file_of(answer: Answer, omega: float) -> str:
     return "\n\n".join(_written(name, table) for name, table in tables.items()) + "\n"
 
 
-def _slider_crank(mechanism: Any, origin: complex) -> dict[str, Table]:
+def _slider_crank(mechanism: Any, _: complex) -> dict[str, Table]:
     return {
-        "fixed": {"A": _pair(origin)},
+        "fixed": {"A": [0.0, 0.0]},
         "links": {"crank": {"AB": mechanism.crank}, "rod": {"BC": mechanism.rod}},
-        "guides": {"C": {"y": mechanism.offset + origin.imag, "name": "slider"}},
+        "guides": {"C": {"y": mechanism.offset, "name": "slider"}},
     }
 
 
@@ -54,7 +54,7 @@ def _quick_return(mechanism: Any, origin: complex) -> dict[str, Table]:
     """Return the tables of a slotted lever or of Whitworth's quick return."""
     fixed = _pivots(mechanism, origin)
     height, arm = mechanism.ram_height, getattr(mechanism, "lever", None)
-    line = origin.imag + height if height is not None else fixed["D"][1]
+    line = height if height is not None else fixed["D"][1]
     return {
         "fixed": fixed,
         "links": {
