@@ -117,6 +117,18 @@ def test_faults_are_those_that_a_slow_walk_meets(number: int) -> None:
             assert sum(ways) < 360.0
 
 
+def test_the_driver_turns_the_way_of_the_positions() -> None:
+    """A double-rocker runs backwards through the same positions in the other order."""
+    forth = [(0, 0, 0), (40, 30, 20), (90, 40, 55)]
+    for wanted, sense in ((forth, -1.0), (forth[::-1], 1.0)):
+        (first, second) = vad.design(
+            "three-positions", positions=wanted, fixed=[(20, -50), (90, -40)]
+        )
+        assert first.merit["grashof"] == "double-rocker"
+        assert math.copysign(1.0, first.speed) == math.copysign(1.0, second.speed) == sense
+        assert first.faults == second.faults == ()
+
+
 def test_both_faults_occur_and_come_last() -> None:
     seen = set()
     for number in range(40):
