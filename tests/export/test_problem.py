@@ -148,3 +148,26 @@ def test_a_panel_that_is_not_on_the_sheet(folder: Path) -> None:
     still = vad.still(vad.animate(sheet), 2)
     with pytest.raises(UsageError, match="blank: not for a step of a lesson"):
         vad.save(still, "a.png", blank="position")
+
+
+def strokes_on(panel: str, asked: tuple[str, ...], **masses: object) -> set[str]:
+    machine = vad.FourBar(points={"E": ("rocker", 40), "G": ("coupler", 40)})
+    sheet = vad.draw(vad.forces(vad.solve(machine), ["80 N @ 150 at E"], masses or None))
+    page = posed(sheet, blank=asked)
+    items = page.board.shown(page.moment.beat)
+    return {item.stroke for item in items if item.region == panel}
+
+
+def test_lines_of_forces_are_left_to_be_found() -> None:
+    there = strokes_on("position", ("force", "drive"))
+    assert "position:P3E.load" in there or "position:P4E.load" in there
+    assert not [name for name in there if ":dyad" in name]
+    assert [name for name in strokes_on("position", ("drive",)) if ":dyad" in name]
+
+
+def test_inertia_forces_are_left_where_the_accelerations_are() -> None:
+    coupler = {"mass": 1, "at": "G", "inertia": 5e-4}
+    there = strokes_on("position", ("acceleration", "force", "drive"), coupler=coupler)
+    assert "position:P4E.load" in there
+    assert not [name for name in there if ":I3G" in name or ":C3" in name]
+    assert "position:I3G.load" in strokes_on("position", ("force",), coupler=coupler)

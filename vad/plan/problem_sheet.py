@@ -16,8 +16,10 @@ from vad.plan.board import Plan
 from vad.plan.items import FOREVER, RESULTS, Item, Level, foot_of, head_of
 from vad.plan.page.table import table
 from vad.strokes.reveals import measurer
-from vad.strokes.sheet import POLE, Sheet, Stroke, StrokePart
+from vad.strokes.sheet import BEFORE_INERTIA, POLE, Sheet, Stroke, StrokePart
 
+#: The panel of the force polygons.
+FORCES = "force"
 #: The circle of bodies, on which a student draws what is known and what is found.
 CIRCLE = StrokePart("bodies", "circle")
 #: What is left to be drawn: the panels by their names, each with the strokes that it shows.
@@ -60,6 +62,7 @@ def problem(key: Plan, blank: Blank, line: float) -> Plan:
     """
     panels = [key.sketches[name].setting.panel for name in blank]
     answers = {panel.full(stroke.name) for panel in panels for stroke in panel.strokes}
+    answers |= _given_away(key, blank)
     items = [shown for each in key.items if (shown := _without_answer(each, key, blank, answers))]
     cells = table(key.sheet, key.page, line).cells
     for name in key.page.panels:
@@ -72,6 +75,24 @@ def problem(key: Plan, blank: Blank, line: float) -> Plan:
             if not all(cell.given for cell in row.cells.get(name, ())):  # those stand there
                 items.append(Item("", RESULTS, Level.LABEL, tuple(chain(*marks))))
     return replace(key, items=tuple(items))
+
+
+def _given_away(key: Plan, blank: Blank) -> set[str]:
+    """Return the names of the strokes of other panels that show what is to be found.
+
+    These are lines on which forces act, for the force polygons, and inertia forces, for the polygon
+    of the accelerations.
+    """
+    found: set[str] = set()
+    for name in key.sketches.keys() - blank.keys():
+        panel = key.sketches[name].setting.panel
+        waits = panel.find(panel.resumes) if BEFORE_INERTIA in blank else None
+        for number, stroke in enumerate(panel.strokes):
+            line = stroke.kind == "construction" and stroke.component == "action"
+            shown = FORCES in blank and (line or stroke.part.which == "meeting")
+            if shown or (waits is not None and number >= waits):
+                found.add(panel.full(stroke.name))
+    return found
 
 
 def _without_answer(item: Item, key: Plan, blank: Blank, answers: Collection[str]) -> Item | None:
