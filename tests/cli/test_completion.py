@@ -138,3 +138,8 @@ COMPREPLY=(); COMP_WORDS=(vad draw whi); COMP_CWORD=2; _vad_completion vad; echo
         check=True,
     )
     assert done.stdout.split("\n") == ["--style", "whitworth", ""]
+
+
+def test_the_tasks_of_design(offered):
+    assert offered("vad design sl") == plain("slider-crank")
+    assert offered("vad design slider-crank --st") == plain("--stroke", "--style")

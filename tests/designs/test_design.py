@@ -77,6 +77,7 @@ def near(solution: vad.Solution) -> list[float]:
     return [*(() if solution.faults else solution.places), first, first + 0.5, first - 0.5]
 
 
+@pytest.mark.exhaustive
 @by_task
 @pytest.mark.parametrize("language", languages())
 def test_the_text_is_in_every_language(task: str, language: str) -> None:

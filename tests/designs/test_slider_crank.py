@@ -53,6 +53,7 @@ def test_every_choice_is_answered(stroke: float, ratio: float, share: float, nam
         assert abs(numbers[name]) == pytest.approx(value, rel=1e-12)
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", ["crank", "rod", "offset", "ratio"])
 @pytest.mark.parametrize("time_ratio", [1.05, 1.7, 2.9])
 def test_the_limits_are_sharp(name: str, time_ratio: float) -> None:
