@@ -11,6 +11,7 @@ import pytest
 import vad
 from tests.strokes.calculations import Figure, chains
 from vad.files.examples import example_path, rotor_names
+from vad.lecture.lesson import drawn_so_far
 from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.plan.problem_sheet import blank_panels, problem
@@ -193,3 +194,23 @@ def test_in_line_only_the_part_along_the_stroke_acts(angle):
     assert force.shape.end == pytest.approx(size * math.cos(math.radians(2 * angle)), rel=1e-12)
     (cell,) = [c for r in sheet.rows if r.key == "F" for c in r.cells["secondary"] if not c.below]
     assert cell.value == pytest.approx(force.shape.end.real)
+
+
+def test_a_lesson_so_far_states_what_is_found_so_far():
+    sheet = sheet_of("shaft-two-planes")
+    lesson = vad.animate(sheet)
+    last = sheet.panel("force").number("Y.force")
+    steps = [step for step in lesson.steps if step.panel.name == "force"]
+    for step, known in ((steps[last - 1], False), (steps[last], True)):
+        drawn = next(each for each in _so_far(lesson) if each[0] is step)[1]
+        row = next(each for each in drawn.rows if each.key == "Y")
+        assert bool(row.cells["shaft"]) is known
+    for row in sheet.rows:
+        assert row.cells["shaft"]
+
+
+def _so_far(lesson):
+    strokes = {}
+    for step in lesson.steps:
+        strokes[step.panel.name] = (*strokes.get(step.panel.name, ()), step.stroke)
+        yield step, drawn_so_far(lesson.sheet, strokes)

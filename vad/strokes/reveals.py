@@ -25,7 +25,7 @@ def finder(sheet: Sheet, panel: Panel, row: str | None) -> tuple[Panel, Stroke] 
     """Return the stroke of another panel that finds a row in ``panel``, and its panel, if any."""
     for half in sheet.halves:
         for stroke in half.strokes:
-            if half is not panel and (panel.name, row) in revealed(half, stroke):
+            if half.name != panel.name and (panel.name, row) in revealed(half, stroke):
                 return half, stroke
     return None
 
