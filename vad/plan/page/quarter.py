@@ -250,27 +250,25 @@ def _depth(group: list[Row], names: list[str]) -> int:
 
 
 def _grouped(rows: Sequence[Row], names: list[str]) -> list[list[Row]]:
-    """Return neighbouring rows that share their units, and so a head, or have none."""
+    """Return neighbouring rows that share a head: no column of theirs has two units."""
     groups: list[list[Row]] = []
-    units: list[str] = []
+    units: dict[str, str] = {}
     for row in rows:
-        own = _units(row, names)
-        if groups and (not own or not units or own == units):
+        own = {name: row.cells[name][0].unit for name in names if row.cells.get(name)}
+        if groups and all(units.get(name, unit) == unit for name, unit in own.items()):
             groups[-1].append(row)
         else:
             groups.append([row])
-            units = []
-        units = own or units
+            units = {}
+        units |= own
     return groups
 
 
-def _units(row: Row, names: list[str]) -> list[str]:
-    return [cell.unit for name in names for cell in row.cells.get(name, ())[:1]]
-
-
 def _extras(row: Row, names: list[str]) -> int:
-    """Return how many lines a row takes below its first."""
-    return max((len(row.cells.get(name, ())) - 1 for name in names), default=0)
+    """Return how many lines a row takes below its first, which it has without a cell, too."""
+    return max(
+        (len(row.cells.get(name, ())) - 1 for name in names if row.cells.get(name)), default=0
+    )
 
 
 def figures(sheet: Sheet) -> Figures:
