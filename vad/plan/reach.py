@@ -125,7 +125,4 @@ def corners(panel: Panel) -> list[complex]:
             points += stroke.shape.outermost
         elif isinstance(stroke.shape, Bearing):
             points.append(stroke.shape.at)
-        elif isinstance(stroke.shape, Arc) and is_figure(stroke):
-            sides = (1, 1j, -1, -1j)
-            points += [stroke.shape.centre + stroke.shape.radius * side for side in sides]
     return points

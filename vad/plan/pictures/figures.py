@@ -20,7 +20,7 @@ from vad.plan.marks import Bow, Mark, Trimming, Turning, disc, line, lines
 from vad.plan.pictures.constructions import CompassArc, add_drawn_line, line_of
 from vad.plan.pictures.polygon import DOT
 from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, Vector
-from vad.plan.reach import is_figure, is_path
+from vad.plan.reach import corners, is_figure, is_path
 from vad.plan.roles import CONSTRUCTION, PATH, ROLES
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arc, Arrow, Curve, KennedyCircle, Line, Panel
@@ -28,6 +28,8 @@ from vad.strokes.sheet import Arc, Arrow, Curve, KennedyCircle, Line, Panel
 #: Of the circle of bodies: its numbers, their distance from it, and the largest radius.
 NUMBER, NUMBER_OFF, LARGEST = 0.034, 0.030, 0.20
 THIN = "construction done"
+#: The points of a circle are so many degrees apart.
+ROUND = 2.0
 SEGMENT = ROLES["vector"].width
 
 
@@ -51,12 +53,13 @@ def _add(sketch: Sketch, index: int) -> None:
             add_drawn_line(sketch, index, placed)
             sketch.obstacles.line([placed.start, placed.end], CONSTRUCTION / 2, (during, FOREVER))
         case Arc():
-            circle = CompassArc(stroke.name)
-            sketch.hang(index, Level.CONSTRUCTION, [Hung(circle, THIN, row, Trimming())])
-            heavy = Hung(circle, "compass arc", row, Trimming())
-            sketch.hang(index, Level.CONSTRUCTION, [heavy], until="over")
-            bow = circle.posed(sketch.solved)
-            sketch.obstacles.line(bow.line(), CONSTRUCTION / 2, (during, FOREVER))
+            circle = CompassArc(stroke.name).posed(sketch.solved).line(ROUND)
+            arcs = within(setting.room, list(circle))
+            for role, until in ((THIN, FOREVER), ("compass arc", setting.over(index))):
+                mark = lines(arcs, role, row, Trimming())
+                sketch.add(stroke, Level.CONSTRUCTION, during, on_page([mark]), until)
+            for arc in arcs:
+                sketch.obstacles.line(arc, CONSTRUCTION / 2, (during, FOREVER))
         case Arrow(start, end, head=""):  # to what lies far away
             first, last = Anchor.of(stroke.name, "start"), Anchor.of(stroke.name, "end")
             vector = Vector(first, last, whole=True)
@@ -170,17 +173,20 @@ def turned_polygons(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
 
 
 def _turning(sketch: Sketch, degrees: float) -> Iterator[Item]:
-    """Yield a polygon that turns about its pole into its place."""
+    """Yield a polygon that turns about its middle into its place, so that it stays in its panel."""
     setting = sketch.setting
     panel = setting.panel
     last = len(panel.strokes) - 1
-    pole, turning = sketch.scale(0j), ((0.0, -degrees), (1.0, 0.0))
+    ends = [sketch.scale(z) for z in corners(panel)]
+    across, upright = sorted(z.real for z in ends), sorted(z.imag for z in ends)
+    middle = complex(across[0] + across[-1], upright[0] + upright[-1]) / 2
+    turning = ((0.0, -degrees), (1.0, 0.0))
     marks = [
         line(
             [sketch.scale(stroke.shape.start), sketch.scale(stroke.shape.end)],
             "vector light",
             setting.row(stroke.link),
-            Turning(pole, turning),
+            Turning(middle, turning),
         )
         for stroke in panel.strokes
         if isinstance(stroke.shape, Arrow)
