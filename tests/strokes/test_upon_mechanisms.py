@@ -7,11 +7,15 @@ import pytest
 import vad
 from tests.statics.machines import MACHINES
 from tests.statics.test_equilibrium import pose
+from tests.strokes.calculations import chains
+from tests.strokes.test_figures import calculate
 from vad.errors import InputError, UsageError
 from vad.export.sheet_json import to_dict
+from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.sheet import Arrow, Curve, Dot, KennedyCircle, Line
 
 NAMES = sorted(MACHINES)
+PANELS = "centres", "klein", "turned"
 
 
 def drawn(machine, panels, share=0.31):
@@ -122,3 +126,41 @@ def test_what_is_there_is_not_drawn(panel):
         number < given for number in range(len(lesson.steps))
     ]
     vad.still(lesson, len(lesson.steps))
+
+
+def every(name, language="en"):
+    """Yield each panel of these kinds that a machine has, with its sheet."""
+    for which in PANELS:
+        if DIAGRAMS[which].applies(vad.solve(MACHINES[name]())):
+            motion, _ = drawn(MACHINES[name](), which, share=0.27)
+            sheet = vad.draw(motion, which, language)
+            yield motion, sheet, sheet.panel(which)
+
+
+@pytest.mark.exhaustive(10)
+@pytest.mark.parametrize("language", ["en", "de", "fr"])
+@pytest.mark.parametrize("name", NAMES)
+def test_a_pocket_calculator_agrees(name, language):
+    for _, _, panel in every(name, language):
+        done = sum(calculate(stroke.caption) for stroke in panel.strokes[panel.given :])
+        results = [s for s in panel.strokes[panel.given :] if s.reveals and " = " in s.caption]
+        assert done >= len(results)
+
+
+@pytest.mark.exhaustive(6)
+@pytest.mark.parametrize("name", NAMES)
+def test_the_rates_in_captions_are_those_of_the_motion(name):
+    for motion, sheet, panel in every(name):
+        if panel.name == "klein":
+            continue
+        for stroke in panel.strokes[panel.given :]:
+            for row in stroke.reveals:
+                read = [c.result for c in chains(stroke.caption) if c.result]
+                rates = []
+                if row in motion.slides:
+                    unit = f"{motion.mechanism.length_unit}/s"
+                    rates.append(sheet.notation.scaled(motion.slide(row).velocity, unit))
+                if row in motion.links:
+                    rates.append(motion.link(row).omega)
+                agree = [each.agrees(abs(rate)) for each in read for rate in rates]
+                assert not read or any(agree), stroke.caption

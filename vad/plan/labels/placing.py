@@ -28,6 +28,8 @@ WAYS = 32  # about a dot
 MOST_LEADERS = 160  # tried at each distance
 #: So many places for a label far from its dot are looked at together.
 _AT_ONCE = 256
+#: The places that are tried all over a panel are so far apart.
+STEP = 0.008
 LENGTH_COUNTS = 0.5  # of a leader, beside how much of it lies on strokes
 #: A label is so much nearer to its own dot than to others; of one close by at least by so much of
 #: the distance of the dots.
@@ -155,6 +157,12 @@ def place(obstacles: Obstacles, wish: Wish) -> Placed:
     return placed
 
 
+def has_place(obstacles: Obstacles, wide: float, high: float) -> bool:
+    """Tell whether a label of a size has a place anywhere in its panel."""
+    spots = _grid(obstacles.edge, obstacles.edge.centre, STEP)
+    return bool(spots) and bool(obstacles.free(spots, wide, high, CLEARANCE, APART).any())
+
+
 def _near(obstacles: Obstacles, wish: Wish) -> list[Placed]:
     """Return where a label may stand without a leader, the best place first.
 
@@ -231,7 +239,7 @@ def _far(edge: Rect, wish: Wish) -> Iterator[tuple[bool, list[complex]]]:
     """Yield places farther and farther off; then the whole panel, and at last without clearance."""
     gaps = [LEADER * 1.35**growth for growth in range(-2, 5)]
     yield False, [spot for gap in gaps for spot in wish.around(gap, WAYS)]
-    grid = _grid(edge, wish.at, 0.008)
+    grid = _grid(edge, wish.at, STEP)
     yield False, grid
     yield True, grid
 

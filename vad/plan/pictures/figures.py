@@ -14,8 +14,10 @@ from vad.plan.anchors import Anchor, Chains, Hung, on_page
 from vad.plan.hodographs import within
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.labels.choices import LabelChoice
-from vad.plan.labels.vertices import text_at
-from vad.plan.lettering.runs import roman
+from vad.plan.labels.placing import has_place
+from vad.plan.labels.vertices import SMALL_SIZE, text_at
+from vad.plan.lettering.glyphs import ink_size
+from vad.plan.lettering.runs import roman, symbols
 from vad.plan.marks import Bow, Mark, Trimming, Turning, disc, line, lines
 from vad.plan.pictures.constructions import CompassArc, add_drawn_line, line_of
 from vad.plan.pictures.polygon import DOT
@@ -93,10 +95,12 @@ def _add(sketch: Sketch, index: int) -> None:
 
 
 def letter_figures(sketch: Sketch, labels: LabelChoice) -> None:
-    """Write how far away that lies to which an arrow points."""
+    """Write how far away that lies to which an arrow points: its letter alone in a full panel."""
     for index, stroke in enumerate(sketch.setting.panel.strokes):
         if is_figure(stroke) and isinstance(stroke.shape, Arrow) and stroke.label:
-            labels.vector(sketch, index, stroke.label)
+            letter = stroke.label.split()[0].rstrip(":")
+            fits = has_place(sketch.obstacles, *ink_size(symbols(stroke.label), SMALL_SIZE))
+            labels.vector(sketch, index, stroke.label if fits else letter)
 
 
 # --- the circle of bodies -------------------------------------------------------------------------
