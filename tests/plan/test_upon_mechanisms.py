@@ -7,11 +7,14 @@ import itertools
 import pytest
 
 import vad
-from tests.plan.overlaps import overlaps, planned
+from tests.plan.overlaps import KEY, overlaps, planned
 from tests.plan.test_table import ink_box
 from tests.statics.machines import MACHINES
 from tests.statics.test_equilibrium import pose
+from vad.plan.items import Level
+from vad.plan.lettering.runs import plain
 from vad.plan.marks import Lettering
+from vad.plan.problem_sheet import blank_panels, problem
 from vad.strokes.diagrams import DIAGRAMS
 
 WIDE, NARROW = (1280, 720), (1024, 768)
@@ -51,7 +54,8 @@ def test_neither_does_one_beside_velocities(name):
 @pytest.mark.exhaustive(8)
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_no_two_rows_of_the_results_lie_on_one_another(name):
-    for sheet, size in itertools.product(sheets(name, ("centres",)), (WIDE, NARROW)):
+    both = [*sheets(name, ("centres",)), *sheets(name, ("klein",))]
+    for sheet, size in itertools.product(both, (WIDE, NARROW)):
         board = planned(sheet, size)
         texts = [
             mark.shape
@@ -63,3 +67,18 @@ def test_no_two_rows_of_the_results_lie_on_one_another(name):
         for one, other in itertools.combinations(map(ink_box, texts), 2):
             aside = one[2] < other[0] or other[2] < one[0]
             assert aside or one[3] < other[1] or other[3] < one[1]
+
+
+def test_a_problem_keeps_the_letters_of_the_mechanism():
+    sheet = vad.draw(vad.solve(vad.SliderCrank()), "turned")
+    key = planned(sheet)
+    shown = problem(key, blank_panels(sheet, "turned"), KEY)
+    letters = [
+        plain(mark.shape.runs)
+        for item in shown.items
+        if item.region == "turned" and item.level == Level.LABEL
+        for mark in item.marks
+        if isinstance(mark.shape, Lettering)
+    ]
+    assert {"B", "C", "D"} <= set(letters)
+    assert not {"b", "c", "B, b"} & set(letters)

@@ -111,9 +111,9 @@ def _without_answer(item: Item, key: Plan, blank: Blank, answers: Collection[str
         for stroke in strokes:
             since = setting.after(setting.panel.number(stroke.name))
             own = item.stroke == setting.panel.full(stroke.name)
-            # Letters may come to a pole or pivot; what shines for a while is no part of a figure.
+            # Letters may come to a point; what shines for a while is no part of a figure.
             stays = item.until == FOREVER or stroke.kind in ("pole", "fixed")
-            stays = stays and item.level != Level.GLOW
+            stays = (stays and item.level != Level.GLOW) or item.level == Level.LABEL
             if own and stays and item.since <= since < item.until:
                 return replace(item, since=0, until=FOREVER)  # without letters that come to it
     return None

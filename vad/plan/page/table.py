@@ -64,15 +64,26 @@ class Columns:
         self._spans = [(drawing.left, drawing.right) for drawing in drawings.values()]
         if len({round(drawing.width, 9) for drawing in drawings.values()}) == 1:
             # A long number reaches into the gutter before it shrinks.
-            rights = [*(right + CLEAR for _, right in self._spans[:-1]), self._spans[-1][1]]
+            edges = [right for _, right in self._spans]
+            edges[-1] -= self._legend_room(next(reversed(drawings)))
+            rights = [*(right + CLEAR for right in edges[:-1]), edges[-1]]
             first = self._first_left(next(iter(drawings)), rights[0])
             lefts = [first, *(left for left, _ in self._spans[1:])]
             self._places = dict(zip(drawings, zip(lefts, rights, strict=True), strict=True))
-            self._usual = dict(zip(drawings, (right for _, right in self._spans), strict=True))
+            self._usual = dict(zip(drawings, edges, strict=True))
         else:
             self._spans = [(page.left, page.right)]
             self._places = self._packed()
             self._usual = {name: right for name, (_, right) in self._places.items()}
+
+    def _legend_room(self, panel: str) -> float:
+        """Return what the legend takes of the first row, where the last cell ends at its right."""
+        rows = self._entries.sheet.rows
+        if not rows or len(rows[0].cells.get(panel, ())) < 2:
+            return 0.0
+        legend = [mark.shape for mark in self._entries.legend(0j)]
+        wide = [width(t.runs, t.size) for t in legend if isinstance(t, Lettering)]
+        return sum(wide) + 2 * CLEAR * bool(wide)
 
     def _first_left(self, panel: str, right: float) -> float:
         """Return where the cells beside the names begin: as far to the left as they need."""
