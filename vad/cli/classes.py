@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
+from typing import Any, TypeVar
 
 import click
 
@@ -14,6 +15,7 @@ from vad.cli.output import progress, say_written
 from vad.cli.process import say
 from vad.errors import UsageError
 
+_Command = TypeVar("_Command", bound=Callable[..., Any])
 _HELP = """\
 Make problem sheets with their keys by the hundred.
 
@@ -41,17 +43,22 @@ What stands in FOLDER already, made from the same settings, is not made again.
 """
 
 
+def _output(metavar: str, help: str) -> Callable[[_Command], _Command]:
+    """Return the option that says where to write."""
+    return click.option(
+        "-o",
+        "--output",
+        required=True,
+        callback=path(),
+        shell_complete=completion.a_file,
+        metavar=metavar,
+        help=help,
+    )
+
+
 @click.command("batch", cls=HelpfulCommand, help=_HELP)
 @click.argument("sheets", metavar="SHEETS", required=False, shell_complete=completion.a_file)
-@click.option(
-    "-o",
-    "--output",
-    required=True,
-    callback=path(),
-    shell_complete=completion.a_file,
-    metavar="FOLDER",
-    help="FOLDER/ for the sheets and answers.csv, answers.json",
-)
+@_output("FOLDER", "FOLDER/ for the sheets and answers.csv, answers.json")
 @click.option("--jobs", type=int, help="how many sheets are made at a time  [1]")
 @click.option("--cluster", metavar="ADDRESS", help="of a Dask scheduler, as in tcp://host:8786")
 @click.option("--only", type=int, metavar="K", help="make sheet K again  [all]")
@@ -99,15 +106,7 @@ def make_batch(
 
 @click.command("quiz", cls=HelpfulCommand)
 @click.argument("sheets", metavar="SHEETS", required=False, shell_complete=completion.a_file)
-@click.option(
-    "-o",
-    "--output",
-    required=True,
-    callback=path(),
-    shell_complete=completion.a_file,
-    metavar="FILE",
-    help="FILE.xml (Moodle), FILE.gift, FILE.zip (QTI 2.1) or FILE.md",
-)
+@_output("FILE", "FILE.xml (Moodle), FILE.gift, FILE.zip (QTI 2.1) or FILE.md")
 def make_quiz(sheets: str | None, output: str, **given: Any) -> None:
     """Make a question bank for a learning platform, with pictures and numerical answers.
 
