@@ -51,7 +51,7 @@ function railed(root, body, dock) {
       show();
       const [asked, kept] = [value, state[index]].map((each) => written(tidy(each, step)));
       const active = box === document.activeElement;
-      box.toggleAttribute("aria-invalid", active && Boolean(said));
+      box.toggleAttribute("aria-invalid", active && said !== "");
       if (said) dock.fault(filled(words[said], { name: label.textContent, place: `${asked} ${unit}`, value: `${kept} ${unit}` }));
       else if (active) box.value = asked;
     };

@@ -40,13 +40,12 @@ function scales(root, data, out, state) {
   const centred = ([l, b, r, t], [x, y, u, v], factor) =>
     [(l + r) / 2 - factor * (x + u) / 2, (b + t) / 2 - factor * (y + v) / 2, factor];
 
-  const fits = ([l, b, r, t], [u, v, w, z], [x, y, factor]) => x + factor * u >= l - 1e-6 && y + factor * v >= b - 1e-6 &&
-    x + factor * w <= r + 1e-6 && y + factor * z <= t + 1e-6;
-
   function calm(polygon, found) {
-    const { inner, to: [, , factor] } = polygon, fitting = filling(inner, found);
+    const { inner, to: [x, y, factor] } = polygon, fitting = filling(inner, found);
+    const fits = x + factor * found[0] >= inner[0] - 1e-6 && y + factor * found[1] >= inner[1] - 1e-6 &&
+      x + factor * found[2] <= inner[2] + 1e-6 && y + factor * found[3] <= inner[3] + 1e-6;
     const lost = !polygon.mechanism && factor < data.least * fitting;
-    if (fits(inner, found, polygon.to) && !lost) return;
+    if (fits && !lost) return;
     const spared = fitting / (1 + data.spare);
     polygon.to = centred(inner, found, lost ? spared : Math.min(spared, factor));
   }
@@ -61,7 +60,6 @@ function scales(root, data, out, state) {
       const none = found && Math.max(found[2] - found[0], found[3] - found[1]) * filling(inner, found) < NO_SIZE;
       if (polygon.mechanism && !resized()) polygon.to = data.start.slice(input, input + 3);
       else if (found && !none && !polygon.steady) calm(polygon, found);
-      else if (found && !none) polygon.to = fits(inner, found, polygon.steady) ? polygon.steady : centred(inner, found, Math.min(polygon.steady[2], filling(inner, found)));
       const { now, to } = polygon;
       if (now.every((each, n) => each === to[n])) continue;
       const near = still || Math.abs(now[2] / to[2] - 1) + Math.hypot(now[0] - to[0], now[1] - to[1]) < THERE;
@@ -73,7 +71,7 @@ function scales(root, data, out, state) {
   }
 
   // One scale for all poses of a turn, which fits the largest; it makes no polygon much smaller than
-  // its own, and gives way where one does not fit. steady(null) ends that.
+  // its own. steady(null) ends that.
   function steady(poses, solve) {
     const own = all.map(box), most = own.map((each) => each && [...each]), kept = [...state];
     for (const pose of poses ?? []) {
@@ -84,10 +82,10 @@ function scales(root, data, out, state) {
       });
     }
     all.forEach((polygon, n) => {
-      polygon.steady = null;
-      if (!poses || !most[n]) return;
+      polygon.steady = poses && most[n];
+      if (!polygon.steady) return;
       const whole = filling(polygon.inner, most[n]), least = own[n] ? SMALLER * filling(polygon.inner, own[n]) : 0;
-      polygon.steady = polygon.to = centred(polygon.inner, whole < least ? own[n] : most[n], Math.max(whole, least));
+      polygon.to = centred(polygon.inner, whole < least ? own[n] : most[n], Math.max(whole, least));
     });
   }
 

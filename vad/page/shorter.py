@@ -35,7 +35,7 @@ _KEYWORDS = frozenset(
 _GLOBALS = frozenset(
     re.findall(
         r"\w+",
-        """AbortController Array CustomEvent DOMPoint Float64Array Infinity Int32Array JSON
+        """AbortController Array Boolean CustomEvent DOMPoint Float64Array Infinity Int32Array JSON
         Map Math NaN Number
         Object Promise ResizeObserver Set String TextDecoder URLSearchParams Uint8Array
         addEventListener atob
