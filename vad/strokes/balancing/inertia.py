@@ -212,4 +212,4 @@ def _over_a_turn(phasors: Phasors, unit: str) -> Mapping[str, Any]:
 
 
 def _listed(angles: tuple[float, ...]) -> Listed:
-    return Listed(tuple(Figure(angle, "°") for angle in angles), ", ")
+    return Listed(tuple(Figure(angle, "°", given=True) for angle in angles), "°, ")
