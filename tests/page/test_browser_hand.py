@@ -17,7 +17,9 @@ import vad
 from tests.browser import opened, until, violations
 from tests.page.lessons import at, page_of, press, show
 from vad.kinematics.reach import closing_range
+from vad.page.dimensions import readable
 from vad.page.document import document
+from vad.units import read
 
 STEP = 14  # Velocity 5
 LIMITED = vad.FourBar(crank=130)
@@ -465,6 +467,34 @@ def test_a_slider_stops_where_the_links_close_nowhere(page: Page) -> None:
     press(page, "Enter")
     expect(page.locator(".said p")).to_contain_text("must be positive")
     press(page, "Escape")
+
+
+def test_a_box_reads_a_number_with_its_unit(page: Page) -> None:
+    press(page, "h")
+    for label, typed, name, value in (
+        ("coupler, mm", "11.55 cm", "coupler", 115.5),
+        ("ω2, rad/s", "120 rpm", "omega", math.tau * 2),
+    ):
+        box = page.get_by_label(label).first
+        box.fill(typed)
+        press(page, "Enter")
+        assert page.evaluate(f"() => vad.state.{name}") == pytest.approx(value, rel=1e-12)
+        assert box.input_value() == f"{value:.6g}"
+    box.fill("120 kg")
+    press(page, "Enter")
+    expect(page.locator(".said p")).to_contain_text("120 kg")
+    press(page, "Escape")
+
+
+def test_the_units_of_boxes_are_those_of_the_program() -> None:
+    quantities = {"°": "angle", "rad/s": "omega", "rad/s²": "alpha", "N": "force", "N m": "couple"}
+    for length in ("mm", "ft"):
+        ends = {"": "length", "/s": "velocity", "/s²": "acceleration"}
+        kinds = quantities | {length + end: each for end, each in ends.items()}
+        for own, factors in readable(length).items():
+            for unit, factor in factors.items():
+                said = read(f"1 {unit.replace('²', '^2')}", kinds[own], length)
+                assert factor == pytest.approx(said, rel=1e-9), unit
 
 
 def test_dimensions_in_space_are_set_in_the_rail(browser: Browser, tmp_path: Path) -> None:
