@@ -13,6 +13,7 @@ from vad.painting.posed import SIZE
 from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.strokes.sheet import Sheet
+from vad.strokes.telling import telling
 
 
 def drawn(panels: list[str] | None = None) -> Sheet:
@@ -23,7 +24,7 @@ def drawn(panels: list[str] | None = None) -> Sheet:
 
 
 def told(sheet: Sheet) -> list[str]:
-    return [half.full(half.strokes[number].name) for half, number, _ in sheet.telling]
+    return [half.full(half.strokes[number].name) for half, number, _ in telling(sheet)]
 
 
 def test_inertia_forces_follow_the_polygon_of_the_accelerations():
@@ -47,7 +48,7 @@ def test_every_stroke_is_told_once():
 def test_without_the_accelerations_panel_after_panel_is_told():
     sheet = drawn(["position", "force", "drive"])
     assert told(sheet) == [half.full(s.name) for half in sheet.halves for s in half.strokes]
-    assert {each.chapter for each in sheet.telling} == {"position", "force", "drive"}
+    assert {each.chapter for each in telling(sheet)} == {"position", "force", "drive"}
 
 
 def test_the_mechanism_glides_once_and_before_the_accelerations():
@@ -90,5 +91,5 @@ def test_a_panel_says_from_which_stroke_on_it_waits(name: str):
     sheet = drawn()
     position = dataclasses.replace(sheet.panels[0], resumes=name)
     waits = dataclasses.replace(sheet, panels=(position, *sheet.panels[1:]))
-    later = [each for each in waits.telling if each.chapter != each.half.name]
+    later = [each for each in telling(waits) if each.chapter != each.half.name]
     assert len(later) == (3 if name == "I3G.load" else 0)

@@ -25,6 +25,7 @@ from vad.lecture.telling import reading
 from vad.strokes.reveals import finder, revealed
 from vad.strokes.sentences import Sentence
 from vad.strokes.sheet import Panel, Sheet, Stroke, driver_of
+from vad.strokes.telling import telling
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,7 +168,7 @@ def animate(
         found, opening = scripted(found, script, sheet, opening)
     steps: list[LessonStep] = []
     clock = 0.0
-    for (panel, index, chapter), each in zip(sheet.telling, found, strict=True):
+    for (panel, index, chapter), each in zip(telling(sheet), found, strict=True):
         # Whole frames are counted from the start, so that roundings do not add up.
         parts = each.grow, each.hold, each.glide, each.settle
         seconds = list(accumulate(parts, initial=clock))

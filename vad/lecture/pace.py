@@ -13,6 +13,7 @@ from vad.lecture.script import Script, step_number
 from vad.lecture.telling import reading, starts, told_together
 from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke
+from vad.strokes.telling import telling
 
 #: Seconds in which each kind of stroke grows.  A vector takes as long if it is the longest one of
 #: its panel.
@@ -107,9 +108,9 @@ def times(sheet: Sheet, loop: int) -> Iterator[Times]:
     Those before a loop are there already.
     """
     found = {half.name: list(_times_of(half, loop)) for half in sheet.halves}
-    large = [opens(sheet, each.half) for each in sheet.telling]
+    large = [opens(sheet, each.half) for each in telling(sheet)]
     leaves = large.index(False) - 1 if False in large else -1
-    for number, each in enumerate(sheet.telling):
+    for number, each in enumerate(telling(sheet)):
         own = found[each.half.name][each.number]
         yield replace(own, glide=GLIDE, settle=SETTLE) if number == leaves else own
 

@@ -25,6 +25,7 @@ from typing import Any
 from vad import gate
 from vad.errors import InputError, UsageError, one_of, quoted, unknown
 from vad.strokes.sheet import Panel, Sheet
+from vad.strokes.telling import telling
 
 #: The most seconds of a pause, and of a film until a marker.
 LONGEST = 3600.0
@@ -56,7 +57,7 @@ class Script:
         if not self.captions:
             return sheet
         own = {step_number(sheet, step): text for step, text in self.captions.items()}
-        told = enumerate(sheet.telling)
+        told = enumerate(telling(sheet))
         texts = {(each.half.name, each.number): own[n] for n, each in told if n in own}
         return replace(sheet, panels=tuple(_retold(panel, texts) for panel in sheet.panels))
 
@@ -162,10 +163,10 @@ def step_number(sheet: Sheet, step: int | str) -> int:
         If there is no such step.
     """
     panel, colon, number = step.rpartition(":") if isinstance(step, str) else ("", "", step)
-    named = [half.full(half.strokes[number].name) for half, number, _ in sheet.telling]
+    named = [half.full(half.strokes[number].name) for half, number, _ in telling(sheet)]
     if step in named:
         return named.index(str(step))
-    columns = [each.chapter for each in sheet.telling]
+    columns = [each.chapter for each in telling(sheet)]
     if colon:
         panel = one_of("panel", panel, [each.name for each in sheet.panels])
     steps = [each for each, column in enumerate(columns) if column == panel or not colon]

@@ -52,6 +52,7 @@ from vad.plan.reach import corners
 from vad.plan.scale import Scale, is_tall
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Sheet
+from vad.strokes.telling import telling
 
 #: The regions that stay in their places meanwhile.
 STAYING = (TITLE, CAPTION)
@@ -168,7 +169,7 @@ def plan(
     rows = rows_of(sheet)
     sketches: dict[str, Sketch] = {}
     numbers: dict[str, list[int]] = {half.name: [] for half in sheet.halves}
-    for number, each in enumerate(sheet.telling):
+    for number, each in enumerate(telling(sheet)):
         numbers[each.half.name].append(number)
     for panel in sheet.panels:
         taken = None

@@ -16,7 +16,8 @@ from vad.plan.board import Plan
 from vad.plan.items import FOREVER, RESULTS, Item, Level, foot_of, head_of
 from vad.plan.page.table import table
 from vad.strokes.reveals import measurer
-from vad.strokes.sheet import BEFORE_INERTIA, POLE, Sheet, Stroke, StrokePart
+from vad.strokes.sheet import POLE, Sheet, Stroke, StrokePart
+from vad.strokes.telling import BEFORE_INERTIA
 
 #: The panel of the force polygons.
 FORCES = "force"

@@ -117,8 +117,6 @@ TWIST = "∠"
 LOADS = "loads"
 #: The ending of the name of a polygon that stands below another.
 BELOW = ".below"
-#: The panel after which inertia forces are told.
-BEFORE_INERTIA = "acceleration"
 #: A mechanism in the plane, vectors from a pole, or a mechanism in space as it is seen.
 PictureKind = Literal["skeleton", "vectors", "views"]
 #: Why points have one place: all of them stand still, one lies under the pin of a block in every
@@ -453,22 +451,6 @@ class Row:
     inked: bool = True
 
 
-class Told(NamedTuple):
-    """A stroke as it is told.
-
-    Attributes
-    ----------
-    half, number
-        Its panel and its number there, from 0.
-    chapter
-        The panel with which it is told.
-    """
-
-    half: Panel
-    number: int
-    chapter: str
-
-
 @dataclass(frozen=True, slots=True, repr=False)
 class Sheet(Displayed):
     """Everything that is drawn for one pose of one mechanism: pure data, in drawing order.
@@ -498,28 +480,6 @@ class Sheet(Displayed):
     def halves(self) -> tuple[Panel, ...]:
         """All panels, each followed by the one below it."""
         return tuple(half for panel in self.panels for half in panel.halves)
-
-    @property
-    def telling(self) -> tuple[Told, ...]:
-        """All strokes in the order in which they are told.
-
-        That is panel after panel; inertia forces, which stand on the mechanism, follow from the
-        accelerations, and are told after them.
-        """
-        found: list[Told] = []
-        later: list[Told] = []
-        waits = any(panel.name == BEFORE_INERTIA for panel in self.panels)
-        for panel in self.panels:
-            for half in panel.halves:
-                begun = half.find(half.resumes) if waits else None
-                early = len(half.strokes) if begun is None else begun
-                found += [Told(half, number, panel.name) for number in range(early)]
-                rest = range(early, len(half.strokes))
-                later += [Told(half, number, BEFORE_INERTIA) for number in rest]
-            if panel.name == BEFORE_INERTIA:
-                found += later
-                later = []
-        return (*found, *later)
 
     def panel(self, name: str) -> Panel:
         """Return the panel called ``name``, which may stand below another."""

@@ -35,6 +35,7 @@ from vad.plan.sketch import Sketch
 from vad.strokes.reveals import measurer
 from vad.strokes.sentences import Sentence
 from vad.strokes.sheet import Cell, Panel, Row, Sheet
+from vad.strokes.telling import telling
 from vad.words import TextPiece, text_of
 
 CAPTION_SIZE = 0.040
@@ -143,7 +144,7 @@ def captions(
 
     Strokes that are told together have one.  The ``last`` one is said of the finished page.
     """
-    chapters = [each.chapter for each in sheet.telling]
+    chapters = [each.chapter for each in telling(sheet)]
     for panel in sheet.panels:
         for half in panel.halves:
             setting = sketches[half.name].setting
@@ -183,7 +184,7 @@ def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
 
 def caption_lines(sheet: Sheet, room: float) -> int:
     """Return how many lines the sheet's longest caption takes."""
-    chapters = [each.chapter for each in sheet.telling]
+    chapters = [each.chapter for each in telling(sheet)]
     most = max(map(chapters.count, chapters), default=1)
     lines = (
         len(_set(told(half, first, end), room - _count_room(most))[0])
