@@ -132,3 +132,10 @@ def test_strokes_that_need_few_words_are_told_together():
 def test_only_a_mechanism_before_its_polygons_glides_into_its_panel(panels: str | list[str]):
     lesson = vad.animate(vad.draw(vad.solve(vad.SliderCrank()), panels=panels))
     assert not any(step.glide for step in lesson.steps)
+
+
+@pytest.mark.parametrize("panels", ["centres", "klein", "turned"])
+def test_what_is_on_the_board_before_drawing_can_be_read_too(panels: str):
+    sheet = vad.draw(vad.solve(vad.SliderCrank()), panels=["position", panels])
+    for cue in cues(vad.animate(sheet)):
+        assert len(cue.text) <= MOST * (cue.end - cue.start), cue

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from vad.errors import UsageError
 from vad.lecture.script import Script, step_number
-from vad.lecture.telling import reading, starts, told_together
+from vad.lecture.telling import reading, starts, told, told_together
 from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke
 from vad.strokes.telling import telling
@@ -35,7 +35,7 @@ SETTLE = 0.6
 OPENING = 0.8
 CLOSING = 4.0
 AFTER_ANSWER = 0.5
-LOOK = 1.5  # seconds to look at what is on the board already
+LOOK = 1.5  # seconds, at least, to look at what is on the board already
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,10 +119,13 @@ def _times_of(panel: Panel, loop: int) -> Iterator[Times]:
     """Yield the times of the strokes of a panel."""
     longest = max(map(_length, panel.strokes), default=0.0)
     begun = panel.loops[loop - 1] if 1 < loop <= len(panel.loops) else panel.given
-    leads = {number for first, last in told_together(panel) for number in range(first, last)}
+    pairs = list(told_together(panel))
+    leads = {number for first, last in pairs for number in range(first, last)}
+    looks = {last: told(panel, first, last) for first, last in pairs if last + 1 == begun}
     for index, stroke in enumerate(panel.strokes):
         if index < begun:
-            yield Times(0.0, LOOK if index + 1 == begun else 0.0, there=True)
+            look = max(LOOK, reading(looks[index])) if index in looks else 0.0
+            yield Times(0.0, look, there=True)
             continue
         grow = growth(stroke, longest)
         hold = rest(stroke, grow, 0.0 if index in leads else LEAST_REST)
