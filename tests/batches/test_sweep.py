@@ -86,7 +86,7 @@ def test_more_than_memory_holds_may_be_asked_for():
         ("rocker.omega", {"angel": 3}, "unknown input 'angel'"),
         ("rocker.omega", {"angle": da.ones(3), "omega": da.ones(4)}, "do not broadcast"),
         ("rocker.omega", {"angle": da.ones(3, dtype=complex)}, "angle: must be an array of num"),
-        ("rocker.omega", {"angle": da.ones(3), "omega": "x"}, "omega: must be a number"),
+        ("rocker.omega", {"angle": da.ones(3), "omega": "x"}, "omega: 'x' is not a number"),
     ],
 )
 def test_what_is_wrong_is_said_at_once(results, inputs, part):
