@@ -6,6 +6,7 @@ stands the caption of its stroke, with the number of the stroke in its panel.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import accumulate, pairwise
@@ -184,14 +185,14 @@ def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
 
 def caption_lines(sheet: Sheet, room: float) -> int:
     """Return how many lines the sheet's longest caption takes."""
-    chapters = [each.chapter for each in telling(sheet)]
-    most = max(map(chapters.count, chapters), default=1)
-    lines = (
-        len(_set(told(half, first, end), room - _count_room(most))[0])
-        for panel in sheet.panels
-        for half in panel.halves
-        for first, end in told_together(half)
-    )
+    chapters = {(each.half.name, each.number): each.chapter for each in telling(sheet)}
+    counts = Counter(chapters.values())
+    lines = []
+    for panel in sheet.panels:
+        for half in panel.halves:
+            for first, end in told_together(half):
+                count_room = _count_room(counts[chapters[half.name, first]])
+                lines.append(len(_set(told(half, first, end), room - count_room)[0]))
     return max(lines, default=1)
 
 
