@@ -128,6 +128,13 @@ def test_what_is_there_is_not_drawn(panel):
     vad.still(lesson, len(lesson.steps))
 
 
+@pytest.mark.parametrize("name", ["four-bar", "slider-crank", "watt-1.toml", "whitworth"])
+def test_the_mechanism_that_is_there_measures_no_result(name):
+    for _, _, panel in every(name):
+        assert not any(stroke.reveals for stroke in panel.strokes[: panel.given])
+        assert any(stroke.reveals for stroke in panel.strokes[panel.given :])
+
+
 def every(name, language="en"):
     """Yield each panel of these kinds that a machine has, with its sheet."""
     for which in PANELS:

@@ -39,7 +39,10 @@ class FigurePencil:
         self.scene = scene
         self._mechanism = construct(scene)
         gone = ("construction",) if angle else ("construction", "angle")
-        self.strokes = [each for each in self._mechanism.strokes if each.kind not in gone]
+        # They are there from the beginning; the results are those that the figure finds.
+        self.strokes = [
+            replace(each, reveals=()) for each in self._mechanism.strokes if each.kind not in gone
+        ]
         self.given = len(self.strokes)
         self.zeros: list[Stroke] = []
         places = [scene.at(point) for point in scene.members.points]

@@ -106,7 +106,9 @@ class _Klein:
         a = self.letters[0]
         name = "slider" if side[0] == a else "rod"
         said = self.say(f"{name} {order}", side)
-        pencil.segment(side, self.places[side[0]], self.places[side[1:]], said, link, (link,))
+        # The row of the link has the results of both orders: it shows them with the last one.
+        found = (link,) if order == 2 else ()
+        pencil.segment(side, self.places[side[0]], self.places[side[1:]], said, link, found)
 
     @property
     def _names(self) -> dict[str, SentencePart]:
