@@ -28,7 +28,7 @@ def test_fields_have_defaults_and_help():
         verified("watt-1")(nothing=3)
 
 
-@pytest.mark.parametrize(("name", "wrong"), [("crank", -1), ("BC", 0), ("CBE", "30"), ("Dx", None)])
+@pytest.mark.parametrize(("name", "wrong"), [("crank", -1), ("BC", 0), ("CBE", 30j), ("Dx", None)])
 def test_a_parameter_is_checked_by_name(name, wrong):
     with pytest.raises(vad.InputError, match=f"^{name}: must be"):
         verified("watt-1")(**{name: wrong})

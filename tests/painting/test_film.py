@@ -34,6 +34,16 @@ def test_incremental_frames_equal_full_redraws_byte_for_byte(style: str, size: t
     assert_equal_to_redraws(animate(slider_crank(), fps=3, size=size, style=style))
 
 
+@pytest.mark.parametrize("panels", ["klein,velocity", "turned,velocity", "centres,velocity"])
+def test_what_is_on_the_board_before_drawing_is_in_the_first_frame(panels: str):
+    sheet = vad.draw(vad.solve(vad.SliderCrank()), panels.split(","))
+    lesson = animate(sheet, fps=3, size=SIZE)
+    assert_equal_to_redraws(lesson)
+    first = next(iter(filmed(lesson))).pixels
+    middle = first[SIZE[1] // 4 : SIZE[1] // 2]
+    assert (middle != first[0, 0]).any(axis=2).mean() > 0.005
+
+
 def test_frames_are_those_of_their_moments():
     lesson = animate(slider_crank(), fps=5, size=SIZE)
     board, style, at = board_of(lesson), load_style(lesson.style), 0

@@ -21,7 +21,7 @@ from vad.painting.painter import Looks, play
 from vad.painting.posed import board_of
 from vad.plan.board import Board, seen
 from vad.plan.geometry import Rect
-from vad.plan.items import Item
+from vad.plan.items import OPENING, Item
 from vad.plan.marks import Mark
 from vad.style import Style, load_style
 
@@ -184,6 +184,9 @@ class _Incremental:
             or any(_growing(item, beat) or _growing(item, self._beat) for item in items)
         }
         self._shown = shown
+        if changed.get(OPENING):
+            # It lies over the places of all panels, which are empty while it is there.
+            changed[OPENING] = changed.pop(OPENING)
         return changed
 
     def _split(self, regions: dict[str, list[Item]], beat: int) -> list[tuple[Mark, Box | None]]:

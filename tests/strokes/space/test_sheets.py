@@ -140,7 +140,9 @@ def test_every_figure_of_a_result_agrees_with_its_cell_and_its_vector(
 
 _F = FIGURE.pattern
 ROOT = re.compile(rf"√\(({_F})² ([+−]) ({_F})²\) = ({_F}) ")
-ASIDE = re.compile(rf"= ({_F}) \S+ (?:here|hier|ici)\D+({_F}) [^:]*:\D+({_F}) ")
+ASIDE = re.compile(
+    rf"= ({_F}) \S+ (?:here|hier|ici)\D+({_F}) .*?(?:together|zusammen|en tout)[^−\d]+({_F})[ /]"
+)
 SUM = re.compile(rf"= ({_F}(?: [+−] {_F})+) = ({_F}) ")
 
 

@@ -32,6 +32,8 @@ NUMBER, NUMBER_OFF, LARGEST = 0.034, 0.030, 0.20
 THIN = "construction done"
 #: The points of a circle are so many degrees apart.
 ROUND = 2.0
+#: So far inside its panel a circle is cut, that none of its width lies outside.
+EDGE = 0.005
 SEGMENT = ROLES["vector"].width
 
 
@@ -56,7 +58,7 @@ def _add(sketch: Sketch, index: int) -> None:
             sketch.obstacles.line([placed.start, placed.end], CONSTRUCTION / 2, (during, FOREVER))
         case Arc():
             circle = CompassArc(stroke.name).posed(sketch.solved).line(ROUND)
-            arcs = within(setting.room, list(circle))
+            arcs = within(setting.room.inside(EDGE), list(circle))
             for role, until in ((THIN, FOREVER), ("compass arc", setting.over(index))):
                 mark = lines(arcs, role, row, Trimming())
                 sketch.add(stroke, Level.CONSTRUCTION, during, on_page([mark]), until)
