@@ -431,13 +431,14 @@ def same(one: Any, other: Any) -> bool:
     return one == pytest.approx(other, abs=1e-9) if isinstance(one, float) else bool(one == other)
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("name", KINDS)
 def test_every_vertex_of_a_few_poses_is_where_it_belongs(name):
     mechanism = reach_of(name)[0]
     assert check(name, driven(mechanism, FEW, seed=len(name))) > 100
 
 
-@pytest.mark.exhaustive(40)
+@pytest.mark.exhaustive(100)
 @pytest.mark.parametrize("name", KINDS)
 def test_every_vertex_of_many_poses_is_where_it_belongs(name):
     mechanism = reach_of(name)[0]
