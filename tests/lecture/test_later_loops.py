@@ -10,6 +10,7 @@ import vad
 from vad.cli.run import run
 from vad.lecture.lesson import Lesson
 from vad.lecture.moment import done, moments
+from vad.lecture.telling import reading, told, told_together
 from vad.strokes.sheet import Sheet
 
 SHAPER = vad.CrankSlottedLever(rod=100, ram_height=180)
@@ -36,8 +37,12 @@ def test_the_pencil_starts_at_the_second_dyad_in_every_panel(lesson: Lesson):
 def test_what_is_there_takes_no_time_but_a_look_at_it(sheet: Sheet, lesson: Lesson):
     assert sum(step.grow for step in lesson.steps if step.there) == 0
     assert lesson.duration < 0.75 * vad.animate(sheet).duration
-    looks = [step.hold for step in lesson.steps if step.there and step.hold]
-    assert looks == [45, 45, 45]  # 1.5 s before each panel
+    there = [step for step in lesson.steps if step.there and step.hold]
+    assert [step.panel.name for step in there] == ["position", "velocity", "acceleration"]
+    for step in there:  # as long as its caption is read, and at least 1.5 s
+        said = {last: told(step.panel, first, last) for first, last in told_together(step.panel)}
+        seconds = max(1.5, reading(said[step.index]))
+        assert step.hold == pytest.approx(30 * seconds, abs=1)
 
 
 def test_it_opens_with_the_first_dyad_on_the_board(lesson: Lesson):

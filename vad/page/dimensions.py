@@ -77,7 +77,7 @@ def readable(length_unit: str) -> dict[str, dict[str, float]]:
             found[length_unit + end] = {
                 unit + each: round(float(metres_of(unit) or own) / own, 12)
                 for unit in LENGTH_UNITS
-                for each in {end, end.replace("²", "^2")}
+                for each in dict.fromkeys((end, end.replace("²", "^2")))
                 if each != end or unit != length_unit
             }
     return found
