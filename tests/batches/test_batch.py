@@ -316,3 +316,30 @@ def test_numbers_in_the_cells_of_a_table_may_have_a_fraction(written, tmp_path):
     sheet = vad.draw(vad.solve(mechanism, **made.answers["input"]))
     vad.save(vad.animate(sheet, fps=12.5, speed=2.5), tmp_path / "film.srt")
     assert made.files[0].read_bytes() == (tmp_path / "film.srt").read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("panels", "found"),
+    [
+        (["centres"], "639.5"),
+        (["turned"], "639.5"),
+        (["klein"], "63.95"),
+        (["centres", "velocity"], "639.5"),
+        (["position", "velocity"], "639.5"),
+    ],
+)
+def test_a_problem_shows_no_number_that_its_panels_find(tmp_path, panels, found):
+    """Whatever the kind of diagram is: the velocity of the slider, or the side AM of Klein."""
+    (tmp_path / "sheets.toml").write_text(
+        f"""\
+[sheet]
+mechanism = "slider-crank"
+panels = {panels}
+files = ["problem.svg", "key.svg"]
+count = 1
+"""
+    )
+    (made,) = vad.batch(tmp_path / "sheets.toml", tmp_path / "out")
+    problem, key = (path.read_text("utf-8") for path in made.files)
+    assert found in key
+    assert found not in problem

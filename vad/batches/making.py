@@ -35,11 +35,8 @@ from vad.strokes.sheet import Sheet
 #: Threads of the encoder.  The bytes of a film depend on their number, and so it is fixed; and
 #: where many sheets are made, no other core is free.
 _THREADS = 1
-#: The panels that are left blank unless the file says others.
-_BLANK = (
-    *("velocity", "acceleration", "force", "drive"),
-    *("couple", "primary", "secondary", "traction", "hammer"),
-)
+#: The panels that show what is given; the others are left blank unless the file says which.
+_SHOWN = ("position", "shaft", "engine")
 #: How often numbers are chosen before the program gives up.
 TRIES = 2000
 
@@ -87,7 +84,7 @@ def blank_of(job: Job, sheet: Sheet) -> tuple[str, ...]:
     """Return the panels that a problem leaves to be drawn."""
     if job.recipe.blank is not None:
         return job.recipe.blank
-    return tuple(panel.name for panel in sheet.panels if panel.name in _BLANK)
+    return tuple(panel.name for panel in sheet.panels if panel.name not in _SHOWN)
 
 
 def _save(
