@@ -11,7 +11,7 @@ import numbers
 import os
 import sys
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from decimal import Decimal
 from itertools import islice
 from typing import TYPE_CHECKING, Any
@@ -408,6 +408,54 @@ def path(name: str, value: object, wanted: str = "file", hint: str | None = None
     if not isinstance(found, str):
         raise UsageError(f"{_start(name)}must be the name of a {wanted}, got {quoted(value)}", hint)
     return found
+
+
+def text(place: str, longest: int, hint: Callable[[str], str | None] = lambda _: None) -> str:
+    """Return the text of the file at a path, of at most so many bytes.
+
+    Parameters
+    ----------
+    place
+        The path, as `path` returns it.
+    longest
+        The most bytes.
+    hint
+        What gives the hint of an error from the path, if the file cannot be read.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For a file that cannot be read, or is no text.
+    """
+    name = os.path.basename(place)
+    try:
+        with open(place, "rb") as file:
+            return decoded(file.read(longest + 1), name, longest)
+    except OSError as error:
+        raise InputError(f"'{place}': {error.strerror or error}", hint(place)) from None
+    except ValueError:
+        raise InputError(f"{quoted(place)}: is no name of a file") from None
+
+
+def decoded(data: bytes, name: str, longest: int) -> str:
+    """Return bytes from outside, which errors call ``name``, as text of at most so many bytes.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For more bytes, and for what is no text.
+
+    Examples
+    --------
+    >>> decoded(b"crank = 40", "press.toml", 100)
+    'crank = 40'
+    """
+    if len(data) > longest:
+        raise InputError(f"{name}: is longer than {longest} bytes")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise InputError(f"{name}: is no text in UTF-8") from None
 
 
 def _start(name: str) -> str:

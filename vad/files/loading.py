@@ -19,6 +19,7 @@ from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, cast
 
+from vad import gate
 from vad.errors import InputError, VadError, quoted, unknown
 from vad.files.assembling import Assembly, UnplacedError, assemble
 from vad.files.description import Description, Parameter, Values
@@ -28,9 +29,9 @@ from vad.files.places import HINT, PARALLEL, WORDS, Place, opposite, place_of
 from vad.files.reading import describe
 from vad.files.structure import Dyad, Mobility, check_dyads, check_mobility
 from vad.files.tables import (
+    LONGEST,
     ROTORS,
     Source,
-    decoded,
     read_file,
     read_text,
     sorted_out,
@@ -81,7 +82,7 @@ def load_text(data: bytes, name: str) -> type[WrittenMechanism]:
     vad.errors.InputError
         As for `load`.
     """
-    return class_of(with_tables(read_text(decoded(data, name), name), Path()))
+    return class_of(with_tables(read_text(gate.decoded(data, name, LONGEST), name), Path()))
 
 
 def mechanism(

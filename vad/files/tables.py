@@ -193,31 +193,7 @@ def text_of(path: object, longest: int = LONGEST) -> str:
     vad.errors.InputError
         For one that cannot be read, or is no text.
     """
-    place = gate.path("path", path)
-    name = os.path.basename(place)
-    try:
-        with open(place, "rb") as file:
-            return decoded(file.read(longest + 1), name, longest)
-    except OSError as error:
-        raise InputError(f"'{place}': {error.strerror or error}", _nearly(place)) from None
-    except ValueError:
-        raise InputError(f"{quoted(place)}: is no name of a file") from None
-
-
-def decoded(data: bytes, name: str, longest: int = LONGEST) -> str:
-    """Return bytes from outside, which errors call ``name``, as text of at most so many bytes.
-
-    Raises
-    ------
-    vad.errors.InputError
-        For more bytes, and for what is no text.
-    """
-    if len(data) > longest:
-        raise InputError(f"{name}: is longer than {longest} bytes")
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        raise InputError(f"{name}: is no text in UTF-8") from None
+    return gate.text(gate.path("path", path), longest, _nearly)
 
 
 def _nearly(path: str) -> str | None:

@@ -86,7 +86,7 @@ def script_of(given: Any) -> Script:
     name, text, tables = "script", "", given
     if not isinstance(given, Mapping):
         path = gate.path("script", given)
-        name, text = os.path.basename(path), _text(path)
+        name, text = os.path.basename(path), gate.text(path, LONGEST_FILE)
         tables = _parsed(text, name)
     found: dict[str, dict[str, Any]] = {table: {} for table in TABLES}
     for table, entries in tables.items():
@@ -113,22 +113,6 @@ def _entry(table: str, value: Any) -> str | float:
     if not 0.0 <= seconds <= LONGEST:
         raise UsageError(f"{word}: must be seconds from 0 to {LONGEST:g}, got {quoted(value)}")
     return seconds
-
-
-def _text(path: str) -> str:
-    name = os.path.basename(path)
-    try:
-        with open(path, "rb") as file:
-            data = file.read(LONGEST_FILE + 1)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or "is no name of a file"
-        raise InputError(f"'{path}': {reason}") from None
-    if len(data) > LONGEST_FILE:
-        raise InputError(f"{name}: is longer than {LONGEST_FILE} bytes")
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        raise InputError(f"{name}: is no text in UTF-8") from None
 
 
 def _parsed(text: str, name: str) -> Mapping[str, Any]:
