@@ -88,11 +88,12 @@ def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
         if name not in given:
             raise unknown("input", name, mechanism.inputs)
         most = largest[name]
-        usual = type(value) is float and -most <= value <= most
-        if isinstance(value, str):
+        if type(value) is float and -most <= value <= most:
+            given[name] = value  # the usual case
+        elif isinstance(value, str):
             given[name] = _one(name, number_of(name, value, name, mechanism.length_unit), most)
         else:
-            given[name] = value if usual else checked(name, value, most)
+            given[name] = checked(name, value, most)
     return kind(mechanism, solver, given)
 
 
