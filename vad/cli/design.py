@@ -170,16 +170,23 @@ def answer(task: str, demands: dict[str, Any]) -> None:
         there = "is one solution" if len(found) == 1 else f"are {len(found)} solutions"
         raise UsageError(f"--pick: there {there}, got {number}", "--pick 1")
     solution = found[number - 1]
-    data = json.dumps(found.to_dict(number - 1), ensure_ascii=False)
+
+    def data() -> str:
+        return json.dumps(found.to_dict(number - 1), ensure_ascii=False)
+
     if output is None:
-        text = found.table(own.get("digits", DIGITS), language)
-        click.echo(data if as_json else solution.toml().rstrip() if as_toml else text)
+        if as_json:
+            click.echo(data())
+        elif as_toml:
+            click.echo(solution.toml().rstrip())
+        else:
+            click.echo(found.table(own.get("digits", DIGITS), language))
         return
     if kind in _DATA:
         from vad.export.files import new_file
 
         with new_file(output) as stream:
-            stream.write((solution.toml() if kind == ".toml" else f"{data}\n").encode())
+            stream.write((solution.toml() if kind == ".toml" else f"{data()}\n").encode())
     else:
         _draw(solution, output, language, own)
     say_written(output)
