@@ -145,23 +145,21 @@ def captions(
 
     Strokes that are told together have one.  The ``last`` one is said of the finished page.
     """
-    chapters = [each.chapter for each in telling(sheet)]
+    counted = _counted(sheet)
     for panel in sheet.panels:
         for half in panel.halves:
             setting = sketches[half.name].setting
             for first, end in told_together(half):
                 since, until = setting.during(first), setting.over(end)
                 name, caption = half.full(half.strokes[first].name), told(half, first, end)
-                chapter = chapters[setting.number(first)]
-                before, most = chapters.index(chapter) - 1, chapters.count(chapter)
-                places = setting.number(first) - before, setting.number(end) - before
-                count = count_mark(*places, most, page)
+                (place, most), (last_place, _) = counted[half.name, first], counted[half.name, end]
+                count = count_mark(place, last_place, most, page)
                 parts = beats(half.strokes[first].said) if first == end else (caption,)
                 for marks, words in caption_marks(parts, most, page):
                     item = Item(name, CAPTION, Level.LABEL, (*marks, count), since, until, words)
                     yield item
     if last:
-        since = finished(len(chapters))
+        since = finished(len(counted))
         ((marks, _),) = caption_marks((last.pieces,), 0, page)
         yield Item("", CAPTION, Level.LABEL, tuple(marks), since)
 
@@ -185,15 +183,28 @@ def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
 
 def caption_lines(sheet: Sheet, room: float) -> int:
     """Return how many lines the sheet's longest caption takes."""
-    chapters = {(each.half.name, each.number): each.chapter for each in telling(sheet)}
-    counts = Counter(chapters.values())
+    counted = _counted(sheet)
     lines = []
     for panel in sheet.panels:
         for half in panel.halves:
             for first, end in told_together(half):
-                count_room = _count_room(counts[chapters[half.name, first]])
+                count_room = _count_room(counted[half.name, first][1])
                 lines.append(len(_set(told(half, first, end), room - count_room)[0]))
     return max(lines, default=1)
+
+
+def _counted(sheet: Sheet) -> dict[tuple[str, int], tuple[int, int]]:
+    """Return the number of each stroke in its chapter, from 1, and how many strokes that has.
+
+    A stroke is called by its panel and its number there.
+    """
+    every = telling(sheet)
+    most, so_far = Counter(each.chapter for each in every), Counter[str]()
+    found = {}
+    for half, number, chapter in every:
+        so_far[chapter] += 1
+        found[half.name, number] = so_far[chapter], most[chapter]
+    return found
 
 
 def _count_room(most: int) -> float:
