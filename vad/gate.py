@@ -311,11 +311,25 @@ def line(name: str, value: object, longest: int = LONGEST_LINE) -> str:
     if not isinstance(value, str):
         raise InputError(f"{_start(name)}must be a line of text, got {quoted(value)}")
     if len(value) > longest:
-        raise InputError(f"{_start(name)}must be short, got {quoted(value)}")
+        raise InputError(f"{_start(name)}has {len(value)} letters, and may have {longest}")
     for sign in value:
         if not sign.isprintable():
             raise InputError(f"{_start(name)}must be a line of text, without {_called(sign)}")
     return value
+
+
+def filled(name: str, value: object, longest: int) -> str:
+    """Return a line of text without spaces about it; errors are those of `line`.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If there is nothing in it, too.
+    """
+    found = line(name, value, longest).strip()
+    if not found:
+        raise InputError(f"{_start(name)}is empty", "leave it out")
+    return found
 
 
 def check_folded(name: str) -> None:

@@ -25,6 +25,7 @@ HEAD = '[sheet]\nmechanism = "four-bar"\n'
         (HEAD + 'blank = "velosity"\n', "3: blank: unknown panel 'velosity'"),
         (HEAD + 'files = "a.pdf"\nblank = "velocity"', "1: blank: none of the files is the"),
         (HEAD + 'points = { P = ["rod", 60] }\n', "3: point P: unknown link 'rod'"),
+        (HEAD + 'title = ""\n', "3: title: is empty"),
         (HEAD + "fps = 0\n", "3: fps: must be between 1 and 240, got 0"),
         (HEAD + "size = [1, 2]\n", "3: size: "),
         (HEAD + 'speed = "x"\n', "3: speed: must be between 0.01 and 1000, got 'x'"),
@@ -99,3 +100,16 @@ def test_one_row_a_sheet(written, delimiter):
     (failed,) = sheets.failed
     assert failed.number == 3
     assert str(failed.error) == "sheets.csv, line 4: crank: 'x' is not a number"
+
+
+def test_a_title_and_a_subtitle_stand_on_each_sheet(written, tmp_path):
+    path = written(
+        "mechanism,files,title,subtitle\nfour-bar,key.json,Problem 3,2026\nfour-bar,key.json,,\n",
+        "class.csv",
+    )
+    vad.batch(path, tmp_path / "out")
+    first, second = (
+        vad.sheet_from_json(tmp_path / "out" / f"{number}-key.json") for number in ("001", "002")
+    )
+    assert (first.title, first.subtitle) == ("Problem 3 · 001", "2026")
+    assert (second.title, second.subtitle) == ("Four-bar · 002", "")

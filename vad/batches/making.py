@@ -37,6 +37,8 @@ from vad.strokes.sheet import Sheet
 _THREADS = 1
 #: The panels that show what is given; the others are left blank unless the file says which.
 _SHOWN = ("position", "shaft", "engine")
+#: The options of a sheet that are those of `vad.draw`.
+OF_DRAW = ("panels", "language", "title", "subtitle")
 #: How often numbers are chosen before the program gives up.
 TRIES = 2000
 
@@ -47,7 +49,7 @@ def make(job: Job) -> Product:
         motion = picked(job)
         options = dict(job.recipe.options)
         pose = loaded(job, motion)
-        sheet = vad.draw(pose, **_only(options, "panels", "language"))
+        sheet = vad.draw(pose, **_only(options, *OF_DRAW))
         behind = [sheet.title, job.label, *([in_title(dict(job.roster))] if job.roster else [])]
         sheet = replace(sheet, title=" · ".join(behind))
         answers = motion.to_dict()

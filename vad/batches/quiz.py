@@ -15,7 +15,7 @@ import vad
 from vad.balancing.results import results
 from vad.batches.choices import written_at
 from vad.batches.job import Job
-from vad.batches.making import blank_of, loaded, picked
+from vad.batches.making import OF_DRAW, blank_of, loaded, picked
 from vad.batches.sheets import read_sheets
 from vad.batches.sweep import sweep
 from vad.errors import one_of, unknown
@@ -100,7 +100,7 @@ def _questions(job: Job) -> Iterator[Question]:
     """Yield the questions of one sheet."""
     motion, options = picked(job), dict(job.recipe.options)
     pose = loaded(job, motion)
-    wanted = {name: options[name] for name in ("panels", "language") if name in options}
+    wanted = {name: options[name] for name in OF_DRAW if name in options}
     sheet = vad.draw(pose, **wanted)
     blank = blank_of(job, sheet)
     language, style = Language(sheet.language), options.get("style")

@@ -30,6 +30,7 @@ from vad.lecture.lesson import Lesson, checked
 from vad.mechanisms.link_points import link_points
 from vad.plan.format import paper_names
 from vad.statics.burden import NOTHING, Burden
+from vad.strokes import titling
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.sheet import Sheet
 from vad.style import GROUP as STYLES
@@ -142,6 +143,8 @@ WORDS: dict[str, Callable[[object], Any]] = {
     "size": lambda value: _film(size=value)[1],
     "speed": lambda value: _film(speed=value)[2],
     "length_unit": _unit,
+    "title": lambda value: titling.checked("", value),
+    "subtitle": lambda value: titling.checked("", value),
     "points": lambda value: dict(link_points(value)),
     **BURDEN_WORDS,
 }
@@ -414,6 +417,8 @@ def _typed(word: str, cell: str) -> object:
         return cell if word == "gravity" else re.split(r"\s*;\s*", cell)
     if word in _LISTS:
         return re.split(r"[\s;,]+", cell)
+    if word in ("title", "subtitle"):
+        return cell
     if word == "size":
         return [int(each) for each in re.findall(r"\d{1,9}", cell)]
     if _NUMBER.fullmatch(cell):

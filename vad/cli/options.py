@@ -41,7 +41,7 @@ OWN = {
     "digits",
     *("panels", "style", "language", "size", "paper", "blank", "at", "turn"),
     *("fps", "speed", "still", "loop", "subtitles", "steps", "port", "no_browser"),
-    *("script", "pause"),
+    *("script", "pause", "title", "subtitle"),
     *("load", "mass", "inertia", "gravity", "friction", "superpose", "centrode"),
     *("merit", "extremes", "pin", "over", "columns"),
 }

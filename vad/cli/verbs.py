@@ -60,6 +60,10 @@ Inputs = dict[str, Any]
 SUBTITLES = (".srt", ".vtt")
 _SUBTITLED = (".mp4", ".gif", FOLDER)
 before_an_end_at_once(clear_unfinished)
+_TITLES = [
+    click.Option(["--title"], metavar="TEXT", help="instead of the name of the mechanism"),
+    click.Option(["--subtitle"], metavar="TEXT", help="what stands below the title  [none]"),
+]
 _LOOK = [
     NamedOption("style", "style", style_names(), "colours and lines  [paper]", STYLES),
     NamedOption("language", "language", languages(), "of all words  [en]", LANGUAGES),
@@ -352,6 +356,7 @@ VERBS: tuple[click.Command, ...] = (
             pin_option(),
             _AT,
             _POSITIONS,
+            *_TITLES,
             SCRIPT,
             *burden_options(),
         ],
@@ -368,6 +373,7 @@ VERBS: tuple[click.Command, ...] = (
             _SIZE,
             pin_option(),
             *_FILM,
+            *_TITLES,
             SCRIPT,
             PAUSE,
             *_LOADS,

@@ -34,7 +34,8 @@ class Turn(Displayed):
 
     With a ``burden`` its sheets have forces, too, whose polygons keep their ``poles``; the arrows
     on the driven body are measured by the ``largest`` force on it.  With centres they have the
-    centrodes of a body, which ``centrode`` names.
+    centrodes of a body, which ``centrode`` names.  A title and a subtitle of one's own are
+    ``titles``.
     """
 
     mechanism: Mechanism
@@ -49,6 +50,7 @@ class Turn(Displayed):
     poles: Mapping[int, complex] = field(default_factory=dict)
     largest: float = 0.0
     centrode: str | None = None
+    titles: Mapping[str, Any] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         """Return a line: what turns, and how long that takes."""
@@ -72,7 +74,8 @@ class Turn(Displayed):
         from vad.strokes.draw import draw
 
         inputs: dict[str, Any] = dict(zip(self.course.names, self.course.given, strict=True))
-        return draw(self._solved(inputs), self.panels, self.language, centrode=self.centrode)
+        more: dict[str, Any] = {"centrode": self.centrode, **self.titles}
+        return draw(self._solved(inputs), self.panels, self.language, **more)
 
     @property
     def cycle(self) -> Cycle:
@@ -127,6 +130,7 @@ class Turn(Displayed):
         from vad.strokes.draw import sheet_of
 
         sheet = sheet_of(self.scene(self.course.inputs(phase)), self.panels)
+        sheet = replace(sheet, **self.titles)
         if self.course.swing is None:
             return sheet
         # The rates of a swinging driver are the given ones at one instant only.
@@ -152,6 +156,8 @@ def turn(
     panels: Sequence[str] | str | None = None,
     language: str = "en",
     centrode: str | None = None,
+    title: str | None = None,
+    subtitle: str | None = None,
 ) -> Turn:
     """Return the film in which a mechanism runs through a full turn of its crank.
 
@@ -179,6 +185,8 @@ def turn(
     centrode
         The body whose centrodes the panel "centres" shows, as for `vad.draw`; that of the coupler
         or the connecting rod if None.
+    title, subtitle
+        As for `vad.draw`.
 
     Raises
     ------
@@ -200,8 +208,10 @@ def turn(
     from vad.lecture.poles import largest_on_driver, poles_of
     from vad.strokes.centrodes import centrode_of
     from vad.strokes.draw import chosen, started, turning
+    from vad.strokes.titling import own_titles
     from vad.words import Language
 
+    titles = own_titles(title, subtitle)
     fps, size, speed = checked(fps, size, speed, style)
     motion, forces = started(mechanism, "a turn begins with one pose")
     if motion.mechanism.is_rotor:
@@ -220,6 +230,7 @@ def turn(
         language,
         forces.burden if forces else None,
         centrode=rolls,
+        titles=titles,
     )
     found = whole_turn(made).forces if forces else None
     if not found:

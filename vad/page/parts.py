@@ -123,14 +123,16 @@ def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = 
     moved = hand(turned, board, inker, words.of) if turned else None
     drawn = [panel_section(board, panel, inker, words) for panel in sheet.panels]
     results = table(board, style.key, inker, words)
-    title = words.of(roman(sheet.title), light=False, heavy=True)
+    title = f"<h1>{words.of(roman(sheet.title), light=False, heavy=True)}</h1>"
+    if sheet.subtitle:
+        title = f"<hgroup>{title}<p>{words.of(roman(sheet.subtitle))}</p></hgroup>"
     items = ", ".join(
         f"<span>{words.of(roman(item.replace(' ', _FIRM)))}</span>" for item in parameters(sheet)
     )
     told = [step.chapter for step in lesson.steps]
     first = [told.index(panel.name) for panel in sheet.panels]
     return Parts(
-        head=f"<h1>{title}</h1><p>{items}</p>",
+        head=f"{title}<p>{items}</p>",
         panels="".join(drawn),
         table=results,
         chapters="".join(_chapter(*each) for each in pairwise(_chapters(lesson))),
@@ -167,14 +169,14 @@ def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = 
 def _height(board: Plan) -> int:
     """Return how high a board is, by the measures of the style sheet, in pixels of 1280 across."""
     unit, sheet = board.form.unit, board.sheet
-    titled = width(roman(sheet.title), 36 / unit) + width(
-        roman(", ".join(parameters(sheet))), 23 / unit
-    )
+    named = max(width(roman(sheet.title), 36 / unit), width(roman(sheet.subtitle), 23 / unit))
+    titled = named + width(roman(", ".join(parameters(sheet))), 23 / unit)
+    lines = 43.2 + (27.6 if sheet.subtitle else 0.0)
     inside = board.page.right - min(p.drawing.left for p in board.page.panels.values())
     head = (
-        82.8
+        max(82.8, 28 + lines)
         if titled * 1.05 + 30 / unit < inside
-        else 28 + 43.2 + 27.6 * math.ceil(titled / inside)
+        else 28 + lines + 27.6 * math.ceil(titled / inside)
     )
     panels = [
         39.6 + place.drawing.height * unit + max(46.0, 12.0 + 31.0 * _foot_lines(board, panel))

@@ -10,10 +10,11 @@ from vad.words import Language
 
 
 def title(sheet: Sheet) -> str:
-    """Return the sheet's title with its parameters."""
+    """Return the sheet's title and its subtitle with its parameters."""
     listed = ", ".join(parameters(sheet))
     colon = Language(sheet.language).say("colon")
-    return f"{sheet.title}{colon}{listed}" if listed else sheet.title
+    titles = " · ".join(filter(None, (sheet.title, sheet.subtitle)))
+    return f"{titles}{colon}{listed}" if listed else titles
 
 
 def parameters(sheet: Sheet) -> list[str]:

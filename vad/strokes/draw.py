@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -32,6 +33,7 @@ from vad.strokes.sheet import (
     Source,
     driver_of,
 )
+from vad.strokes.titling import own_titles
 from vad.units import DIMENSIONS
 from vad.words import Language
 
@@ -69,6 +71,8 @@ def draw(
     superpose: bool = False,
     centrode: str | None = None,
     pins: Mapping[str, Any] | None = None,
+    title: str | None = None,
+    subtitle: str | None = None,
 ) -> Sheet:
     """Draw one pose: the strokes of its panels in the order in which a teacher draws them.
 
@@ -91,13 +95,17 @@ def draw(
     pins
         Diameters of pins by their points, as for `vad.merit`: how fast they rub stands in the
         table, beside the velocities.
+    title, subtitle
+        A title of one's own instead of the name of the mechanism, and what stands below it: lines
+        of at most 120 letters.  A page that has less room for them is refused when it is made.
 
     Raises
     ------
     vad.errors.UsageError
         For an unknown panel or language, or a panel that does not apply to the mechanism.
     vad.errors.InputError
-        For a motion of many poses, or more further points on links than a page has room for.
+        For a motion of many poses, or more further points on links than a page has room for; for a
+        title that is empty, or no line of text.
     vad.errors.AssemblyError, vad.errors.DeadCentreError
         For a pose that does not exist, or has no rates.
 
@@ -108,6 +116,7 @@ def draw(
     >>> [stroke.label for stroke in sheet.panel("velocity").strokes]
     ['a,d', 'ab', '⟂ BC', '⟂ DC', 'c', 'bc', 'dc']
     """
+    own = own_titles(title, subtitle)
     motion, forces = parted(motion)
     if motion.many or (forces is not None and forces.many):
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
@@ -119,7 +128,7 @@ def draw(
     if centrode is not None:
         pair_of(motion, centrode, names)
     more: dict[str, Any] = {"superpose": superpose, "centrode": centrode, "pins": pins or {}}
-    return sheet_of(scene_of(motion, Language(language), forces, **more), names)
+    return replace(sheet_of(scene_of(motion, Language(language), forces, **more), names), **own)
 
 
 def _check_pins(motion: Motion[Any, Any, Any], pins: Mapping[str, Any]) -> None:

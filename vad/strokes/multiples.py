@@ -41,6 +41,8 @@ def multiples(
     at: Sequence[float],
     panels: Sequence[str] | str | None = None,
     language: str = "en",
+    title: str | None = None,
+    subtitle: str | None = None,
 ) -> Multiples:
     """Draw two to six poses of a mechanism, to be saved as one picture.
 
@@ -51,7 +53,7 @@ def multiples(
         take, or the forces in one, whose loads and masses they take, too.
     at
         The places of the driver: angles in degrees, or positions of a driven slide.
-    panels, language
+    panels, language, title, subtitle
         As for `vad.draw`.
 
     Raises
@@ -77,8 +79,9 @@ def multiples(
     driven, *_ = start.mechanism.inputs
     motions = [solve(start.mechanism, **{**start.inputs, driven: each}) for each in _checked(at)]
     burden = forces.burden if forces else None
+    titles: dict[str, Any] = {"title": title, "subtitle": subtitle}
     return Multiples(
-        tuple(draw(with_forces(motion, burden), panels, language) for motion in motions),
+        tuple(draw(with_forces(motion, burden), panels, language, **titles) for motion in motions),
         tuple(_place(motion) for motion in motions),
     )
 

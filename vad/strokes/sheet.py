@@ -457,8 +457,8 @@ class Sheet(Displayed):
 
     ``parameters`` are (name, value, unit) in the title, where a `TWIST` joins the length before it;
     ``rows`` are the links, then the slides: their order decides their colours.  ``notation`` says
-    how the numbers in these data are written.  ``driver`` is what drives the mechanism.  ``source``
-    is what was drawn; None for a sheet that was read from JSON.
+    how the numbers in these data are written, ``driver`` what drives the mechanism.  ``source`` is
+    what was drawn; None for a sheet from JSON.  The ``subtitle`` stands below the title.
     """
 
     mechanism: str
@@ -470,6 +470,7 @@ class Sheet(Displayed):
     notation: Notation = field(default_factory=Notation)
     driver: Driver = Driver()
     source: Source | None = field(default=None, compare=False)
+    subtitle: str = ""
 
     def __repr__(self) -> str:
         """Return a line: what is drawn, and in how many strokes."""

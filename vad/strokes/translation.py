@@ -101,6 +101,7 @@ def said_by(sheet: Sheet, say: Say, captions: Say | None = None) -> Sheet:
     return replace(
         sheet,
         title=text(sheet.title),
+        subtitle=text(sheet.subtitle),
         parameters=tuple((text(name), value, unit) for name, value, unit in sheet.parameters),
         rows=tuple(replace(row, title=text(row.title)) for row in sheet.rows),
         panels=tuple(map(panel, sheet.panels)),

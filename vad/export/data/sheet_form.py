@@ -350,6 +350,7 @@ SHEET = record(
     Sheet,
     mechanism=TEXT,
     title=words("title"),
+    subtitle=words("subtitle", missing=""),
     language=Form(str, _read_language),
     parameters=Key(Form(_write_parameters, _read_parameters), beside=True),
     rows=many(ROW, FEWER),

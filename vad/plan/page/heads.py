@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from vad.errors import UsageError
 from vad.plan.items import Item, Level, foot_of
 from vad.plan.layout import Page, PanelPlace
 from vad.plan.lettering.glyphs import fitted, width
@@ -25,10 +26,15 @@ from vad.written import typeset
 TITLE = 0.037
 LEAST_TITLE, LEAST_SCALE = 0.024, 0.020
 APART = 0.0225  # the least from title to bar
-PAGE_TITLE = 0.050
-LEAST_PAGE_TITLE = 0.036
+#: The largest and the least type of the title of the page, of one above a subtitle, and of that.
+PAGE_TITLE, PAGE_TITLE_ABOVE, SUBTITLE = (0.050, 0.036), (0.044, 0.036), (0.030, 0.026)
+#: What a title takes of the page in large type; a longer one is set smaller.
+TITLE_SHARE = 0.6
+#: How far a subtitle is below the usual place of the title, and the title above a subtitle.
+SUBTITLE_DROP, SUBTITLE_PITCH = 0.010, 0.038
 PARAMETERS = 0.032
 LEAST_PARAMETERS = 0.028
+SMALLEST_PARAMETERS = 0.014  # beside a long title
 EQUATION_SIZE = 0.036
 LEAST_EQUATION = 0.034  # below this a loop takes two lines
 SPACE = 0.24  # about a sign, in type sizes
@@ -75,25 +81,55 @@ def _head(panel: Panel, place: PanelPlace, size: float) -> list[Mark]:
 
 
 def title_marks(sheet: Sheet, page: Page) -> list[Mark]:
-    """Return the title and the parameters, which take two lines where one has no room."""
-    title = bold(roman(sheet.title))
-    room = page.right - page.left
-    size = fitted(title, PAGE_TITLE, LEAST_PAGE_TITLE, 0.6 * room)
-    marks = [Mark(Lettering(title, complex(page.left, page.title), size), "words")]
-    items = parameters(sheet)
-    room -= width(title, size) + 0.04
-    rows = [items]
-    if width(_listed(items), LEAST_PARAMETERS) > room:
-        half = (len(items) + 1) // 2
-        rows = [items[:half], items[half:]]
-    widest = max(width(_listed(row), 1.0) for row in rows)
-    most = PARAMETERS if len(rows) == 1 else LEAST_PARAMETERS
-    size = min(most, room / max(widest, 1e-9))
+    """Return the title and the parameters, which take two lines where one has no room.
+
+    A subtitle stands below the title, which moves up for it.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If the title or the subtitle is too long for the page.
+    """
+    items, low = parameters(sheet), page.title - (SUBTITLE_DROP if sheet.subtitle else 0.0)
+    half = (len(items) + 1) // 2
+    halves = [items[:half], items[half:]]
+    room = page.right - page.left - 0.04
+    most = room - _widest(halves) * SMALLEST_PARAMETERS
+    usual, named, at = TITLE_SHARE * (page.right - page.left), [], complex(page.left, low)
+    if sheet.subtitle:
+        named.append(_named("subtitle", roman(sheet.subtitle), at, SUBTITLE, usual, most))
+        at += 1j * SUBTITLE_PITCH
+    title = PAGE_TITLE_ABOVE if sheet.subtitle else PAGE_TITLE
+    named.append(_named("title", bold(roman(sheet.title)), at, title, usual, most))
+    room -= max(width(each.runs, each.size) for each in named)
+    rows = [items] if _widest([items]) * LEAST_PARAMETERS <= room else halves
+    largest = PARAMETERS if len(rows) == 1 else LEAST_PARAMETERS
+    size = min(largest, room / max(_widest(rows), 1e-9))
+    *below, above = named
+    marks = [Mark(above, "words"), *(Mark(each, "notes") for each in below)]
     for depth, row in enumerate(reversed(rows)):
         runs = _listed(row)
-        at = complex(page.right - width(runs, size), page.title + depth * 1.25 * size)
+        at = complex(page.right - width(runs, size), low + depth * 1.25 * size)
         marks.append(Mark(Lettering(runs, at, size), "notes"))
     return marks
+
+
+def _named(
+    what: str, runs: Runs, at: complex, sizes: tuple[float, float], usual: float, most: float
+) -> Lettering:
+    """Return a title or a subtitle in type between two sizes, as small as its usual width wants."""
+    found = fitted(runs, *sizes, usual)
+    if (wide := width(runs, found)) > most:
+        letters = sum(len(run.text) for run in runs)
+        fewer = max(0, int(letters * most / wide))
+        message = f"{what}: has {letters} letters; this page has room for about {fewer}"
+        raise UsageError(message, "try a wider page, or put a part of it into the other line")
+    return Lettering(runs, at, found)
+
+
+def _widest(rows: Sequence[list[str]]) -> float:
+    """Return the width of the longest row of parameters in type of size 1."""
+    return max(width(_listed(row), 1.0) for row in rows)
 
 
 def _listed(items: list[str]) -> Runs:

@@ -1,0 +1,115 @@
+"""A title and a subtitle of one's own: in every format, and refused where there is no room."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pypdf
+import pytest
+
+import vad
+from vad.errors import InputError, UsageError
+from vad.plan.board import plan
+from vad.plan.format import screen
+from vad.plan.items import TITLE
+from vad.plan.lettering.glyphs import width
+
+OWN = {"title": "Exercise 4", "subtitle": "Theory of Machines"}
+MOTION = vad.solve(vad.SliderCrank())
+SHEET = vad.draw(MOTION, **OWN)
+
+
+def words_of(runs) -> str:
+    return "".join(run.text for run in runs)
+
+
+def titles(sheet, size=(1280, 720)):
+    """Return the lines of the head of a page by their words."""
+    board = plan(sheet, screen(size), 0.058)
+    marks = (mark for item in board.items if item.region == TITLE for mark in item.marks)
+    return {words_of(mark.shape.runs): mark.shape for mark in marks}
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1024, 768), (720, 1280)])
+def test_the_subtitle_stands_below_the_title_and_neither_meets_the_parameters(size):
+    above, below, given = (titles(SHEET, size)[each] for each in (
+        *OWN.values(), "crank 60 mm,   rod 140 mm,   offset 0"
+    ))  # fmt: skip
+    assert above.at.real == below.at.real
+    assert above.at.imag - below.at.imag > below.size
+    assert above.at.real + width(above.runs, above.size) < given.at.real
+    assert below.at.real + width(below.runs, below.size) < given.at.real
+
+
+def test_a_title_without_a_subtitle_stands_where_the_name_stood():
+    own, usual = titles(vad.draw(MOTION, title="Exercise 4")), titles(vad.draw(MOTION))
+    assert own["Exercise 4"].at == usual["Slider–crank"].at
+
+
+@pytest.mark.parametrize("name", ["a.svg", "a.png", "a.pdf", "a.json", "a.html"])
+def test_a_sheet_has_them_in_every_format(tmp_path: Path, name: str):
+    _has_both(vad.save(SHEET, tmp_path / name), tmp_path / name)
+
+
+@pytest.mark.parametrize("name", ["a.pdf", "a.html"])
+def test_a_lesson_has_them(tmp_path: Path, name: str):
+    _has_both(vad.save(vad.animate(SHEET), tmp_path / name), tmp_path / name)
+
+
+@pytest.mark.parametrize("name", ["a.svg", "a.html"])
+def test_a_turn_has_them(tmp_path: Path, name: str):
+    _has_both(vad.save(vad.turn(MOTION, **OWN), tmp_path / name), tmp_path / name)
+
+
+def test_several_poses_have_them(tmp_path: Path):
+    _has_both(
+        vad.save(vad.multiples(MOTION, (30, 60), **OWN), tmp_path / "a.svg"), tmp_path / "a.svg"
+    )
+
+
+def _has_both(_: None, path: Path) -> None:
+    if path.suffix == ".pdf":
+        text = pypdf.PdfReader(path).pages[0].extract_text()
+    else:
+        text = path.read_bytes().decode("utf-8", "replace")
+    assert all(each in text for each in OWN.values())
+
+
+def test_they_outlive_json(tmp_path: Path):
+    vad.save(SHEET, tmp_path / "sheet.json")
+    assert vad.sheet_from_json(tmp_path / "sheet.json").subtitle == OWN["subtitle"]
+    assert "subtitle" not in json.loads(_json(vad.draw(MOTION)))
+
+
+def _json(sheet) -> str:
+    from vad.export.sheet_json import to_text
+
+    return to_text(sheet)
+
+
+@pytest.mark.parametrize("name", OWN)
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "is empty"),
+        ("   ", "is empty"),
+        ("two\nlines", "must be a line of text, without U+000A"),
+        ("x" * 121, "has 121 letters, and may have 120"),
+        (4, "must be a line of text, got 4"),
+    ],
+)
+def test_what_is_no_title_is_refused_in_one_line(name: str, text, said: str):
+    for make in (vad.draw, vad.turn):
+        with pytest.raises(InputError, match=f"^{name}: {said.replace('+', '.')}$"):
+            make(MOTION, **{name: text})
+
+
+@pytest.mark.parametrize("name", OWN)
+def test_a_title_that_the_page_has_no_room_for_says_how_long_it_may_be(tmp_path: Path, name: str):
+    sheet, path = vad.draw(MOTION, **{name: "w" * 100}), tmp_path / "sheet.png"
+    with pytest.raises(UsageError, match=f"^{name}: has 100 letters; this page has room") as wrong:
+        vad.save(sheet, path)
+    assert not path.exists()
+    room = int(str(wrong.value).rpartition(" ")[2])
+    vad.save(vad.draw(MOTION, **{name: "w" * room}), path)
