@@ -34,7 +34,9 @@ def test_incremental_frames_equal_full_redraws_byte_for_byte(style: str, size: t
     assert_equal_to_redraws(animate(slider_crank(), fps=3, size=size, style=style))
 
 
-@pytest.mark.parametrize("panels", ["klein,velocity", "turned,velocity", "centres,velocity"])
+@pytest.mark.parametrize(
+    "panels", ["klein,velocity,acceleration", "turned,velocity", "centres,velocity"]
+)
 def test_what_is_on_the_board_before_drawing_is_in_the_first_frame(panels: str):
     sheet = vad.draw(vad.solve(vad.SliderCrank()), panels.split(","))
     lesson = animate(sheet, fps=3, size=SIZE)

@@ -12,7 +12,7 @@ from tests.strokes.test_figures import calculate
 from vad.errors import InputError, UsageError
 from vad.export.sheet_json import to_dict
 from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.sheet import Arrow, Curve, Dot, KennedyCircle, Line
+from vad.strokes.sheet import Arrow, Curve, Dot, KennedyCircle, Line, Turned
 
 NAMES = sorted(MACHINES)
 PANELS = "centres", "klein", "turned"
@@ -72,7 +72,9 @@ def test_klein_has_the_points_of_the_construction():
     segments = {s.part.of: s.shape.points for s in panel.strokes if isinstance(s.shape, Curve)}
     assert segments.keys() == {"BM", "AM", "QN", "AN"}
     assert segments["AN"] == pytest.approx((0j, points["N"]))
-    assert panel.turned == (("velocity", -90.0), ("acceleration", 180.0))
+    velocity, acceleration = panel.turned
+    assert velocity == Turned("velocity", -90.0, 8.0, 0j)
+    assert acceleration == Turned("acceleration", 180.0, 64.0, 0j)
 
 
 @pytest.mark.parametrize("omega", [10.0, -7.0])

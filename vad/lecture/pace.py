@@ -28,6 +28,7 @@ GROWTH = {
     "result": 1.2,
 }
 FOLD = 1.0  # a plane that is rotated into the paper
+FLIGHT = 2.4  # while a figure upon the mechanism turns onto its polygon
 SHORT = 0.75  # share of that time for a vector of length zero
 LEAST_REST = 0.5  # after a caption, and before the next one
 GLIDE = 0.8
@@ -107,7 +108,8 @@ def times(sheet: Sheet, loop: int) -> Iterator[Times]:
 
     Those before a loop are there already.
     """
-    found = {half.name: list(_times_of(half, loop)) for half in sheet.halves}
+    flown = {turned.panel for half in sheet.halves for turned in half.turned}
+    found = {half.name: list(_times_of(half, loop, half.name in flown)) for half in sheet.halves}
     large = [opens(sheet, each.half) for each in telling(sheet)]
     leaves = large.index(False) - 1 if False in large else -1
     for number, each in enumerate(telling(sheet)):
@@ -115,8 +117,8 @@ def times(sheet: Sheet, loop: int) -> Iterator[Times]:
         yield replace(own, glide=GLIDE, settle=SETTLE) if number == leaves else own
 
 
-def _times_of(panel: Panel, loop: int) -> Iterator[Times]:
-    """Yield the times of the strokes of a panel."""
+def _times_of(panel: Panel, loop: int, flown: bool) -> Iterator[Times]:
+    """Yield the times of the strokes of a panel, onto which a figure may be ``flown``."""
     longest = max(map(_length, panel.strokes), default=0.0)
     begun = panel.loops[loop - 1] if 1 < loop <= len(panel.loops) else panel.given
     pairs = list(told_together(panel))
@@ -128,6 +130,8 @@ def _times_of(panel: Panel, loop: int) -> Iterator[Times]:
             yield Times(0.0, look, there=True)
             continue
         grow = growth(stroke, longest)
+        if flown and index == len(panel.strokes) - 1:
+            grow = FLIGHT
         hold = rest(stroke, grow, 0.0 if index in leads else LEAST_REST)
         yield Times(grow, hold, beats=starts(stroke.said))
 

@@ -31,7 +31,7 @@ from vad.plan.board import Plan
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, Level, Span
-from vad.plan.marks import Bow, Fading, Mark, Scaling, Sliding, Trimming, Turning
+from vad.plan.marks import Bow, Fading, Flying, Mark, Scaling, Sliding, Trimming, Turning
 
 
 class Inker:
@@ -130,8 +130,8 @@ def grown(mark: Mark, grid: Grid) -> list[Any]:
             return ["swing", _knots(knots), *_at(centre, grid), _clockwise(axis)]
         case Fading(knots):
             return ["fade", _knots(knots)]
-        case None:
-            raise TypeError("the mark does not grow")
+        case Flying() | None:  # nothing leaves a panel of a page
+            raise TypeError("the mark does not grow within its panel")
 
 
 def _knots(knots: Any) -> list[list[float]]:

@@ -21,7 +21,7 @@ from vad.painting.painter import Looks, play
 from vad.painting.posed import board_of
 from vad.plan.board import Board, seen
 from vad.plan.geometry import Rect
-from vad.plan.items import OPENING, Item
+from vad.plan.items import FLIGHT, OPENING, Item
 from vad.plan.marks import Mark
 from vad.style import Style, load_style
 
@@ -157,7 +157,7 @@ class _Incremental:
         if turned:
             regions = self._changed(moment)
             box = self._dirty
-            for region in regions:
+            for region in regions.keys() - {FLIGHT}:
                 box = union(box, self._pixels_of(self._board.regions[region]))
             top = self._split(regions, moment.beat)
         now = self._at(top, moment.share)
@@ -204,7 +204,8 @@ class _Incremental:
         """Repaint the regions that look different, and make what lies beneath ``top`` the base."""
         self._cut(self._dirty)[:] = self._base[window(self._dirty)]
         for region, items in regions.items():
-            self._repaint(region, items[: _first_growing(items, beat)])
+            if region != FLIGHT:  # nothing of it ever belongs to the base
+                self._repaint(region, items[: _first_growing(items, beat)])
         self._base[:] = self._words
         self._dirty = EMPTY
         for mark, spot in top:

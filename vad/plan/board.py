@@ -20,6 +20,7 @@ from vad.plan.geometry import Rect
 from vad.plan.items import (
     ALWAYS,
     CAPTION,
+    FLIGHT,
     FOREVER,
     OPENING,
     RESULTS,
@@ -45,7 +46,7 @@ from vad.plan.page.changing import (
 from vad.plan.page.heads import Foot, compose, lines_of, title_marks
 from vad.plan.page.table import height_of_halves
 from vad.plan.pictures import sketched
-from vad.plan.pictures.figures import turned_polygons
+from vad.plan.pictures.flights import turned_polygons
 from vad.plan.pictures.found import found_later
 from vad.plan.pictures.views import folds
 from vad.plan.reach import corners
@@ -161,7 +162,8 @@ def plan(
     scales
         Of the panels that do not fill their room.
     words
-        False if the words around the pictures are written elsewhere: in a page of HTML.
+        False if the words around the pictures are written elsewhere, and each picture stands alone:
+        in a page of HTML.
     """
     if lines is None:
         lines = caption_lines(sheet, form.width - 2 * MARGIN) if lesson else 0
@@ -185,7 +187,7 @@ def plan(
     items = list(found_later(drawn, sketches))
     items += lights(sketches)
     items += folds(sketches)
-    items += turned_polygons(sketches)
+    items += turned_polygons(sketches, apart=not words)
     if words:
         items += [
             Item("", TITLE, Level.GROUND, tuple(title_marks(sheet, page))),
@@ -256,6 +258,7 @@ def regions_of(page: Page) -> dict[str, Rect]:
     for name, place in page.panels.items():
         whole, drawing = place.region, place.drawing
         regions[name] = Rect(whole.left, drawing.bottom, whole.right, drawing.top)
+    regions[FLIGHT] = Rect(0.0, 0.0, page.width, page.height)
     return regions
 
 

@@ -3,9 +3,9 @@
 Points are complex numbers in page units, y up, with the origin at the lower left corner of the
 page.  A painter turns roles into colours, and shapes into those of its medium.
 
-A mark grows by trimming, sliding, turning, scaling or fading.  Each is data: knots between which a
-painter interpolates linearly over the share of the stroke that is drawn, 0 to 1.  At share 1 every
-mark has its final state.
+A mark grows by trimming, sliding, turning, scaling, flying or fading.  Each is data: knots between
+which a painter interpolates linearly over the share of the stroke that is drawn, 0 to 1.  At share
+1 every mark has its final state.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from bisect import bisect_right
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from vad.kinematics.numbers import ray, traced, vector
 from vad.plan.lettering.runs import Runs
@@ -366,6 +366,40 @@ class Scaling:
         return Scaling(turn * self.centre + shift, self.knots, axis)
 
 
+class Leg(NamedTuple):
+    """How far a flying mark is from its place at a share of the stroke."""
+
+    share: float
+    offset: complex
+    factor: float = 1.0
+    degrees: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Flying:
+    """A mark flies into its place: it moves, and meanwhile turns and swells about ``centre``.
+
+    Offset, size and angle each are linear between the ``legs``: a single complex factor would pass
+    through zero in a turn by 180°.
+    """
+
+    centre: complex
+    legs: tuple[Leg, ...]
+
+    def of(self, shape: Shape, share: float) -> Grown:
+        """Return the shape on its way."""
+        offset = between([(leg.share, leg.offset) for leg in self.legs], share)
+        factor = between([(leg.share, leg.factor) for leg in self.legs], share).real
+        degrees = between([(leg.share, leg.degrees) for leg in self.legs], share).real
+        turn = cmath.rect(factor, math.radians(degrees))
+        return shape.mapped(turn, self.centre * (1.0 - turn) + offset), 1.0
+
+    def mapped(self, turn: complex, shift: complex) -> Flying:
+        """Return how the shape's image flies; see `Shape.mapped`."""
+        legs = (leg._replace(offset=turn * leg.offset) for leg in self.legs)
+        return Flying(turn * self.centre + shift, tuple(legs))
+
+
 @dataclass(frozen=True, slots=True)
 class Fading:
     """A mark appears gradually: knots are (share, alpha)."""
@@ -381,7 +415,7 @@ class Fading:
         return self
 
 
-Wandering = Sliding | Turning | Scaling
+Wandering = Sliding | Turning | Scaling | Flying
 Growth = Trimming | Fading | Wandering
 
 

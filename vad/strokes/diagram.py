@@ -22,6 +22,7 @@ from vad.strokes.sheet import (
     Panel,
     PictureKind,
     Stroke,
+    Turned,
 )
 from vad.written import per_second
 
@@ -95,7 +96,7 @@ class Drawing:
     bodies: tuple[Body, ...] = ()
     coincident: tuple[Coincidence, ...] = ()
     given: int = 0
-    turned: tuple[tuple[str, float], ...] = ()
+    turned: tuple[Turned, ...] = ()
     resumes: str = ""
 
 

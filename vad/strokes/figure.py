@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from vad.kinematics.numbers import facing
 from vad.strokes.construct import construct
 from vad.strokes.diagram import Drawing
-from vad.strokes.sheet import Arc, Curve, Dot, Line, Shape, Stroke, StrokePart
+from vad.strokes.sheet import Arc, Curve, Dot, Line, Shape, Stroke, StrokePart, Turned
 from vad.strokes.vector_equations import NOTHING
 
 if TYPE_CHECKING:
@@ -105,7 +105,7 @@ class FigurePencil:
         shape = Curve((start, end))
         self.zeros.append(Stroke("result", "", shape, "", link, "figure", part=part))
 
-    def drawing(self, remark: str = "", turned: Sequence[tuple[str, float]] = ()) -> Drawing:
+    def drawing(self, remark: str = "", turned: Sequence[Turned] = ()) -> Drawing:
         """Return the panel's content."""
         return replace(
             self._mechanism,

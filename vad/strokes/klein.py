@@ -8,10 +8,10 @@ from vad.kinematics.klein import check, klein, parts_of
 from vad.kinematics.numbers import across
 from vad.kinematics.solver import heading
 from vad.strokes.arithmetic import Figure, product
-from vad.strokes.diagram import POSITION, Drawing
+from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY, Drawing
 from vad.strokes.figure import FigurePencil
 from vad.strokes.sentences import Sentence, SentencePart, Unit
-from vad.strokes.sheet import Cell
+from vad.strokes.sheet import Cell, Turned
 
 if TYPE_CHECKING:
     from vad.strokes.scene import Scene
@@ -92,8 +92,12 @@ class _Klein:
         self.segment(pencil, "QN", parts.rod.link, order=2)
         self.segment(pencil, a + "N", parts.slide.name, order=2)
         remark = scene.write("klein remark", **self._names)
-        sense = 90.0 if scene.motion.inputs["omega"] > 0 else -90.0
-        return pencil.drawing(remark, (("velocity", sense), ("acceleration", 180.0)))
+        omega, pole = float(scene.motion.inputs["omega"]), complex(at[a])
+        turned = (
+            Turned(VELOCITY.panel, 90.0 if omega > 0 else -90.0, abs(omega), pole),
+            Turned(ACCELERATION.panel, 180.0, omega * omega, pole),
+        )
+        return pencil.drawing(remark, turned)
 
     @property
     def beyond(self) -> bool:

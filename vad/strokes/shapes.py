@@ -217,6 +217,21 @@ Shape = (
 
 
 @dataclass(frozen=True, slots=True)
+class Turned:
+    """The polygon of another panel, as a figure upon a mechanism shows it.
+
+    ``panel`` is the polygon's.  The figure is turned by so many ``degrees``, counter-clockwise, and
+    its lengths are multiplied by ``rate``, to become the polygon: |ω| for velocities, ω² for
+    accelerations.  ``pole`` is where the polygon's pole lies upon the mechanism.
+    """
+
+    panel: str
+    degrees: float
+    rate: float
+    pole: complex
+
+
+@dataclass(frozen=True, slots=True)
 class CoriolisInset:
     """The rule of the Coriolis component in true directions (unit vectors).
 

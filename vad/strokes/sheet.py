@@ -45,6 +45,7 @@ from vad.strokes.shapes import (
     Plate,
     PolarInset,
     Shape,
+    Turned,
 )
 from vad.written import numbered
 
@@ -84,6 +85,7 @@ __all__ = [
     "Stroke",
     "StrokePart",
     "Term",
+    "Turned",
     "driver_of",
 ]
 
@@ -344,8 +346,7 @@ class Panel:
     it is called ``velocity.below``.  ``bodies`` are those of a mechanism, ``coincident`` the points
     that have one place.  So many strokes as ``given`` says, the first, are there when the panel is
     begun.  From the one that ``resumes`` names on, strokes are told after the polygon of the
-    accelerations, if there is one.  ``turned`` names the panels of which it holds the polygon,
-    turned back by an angle in degrees.
+    accelerations, if there is one.  ``turned`` are the polygons that it holds upon its mechanism.
     """
 
     name: str
@@ -364,7 +365,7 @@ class Panel:
     bodies: tuple[Body, ...] = ()
     coincident: tuple[Coincidence, ...] = ()
     given: int = 0
-    turned: tuple[tuple[str, float], ...] = ()
+    turned: tuple[Turned, ...] = ()
     resumes: str = ""
 
     @property

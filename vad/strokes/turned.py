@@ -10,13 +10,14 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from vad.errors import InputError
+from vad.kinematics.symbol import as_complex
 from vad.strokes.arithmetic import Figure, product
 from vad.strokes.diagram import VELOCITY, Drawing
 from vad.strokes.figure import FigurePencil
 from vad.strokes.polygon import polygon
 from vad.strokes.scene import point_of
 from vad.strokes.sentences import Noun, Sentence, SentencePart, Unit
-from vad.strokes.sheet import Arrow, Cell, Dot, Line, Stroke, StrokePart
+from vad.strokes.sheet import Arrow, Cell, Dot, Line, Stroke, StrokePart, Turned
 
 if TYPE_CHECKING:
     from vad.strokes.scene import Scene
@@ -62,7 +63,8 @@ class _Turned:
             self._draw(stroke)
         self.pencil.zeros += [self._left_out(each) for each in found.zeros]
         sense = 90.0 if self.omega > 0 else -90.0
-        return self.pencil.drawing(turned=((VELOCITY.panel, sense),))
+        turned = Turned(VELOCITY.panel, sense, abs(float(self.omega)), as_complex(self.centre))
+        return self.pencil.drawing(turned=(turned,))
 
     def _draw(self, stroke: Stroke) -> None:
         shape = self._turned(stroke)

@@ -24,6 +24,7 @@ from vad.plan.marks import (
     Bow,
     Disc,
     Fading,
+    Flying,
     Growth,
     Lettering,
     Mark,
@@ -144,6 +145,9 @@ def _growth(growth: Growth) -> str:
             return "slide " + " ".join(f"{_number(x)}:{_points([z])}" for x, z in knots)
         case Turning(centre, knots):
             return f"turn about {_points([centre])} from {knots[0][1]:.1f}°"
+        case Flying(centre, legs):
+            degrees, factor = legs[0].degrees, legs[0].factor
+            return f"fly to {_points([centre])} from {degrees:.1f}° x{factor:.3f}"
         case Scaling(_, knots):
             return f"scale from {knots[0][1]:g}"
         case Fading(knots):

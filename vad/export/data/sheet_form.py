@@ -83,6 +83,7 @@ from vad.strokes.sheet import (
     Stroke,
     StrokePart,
     Term,
+    Turned,
 )
 from vad.words import all_languages, languages
 
@@ -292,6 +293,7 @@ BODY = record(
     Body, row=optional(TEXT), points=optional(many(TEXT), ()), carries=optional(many(RIDE), ())
 )
 COINCIDENCE = record(Coincidence, letters=many(TEXT), reason=one_of(get_args(Reason)))
+TURNED = record(Turned, panel=TEXT, degrees=ANGLE, rate=NUMBER, pole=POINT)
 _DRAWN: dict[str, Form | Key] = {
     "unit": UNIT,
     "title": words("title"),
@@ -307,7 +309,7 @@ _DRAWN: dict[str, Form | Key] = {
     "bodies": optional(many(BODY), ()),
     "coincident": optional(many(COINCIDENCE), ()),
     "given": optional(COUNT, 0),
-    "turned": optional(many(row(TEXT, ANGLE)), ()),
+    "turned": optional(many(TURNED), ()),
     "resumes": words("resumes", missing=""),
 }
 LOWER = record(Panel, name=TEXT, **_DRAWN)

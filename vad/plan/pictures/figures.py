@@ -7,22 +7,21 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
 from vad.plan.anchors import Anchor, Chains, Hung, on_page
 from vad.plan.hodographs import within
-from vad.plan.items import FOREVER, Item, Level
+from vad.plan.items import FOREVER, Level
 from vad.plan.labels.choices import LabelChoice
 from vad.plan.labels.placing import has_place
 from vad.plan.labels.vertices import SMALL_SIZE, text_at
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import roman, symbols
-from vad.plan.marks import Bow, Mark, Trimming, Turning, disc, line, lines
+from vad.plan.marks import Bow, Mark, Trimming, disc, line, lines
 from vad.plan.pictures.constructions import CompassArc, add_drawn_line, line_of
 from vad.plan.pictures.polygon import DOT
 from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, Vector
-from vad.plan.reach import corners, is_figure, is_path
+from vad.plan.reach import is_figure, is_path
 from vad.plan.roles import CONSTRUCTION, PATH, ROLES
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arc, Arrow, Curve, KennedyCircle, Line, Panel
@@ -165,38 +164,3 @@ def _put(
     """Add marks that have the same places in all poses."""
     stroke = sketch.setting.panel.strokes[index]
     sketch.add(stroke, level, since, on_page(marks), until)
-
-
-# --- polygons that are turned ---------------------------------------------------------------------
-
-
-def turned_polygons(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
-    """Yield the figure of another panel as it turns onto a polygon, while that is finished."""
-    for sketch in sketches.values():
-        for name, degrees in sketch.setting.panel.turned:
-            if name in sketches:
-                yield from _turning(sketches[name], degrees)
-
-
-def _turning(sketch: Sketch, degrees: float) -> Iterator[Item]:
-    """Yield a polygon that turns about its middle into its place, so that it stays in its panel."""
-    setting = sketch.setting
-    panel = setting.panel
-    last = len(panel.strokes) - 1
-    ends = [sketch.scale(z) for z in corners(panel)]
-    across, upright = sorted(z.real for z in ends), sorted(z.imag for z in ends)
-    middle = complex(across[0] + across[-1], upright[0] + upright[-1]) / 2
-    turning = ((0.0, -degrees), (1.0, 0.0))
-    marks = [
-        line(
-            [sketch.scale(stroke.shape.start), sketch.scale(stroke.shape.end)],
-            "vector light",
-            setting.row(stroke.link),
-            Turning(middle, turning),
-        )
-        for stroke in panel.strokes
-        if isinstance(stroke.shape, Arrow)
-    ]
-    if marks:
-        stroke, span = panel.strokes[last], (setting.during(last), setting.over(last))
-        yield Item(panel.full(stroke.name), panel.column, Level.GLOW, tuple(marks), *span)
