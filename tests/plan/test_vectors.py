@@ -9,6 +9,8 @@ import pytest
 
 import vad
 from tests.plan.overlaps import planned
+from tests.statics.machines import MACHINES
+from tests.statics.test_equilibrium import pose
 from vad.plan.board import Plan
 from vad.plan.items import Item
 from vad.plan.marks import Disc, Mark, Polygon, Polyline
@@ -144,3 +146,51 @@ def test_a_construction_runs_in_the_lane_of_its_result():
     }
     shafts = {item.stroke: ends(item) for item in pictured(board)}
     assert lines["velocity:DC.line"][0] == shafts["velocity:DC.sliding"][0]
+
+
+def dots_at(board: Plan, region: str, beat: int) -> list[complex]:
+    return [
+        mark.shape.centre
+        for item in board.shown(beat)
+        if item.region == region
+        for mark in item.marks
+        if mark.role == "dot" and isinstance(mark.shape, Disc)
+    ]
+
+
+def begins(board: Plan, item: Item, end: complex) -> complex:
+    """Where a vector, whose head points to ``end``, is drawn from."""
+    [shaft] = [mark for mark in item.marks if mark.role in ("vector", "whole")]
+    [(_, neck)] = shaft.shape.pieces
+    [(first, last)] = shaft.at(0.9).shape.pieces
+    return end if abs(last - neck) < 1e-9 else first
+
+
+@pytest.mark.exhaustive(6)
+@pytest.mark.parametrize("name", sorted(MACHINES))
+def test_no_vector_begins_in_empty_air(name: str):
+    machine = MACHINES[name]()
+    place, rate, change = machine.inputs
+    motion = pose(machine, 0.31)
+    given = {place: motion.inputs[place], rate: machine.inputs[rate] or 1.0, change: 20.0}
+    sheet = vad.draw(vad.solve(machine, **given))
+    board = planned(sheet, lesson=True)
+    for item in pictured(board):
+        panel, scale = sheet.panel(item.region), board.sketches[item.region].scale
+        stroke = panel.strokes[panel.number(item.stroke.partition(":")[2])]
+        there = dots_at(board, item.region, item.since)
+        if there:  # a pole that is found last is not there yet
+            begun = begins(board, item, scale(stroke.shape.end))
+            assert min(abs(dot - begun) for dot in there) < 0.012, stroke.name
+
+
+@pytest.mark.parametrize("name", ["crank-slotted-lever", "whitworth"])
+def test_the_coriolis_acceleration_is_drawn_from_its_head(name: str):
+    sheet, board = drawn(name, {"angle": 40, "alpha": 20})
+    panel, scale = sheet.panel("acceleration"), board.sketches["acceleration"].scale
+    stroke = panel.strokes[panel.number("QB.coriolis")]
+    [item] = [item for item in pictured(board) if item.stroke.endswith("QB.coriolis")]
+    assert stroke.label == "zb′"
+    assert begins(board, item, scale(stroke.shape.end)) == scale(stroke.shape.end)
+    dots = [dots_at(board, "acceleration", beat) for beat in (item.since, item.since + 1)]
+    assert [scale(stroke.shape.start) in each for each in dots] == [False, True]

@@ -71,7 +71,7 @@ WORDING = {
         sideways=re.compile("across (?P<bar>[A-Z]{2}), (?P<head>[A-Z]) moves (?P<way>.+)[.]"),
         square=re.compile("(?:perpendicular to|⟂) (?P<bar>[A-Z]{2})"),
         with_it=re.compile("in the sense of (?P<rate>[ωα])"),
-        turned=re.compile("v turned 90° with (?P<omega>ω.)"),
+        turned=re.compile("Coriolis acceleration: v turned 90° in the sense of (?P<omega>ω.)"),
         slotted=re.compile("passes through (?P<tail>[A-Z]), and (?P<head>[A-Z]) lies on its line"),
         whose=re.compile(
             "the (?:velocity|acceleration) of (?P<head>[A-Z])(?: relative to (?P<tail>[A-Z]))?"
@@ -91,7 +91,7 @@ WORDING = {
         sideways=re.compile("quer zu (?P<bar>[A-Z]{2}) läuft (?P<head>[A-Z]) (?P<way>.+)[.]"),
         square=re.compile("(?:senkrecht zu|⟂) (?P<bar>[A-Z]{2})"),
         with_it=re.compile("im Sinn von (?P<rate>[ωα])"),
-        turned=re.compile("v um 90° mit (?P<omega>ω.) gedreht"),
+        turned=re.compile("Coriolisbeschleunigung: v um 90° im Drehsinn von (?P<omega>ω.) gedreht"),
         slotted=re.compile(
             "geht durch (?P<tail>[A-Z]), und (?P<head>[A-Z]) liegt auf seiner Geraden"
         ),
@@ -118,7 +118,9 @@ WORDING = {
         ),
         square=re.compile("(?:perpendiculairement à|⟂) (?P<bar>[A-Z]{2})"),
         with_it=re.compile("dans le sens de (?P<rate>[ωα])"),
-        turned=re.compile("v tournée de 90° dans le sens de (?P<omega>ω.)"),
+        turned=re.compile(
+            r"accélération de Coriolis\s: v tournée de 90° dans le sens de (?P<omega>ω.)"
+        ),
         slotted=re.compile("passe par (?P<tail>[A-Z]), et (?P<head>[A-Z]) est sur son axe"),
         whose=re.compile(
             "(?:la vitesse|l’accélération) de (?P<head>[A-Z])(?: par rapport à (?P<tail>[A-Z]))?"

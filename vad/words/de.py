@@ -135,8 +135,8 @@ PHRASES = {
         "{label} = {value} {unit}, {way}: die gegebene Beschleunigung längs {line:des}."
     ),
     "coriolis": (
-        "{label} = 2·{omega}·*v* = 2 × {rate} × {speed} = {value} {unit}, *v* um 90° mit {omega} "
-        "gedreht."
+        "{label} = 2·{omega}·*v* = 2 × {rate} × {speed} = {value} {unit}, die "
+        "Coriolisbeschleunigung: *v* um 90° im Drehsinn von {omega} gedreht."
     ),
     "across velocity": (
         "⟂ {bar} durch {point}: relativ zu {tail} kann sich {head} nur so bewegen, also liegt "

@@ -140,8 +140,8 @@ PHRASES = {
         "{label} = {value} {unit}, {way}: the given acceleration along the {line}."
     ),
     "coriolis": (
-        "{label} = 2·{omega}·*v* = 2 × {rate} × {speed} = {value} {unit}, *v* turned 90° with "
-        "{omega}."
+        "{label} = 2·{omega}·*v* = 2 × {rate} × {speed} = {value} {unit}, the Coriolis "
+        "acceleration: *v* turned 90° in the sense of {omega}."
     ),
     "across velocity": (
         "⟂ {bar} through {point}: relative to {tail}, {head} can move no other way, so {meeting} "

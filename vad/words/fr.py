@@ -137,8 +137,8 @@ PHRASES = {
         "{label} = {value} {unit}, {way} : l’accélération donnée le long {line:du}."
     ),
     "coriolis": (
-        "{label} = 2·{omega}·*v* = 2 × {rate} × {speed} = {value} {unit}, *v* tournée de 90° dans "
-        "le sens de {omega}."
+        "{label} = 2·{omega}·*v* = 2 × {rate} × {speed} = {value} {unit}, l’accélération de "
+        "Coriolis : *v* tournée de 90° dans le sens de {omega}."
     ),
     "across velocity": (
         "⟂ {bar} par {point} : par rapport à {tail}, {head} ne peut pas se déplacer autrement, "

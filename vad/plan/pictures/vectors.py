@@ -15,14 +15,26 @@ from typing import Literal
 
 from vad.kinematics.numbers import minimum
 from vad.plan.anchors import Anchor, Solved
-from vad.plan.geometry import SHORTEST, Rect, direction_of
+from vad.plan.geometry import SHORTEST, Rect, direction_of, normal_of
 from vad.plan.items import FOREVER, Level
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.vertices import COINCIDENT
-from vad.plan.marks import Hanging, Mark, Outline, Polygon, Polyline, Sliding, Trimming, line
+from vad.plan.marks import (
+    Fading,
+    Growth,
+    Hanging,
+    Mark,
+    Outline,
+    Polygon,
+    Polyline,
+    Scaling,
+    Sliding,
+    Trimming,
+    line,
+)
 from vad.plan.roles import ROLES
 from vad.plan.sketch import Sketch
-from vad.strokes.sheet import Arrow, Panel, Stroke
+from vad.strokes.sheet import Arrow, Dot, Panel, Stroke
 
 HEAD = 0.026
 HEAD_WHOLE = 0.75
@@ -32,6 +44,7 @@ HEAD_SHARE = 0.6
 NECK = 0.66  # of the head's length, from the tip to where the shaft ends
 TIP_GAP = 0.006
 LANE = 1.6  # a lane's width, in pens: the heaviest of a style fits, too, and a gap
+APPEARING = ((0.0, 0.0), (0.15, 1.0))  # of a head from which its vector is drawn
 EDGE = 0.010  # from the edge of its room, a vector that leaves it ends
 
 
@@ -87,10 +100,17 @@ class Vector:
             return None
         return drawn(start, end, self.whole, self.lane)[self.part == "head"]
 
-    def marks(self, solved: Solved, row: int | None, role: str, grows: bool = True) -> list[Mark]:
-        """Return shaft and head in a pose; they grow from the start, head first."""
+    def marks(
+        self,
+        solved: Solved,
+        row: int | None,
+        role: str,
+        grows: bool = True,
+        back: bool = False,
+    ) -> list[Mark]:
+        """Return shaft and head in a pose, and how they grow; see `vector`."""
         ends, head = (solved.place(self.start), solved.place(self.end)), self.of("head")
-        return vector(*ends, row, role, self.whole, self.lane, grows, (self, head))
+        return vector(*ends, row, role, self.whole, self.lane, grows, (self, head), back)
 
     def of(self, part: Literal["shaft", "head"]) -> Vector:
         """Return on what a part of the vector hangs."""
@@ -139,6 +159,8 @@ class PlacedVector:
         Whose ink it takes.
     lane
         Where it runs beside vectors on the same line.
+    back
+        Whether it is drawn from its head back to its tail.
     """
 
     stroke: str
@@ -148,6 +170,7 @@ class PlacedVector:
     whole: bool
     row: int | None
     lane: Lane = ALONE
+    back: bool = False
 
     @property
     def role(self) -> str:
@@ -163,7 +186,7 @@ class PlacedVector:
             return []
         hung = Vector(self.seen[1], Anchor.of(self.stroke, "end"), self.whole, self.lane)
         if room is None or (room.holds(self.end) and room.holds(self.start)):
-            return hung.marks(solved, self.row, self.role, grows)
+            return hung.marks(solved, self.row, self.role, grows, self.back)
         ends = self.within(room)
         if ends is None:
             return []
@@ -179,7 +202,9 @@ class PlacedVector:
 
     def light(self) -> Mark:
         """Return the light beneath it while it is drawn."""
-        return line(self._shaft(), f"{self.role} light", self.row, Trimming())
+        start, end = self._shaft()
+        growth = shrunk(end, start) if self.back else Trimming()
+        return line([start, end], f"{self.role} light", self.row, growth)
 
     def block(self, obstacles: Obstacles, since: int) -> None:
         """Add shaft and head to what labels keep clear of."""
@@ -229,7 +254,8 @@ def place_vectors(sketch: Sketch) -> dict[int, PlacedVector]:
         stroke = panel.strokes[index]
         seen, whole = visible_start(panel, index, ends), is_whole(stroke, panel)
         row = sketch.setting.row(stroke.link)
-        placed[index] = PlacedVector(stroke.name, start, end, seen, whole, row)
+        back = ends_first(panel, index)
+        placed[index] = PlacedVector(stroke.name, start, end, seen, whole, row, back=back)
     pens = {
         index: Pen(vector.seen[0], vector.end, ROLES[vector.role].width)
         for index, vector in placed.items()
@@ -238,6 +264,20 @@ def place_vectors(sketch: Sketch) -> dict[int, PlacedVector]:
     for index, lane in lanes(pens).items():
         placed[index] = replace(placed[index], lane=lane)
     return placed
+
+
+def ends_first(panel: Panel, index: int) -> bool:
+    """Tell whether a vector ends at a vertex that is there before the one where it begins.
+
+    It is drawn from its head back to its tail, like the Coriolis acceleration that ends at b′.
+    """
+    drawn: set[str] = set()
+    for stroke in panel.strokes[:index]:
+        shape = stroke.shape
+        drawn.update((shape.tail, shape.head) if isinstance(shape, Arrow) else ())
+        drawn.update(stroke.label.split(",") if isinstance(shape, Dot) else ())
+    own = panel.strokes[index].shape
+    return isinstance(own, Arrow) and own.head in drawn and own.tail not in drawn | {""}
 
 
 def add_vector(sketch: Sketch, index: int, placed: PlacedVector) -> None:
@@ -300,13 +340,19 @@ def vector(
     lane: Lane = ALONE,
     grows: bool = True,
     hangs: tuple[Hanging | None, Hanging | None] = (None, None),
+    back: bool = False,
 ) -> list[Mark]:
-    """Return a vector in its lane, its head at the tip; it grows from ``start``, head first."""
+    """Return a vector in its lane, its head at the tip.
+
+    It grows from ``start``, and its head runs ahead; or it grows ``back`` from its head.
+    """
     if abs(end - start) < SHORTEST:
         return []
     shaft, head = drawn(start, end, whole, lane)
-    growths: tuple[Trimming | None, Sliding | None] = (None, None)
-    if grows:
+    growths: tuple[Growth | None, Growth | None] = (None, None)
+    if grows and back:
+        growths = shrunk(shaft.pieces[0][1], shaft.pieces[0][0]), Fading(APPEARING)
+    elif grows:
         tail, tip = start + lane.aside, head.rings[0][0]
         # The head runs ahead of the shaft, which begins when there is room behind the head.
         begins = NECK * head_length(abs(end - start), whole) / abs(tip - tail)
@@ -316,6 +362,11 @@ def vector(
         Mark(shaft, role, row, growths[0], hangs=hangs[0]),
         Mark(head, "head", row, growths[1], hangs=hangs[1]),
     ]
+
+
+def shrunk(start: complex, end: complex) -> Scaling:
+    """Return the growth of a line that is drawn from ``start``, its last point, to its first."""
+    return Scaling(start, ((0.0, 0.0), (1.0, 1.0)), normal_of(start, end))
 
 
 def drawn(start: complex, end: complex, whole: bool, lane: Lane) -> tuple[Polyline, Polygon]:
