@@ -12,7 +12,8 @@ from tests.strokes.test_figures import calculate
 from vad.errors import InputError, UsageError
 from vad.export.sheet_json import to_dict
 from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.sheet import Arrow, Curve, Dot, KennedyCircle, Line, Turned
+from vad.strokes.shapes import Turned
+from vad.strokes.sheet import Arrow, Curve, Dot, KennedyCircle, Line
 
 NAMES = sorted(MACHINES)
 PANELS = "centres", "klein", "turned"

@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
+from vad.strokes.shapes import Turned
 from vad.strokes.sheet import (
     BELOW,
     Body,
@@ -22,7 +23,6 @@ from vad.strokes.sheet import (
     Panel,
     PictureKind,
     Stroke,
-    Turned,
 )
 from vad.written import per_second
 

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 from vad.kinematics.numbers import facing
 from vad.strokes.construct import construct
 from vad.strokes.diagram import Drawing
-from vad.strokes.sheet import Arc, Curve, Dot, Line, Shape, Stroke, StrokePart, Turned
+from vad.strokes.shapes import Turned
+from vad.strokes.sheet import Arc, Curve, Dot, Line, Shape, Stroke, StrokePart
 from vad.strokes.vector_equations import NOTHING
 
 if TYPE_CHECKING:

@@ -11,7 +11,8 @@ from vad.strokes.arithmetic import Figure, product
 from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY, Drawing
 from vad.strokes.figure import FigurePencil
 from vad.strokes.sentences import Sentence, SentencePart, Unit
-from vad.strokes.sheet import Cell, Turned
+from vad.strokes.shapes import Turned
+from vad.strokes.sheet import Cell
 
 if TYPE_CHECKING:
     from vad.strokes.scene import Scene

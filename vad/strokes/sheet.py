@@ -85,7 +85,6 @@ __all__ = [
     "Stroke",
     "StrokePart",
     "Term",
-    "Turned",
     "driver_of",
 ]
 

@@ -17,7 +17,8 @@ from vad.strokes.figure import FigurePencil
 from vad.strokes.polygon import polygon
 from vad.strokes.scene import point_of
 from vad.strokes.sentences import Noun, Sentence, SentencePart, Unit
-from vad.strokes.sheet import Arrow, Cell, Dot, Line, Stroke, StrokePart, Turned
+from vad.strokes.shapes import Turned
+from vad.strokes.sheet import Arrow, Cell, Dot, Line, Stroke, StrokePart
 
 if TYPE_CHECKING:
     from vad.strokes.scene import Scene

@@ -50,6 +50,7 @@ from vad.export.data.records import (
 from vad.strokes.arithmetic import Calculation, CalculationKind, Figure
 from vad.strokes.notation import Notation
 from vad.strokes.sentences import Listed, Noun, Sentence, SentencePart, Terms, Text, Unit
+from vad.strokes.shapes import Turned
 from vad.strokes.sheet import (
     Arc,
     Arrow,
@@ -83,7 +84,6 @@ from vad.strokes.sheet import (
     Stroke,
     StrokePart,
     Term,
-    Turned,
 )
 from vad.words import all_languages, languages
 

@@ -13,7 +13,8 @@ from vad.plan.items import FLIGHT, Item, Level
 from vad.plan.marks import Flying, Growth, Leg, Mark, Turning, line
 from vad.plan.reach import corners
 from vad.plan.sketch import Sketch
-from vad.strokes.sheet import Arrow, Panel, Turned
+from vad.strokes.shapes import Turned
+from vad.strokes.sheet import Arrow, Panel
 
 #: A figure that is more often as large as its polygon, or as small, is not on the same page.
 MOST = 1e3
