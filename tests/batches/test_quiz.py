@@ -154,3 +154,38 @@ def test_another_format_is_refused_before_anything_is_made(tmp_path):
     with pytest.raises(UsageError, match="cannot be saved as") as caught:
         vad.quiz("no.toml", tmp_path / "bank.docx")
     assert caught.value.hint == "known: .gift, .md, .xml, .zip"
+
+
+FIGURES = {
+    "centres": ("four-bar", "", ["coupler.omega", "rocker.omega"], "θ₂ = 60°, ω₂ = 10 rad/s."),
+    "turned": ("four-bar", "", ["coupler.omega", "rocker.omega"], "θ₂ = 60°, ω₂ = 10 rad/s."),
+    "klein": (
+        "slider-crank",
+        "",
+        ["rod.omega", "slider.velocity", "rod.alpha", "slider.acceleration"],
+        "θ₂ = 60°, ω₂ = 10 rad/s, α₂ = 0 rad/s².",
+    ),
+    "velocity": ("four-bar", 'ask = ["C.velocity"]', ["C.velocity"], "θ₂ = 60°, ω₂ = 10 rad/s."),
+    "position": ("four-bar", 'ask = ["rocker.angle"]', ["rocker.angle"], "rocker 80 mm, θ₂ = 60°."),
+}
+
+
+@pytest.mark.parametrize("panel", FIGURES)
+def test_each_figure_asks_for_what_it_finds_and_gives_what_it_needs_once(tmp_path, panel):
+    mechanism, words, results, given = FIGURES[panel]
+    file = tmp_path / "sheets.toml"
+    file.write_text(f'[sheet]\nmechanism = "{mechanism}"\npanels = ["{panel}"]\n{words}\n')
+    made = vad.quiz(file, tmp_path / "bank.xml")
+    assert [each.name.split()[-1] for each in made] == results
+    for each in made:
+        told, _, asked = each.task.partition(". ")
+        assert f"{told}.".endswith(given) and asked.startswith("Find ")
+        assert told.count("θ₂") == 1 and told.count("ω₂") <= 1
+
+
+def test_a_sheet_from_which_nothing_is_found_is_refused(tmp_path):
+    file = tmp_path / "sheets.toml"
+    file.write_text('[sheet]\nmechanism = "four-bar"\npanels = ["position"]\n')
+    with pytest.raises(InputError, match="ask: no panel left blank") as caught:
+        vad.quiz(file, tmp_path / "bank.xml")
+    assert caught.value.hint.startswith("as in ask = [")

@@ -277,7 +277,8 @@ def _cannot(path: str | os.PathLike[str], error: Exception) -> ExportError:
 def cells(answers: Mapping[str, Any]) -> dict[str, Any]:
     """Return what was given and all results, the latter with units in the columns' names.
 
-    ``answers`` is what `vad.Motion.to_dict` gives; ``found`` in it is what balances a shaft.
+    ``answers`` is what `vad.Motion.to_dict` gives; ``found`` in it are further answers,
+    such as what balances a shaft.
 
     Examples
     --------
@@ -305,7 +306,8 @@ def cells(answers: Mapping[str, Any]) -> dict[str, Any]:
                     row[head(f"{owner} {quantity} {axis}", quantity)] = number
             else:
                 row[head(f"{owner} {quantity}", quantity)] = value
-    row |= {f"{each['name']} [{each['unit']}]": each["value"] for each in answers.get("found", ())}
+    for each in answers.get("found", ()):
+        row[f"{each['name']} [{each['unit']}]" if each["unit"] else each["name"]] = each["value"]
     return row | _forces(answers["forces"]) if "forces" in answers else row
 
 

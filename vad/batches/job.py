@@ -41,6 +41,8 @@ class Recipe:
         Those of `vad.draw`, `vad.animate` and `vad.save`, by name.
     ask
         The results for which a question bank asks; none for those that are drawn by the student.
+    columns
+        Results and figures of merit that the answers have, too, by the names of `vad.sweep`.
     tolerance
         How far off a right answer may be, as a share of it.
     burden
@@ -56,6 +58,7 @@ class Recipe:
     blank: tuple[str, ...] | None
     options: tuple[tuple[str, Any], ...]
     ask: tuple[str, ...] = ()
+    columns: tuple[str, ...] = ()
     tolerance: float = 0.03
     burden: Burden = NOTHING
 

@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 
 import vad
-from vad.balancing.results import results
 from vad.batches.choices import kind_of
+from vad.batches.found import further_answers
 from vad.batches.job import Job, Product, Value
 from vad.batches.roster import in_title
 from vad.batches.sheets import is_film, is_problem
@@ -58,10 +58,9 @@ def make(job: Job) -> Product:
         balancing = motion.mechanism.balancing(motion)
         if balancing is not None:
             answers[balancing.kind] = balancing.to_dict()
-            answers["found"] = [
-                {"name": each.name, "value": each.value, "unit": each.unit}
-                for each in results(balancing).values()
-            ]
+        further = further_answers(pose, sheet, job.recipe.columns)
+        if further:
+            answers["found"] = further
         if isinstance(pose, Forces):
             answers["forces"] = pose.to_dict()
         with temporary_folder() as folder:

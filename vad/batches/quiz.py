@@ -18,12 +18,14 @@ from vad.batches.job import Job
 from vad.batches.making import OF_DRAW, blank_of, loaded, picked
 from vad.batches.sheets import read_sheets
 from vad.batches.sweep import sweep
-from vad.errors import one_of, unknown
+from vad.errors import InputError, one_of, unknown
 from vad.export.files import temporary_folder
 from vad.export.quiz import Question, format_of, save_quiz
 from vad.kinematics.motion import Motion
 from vad.statics.forces import DRIVE, FORCE, Forces, given_burden
 from vad.strokes.description import parameters
+from vad.strokes.diagram import ORDERS
+from vad.strokes.draw import usual_of
 from vad.strokes.sheet import Sheet
 from vad.units import scene_unit
 from vad.words import Gap, Language
@@ -33,7 +35,14 @@ from vad.written import sign
 SIZE = (1024, 576)
 #: A result that is small beside the largest of its kind is drawn no better than so much of that.
 _LEAST_SHARE = 0.1
-_OF_LINKS = {"position": "angle", "velocity": "omega", "acceleration": "alpha"}
+#: The figures upon the mechanism from which rates of an order follow.
+_FIGURES = {1: ("centres", "klein", "turned"), 2: ("klein",)}
+#: The ends of the names of results of each order.
+_ENDINGS = (
+    (".angle", ".position"),
+    (".omega", ".velocity"),
+    (".alpha", ".acceleration", ".coriolis"),
+)
 _OF_POINTS = ("velocity", "acceleration")
 #: The letters of the numbers of a mass on a shaft, and of a cylinder.
 _SYMBOLS = {"mass": "m", "radius": "r", "angle": "θ", "plane": "l", "crank": "φ", "line": "ψ"}
@@ -58,7 +67,8 @@ def quiz(
         results, such as ``"rocker.omega"``, ``"C.velocity"``, ``"drive"`` or
         ``"coupler.rocker.force"``; of points and forces the size is asked for.  Left out, these are
         the rates of the links and slides, the drive and the forces in the joints, in the panels
-        that are left blank.
+        that are left blank.  From instantaneous centres, Klein's construction and the turned
+        velocities the rates are asked for that follow from them.
         ``tolerance`` says how far off a right answer may be, as a share of it; it is 0.03.
     output
         A file: Moodle XML (.xml), GIFT (.gift), a package of QTI 2.1 (.zip) or Markdown (.md).
@@ -105,11 +115,15 @@ def _questions(job: Job) -> Iterator[Question]:
     blank = blank_of(job, sheet)
     language, style = Language(sheet.language), options.get("style")
     numbered = replace(sheet, title=f"{sheet.title} · {job.label}")
+    forces = pose if isinstance(pose, Forces) else None
+    asked = job.recipe.ask or tuple(dict.fromkeys(_usual(motion, forces, sheet, blank)))
+    if not asked:
+        raise _nothing(motion, forces, blank)
+    found = _values(motion, forces, sheet, asked)
     problem = _png(numbered, style, blank)
     key, title = _png(numbered, style, ()), f"{sheet.title} · {job.label}"
-    given = language.say("quiz given", title=sheet.title, given=", ".join(_given(sheet, motion)))
-    forces = pose if isinstance(pose, Forces) else None
-    found = _values(motion, forces, job.recipe.ask or tuple(_usual(motion, forces, blank)))
+    known = ", ".join(dict.fromkeys(_given(sheet, motion, forces, asked)))
+    given = language.say("quiz given", title=sheet.title, given=known)
     for result, (phrase, unit, value) in found.items():
         kind = result.rpartition(".")[2]
         largest = max(abs(each) for name, (*_, each) in found.items() if name.endswith(kind))
@@ -135,7 +149,9 @@ def _png(sheet: Sheet, style: str | None, blank: tuple[str, ...]) -> bytes:
         return path.read_bytes()
 
 
-def _given(sheet: Sheet, motion: Motion) -> Iterator[str]:
+def _given(
+    sheet: Sheet, motion: Motion, forces: Forces[Any, Any, Any] | None, asked: tuple[str, ...]
+) -> Iterator[str]:
     """Yield the dimensions, and the driver's place and rates, as the sheet writes them.
 
     The numbers of masses and cylinders have the name of theirs: m_A, r_A.
@@ -146,12 +162,21 @@ def _given(sheet: Sheet, motion: Motion) -> Iterator[str]:
             yield f"{symbol} = {sheet.notation.quantity(size, unit, given=True)}"
         yield f"ω = {sheet.notation.quantity(float(motion.inputs['omega']), 'rad/s')}"
         return
-    for panel in sheet.panels:
-        for row in sheet.rows:
-            for cell in row.cells.get(panel.name, ()):
-                if cell.given:
-                    value = sheet.notation.quantity(cell.value, cell.unit, given=True)
-                    yield f"{cell.symbol} = {value}"
+    panels = {panel.name for panel in sheet.panels} | set(usual_of(forces) if forces else ())
+    most = 0
+    for order in ORDERS:
+        shown = panels & {order.panel, *_FIGURES.get(order.number, ())}
+        if shown or any(name.endswith(_ENDINGS[order.number]) for name in asked):
+            most = order.number
+    orders = [order.panel for order in ORDERS[: most + 1]]
+    moving = vad.draw(motion, panels=orders, language=sheet.language)
+    for part, names in ((moving, orders), (sheet, ["force"])):
+        for panel in names:
+            for row in part.rows:
+                for cell in row.cells.get(panel, ()):
+                    if cell.given:
+                        value = sheet.notation.quantity(cell.value, cell.unit, given=True)
+                        yield f"{cell.symbol} = {value}"
 
 
 def _of_rotor(motion: Motion) -> Iterator[tuple[str, float, str]]:
@@ -173,27 +198,26 @@ def _of_rotor(motion: Motion) -> Iterator[tuple[str, float, str]]:
 
 
 def _usual(
-    motion: Motion, forces: Forces[Any, Any, Any] | None, blank: tuple[str, ...]
+    motion: Motion, forces: Forces[Any, Any, Any] | None, sheet: Sheet, blank: tuple[str, ...]
 ) -> Iterator[str]:
     """Yield the results that a student draws.
 
-    These are rates of links and slides that are not driven, the forces in the joints, and the
-    drive.
+    These are rates of links and slides that are not driven, also those that follow from a figure
+    upon the mechanism; the forces in the joints, and the drive.
     """
     driven = motion.solver.driver.name
     if motion.mechanism.is_rotor:
         balanced = results(motion.mechanism.balancing(motion))
         yield from (name for name, each in balanced.items() if each.panel in blank)
         return
-    for panel in blank:
-        if panel not in _OF_LINKS:
-            continue
-        for name in motion.links:
-            if name != driven and name not in motion.solver.bodies:
-                yield f"{name}.{_OF_LINKS[panel]}"
-        for name in motion.slides:
-            if name != driven:
-                yield f"{name}.{panel}"
+    links = [name for name in motion.links if name not in motion.solver.bodies]
+    for order in ORDERS:
+        drawn = order.panel in blank
+        figures = [name for name in _FIGURES.get(order.number, ()) if name in blank]
+        for owners, quantity in ((links, order.rate), (motion.slides, order.panel)):
+            for name in owners:
+                if name != driven and (drawn or _finds(sheet, figures, name)):
+                    yield f"{name}.{quantity}"
     if forces and "force" in blank:
         for joint in forces.joints:
             yield f"{joint.one}.{joint.other}{FORCE}"
@@ -201,8 +225,27 @@ def _usual(
         yield DRIVE
 
 
+def _finds(sheet: Sheet, figures: list[str], name: str) -> bool:
+    """Tell whether one of these panels has a result in the row of a link or a slide."""
+    rows = [row for row in sheet.rows if row.key == name]
+    return any(not cell.given for row in rows for each in figures for cell in row.cells[each])
+
+
+def _nothing(
+    motion: Motion, forces: Forces[Any, Any, Any] | None, blank: tuple[str, ...]
+) -> InputError:
+    """Return what is wrong where nothing is left to be found."""
+    drawn = ", ".join(blank) if blank else "no panel"
+    known = [name for name in motion.results if not name.endswith(".position")]
+    hint = f'as in ask = ["{known[-1]}"]' if known else "blank: the panels that a student draws"
+    return InputError(f"ask: {drawn} left blank, from which nothing is to be found", hint)
+
+
 def _values(
-    motion: Motion, forces: Forces[Any, Any, Any] | None, names: tuple[str, ...]
+    motion: Motion,
+    forces: Forces[Any, Any, Any] | None,
+    sheet: Sheet,
+    names: tuple[str, ...],
 ) -> Mapping[str, tuple[str, str, float]]:
     """Return for each result the phrase that asks for it, its unit and its value."""
     found: dict[str, tuple[str, str, float]] = {}
@@ -226,7 +269,7 @@ def _values(
         of_point = owner in motion.points
         if (of_point and kind not in _OF_POINTS) or owner in motion.solver.bodies:
             known = [f"{point}.velocity" for point in motion.points]
-            usual = _usual(motion, forces, ("velocity", "force", "drive"))
+            usual = _usual(motion, forces, sheet, ("velocity", "force", "drive"))
             raise unknown("result of a question", name, [*usual, *known])
         value = swept[name].item()
         unit = scene_unit(

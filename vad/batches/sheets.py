@@ -44,13 +44,13 @@ PROBLEM = "problem"
 #: The most sheets of one file.
 MOST = 100_000
 #: Words that are not options of `vad.draw`, `vad.animate` and `vad.save`.
-_OF_THE_BATCH = ("count", "seed", "files", "blank", "ask", "tolerance", *BURDEN_WORDS)
+_OF_THE_BATCH = ("count", "seed", "files", "blank", "ask", "columns", "tolerance", *BURDEN_WORDS)
 #: The least sine unless [keep] says another: lines cross at more than 11.5°.
 KEEP = 0.2
 #: How far off an answer may be that is read from a drawing, as a share of it.
 TOLERANCE = 0.03
 _TABLES = ("sheet", "vary", "keep")
-_LISTS = ("files", "blank", "panels", "ask")
+_LISTS = ("files", "blank", "panels", "ask", "columns")
 _NUMBER = re.compile(r"[+-]?\d+")
 #: What no name of a file can hold on some system, or begin or end with; and how long it may be.
 _NOT_IN_NAMES, _NOT_AT_ENDS, _LONGEST_NAME = frozenset('<>:"/\\|?*'), (".", " ", ""), 200
@@ -135,6 +135,7 @@ WORDS: dict[str, Callable[[object], Any]] = {
     "blank": _panels,
     "panels": _panels,
     "ask": names,
+    "columns": names,
     "tolerance": _tolerance,
     "language": lambda value: one_of_all("language", value, languages(), LANGUAGES),
     "style": lambda value: one_of_all("style", value, style_names(), STYLES),
@@ -223,6 +224,7 @@ def recipe(
         words.get("blank"),
         tuple(sorted(options.items())),
         words.get("ask", ()),
+        words.get("columns", ()),
         words.get("tolerance", TOLERANCE),
         burden_in(words),
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 from dataclasses import fields, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 import numpy as np
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 import vad
 from vad import units
+from vad.batches.columns import columns_of
 from vad.cli.options import flag, take_burden
 from vad.cli.output import say_written
 from vad.cli.places import sweep_places
@@ -19,11 +20,7 @@ from vad.errors import UsageError, quoted, unknown
 from vad.export import table_csv
 from vad.export.sweep import Column, Table, check_closes, save_table
 from vad.mechanisms import Mechanism
-from vad.merits.figures import ENDS
 from vad.units import DIMENSIONS, scene_unit
-
-if TYPE_CHECKING:
-    from vad.statics.burden import Burden
 
 _MOST = 1_000_000
 
@@ -57,11 +54,7 @@ def chosen_columns(
     found = vad.sweep(
         swept, names, loads=loads, masses=masses, gravity=gravity, friction=friction, **given
     )
-    listed = [
-        Column(f"{each}{axis}", _unit(mechanism, each, burden), values)
-        for each in found.dtype.names or ()
-        for axis, values in _by_axis(found[each])
-    ]
+    listed = columns_of(mechanism, found, burden)
     check_closes(any(np.isfinite(column.values).any() for column in listed))
     along = Column(name, scene_unit(kind, mechanism.length_unit), places)
     table = Table(vad.solve(swept, **given), along, tuple(listed))
@@ -107,40 +100,3 @@ def _all(mechanism: Mechanism) -> tuple[str, ...]:
         if kind in ("link", "slide", "joint")
         and (quantity != "coriolis" or motion.solver.on_turning_link(part))
     )
-
-
-def _by_axis(values: NDArray[Any]) -> list[tuple[str, NDArray[np.float64]]]:
-    """Return the parts of vectors, each with the end of its name; numbers as they are."""
-    if np.iscomplexobj(values):
-        return [(" x", values.real), (" y", values.imag)]
-    if values.ndim > 1:
-        return [(f" {axis}", values[:, place]) for place, axis in enumerate("xyz")]
-    return [("", values)]
-
-
-def _unit(mechanism: Mechanism, name: str, burden: Burden | None) -> str:
-    """Return the unit of a result or of a figure of merit; empty for a bare number."""
-    result, _, end = name.rpartition(".")
-    if end in ENDS:
-        driven = next(iter(mechanism.inputs))
-        return (
-            scene_unit(driven, mechanism.length_unit)
-            if "_at" in end
-            else _unit(mechanism, result.partition(" ")[0], burden)
-        )
-    if name in ("time_ratio", "advantage"):
-        return ""
-    if name == "stroke":
-        output = vad.merit(mechanism).output
-        name = "slide.position" if output and output[0] == "slide" else "link.angle"
-    quantity = name.rpartition(".")[2]
-    if quantity == "force":
-        return "N"
-    if quantity == "drive":
-        loads, masses, gravity, friction = burden or ((), None, None, None)
-        return vad.forces(
-            vad.solve(mechanism), loads=loads, masses=masses, gravity=gravity, friction=friction
-        ).drive_unit
-    of = {"position": "length", "coriolis": "acceleration"}
-    of |= dict.fromkeys(("transmission", "forward_angle", "return_angle"), "angle")
-    return scene_unit(of.get(quantity, quantity), mechanism.length_unit)

@@ -7,7 +7,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from vad.kinematics.bodies import FRAME, Body
+from vad.kinematics.kennedy import Pair
 from vad.strokes.sentences import Noun
+from vad.written import subscript
 
 if TYPE_CHECKING:
     from vad.strokes.scene import Scene
@@ -40,6 +42,17 @@ class BodyNames:
                 free += 1
                 known[name] = free
         return {FRAME: 1, **known}
+
+    def centre(self, pair: Pair) -> str:
+        """Return the letter of the centre of two bodies: I₂₄."""
+        numbers = sorted(self.numbers[name] for name in pair)
+        between = "₋" if max(numbers) > 9 else ""
+        return "I" + between.join(map(subscript, numbers))
+
+    def plain_centre(self, pair: Pair) -> str:
+        """Return its name for the names of its strokes: I24."""
+        numbers = sorted(self.numbers[name] for name in pair)
+        return "I" + ("-" if max(numbers) > 9 else "").join(map(str, numbers))
 
     def row(self, body: str) -> str:
         """Return the row of the results whose ink a body has."""

@@ -27,7 +27,6 @@ from vad.strokes.figure import FigurePencil
 from vad.strokes.sentences import Listed, Sentence, SentencePart, Unit
 from vad.strokes.sheet import Arrow, Cell, Curve, Dot, KennedyCircle, Line, Stroke, StrokePart
 from vad.strokes.vector_equations import NOTHING
-from vad.written import subscript
 
 if TYPE_CHECKING:
     from vad.strokes.scene import Scene
@@ -74,7 +73,9 @@ def centres_tracks(scene: Any) -> Mapping[Spot, Any]:
         if not drawn.kennedy.alike(*found.pair):
             numbered = found.pair == rolling and FRAME in found.pair
             path: Any = "numbered" if numbered else "none"
-            spot = Spot(drawn.letter(found.pair), row=drawn.names.row(found.pair[1]), path=path)
+            spot = Spot(
+                drawn.names.centre(found.pair), row=drawn.names.row(found.pair[1]), path=path
+            )
             spots[spot] = drawn.kept(drawn.at(found.pair))
     return spots
 
@@ -155,17 +156,6 @@ class _Drawn:
         """
         over = self.kennedy.found[pair].over
         return over[:1] if self.kennedy.alike(*pair) else over[:2]
-
-    def letter(self, pair: Pair) -> str:
-        """Return the letter of a centre: I₂₄."""
-        numbers = sorted(self.names.numbers[name] for name in pair)
-        between = "₋" if max(numbers) > 9 else ""
-        return "I" + between.join(map(subscript, numbers))
-
-    def plain(self, pair: Pair) -> str:
-        """Return its name for the names of its strokes: I24."""
-        numbers = sorted(self.names.numbers[name] for name in pair)
-        return "I" + ("-" if max(numbers) > 9 else "").join(map(str, numbers))
 
     def at(self, pair: Pair) -> complex | None:
         """Return the place of a centre; None if it is far away."""
@@ -261,13 +251,15 @@ class _Drawn:
         """Return the name of the stroke with which a centre is known."""
         if pair in self.kennedy.pins:
             return "pins.known"
-        return f"{self.plain(pair)}.{'known' if pair in self.kennedy.slides else 'found'}"
+        return (
+            f"{self.names.plain_centre(pair)}.{'known' if pair in self.kennedy.slides else 'found'}"
+        )
 
     def _known(self) -> None:
         """Say which centres are known: the pins, and those of slides, which lie far away."""
         pins = self.kennedy.pins
         named: list[SentencePart] = [
-            self.scene.say("centre in", letter=self.letter(pair), point=point)
+            self.scene.say("centre in", letter=self.names.centre(pair), point=point)
             for pair, point in pins.items()
         ]
         said = self.scene.say("centre pins", centres=Listed(tuple(named), ", "))
@@ -276,21 +268,23 @@ class _Drawn:
         self.pencil.add("pins", "known", "pole", "", Curve(()), said)
         for pair, slide in self.kennedy.slides.items():
             said = self.scene.say(
-                "centre slide", letter=self.letter(pair), line=self.scene.line(slide)
+                "centre slide", letter=self.names.centre(pair), line=self.scene.line(slide)
             )
             row = self.names.row(next(name for name in reversed(pair) if name != FRAME))
-            self.pencil.add(self.plain(pair), "known", "pole", "", Curve(()), said, row)
+            self.pencil.add(
+                self.names.plain_centre(pair), "known", "pole", "", Curve(()), said, row
+            )
 
     def _find(self, found: Found) -> None:
         """Draw the lines on which a centre lies, and mark it or say how far away it is."""
-        pair, letter = found.pair, self.letter(found.pair)
+        pair, letter = found.pair, self.names.centre(found.pair)
         row = self.names.row(pair[1])
         drawn = [
             line
             for number, over in enumerate(self.over(pair))
             if (line := self._line(found, over, ("first", "second")[number], row))
         ]
-        at, of = self.at(pair), self.plain(pair)
+        at, of = self.at(pair), self.names.plain_centre(pair)
         if self.near(at):
             assert at is not None
             said = self.scene.say("centre found", letter=letter)
@@ -319,10 +313,10 @@ class _Drawn:
         Return a centre on it that is shown, the direction to the centre that is sought from there,
         and the name of the first.  None for the line at infinity, which is not drawn.
         """
-        pair, of = found.pair, self.plain(found.pair)
+        pair, of = found.pair, self.names.plain_centre(found.pair)
         known = [self.kennedy.pair(over, name) for name in pair]
-        letters = [self.letter(each) for each in known]
-        points = [self.kennedy.pins.get(each, self.letter(each)) for each in known]
+        letters = [self.names.centre(each) for each in known]
+        points = [self.kennedy.pins.get(each, self.names.centre(each)) for each in known]
         places = [self.at(each) for each in known]
         target = self.at(pair)
         finite = [(z, each) for z, each in zip(places, points, strict=True) if z is not None]
@@ -353,7 +347,7 @@ class _Drawn:
         phrase = "centre line far" if far else "centre line"
         near = [each for each, z in zip(letters, places, strict=True) if z is not None]
         ends = (near[0], far[0]) if far else tuple(letters)
-        said = self.scene.say(phrase, letter=self.letter(pair), one=ends[0], other=ends[1])
+        said = self.scene.say(phrase, letter=self.names.centre(pair), one=ends[0], other=ends[1])
         if abs(until - through) <= NOTHING * self.pencil.size:
             until = self.edge(origin, way)
         self.pencil.line(of, which, through, until, way, said, row)
@@ -375,10 +369,10 @@ class _Drawn:
         body, other = self.rolls
         pair = self.kennedy.pair(body, other)
         fixed, moving = self.centrodes.curves(*self.box(ROLLED))
-        letter: Any = self.letter(pair)
+        letter: Any = self.names.centre(pair)
         under = "centrode fixed" if other == FRAME else "centrode under"
         said = self.scene.say(under, letter=letter, link=self.names.noun(other))
-        of, row = self.plain(pair), None if other == FRAME else self.names.row(other)
+        of, row = self.names.plain_centre(pair), None if other == FRAME else self.names.row(other)
         self.pencil.add(of, "fixed", "construction", "", fixed, said, row)
         said = self.scene.say("centrode moving", letter=letter, link=self.names.noun(body))
         self.pencil.add(of, "moving", "construction", "", moving, said, self.names.row(body))
@@ -430,7 +424,9 @@ class _Drawn:
         shape = Curve((ends[0], ends[-1])) if len(ends) > 1 else Curve(())
         said = self._calculated(rate, own, its, both, places)
         row = self.names.row(body)
-        self.pencil.add(self.plain(both), "rate", "known", "", shape, said, row, (key[0],))
+        self.pencil.add(
+            self.names.plain_centre(both), "rate", "known", "", shape, said, row, (key[0],)
+        )
 
     def _calculated(
         self,
@@ -452,14 +448,14 @@ class _Drawn:
             "symbol": rate.symbol,
             "omega": driven.symbol,
             "link": self.names.noun(rate.body),
-            "letter": self.letter(own),
-            "both": self.letter(both),
+            "letter": self.names.centre(own),
+            "both": self.names.centre(both),
             "rate": Figure(abs(driven.value), driven.unit, driven.given),
             "value": Figure(abs(rate.value), unit),
             "unit": Unit(unit),
             "sense": scene.say("counter-clockwise" if rate.value > 0 else "clockwise"),
-            "first": self.letter(its) + self.letter(both),
-            "second": self.letter(own) + self.letter(both),
+            "first": self.names.centre(its) + self.names.centre(both),
+            "second": self.names.centre(own) + self.names.centre(both),
         }
         calculations: list[Calculation] = []
 
@@ -473,7 +469,7 @@ class _Drawn:
             phrase = "centre still"
         elif rate.body == self.barrel and start is not None and pivot is not None:
             parts["other"] = Figure(abs(start - pivot), scene.unit, power=-1, scale=linear)
-            parts["second"] = self.letter(own) + self.letter(its)
+            parts["second"] = self.names.centre(own) + self.names.centre(its)
             phrase = "centre cylinder"
             calculations.append(product("value", "rate", "other"))
         elif common is None:
