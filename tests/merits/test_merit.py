@@ -185,11 +185,39 @@ def test_no_pose_is_beyond_the_extremes(kind):
         scale = 1e-12 * np.nanmax(np.abs(values), initial=0.0)
         assert most["largest"] is None or np.nanmax(values) <= most["largest"] + scale, name
         assert most["least"] is None or np.nanmin(values) >= most["least"] - scale, name
-        if most["largest"] is not None and quantity in ("omega", "alpha") and values.ndim == 1:
-            there = vad.solve(mechanism, **{driven: np.array([most["largest_at"]])})
-            assert np.asarray(there.read(many.results[name]))[0] == pytest.approx(
-                most["largest"], rel=1e-9, abs=scale
-            ), (name, part)
+        place = most["largest_at"]
+        if most["largest"] is None or quantity not in ("omega", "alpha"):
+            continue
+        if min(place - low, high - place) > 1e-9:  # at a dead centre a rate may have a limit, but no value
+            there = np.asarray(vad.solve(mechanism, **{driven: place}).read(many.results[name]))
+            largest = np.linalg.norm(there) if there.ndim else there
+            assert largest == pytest.approx(most["largest"], rel=1e-9, abs=scale), (name, part)
+
+
+@pytest.mark.parametrize("gap", [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-11])
+def test_rates_have_no_bound_at_dead_centres_beside_a_change_point(gap):
+    """The chain would fold flat at 0° if its rocker were longer by the gap."""
+    mechanism = vad.FourBar(ground=100, crank=40, coupler=120, rocker=60 - gap)
+    found = vad.merit(mechanism)
+    (low, high), most = found["ranges"][0], found["extremes"]["rocker.omega"]
+    assert 0.0 < low < 1.5 and high == pytest.approx(360.0 - low)
+    assert (most["least"], most["largest"]) == (None, None)
+    assert {most["least_at"], most["largest_at"]} == {low, high}
+    beside = vad.solve(mechanism, angle=low + (high - low) * 1e-13).link("rocker").omega
+    assert abs(beside) > 1e3
+
+
+@pytest.mark.parametrize("gap", [1e-2, 1e-5, 1e-8, 1e-11])
+def test_no_rate_beside_a_change_point_is_beyond_the_extremes(gap):
+    """The chain does not fold flat, but nearly does: its rates have narrow peaks beside 0°."""
+    mechanism = vad.FourBar(ground=100, crank=40, coupler=120, rocker=60 + gap)
+    near = np.geomspace(1e-12, 1.0, 4001)
+    many = vad.solve(mechanism, angle=np.concatenate([-near, near]))
+    for name in ("rocker.omega", "rocker.alpha", "coupler.omega"):
+        values, most = many.read(many.results[name]), vad.merit(mechanism)["extremes"][name]
+        room = 1e-9 * np.abs(values).max()
+        assert most["least"] - room <= values.min()
+        assert values.max() <= most["largest"] + room
 
 
 def test_rates_grow_beyond_all_bounds_at_a_dead_centre():

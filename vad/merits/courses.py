@@ -31,7 +31,8 @@ _ROUNDED = 1e-12
 _STEPS = 1440
 #: Places beside an end, as shares of the range.  What grows from each to the next by more than this
 #: factor has no bound there: a rate near a dead centre grows at least as the root of the distance.
-_BESIDE, _GROWS = np.array([1e-6, 1e-8, 1e-10]), 3.0
+#: Where links nearly have a change point, it grows only so near to the end.
+_BESIDE, _GROWS = np.array([1e-9, 3e-11, 1e-12]), 3.0
 
 
 class Extremes(NamedTuple):
