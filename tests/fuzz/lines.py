@@ -27,6 +27,7 @@ from tests.fuzz.promise import broken
 from vad.cli import output, verbs
 from vad.cli.app import app
 from vad.cli.completion import VARIABLE
+from vad.cli.design import DesignGroup
 from vad.cli.groups import MechanismGroup
 from vad.cli.main import answer
 from vad.cli.run import run
@@ -40,7 +41,23 @@ LONGEST = 60.0
 _WIDEST = 520
 
 DRAWING = ["solve", "draw", "animate", "sweep", "compare", "gui"]
-OTHERS = ["list", "example", "check", "batch", "sovle", "", "-h", "--version", "--completion"]
+OTHERS = [
+    *(
+        "list",
+        "example",
+        "check",
+        "batch",
+        "quiz",
+        "design",
+        "design",
+        "exercise",
+        "sovle",
+        "",
+        "-h",
+    ),
+    *("--version", "--completion"),
+]
+TASKS = DesignGroup().list_commands(click.Context(app))
 NAMES = [
     *("fuor-bar", "press.toml", "press.toml", "press.toml", "no.toml", "bad.toml", "watt-1", ""),
     *("four-bar.toml", "sheets.toml", "/", "\udc80", "x" * 300, "FOUR-BAR"),
@@ -68,6 +85,8 @@ VALUES = [
     *("1", "2", "3", "7", "12", "361", "-90", "180", "1e150", "1e-150", "1e308", "0.5 turn"),
     *("80 N @ 150 at C", "-6 N m on rod", "P = 2 kN at B on crank", "rod 2 kg at C", "slider 0.1"),
     *("80 N @ nan at C", "@ at on", "rod 1e400", "9.81,", "0,-9.81", "crank 0.01 kg m^2"),
+    *("x^1.5", "x^x^x", "1/(x-1)", "1 4", "40 70, 60 82, 80 97", "0 0, 60 0", "1.2", "0.5", "1e9"),
+    *("0 0 0, 60 30 20, 90 80 55", "0 0 0, 0 0 0, 0 0 0", "30 120", "sin(", "__import__('os')"),
     *("0,90,180", "30,", "1,2,3,4,5,6,7", "60 nan", "mm", "nan", "bash", "zsh", "\udc80", "\0"),
 ]
 #: Numbers that are often possible.
@@ -78,6 +97,8 @@ WRITTEN = {
     "animate": ("a.srt", "a.vtt", "a.gif", "a.html", "a.svg"),
     "sweep": ("a.csv", "a.csv", "a.csv", "a.png"),
     "batch": ("out", "out/"),
+    "quiz": ("a.xml", "a.gift", "a.md", "a.zip"),
+    "design": ("a.toml", "a.json", "a.svg"),
 }
 FILES = [
     *("a.json", "a.svg", "a.csv", "a.png", "a.pdf", "a.html", "a.srt", "a.vtt", "a.mp4", "a.gif"),
@@ -93,7 +114,10 @@ def case(seed: int) -> list[str]:
     verb = dice.choice(DRAWING if dice.random() < 0.75 else OTHERS)
     name = dice.choice(list(MECHANISMS) if dice.random() < 0.75 else NAMES)
     words = [verb]
-    if verb == "batch":
+    if verb == "design":
+        name = dice.choice([*TASKS, *TASKS, "four-bar", "desgin", ""])
+        words.append(name)
+    elif verb in ("batch", "quiz"):
         words.append(dice.choice(("sheets.toml", "sheets.toml", "press.toml", "sheets.csv", name)))
     elif verb == "check":
         words.append(dice.choice(("press.toml", "bad.toml", name)))
@@ -132,6 +156,9 @@ def _options(verb: str, name: str) -> dict[str, click.Parameter]:
     if isinstance(command, MechanismGroup):
         kind = name if name in MECHANISMS else "four-bar"
         command = command.get_command(click.Context(app), kind)
+    if isinstance(command, DesignGroup):
+        task = name if name in TASKS else TASKS[0]
+        command = command.get_command(click.Context(app), task)
     params = getattr(command, "params", ())
     return {option: each for each in params for option in each.opts if option.startswith("-")}
 

@@ -188,7 +188,9 @@ def test_no_pose_is_beyond_the_extremes(kind):
         place = most["largest_at"]
         if most["largest"] is None or quantity not in ("omega", "alpha"):
             continue
-        if min(place - low, high - place) > 1e-9:  # at a dead centre a rate may have a limit, but no value
+        if (
+            min(place - low, high - place) > 1e-9
+        ):  # at a dead centre a rate may have a limit, but no value
             there = np.asarray(vad.solve(mechanism, **{driven: place}).read(many.results[name]))
             largest = np.linalg.norm(there) if there.ndim else there
             assert largest == pytest.approx(most["largest"], rel=1e-9, abs=scale), (name, part)
