@@ -6,21 +6,28 @@ speed."
 
 from __future__ import annotations
 
+from vad.kinematics.numbers import ray
+from vad.lecture.balanced import answer_of_balancing
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import ACCELERATION, VELOCITY
 from vad.strokes.sentences import Noun, Sentence, SentencePart, Text, Unit, Voice
-from vad.strokes.sheet import Arrow, Cell, Row, Sheet
+from vad.strokes.sheet import Arrow, Cell, Curve, Row, Sheet, Stroke
 
+#: The panels in whose rows the rates stand, the first that there is.
+_RATES = (VELOCITY.panel, "turned", "centres")
 #: A rate below this share of the largest one counts as zero.
 _REST = 1e-9
 
 
 def answer(sheet: Sheet) -> Sentence | None:
-    """Return how the output of a mechanism moves; None for a sheet without its velocities."""
+    """Return how the output of a mechanism moves, or what balances a shaft.
+
+    None for a sheet without velocities, on which nothing was to be found.
+    """
     row = _output(sheet)
     if row is None:
-        return None
-    (rate, *_), growth = row.cells[VELOCITY.panel], row.cells.get(ACCELERATION.panel, ())
+        return _of_klein(sheet) or answer_of_balancing(sheet)
+    (rate, *_), growth = row.cells[_panel(row)], row.cells.get(ACCELERATION.panel, ())
     parts: dict[str, SentencePart] = {
         "place": _place(sheet),
         "name": _name(row),
@@ -39,6 +46,42 @@ def answer(sheet: Sheet) -> Sentence | None:
     return _said(sheet, "answer turns" if rate.unit == "rad/s" else "answer moves", parts)
 
 
+def _of_klein(sheet: Sheet) -> Sentence | None:
+    """Return how the slider moves by Klein's figure alone, whose sides stand for its rates."""
+    panel = next((panel for panel in sheet.panels if panel.name == "klein"), None)
+    strokes = panel.strokes if panel else ()
+    found = [each for each in strokes if each.kind == "result" and isinstance(each.shape, Curve)]
+    sides = [each for each in found if each.link == found[-1].link and _value(each)]
+    if panel is None or len(sides) != 2:
+        return None
+    row = next(row for row in sheet.rows if row.key == sides[0].link)
+    senses = dict(panel.turned)
+    velocity, acceleration = (
+        (each.shape.points[-1] - each.shape.points[0]) * ray(senses[order.panel])
+        for each, order in zip(sides, (VELOCITY, ACCELERATION), strict=True)
+        if isinstance(each.shape, Curve)
+    )
+    gains = (velocity * acceleration.conjugate()).real > 0.0
+    rate = _value(sides[0])
+    assert rate is not None
+    parts: dict[str, SentencePart] = {
+        "place": _place(sheet),
+        "name": Noun(row.key, generic="slider"),
+        "of": row.letters,
+        "way": _said(sheet, _direction(velocity)),
+        "rate": rate,
+        "unit": Unit(rate.unit),
+        "trend": _said(sheet, "answer gains" if gains else "answer loses"),
+    }
+    return _said(sheet, "answer moves", parts)
+
+
+def _value(stroke: Stroke) -> Figure | None:
+    """Return the rate that is calculated with a stroke; None where there is none."""
+    found = stroke.said.parts.get("value") if isinstance(stroke.said, Sentence) else None
+    return found if isinstance(found, Figure) else None
+
+
 def _said(sheet: Sheet, phrase: str, parts: dict[str, SentencePart] | None = None) -> Sentence:
     return Sentence(phrase, parts or {}, voice=Voice(sheet.language, sheet.notation))
 
@@ -55,19 +98,24 @@ def _output(sheet: Sheet) -> Row | None:
         if stroke.name == ride.block
     }
     guided = [row for row in rows if row.key in carried]
-    turning = [row for row in rows if row.cells[VELOCITY.panel][0].unit == "rad/s"]
+    turning = [row for row in rows if row.cells[_panel(row)][0].unit == "rad/s"]
     return next(iter((guided or turning or rows)[-1:]), None)
 
 
+def _panel(row: Row) -> str:
+    """Return the panel that measures the rate of a row; empty where there is none."""
+    return next((name for name in _RATES if row.cells.get(name)), "")
+
+
 def _moves(row: Row) -> bool:
-    cells = row.cells.get(VELOCITY.panel, ())
+    cells = row.cells.get(_panel(row), ())
     return bool(cells) and not cells[0].given
 
 
 def _name(row: Row) -> Noun:
     """Return the name of a link or slide, as its title has it."""
     said = row.title.said if isinstance(row.title, Text) else None
-    slides = row.cells[VELOCITY.panel][0].unit != "rad/s"
+    slides = row.cells[_panel(row)][0].unit != "rad/s"
     name = said.name if isinstance(said, Noun) else row.key
     return Noun(name, generic="slider" if slides else "link")
 
@@ -78,8 +126,9 @@ def _place(sheet: Sheet) -> SentencePart:
         cell
         for row in sheet.rows
         if row.key == sheet.driver.row
-        for cell in row.cells.get("position", ())
-        if cell.given
+        for name in ("position", "klein")
+        for cell in row.cells.get(name, ())
+        if cell.given and cell.symbol != row.letters
     )
     cell = next(cells, None)
     if cell is None:
@@ -97,18 +146,26 @@ def _way(sheet: Sheet, row: Row) -> str:
 
     That is the sense in which a link turns, or the direction of the vector that measures a slide.
     """
-    rate = row.cells[VELOCITY.panel][0]
+    name = _panel(row)
+    rate = row.cells[name][0]
     if any(panel.picture == "views" for panel in sheet.panels):
         return ""
     if rate.unit == "rad/s":
         return "counter-clockwise" if rate.value > 0.0 else "clockwise"
-    for stroke in sheet.panel(VELOCITY.panel).strokes:
+    panel = sheet.panel(name)
+    back = ray(dict(panel.turned).get(VELOCITY.panel, 0.0))
+    for stroke in panel.strokes:
         if row.key in stroke.reveals and isinstance(stroke.shape, Arrow):
-            way = stroke.shape.end - stroke.shape.start
-            if abs(way.real) >= abs(way.imag):
-                return "right" if way.real > 0.0 else "left"
-            return "up" if way.imag > 0.0 else "down"
+            way = (stroke.shape.end - stroke.shape.start) * back
+            return _direction(way)
     return ""
+
+
+def _direction(way: complex) -> str:
+    """Return the phrase for a direction on the paper."""
+    if abs(way.real) >= abs(way.imag):
+        return "right" if way.real > 0.0 else "left"
+    return "up" if way.imag > 0.0 else "down"
 
 
 def _trend(sheet: Sheet, rate: Cell, growth: tuple[Cell, ...]) -> str:

@@ -230,6 +230,20 @@ PHRASES = {
     "answer gains": " und wird schneller",
     "answer loses": " und wird langsamer",
     "answer steady": "",
+    "answer next": "; ",
+    "answer balances": "Die Welle ist ausgeglichen durch {masses}.",
+    "answer mass": "{letter} mit {symbol} = {size} {unit} unter {angle}°",
+    "answer over a turn": "Im Umlauf: {results}.",
+    "answer reaches": "{what} erreicht {largest} {unit} bei {where}°",
+    "answer steadily": "{what} beträgt immer {largest} {unit}",
+    "answer balanced": "{what} ist ausgeglichen",
+    "answer primary force": "die Kraft 1. Ordnung",
+    "answer secondary force": "die Kraft 2. Ordnung",
+    "answer primary couple": "das Moment 1. Ordnung",
+    "answer secondary couple": "das Moment 2. Ordnung",
+    "answer tractive force": "die Schwankung der Zugkraft",
+    "answer swaying couple": "das Drehmoment um die Hochachse",
+    "answer hammer blow": "der Hammerschlag von {letter}",
     "loop": "{panel}, Masche {number}",
     # Wörter
     "and": "{first} und {last}",
@@ -349,7 +363,8 @@ PHRASES = {
     "balance meet": "Sie treffen sich: das Polygon schließt sich.",
     "balance about": "um die Ebene von {reference}",
     "engine zero": (
-        "Hier schließt es sich; im Umlauf ist die Resultierende höchstens {largest} {unit}."
+        "Hier schließt es sich; im Umlauf ist die Resultierende höchstens {largest} {unit}, "
+        "bei {where}°."
     ),
     "engine rod": "Pleuel und Kolben von {letter}.",
     "engine stroke": "Die Hubrichtung von {letter}.",
@@ -388,7 +403,7 @@ PHRASES = {
     ),
     "engine across": "Nur sein Anteil in der Hubrichtung wirkt.",
     "engine nothing": (
-        "Hier wirkt kein Teil von ihm; im Umlauf erreicht {letter} {largest} {unit}."
+        "Hier wirkt kein Teil von ihm; im Umlauf erreicht {letter} {largest} {unit}, bei {where}°."
     ),
     "engine resultant in line": (
         "{letter} = {value} {unit} in der Hubrichtung; im Umlauf höchstens {largest} {unit}, bei "

@@ -235,6 +235,20 @@ PHRASES = {
     "answer gains": " and gains speed",
     "answer loses": " and loses speed",
     "answer steady": "",
+    "answer next": "; ",
+    "answer balances": "The shaft is balanced by {masses}.",
+    "answer mass": "{letter} with {symbol} = {size} {unit} at {angle}°",
+    "answer over a turn": "Over a turn {results}.",
+    "answer reaches": "{what} reaches {largest} {unit} at {where}°",
+    "answer steadily": "{what} is {largest} {unit} all the time",
+    "answer balanced": "{what} is balanced",
+    "answer primary force": "the primary force",
+    "answer secondary force": "the secondary force",
+    "answer primary couple": "the primary couple",
+    "answer secondary couple": "the secondary couple",
+    "answer tractive force": "the change of the tractive force",
+    "answer swaying couple": "the swaying couple",
+    "answer hammer blow": "the hammer blow of {letter}",
     "loop": "{panel}, loop {number}",
     # words
     "and": "{first} and {last}",
@@ -349,7 +363,9 @@ PHRASES = {
     "balance arc": "{letter} is {value} {unit} long: an arc of that radius.",
     "balance meet": "They meet: the polygon closes.",
     "balance about": "about the plane of {reference}",
-    "engine zero": "It closes here; over a turn the resultant is at most {largest} {unit}.",
+    "engine zero": (
+        "It closes here; over a turn the resultant is at most {largest} {unit}, at {where}°."
+    ),
     "engine rod": "The rod and the piston of {letter}.",
     "engine stroke": "The line of stroke of {letter}.",
     "engine crank": "The crank of {letter} stands at {angle}°.",
@@ -378,7 +394,9 @@ PHRASES = {
         "crank."
     ),
     "engine across": "Only its part along the line of stroke acts.",
-    "engine nothing": "No part of it acts here; over a turn {letter} reaches {largest} {unit}.",
+    "engine nothing": (
+        "No part of it acts here; over a turn {letter} reaches {largest} {unit}, at {where}°."
+    ),
     "engine resultant in line": (
         "{letter} = {value} {unit} along the line of stroke; over a turn at most {largest} "
         "{unit}, at {where}°."

@@ -233,6 +233,20 @@ PHRASES = {
     "answer gains": " et accélère",
     "answer loses": " et ralentit",
     "answer steady": "",
+    "answer next": " ; ",
+    "answer balances": "L’arbre est équilibré par {masses}.",
+    "answer mass": "{letter} avec {symbol} = {size} {unit} à {angle}°",
+    "answer over a turn": "Dans un tour : {results}.",
+    "answer reaches": "{what} atteint {largest} {unit} à {where}°",
+    "answer steadily": "{what} vaut toujours {largest} {unit}",
+    "answer balanced": "{what} est nul à tout instant",
+    "answer primary force": "l’effort primaire",
+    "answer secondary force": "l’effort secondaire",
+    "answer primary couple": "le couple primaire",
+    "answer secondary couple": "le couple secondaire",
+    "answer tractive force": "l’écart de l’effort de traction",
+    "answer swaying couple": "le couple de lacet",
+    "answer hammer blow": "le martèlement de {letter}",
     "loop": "{panel}, boucle {number}",
     # mots
     "and": "{first} et {last}",
@@ -350,7 +364,9 @@ PHRASES = {
     "balance arc": "{letter} mesure {value} {unit} : un arc de ce rayon.",
     "balance meet": "Ils se coupent : le polygone se ferme.",
     "balance about": "autour du plan de {reference}",
-    "engine zero": "Ici il se ferme ; dans un tour la résultante atteint {largest} {unit}.",
+    "engine zero": (
+        "Ici il se ferme ; dans un tour la résultante atteint {largest} {unit}, à {where}°."
+    ),
     "engine rod": "La bielle et le piston de {letter}.",
     "engine stroke": "L’axe du cylindre {letter}.",
     "engine crank": "La manivelle de {letter} est à {angle}°.",
@@ -381,7 +397,9 @@ PHRASES = {
         "vite que la manivelle."
     ),
     "engine across": "Seule sa part selon la course agit.",
-    "engine nothing": ("Ici rien n’en agit ; dans un tour {letter} atteint {largest} {unit}."),
+    "engine nothing": (
+        "Ici rien n’en agit ; dans un tour {letter} atteint {largest} {unit}, à {where}°."
+    ),
     "engine resultant in line": (
         "{letter} = {value} {unit} selon la course ; dans un tour au plus {largest} {unit}, à "
         "{where}°."

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import accumulate, pairwise
 
+from vad.lecture.answer import answer
 from vad.lecture.moment import drawing, finished
 from vad.lecture.telling import beats, told, told_together
 from vad.plan.items import (
@@ -182,9 +183,9 @@ def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
 
 
 def caption_lines(sheet: Sheet, room: float) -> int:
-    """Return how many lines the sheet's longest caption takes."""
-    counted = _counted(sheet)
-    lines = []
+    """Return how many lines the sheet's longest caption takes, or its answer."""
+    counted, last = _counted(sheet), answer(sheet)
+    lines = [len(_set(last.pieces, room - _count_room(0))[0])] if last else []
     for panel in sheet.panels:
         for half in panel.halves:
             for first, end in told_together(half):

@@ -125,7 +125,7 @@ class InertiaPolygons:
             phrase = "engine zero" if phasors.largest else "engine balanced"
             pen.draw(
                 "intersection", "balanced", Dot(0j), phrase, reveals=(RESULTANT, LARGEST),
-                largest=Figure(phasors.largest, unit), unit=Unit(unit),
+                **_over_a_turn(phasors, unit),
             )  # fmt: skip
         return tuple(pen.strokes), (Equation(tuple(terms), (total,)),) if terms else ()
 

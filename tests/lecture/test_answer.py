@@ -1,0 +1,87 @@
+"""What a lesson says at its end: of figures upon the mechanism, of shafts and of engines."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+import vad
+from vad.lecture.answer import answer
+from vad.painting.posed import board_of
+
+SHAFT = {
+    "A": {"mass": 200, "radius": 80, "angle": 0, "plane": 0},
+    "B": {"mass": 300, "radius": 70, "angle": 45, "plane": 300},
+    "C": {"mass": 400, "radius": 60, "angle": 115, "plane": 400},
+    "D": {"mass": 200, "radius": 80, "angle": 235, "plane": 700},
+    "X": {"radius": 100, "plane": 100},
+    "Y": {"radius": 100, "plane": 500},
+}
+LANGUAGES = ("en", "de", "fr")
+
+
+def said(thing, *panels, language="en"):
+    return str(answer(vad.draw(thing, panels=panels or None, language=language)))
+
+
+@pytest.mark.parametrize("offset", [0.0, 20.0])
+@pytest.mark.parametrize("omega", [10.0, -10.0])
+@pytest.mark.parametrize("angle", [20.0, 100.0, 200.0, 300.0])
+def test_klein_s_figure_alone_says_what_the_polygons_say(angle, omega, offset):
+    pose = vad.solve(vad.SliderCrank(offset=offset), angle=angle, omega=omega)
+    polygons = said(pose, "position", "velocity", "acceleration")
+    assert said(pose, "klein") == polygons and polygons.startswith(f"At {angle:g}°")
+
+
+@pytest.mark.parametrize("omega", [10.0, -10.0])
+def test_turned_velocities_say_what_the_polygon_says(omega):
+    for kind in (vad.SliderCrank, vad.FourBar, vad.CrankSlottedLever):
+        pose = vad.solve(kind(), omega=omega)
+        polygons = said(pose, "position", "velocity")
+        assert said(pose, "turned") == polygons.replace("At 60°", "In this pose")
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_centres_end_with_the_rate_that_they_give(language):
+    pose = vad.solve(vad.FourBar())
+    assert said(pose, "centres", language=language) == said(pose, "velocity", language=language)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_shaft_ends_with_the_masses_that_balance_it(language):
+    found = re.findall(r"[\d.,]+(?= kg|°)", said(vad.balance(SHAFT), language=language))
+    assert [text.replace(",", ".") for text in found] == ["353.0", "213.4", "184.1", "347.2"]
+
+
+def test_of_a_radius_that_is_found_the_product_is_said():
+    masses = {"A": {"mass": 2, "radius": 300, "angle": 0}, "X": {"mass": 3}}
+    assert "X with m·r = 0.6000 kg·m at 180.0°" in said(vad.balance(masses))
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("angle", [0.0, 25.0, 45.0, 90.0])
+def test_an_engine_ends_with_its_largest_forces_and_where_they_are(angle, language):
+    twin = [{"mass": 11.5, "line": 45}, {"mass": 11.5, "line": -45}]
+    engine = vad.engine(twin, radius=75, ratio=4, rpm=500)
+    text = said(vad.solve(engine.motion.mechanism, angle=angle), language=language)
+    assert re.findall(r"\d+(?:[.,]\d)?(?= N)", text)[0] == "2365"
+    assert "836" in text and "45°, 135°, 225°, 315°" in text
+
+
+def test_where_an_engine_is_balanced_that_is_said_alone():
+    six = [
+        {"mass": 1, "crank": crank, "plane": plane}
+        for crank, plane in zip((0, 120, 240, 240, 120, 0), range(0, 600, 100), strict=True)
+    ]
+    text = said(vad.engine(six, radius=50, ratio=4, rpm=500, reference=250))
+    assert text.count("balanced") == 4 and "reaches" not in text
+
+
+def test_the_answer_has_room_below_the_drawing():
+    twin = [{"mass": 11.5, "line": 45}, {"mass": 11.5, "line": -45}]
+    sheet = vad.draw(vad.engine(twin, radius=75, ratio=4, rpm=500), language="fr")
+    plan = board_of(vad.animate(sheet))
+    last = [item for item in plan.items if item.region == "caption" and not item.stroke][-1]
+    shown = "".join(run.text for mark in last.marks for run in mark.shape.runs if run.shown)
+    assert shown.replace(" ", "") == str(answer(sheet)).replace(" ", "")
