@@ -55,7 +55,7 @@ def _of_klein(sheet: Sheet) -> Sentence | None:
     if panel is None or len(sides) != 2:
         return None
     row = next(row for row in sheet.rows if row.key == sides[0].link)
-    senses = dict(panel.turned)
+    senses = {each.panel: each.degrees for each in panel.turned}
     velocity, acceleration = (
         (each.shape.points[-1] - each.shape.points[0]) * ray(senses[order.panel])
         for each, order in zip(sides, (VELOCITY, ACCELERATION), strict=True)
@@ -153,7 +153,7 @@ def _way(sheet: Sheet, row: Row) -> str:
     if rate.unit == "rad/s":
         return "counter-clockwise" if rate.value > 0.0 else "clockwise"
     panel = sheet.panel(name)
-    back = ray(dict(panel.turned).get(VELOCITY.panel, 0.0))
+    back = ray(next((e.degrees for e in panel.turned if e.panel == VELOCITY.panel), 0.0))
     for stroke in panel.strokes:
         if row.key in stroke.reveals and isinstance(stroke.shape, Arrow):
             way = (stroke.shape.end - stroke.shape.start) * back
