@@ -16,13 +16,13 @@ ROOT = Path(__file__).parents[1]
 #: So many inputs of each entrance take a second or two.  Calls have tests of their own.
 SHARES = {
     "files": 6,
-    "lines": 100,
-    "draws": 6,
+    "lines": 50,
+    "draws": 4,
     "sheets": 12,
     "batches": 30,
     "messages": 8,
     "requests": 15,
-    "titles": 2,
+    "titles": 1,
     "signals": 4,
 }
 

@@ -16,6 +16,8 @@ from tests.batches.conftest import CLASS
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
 
 ROOT = Path(__file__).parents[2]
+#: A class whose sheets are still being made when the batch is interrupted.
+LARGE = CLASS.replace("key.json", "key.svg").replace("10\n", "90\n")
 #: How long a terminal waits for all processes to end.
 _PATIENCE = 20
 
@@ -23,7 +25,7 @@ _PATIENCE = 20
 @pytest.fixture
 def batch(written, tmp_path):
     """Start a batch with three workers as a terminal does; it has a folder for temporary files."""
-    path = written(CLASS.replace("key.json", "key.svg").replace("10\n", "90\n"))
+    path = written(LARGE)
     temporary = tmp_path / "temporary"
     temporary.mkdir()
     words = ["batch", str(path), "-o", str(tmp_path / "out"), "--jobs", "3"]
@@ -92,7 +94,7 @@ def test_workers_end_after_the_main_process_was_killed(batch):
     assert ended(running) == (-9, "")
 
 
-def test_what_a_killed_batch_left_is_removed_by_the_next_one_a_day_later(batch):
+def test_what_a_killed_batch_left_is_removed_by_the_next_one_a_day_later(batch, written):
     """All processes were killed at once, so that nobody could clean up."""
     running, folder = batch
     out, temporary = folder / "out", folder / "temporary"
@@ -105,6 +107,7 @@ def test_what_a_killed_batch_left_is_removed_by_the_next_one_a_day_later(batch):
     yesterday = (time.time() - 90_000,) * 2
     for each in (*temporary.iterdir(), *out.glob(".vad-*")):
         os.utime(each, yesterday)
+    written(CLASS)  # a smaller class, into the same folder
     again = [sys.executable, "-m", "vad", *running.args[3:]]
     surroundings = {**os.environ, "PYTHONPATH": str(ROOT), "TMPDIR": str(temporary)}
     assert subprocess.run(again, env=surroundings, check=False).returncode == 0

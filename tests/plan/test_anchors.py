@@ -438,7 +438,7 @@ def test_every_vertex_of_a_few_poses_is_where_it_belongs(name):
     assert check(name, driven(mechanism, FEW, seed=len(name))) > 100
 
 
-@pytest.mark.exhaustive(100)
+@pytest.mark.exhaustive(1000)
 @pytest.mark.parametrize("name", KINDS)
 def test_every_vertex_of_many_poses_is_where_it_belongs(name):
     mechanism = reach_of(name)[0]

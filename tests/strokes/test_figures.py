@@ -12,6 +12,8 @@ import re
 from collections.abc import Iterator
 from fractions import Fraction
 
+import pytest
+
 from tests.strokes.calculations import FIGURE, FLOATS, Figure, Side, chains
 from tests.strokes.motions import (
     ORDERS,
@@ -156,11 +158,14 @@ def calculate(caption: str) -> int:
     return done
 
 
-def test_it_does_so_all_round() -> None:
+@pytest.mark.exhaustive(4)
+@pytest.mark.parametrize("name", MECHANISMS)
+def test_it_does_so_all_round(name: str) -> None:
     """Every mechanism, in both assemblies, over its whole range."""
-    turns = (sheets(mechanism, language="de") for mechanism in MECHANISMS.values())
-    drawn = (panel for turn in turns for sheet in turn for panel in sheet.halves)
-    assert sum(calculate(stroke.caption) for panel in drawn for stroke in panel.strokes) > 1600
+    turn = sheets(MECHANISMS[name], language="de")
+    drawn = (panel for sheet in turn for panel in sheet.halves)
+    done = sum(calculate(stroke.caption) for panel in drawn for stroke in panel.strokes)
+    assert done >= (5 if "hooke" in name or "spherical" in name else 25)
 
 
 @in_every_language
