@@ -7,8 +7,10 @@ pictures as ``.svg``, ``film_gif`` films as ``.gif``; see `THINGS`.  It has one 
     def write(thing, target, **options) -> None
 
 ``target`` is an open binary file (of ``film_frames``, a folder's path), which takes its place when
-``write`` returns.  The parameters after it are the format's options.  One that is annotated
-``Annotated[float, "what it does"]`` is an option of the command line and of ``vad batch``, too.
+``write`` returns.  A format whose module has a ``COMPANION``, the ending of a name, needs a file of
+that name beside its own, and takes its name as ``companion``.  The other parameters are the
+format's options.  One that is annotated ``Annotated[float, "what it does"]`` is an option of the
+command line and of ``vad batch``, too.
 """
 
 from __future__ import annotations
@@ -60,7 +62,16 @@ THINGS: dict[str, tuple[type, ...]] = {
     "page": (Sheet, Lesson, Turn),
 }
 #: The order in which formats are listed; others follow, and last the folder of frames.
-_FIRST = (".mp4", ".gif", ".csv", ".xlsx", ".png", ".svg", ".pdf", ".json", ".srt", ".vtt", ".html")
+_FIRST = (
+    *(".mp4", ".gif", ".csv", ".xlsx", ".png", ".svg", ".pdf", ".json", ".srt", ".vtt", ".html"),
+    *(".pptx", ".tex", ".tikz", ".txt"),
+)
+#: What is not made, and how to come by it.
+_ELSEWHERE = {
+    ".eps": "save .pdf, which LaTeX takes; or pdftops -eps sheet.pdf",
+    ".ps": "save .pdf; or pdftops sheet.pdf",
+    ".ppt": "save .pptx",
+}
 _NAMES: dict[type, str] = {
     Sheet: "a picture",
     Lesson: "a film",
@@ -105,6 +116,7 @@ class Options(TypedDict, total=False):
     text: Literal["glyphs", "letters"]
     threads: int
     no_sliders: bool
+    per_panel: bool
 
 
 def save(
@@ -120,7 +132,8 @@ def save(
     ----------
     thing
         A `Sheet` (.png, .svg, .pdf, .json, .html), a `Lesson` (.mp4, .gif, .pdf with a page a step,
-        .html with a player, .srt, .vtt, or a folder of PNG frames: a path that ends in ``/``, has
+        .html with a player, .srt, .vtt, .txt, the transcript,
+        .pptx, .tex for Beamer, or a folder of PNG frames: a path that ends in ``/``, has
         no extension, or is an existing folder), a `Turn` (.mp4, .gif or a folder; .html that is
         turned by hand; .png, .svg and .pdf with twelve numbered positions), or a `Still` of a
         lesson or `Multiples` (.png, .svg, .pdf).
@@ -149,6 +162,11 @@ def save(
         for other in _beside(path, beside):
             writer = import_module(FORMATS[type(thing)][format_of(type(thing), other)])
             writer.write(thing, stack.enter_context(files.new_file(other)))
+        if companion := getattr(module, "COMPANION", ""):
+            other = _named_alike(path, companion)
+            own["companion"] = other.name
+            writer = import_module(FORMATS[type(thing)][format_of(type(thing), other)])
+            writer.write(thing, stack.enter_context(files.new_file(other)))
         if extension == FOLDER:
             target: Any = stack.enter_context(files.new_folder(path, module.is_frame))
         else:
@@ -162,12 +180,17 @@ def _beside(path: str | os.PathLike[str], extensions: Iterable[str]) -> list[Pat
     for each in gate.several("beside", extensions, "extensions", _BESIDE):
         if isinstance(extensions, str) or not isinstance(each, str) or not _DOTTED.fullmatch(each):
             raise UsageError(f"beside: must be extensions, got {quoted(each)}", _BESIDE)
-        folder, name = os.path.split(os.path.splitext(os.fspath(path).rstrip("/"))[0])
-        if not name:
-            message = f"{quoted(os.fspath(path))} has no name, and so no file beside it has one"
-            raise UsageError(message, "name a folder of its own, such as frames/")
-        others.append(Path(folder, name + each))
+        others.append(_named_alike(path, each))
     return others
+
+
+def _named_alike(path: str | os.PathLike[str], ending: str) -> Path:
+    """Return the file of the same name with another ending."""
+    folder, name = os.path.split(os.path.splitext(os.fspath(path).rstrip("/"))[0])
+    if not name:
+        message = f"{quoted(os.fspath(path))} has no name, and so no file beside it has one"
+        raise UsageError(message, "name a folder of its own, such as frames/")
+    return Path(folder, name + ending)
 
 
 def checked_options(
@@ -182,7 +205,7 @@ def checked_options(
     """
     known = signature(module.write).parameters
     for name in options:
-        if name not in _parameters(module.__name__):
+        if name == "companion" or name not in _parameters(module.__name__):
             raise UsageError(f"{name}: {_named(extension)} has no such option")
     gate.function("progress", options.get("progress"))
     return {
@@ -285,6 +308,8 @@ def format_of(kind: type, path: str | os.PathLike[str]) -> str:
         extension = FOLDER
     if extension in formats:
         return extension
+    if extension in _ELSEWHERE:
+        raise UsageError(f"{quoted(text)}: {extension} is not made", _ELSEWHERE[extension])
     raise UsageError(
         f"{_NAMES[kind]} cannot be saved as {quoted(text)}", hint=_what_works(kind, extension)
     )
