@@ -67,7 +67,7 @@ def test_misuse_is_answered_with_what_works(folder: Path, thing: object, path: s
 
 def test_the_hint_is_one_clause_unless_another_thing_has_the_format() -> None:
     with pytest.raises(UsageError) as caught:
-        format_of(Lesson, "film.eps")
+        format_of(Lesson, "film.bmp")
     assert str(caught.value.hint).startswith("as .mp4, .gif")
     assert ";" not in str(caught.value.hint)
     with pytest.raises(UsageError) as caught:

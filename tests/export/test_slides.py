@@ -120,7 +120,7 @@ def test_a_name_that_latex_cannot_read_is_refused(lesson: Lesson, tmp_path: Path
 def test_eps_is_answered_in_a_clause(lesson: Lesson, tmp_path: Path, name: str):
     with pytest.raises(UsageError, match=r"\.eps is not made$") as wrong:
         vad.save(lesson if "lecture" in name else lesson.sheet, tmp_path / name)
-    assert wrong.value.hint == "save .pdf, which LaTeX takes; or pdftops -eps sheet.pdf"
+    assert wrong.value.hint == "save .pdf, of which pdftops -eps makes EPS"
 
 
 @pytest.mark.parametrize(

@@ -68,8 +68,8 @@ _FIRST = (
 )
 #: What is not made, and how to come by it.
 _ELSEWHERE = {
-    ".eps": "save .pdf, which LaTeX takes; or pdftops -eps sheet.pdf",
-    ".ps": "save .pdf; or pdftops sheet.pdf",
+    ".eps": "save .pdf, of which pdftops -eps makes EPS",
+    ".ps": "save .pdf, of which pdftops makes PostScript",
     ".ppt": "save .pptx",
 }
 _NAMES: dict[type, str] = {
@@ -131,12 +131,12 @@ def save(
     Parameters
     ----------
     thing
-        A `Sheet` (.png, .svg, .pdf, .json, .html), a `Lesson` (.mp4, .gif, .pdf with a page a step,
-        .html with a player, .srt, .vtt, .txt, the transcript,
-        .pptx, .tex for Beamer, or a folder of PNG frames: a path that ends in ``/``, has
-        no extension, or is an existing folder), a `Turn` (.mp4, .gif or a folder; .html that is
-        turned by hand; .png, .svg and .pdf with twelve numbered positions), or a `Still` of a
-        lesson or `Multiples` (.png, .svg, .pdf).
+        A `Sheet` (.png, .svg, .pdf, .tikz, .json, .html), a `Lesson` (.mp4, .gif, .pdf with a page
+        a step, .html with a player, .srt, .vtt, .txt, the transcript, .pptx, .tex for Beamer with
+        a PDF beside it, or a folder of PNG frames: a path that ends in ``/``, has no extension, or
+        is an existing folder), a `Turn` (.mp4, .gif or a folder; .html that is turned by hand;
+        .png, .svg, .pdf and .tikz with twelve numbered positions), or a `Still` of a lesson or
+        `Multiples` (.png, .svg, .pdf, .tikz).
     path
         Where to.  What stands there is replaced when the new file is complete, and not before.
     beside
@@ -205,7 +205,7 @@ def checked_options(
     """
     known = signature(module.write).parameters
     for name in options:
-        if name == "companion" or name not in _parameters(module.__name__):
+        if name not in _parameters(module.__name__):
             raise UsageError(f"{name}: {_named(extension)} has no such option")
     gate.function("progress", options.get("progress"))
     return {
@@ -215,8 +215,9 @@ def checked_options(
 
 
 def _parameters(module: str) -> tuple[str, ...]:
-    """Return the names of a format's options: the parameters of `write` after thing and target."""
-    return tuple(signature(import_module(module).write).parameters)[2:]
+    """Return the names of a format's options: parameters of `write` that `save` does not give."""
+    _, _, *options = signature(import_module(module).write).parameters
+    return tuple(name for name in options if name != "companion")
 
 
 def options_of(kind: type, extension: str) -> tuple[str, ...]:

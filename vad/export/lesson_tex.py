@@ -44,7 +44,7 @@ def write(
     lesson: Lesson,
     target: BinaryIO,
     *,
-    companion: str = f"lecture{COMPANION}",
+    companion: str,
     progress: Progress | None = None,
 ) -> None:
     """Write the document; ``companion`` is the name of the PDF with a page for each step.
