@@ -27,9 +27,9 @@ def write(
 ) -> None:
     """Write one page; a pixel of the same picture, which has ``size``, becomes a point.
 
-    With ``paper`` ("A4", "A3" or "letter") the page is of that size, and each panel is drawn to
-    the scale that it states, to be measured with a ruler.  Panels named in ``blank`` are left to be
-    drawn, to that scale.
+    With ``paper`` ("A4", "A3" or "letter", or "A4-portrait" for one that stands upright) the page
+    is of that size, and each panel is drawn to the scale that it states, to be measured with a
+    ruler.  Panels named in ``blank`` are left to be drawn, to that scale.
 
     Raises
     ------

@@ -17,7 +17,11 @@ _PAPER_UNIT = 300.0
 #: Printers leave the edge white: the board's own margin begins this far from it.
 _PAPER_EDGE = 0.5 * _CENTIMETRE
 
-_MILLIMETRES = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "letter": (279.4, 215.9)}
+_LANDSCAPE = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "letter": (279.4, 215.9)}
+_MILLIMETRES = {
+    **_LANDSCAPE,
+    **{f"{name}-portrait": (width, height) for name, (height, width) in _LANDSCAPE.items()},
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,12 +65,18 @@ def screen(size: tuple[float, float]) -> Format:
 
 
 def paper_names() -> list[str]:
-    """Return the names of the sizes of paper."""
+    """Return the names of the sizes of paper, lying and upright.
+
+    Examples
+    --------
+    >>> paper_names()
+    ['A4', 'A3', 'letter', 'A4-portrait', 'A3-portrait', 'letter-portrait']
+    """
     return list(_MILLIMETRES)
 
 
 def paper(name: str) -> Format:
-    """Return the format of a sheet of paper that lies on its long side.
+    """Return the format of a sheet of paper, which lies on its long side or stands upright.
 
     Raises
     ------
