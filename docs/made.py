@@ -1,4 +1,4 @@
-"""The pages that follow from the code: mechanisms, command line, benchmarks and largest errors.
+"""The pages that follow from code and from files: mechanisms, command line, benchmarks, errors.
 
 Out go pages in Markdown by their paths.
 """
@@ -14,6 +14,7 @@ from pathlib import Path
 
 import click
 
+from docs.copied import copied_pages
 from vad.cli.app import app
 from vad.cli.groups import MechanismGroup
 from vad.cli.options import mechanism_options
@@ -64,6 +65,7 @@ def made_pages() -> dict[str, str]:
         "reference/command-line.md": _command_line(),
         "reference/errors.md": _errors(),
         "explanation/benchmarks.md": _benchmarks(),
+        **copied_pages(),
     }
 
 

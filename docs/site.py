@@ -14,12 +14,13 @@ from pathlib import Path
 from docs.examples import draw_pictures
 from docs.gallery import pieces, write_gallery
 from docs.made import made_pages
+from vad import __version__
 
 HOME = Path(__file__).parent
 ROOT = HOME.parent
 PAGES = HOME / "pages"
 #: Of the pictures and films in the repository, what the pages show.
-_SHOWN = ("*.png", "films/slider-crank-paper.gif", "posters/*-paper.png")
+_SHOWN = ("*.png", "films/*.gif", "posters/*.png")
 
 
 def build(folder: Path, every: int = 1) -> None:
@@ -55,6 +56,7 @@ def gather(pages: Path, every: int = 1) -> None:
     for page in sorted(pages.rglob("*.md")):
         draw_pictures(page)
     for path, text in made_pages().items():
+        (pages / path).parent.mkdir(exist_ok=True)
         (pages / path).write_text(text, encoding="utf-8")
     write_gallery(pages, pieces()[::every])
 
@@ -65,7 +67,11 @@ def _html(pages: Path, folder: Path) -> None:
 
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s: %(message)s")
     settings = load_config(
-        str(HOME / "mkdocs.yml"), docs_dir=str(pages), site_dir=str(folder), strict=True
+        str(HOME / "mkdocs.yml"),
+        docs_dir=str(pages),
+        site_dir=str(folder),
+        strict=True,
+        copyright=f"vad {__version__} · MIT License",
     )
     settings.plugins.on_startup(command="build", dirty=False)
     build_html(settings)

@@ -21,7 +21,10 @@ def test_the_menu_lists_every_page():
 
 
 def test_the_reference_has_every_public_name():
-    text = (PAGES / "reference" / "python.md").read_text("utf-8")
+    pages = sorted((PAGES / "reference" / "python").glob("*.md"))
+    text = "\n".join(page.read_text("utf-8") for page in pages)
+    listed = (PAGES / "reference" / "python.md").read_text("utf-8")
+    assert all(f"(python/{page.name})" in listed for page in pages)
     shown = set()
     for name in re.findall(r"^::: ([\w.]+)$", text, re.M):
         module, _, attribute = name.rpartition(".")
@@ -53,6 +56,21 @@ def test_every_link_and_every_picture_leads_to_a_file_of_the_site(site: Path):
     assert count > 500
 
 
+def test_every_film_stands_below_its_command(site: Path):
+    text = made_pages()["gallery/films.md"]
+    films = re.findall(r"^    vad [^\n]*\n\n!\[The film\]\((films/[^)]+)\)", text, re.M)
+    assert len(films) == text.count("![The film]") > 20
+    page = (site / "gallery" / "films.html").read_text("utf-8")
+    assert all(f'src="{film}"' in page and (site / "gallery" / film).is_file() for film in films)
+
+
+def test_the_site_names_its_version_and_can_be_searched(site: Path):
+    page = (site / "index.html").read_text("utf-8")
+    assert f"vad {vad.__version__}" in page
+    assert 'data-md-component="search"' in page
+    assert "Largest errors" in (site / "search" / "search_index.json").read_text("utf-8")
+
+
 def test_nothing_comes_from_elsewhere(site: Path):
     loads = re.compile(r"<(?:script|img|link|iframe|source)\b[^>]*(?:src|href)=\"(?:https?:)?//")
     for page in site.rglob("*.html"):
@@ -62,6 +80,6 @@ def test_nothing_comes_from_elsewhere(site: Path):
 
 
 def test_verbs_are_explained_with_their_parameters(site: Path):
-    page = (site / "reference" / "python.html").read_text("utf-8")
+    page = (site / "reference" / "python" / "solve.html").read_text("utf-8")
     assert 'id="vad.kinematics.motion.solve"' in page
     assert "The motion of the driver" in page
