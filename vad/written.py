@@ -27,7 +27,8 @@ _THOUSANDS = re.compile(r"(?<=\d)(?=(?:\d{3})+$)")
 _DEGREE = "°"
 _DEGREES = (_DEGREE, "deg")
 _FULL_TURN = 360.0
-_SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+#: The digits of a subscript: ``"O4".translate(LOW)`` is "O₄".
+LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _LEVEL = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _SIGNS = {"deg": _DEGREE, "^2": "²"}
@@ -237,7 +238,7 @@ def subscript(number: int) -> str:
     >>> "ω" + subscript(3)
     'ω₃'
     """
-    return str(number).translate(_SUBSCRIPTS)
+    return str(number).translate(LOW)
 
 
 def numbered(symbol: str) -> tuple[str, str]:

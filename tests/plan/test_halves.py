@@ -41,7 +41,7 @@ def test_seven_rows_stand_in_two_halves(name: str, style: str):
     for row in drawn.rows:
         [heading] = [text for text in found if plain(text.runs).startswith(f"{row.title} ")]
         for cells in row.cells.values():
-            number = drawn.notation.number(cells[0].value, cells[0].unit, cells[0].given)
+            number, _ = drawn.notation.cell(cells[0].value, cells[0].unit, cells[0].given)
             assert number in said
             level = [t for t in found if abs(t.at.imag - heading.at.imag) < 1e-9]
             assert number in [plain(text.runs) for text in level]

@@ -9,8 +9,11 @@ import pytest
 import vad
 from vad.plan.board import plan
 from vad.plan.format import screen
-from vad.plan.lettering.glyphs import typeset
+from vad.plan.lettering.glyphs import typeset, width
 from vad.plan.marks import Lettering
+from vad.plan.page.quarter import after_point
+from vad.plan.page.table import table
+from vad.strokes.description import describe
 from vad.strokes.sheet import Sheet
 from vad.style import load_style
 
@@ -57,3 +60,47 @@ def ink_box(text: Lettering) -> tuple[float, float, float, float]:
         x + size * shape.right,
         y + size * shape.top,
     )
+
+
+COLUMNS = {
+    "lever": (vad.CrankSlottedLever(rod=100, ram_height=180), {"angle": 40, "alpha": 20}),
+    "trammel": (vad.EllipticalTrammel(), {"omega": "600 rpm"}),
+    "double": (vad.DoubleSlider(), {"position": 990, "velocity": -2000}),
+    "gate": (vad.GateActuator(), {}),
+    "hooke": (vad.HookeJoint(), {}),
+    "four-bar": (vad.FourBar(), {"omega": 1e-9, "alpha": 123456.7}),
+}
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1024, 768)])
+@pytest.mark.parametrize("name", COLUMNS)
+def test_decimal_points_stand_one_below_the_other(name, size):
+    """Of the first numbers of a column; and no number leaves its column."""
+    mechanism, inputs = COLUMNS[name]
+    sheet = vad.draw(vad.solve(mechanism, **inputs))
+    form, key = screen(size), load_style("paper").key
+    board = plan(sheet, form, key)
+    laid = table(sheet, board.page, key)
+    wide = {place.drawing.width for place in board.page.panels.values()}
+    beneath = board.page.results or len(wide) == 1
+    for panel in sheet.panels:
+        points: dict[str, set[float]] = {}
+        for index, row in enumerate(sheet.rows):
+            entries = laid.cells(index, row, panel.name, False)
+            for place, (cell, entry) in enumerate(zip(row.cells[panel.name], entries, strict=True)):
+                number = entry.number.shape
+                assert isinstance(number, Lettering)
+                texts = [number, *(m.shape for m in entry.symbol if isinstance(m.shape, Lettering))]
+                area = board.page.results or board.page.panels[panel.name].drawing
+                if beneath:
+                    assert max(ink_box(text)[2] for text in texts) <= area.right + 1e-9
+                if place == 0:
+                    ahead = width(number.runs, number.size) - after_point(number.runs, number.size)
+                    head = cell.unit if board.page.results else ""
+                    points.setdefault(head, set()).add(round(number.at.real + ahead, 9))
+        assert all(len(found) <= 1 for found in points.values()), (panel.name, points)
+
+
+def test_a_rate_is_printed_as_it_was_typed():
+    sheet = vad.draw(vad.solve(vad.EllipticalTrammel(), omega="600 rpm"))
+    assert "ω₂ = 600 rpm (given)" in describe(sheet) and "v_A = 10.88 m/s" in describe(sheet)

@@ -14,6 +14,7 @@ from functools import cached_property
 
 THIN = "\N{NARROW NO-BREAK SPACE}"
 FIGURE = re.compile(rf"−?\d+(?:{THIN}\d{{3}})*(?:[.,]\d+)?(?:×10[⁻⁰¹²³⁴-⁹]+)?")
+CARRIED = re.compile(rf"({FIGURE.pattern}) (?:[a-z]+/s²?|m)(?!\w)")
 RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 PLAIN = str.maketrans({"−": "-", ",": ".", THIN: ""})
 FLOATS = 1e-9  # what is left of double precision
@@ -70,7 +71,11 @@ class Side:
 
     @classmethod
     def read(cls, text: str) -> Side:
-        """Read ``2 × 4.853 × 1202``, ``(1.2×10⁶)² × 3``, ``ω₃²·BC`` or ``dc/BC``."""
+        """Read ``2 × 4.853 × 1202``, ``(1.2×10⁶)² × 3``, ``ω₃²·BC`` or ``dc/BC``.
+
+        Factors may have units: ``(10 rad/s)² × 0.06 m``, ``(3 m/s)/(0.1 m)``.
+        """
+        text = CARRIED.sub(r"\1", text)
         above, _, below = text.partition("/")
         found = [(part, 1) for part in re.split(r" × |·", above)]
         found += [(part, -1) for part in ([below] if below else [])]
@@ -87,7 +92,7 @@ def _power(factor: str) -> int:
 
 
 def _bare(factor: str) -> str:
-    return factor.removesuffix("²").strip("()") if _power(factor) == 2 else factor
+    return (factor.removesuffix("²") if _power(factor) == 2 else factor).strip("()")
 
 
 @dataclass(frozen=True)

@@ -28,8 +28,8 @@ from vad.strokes.diagram import ORDERS
 from vad.strokes.draw import usual_of
 from vad.strokes.sheet import Sheet
 from vad.units import scene_unit
-from vad.words import Gap, Language
-from vad.written import sign
+from vad.words import Gap, Language, text_of
+from vad.written import sign, with_unit
 
 #: The pictures of a question in pixels: readable beside the text of a platform.
 SIZE = (1024, 576)
@@ -156,7 +156,7 @@ def _given(
 
     The numbers of masses and cylinders have the name of theirs: m_A, r_A.
     """
-    yield from parameters(sheet)
+    yield from map(text_of, parameters(sheet))
     if motion.mechanism.is_rotor:
         for symbol, size, unit in _of_rotor(motion):
             yield f"{symbol} = {sheet.notation.quantity(size, unit, given=True)}"
@@ -175,7 +175,7 @@ def _given(
             for row in part.rows:
                 for cell in row.cells.get(panel, ()):
                     if cell.given:
-                        value = sheet.notation.quantity(cell.value, cell.unit, given=True)
+                        value = with_unit(*part.notation.cell(cell.value, cell.unit, given=True))
                         yield f"{cell.symbol} = {value}"
 
 

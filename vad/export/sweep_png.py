@@ -31,7 +31,7 @@ from vad.kinematics.solver import Solver
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import roman
 from vad.statics.burden import Burden
-from vad.strokes.scene import members_of
+from vad.strokes.members import members_of
 
 #: By how much a picture with forces is wider: they are a further column.
 _WIDER = 1.5
@@ -73,7 +73,7 @@ def _symbols(motion: Motions, results: Results) -> dict[str, str]:
     if not isinstance(motion.solver, Solver):
         return {row.name: "s" for row in results.slides}
     members = members_of(motion.mechanism)
-    return {row.name: members.slide_symbol(row.name) for row in results.slides}
+    return {row.name: members.slide_letter(row.name) for row in results.slides}
 
 
 def _curves(figure: Figure, results: Results, symbols: Mapping[str, str], look: Look) -> None:

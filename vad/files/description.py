@@ -61,6 +61,8 @@ class Expression:
         As it is written.
     names
         The dimensions in it.
+    tree
+        Its syntax.
 
     Examples
     --------
@@ -71,7 +73,7 @@ class Expression:
 
     text: str
     names: frozenset[str]
-    _tree: ast.expr
+    tree: ast.expr
 
     @classmethod
     def of(cls, text: str, dimensions: Mapping[str, object] | list[str]) -> Expression:
@@ -109,7 +111,7 @@ class Expression:
             If it has no value, as after a division by zero, or one beyond every length.
         """
         try:
-            value = _value(self._tree, values)
+            value = _value(self.tree, values)
         except (ArithmeticError, ValueError):
             value = math.nan
         if not math.isfinite(value):
@@ -174,6 +176,8 @@ class Parameter:
         Whether it may be negative or zero.
     help
         One phrase.
+    measures
+        "length" for a dimension that can be nothing else, as its uses tell.
     """
 
     name: str
@@ -181,6 +185,7 @@ class Parameter:
     default: float
     signed: bool
     help: str
+    measures: str = ""
 
 
 @dataclass(frozen=True)

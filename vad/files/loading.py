@@ -448,6 +448,7 @@ def _field(parameter: Parameter) -> Any:
         "help": parameter.help,
         "signed": parameter.signed,
         "optional": False,
+        "measures": parameter.measures or parameter.quantity,
     }
     return field(default=parameter.default, metadata=metadata)
 

@@ -8,6 +8,7 @@ refused in `structure`.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Any
 
 from vad.errors import InputError, VadError, quoted, unknown
@@ -21,10 +22,12 @@ from vad.files.description import (
     GuideEntry,
     LinkEntry,
     LinkLine,
+    Parameter,
     Polar,
     SliderLine,
 )
 from vad.files.links import letters, link
+from vad.files.measures import lengths
 from vad.files.places import HINT, Place, place_of
 from vad.files.tables import Numbers, Source, is_zero
 from vad.units import check_length_unit, number_of
@@ -58,21 +61,32 @@ def describe(source: Source) -> Description:
         raise source.error("links", "", "there is no link", "as in crank = { AB = 60 }")
     bound = guides(numbers, fixed, links)
     pose = _pose(numbers, fixed)
+    burden = read_burden(numbers)
     description = Description(
         title=str(words.get("title", source.name.removesuffix(".toml"))),
         unit=unit,
         about=str(words.get("about", "")),
-        parameters=numbers.found,
+        parameters=_measured(numbers),
         fixed=fixed,
         links=links,
         guides=bound,
         driver=_driver(source, links, bound, unit),
         assembly=_assembly(source),
         pose=pose,
-        burden=read_burden(numbers),
+        burden=burden,
     )
     _check_points(source, description)
     return description
+
+
+def _measured(numbers: Numbers) -> dict[str, Parameter]:
+    """Return the parameters; of free dimensions, those that are lengths are known as such."""
+    free = [name for name, each in numbers.found.items() if each.quantity == "number"]
+    known = lengths(free, numbers.uses)
+    return {
+        name: replace(each, measures="length") if name in known else each
+        for name, each in numbers.found.items()
+    }
 
 
 def _fixed(numbers: Numbers) -> dict[str, Cartesian | Polar]:

@@ -352,12 +352,15 @@ class Numbers:
         The unit of its lengths.
     found
         The parameters that were read so far, by name.
+    uses
+        The expressions that were read so far, each with its quantity.
     """
 
     def __init__(self, source: Source, unit: str) -> None:
         self.source = source
         self.unit = unit
         self.found: dict[str, Parameter] = {}
+        self.uses: list[tuple[Expression, str]] = []
 
     def dimensions(self) -> None:
         """Read the table of dimensions."""
@@ -390,6 +393,7 @@ class Numbers:
         """
         number = self._literal(table, key, name, value, quantity)
         if isinstance(number, Expression):
+            self.uses.append((number, quantity))
             return number
         with self.source.at(table, key):
             number = gate.dimension(name, number, signed=signed)

@@ -457,8 +457,7 @@ def _cells(board: HandBoard, sheet: Sheet, outputs: Outputs) -> list[list[Any]]:
             for place, (cell, shown) in enumerate(cells):
                 if cell.unit != shown.unit or not isinstance(cell.value, Traced):
                     continue
-                unit = notation.unit(cell.unit)
-                factor = notation.scaled(1.0, cell.unit)
+                factor, unit = notation.cell_unit(shown.value, cell.unit, shown.given)
                 index = sheet.rows.index(own)
                 value = _as_given(cell.value, board) if cell.given else cell.value
                 how = outputs.of(value), factor, unit, int(shown.given)

@@ -46,7 +46,7 @@ from vad.strokes.draw import NO_PINS
 from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Cell, Panel, Row
 from vad.style import load_style
-from vad.words import Language, text_of
+from vad.words import Language, TextPiece, text_of
 from vad.written import with_unit
 
 PADDING = 0.25 * ENTRY  # after a symbol
@@ -127,7 +127,7 @@ def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = 
     if sheet.subtitle:
         title = f"<hgroup>{title}<p>{words.of(roman(sheet.subtitle))}</p></hgroup>"
     items = ", ".join(
-        f"<span>{words.of(roman(item.replace(' ', _FIRM)))}</span>" for item in parameters(sheet)
+        f"<span>{words.of(said(tuple(map(_firm, item))))}</span>" for item in parameters(sheet)
     )
     told = [step.chapter for step in lesson.steps]
     first = [told.index(panel.name) for panel in sheet.panels]
@@ -166,11 +166,16 @@ def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = 
     )
 
 
+def _firm(piece: TextPiece) -> TextPiece:
+    """Return a piece of a parameter, which no line of the page breaks."""
+    return TextPiece(piece.text.replace(" ", _FIRM), piece.kind)
+
+
 def _height(board: Plan) -> int:
     """Return how high a board is, by the measures of the style sheet, in pixels of 1280 across."""
     unit, sheet = board.form.unit, board.sheet
     named = max(width(roman(sheet.title), 36 / unit), width(roman(sheet.subtitle), 23 / unit))
-    titled = named + width(roman(", ".join(parameters(sheet))), 23 / unit)
+    titled = named + width(roman(", ".join(map(text_of, parameters(sheet)))), 23 / unit)
     lines = 43.2 + (27.6 if sheet.subtitle else 0.0)
     inside = board.page.right - min(p.drawing.left for p in board.page.panels.values())
     head = (
@@ -390,10 +395,8 @@ def _cell(cell: Cell, reading: Runs, words: RunWriter) -> str:
 
 
 def _reading(plan: Plan, cell: Cell, bare: bool = False) -> Runs:
-    notation = plan.sheet.notation
-    number = notation.number(cell.value, cell.unit, cell.given)
-    unit = "" if bare else notation.unit(cell.unit)
-    return roman("= " + with_unit(number, unit).replace(" ", "\u00a0"))
+    number, unit = plan.sheet.notation.cell(cell.value, cell.unit, cell.given)
+    return roman("= " + with_unit(number, "" if bare else unit).replace(" ", "\u00a0"))
 
 
 def _has_given(rows: tuple[Row, ...]) -> bool:

@@ -13,7 +13,7 @@ from vad.kinematics.linkage import Bar, Slide
 from vad.kinematics.loop import LoopSolver
 from vad.kinematics.solver import Solver
 from vad.plan.hand_board import HandBoard
-from vad.strokes.scene import members_of
+from vad.strokes.members import members_of
 from vad.strokes.traced_dimensions import sides_of
 from vad.words import Language
 

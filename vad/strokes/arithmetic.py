@@ -46,6 +46,9 @@ class Figure:
     scale
         The unit by which it is scaled, where that is not its own: a length from which a rate is
         calculated is written in metres where the rate is.
+    typed
+        Whether it is written in the unit of the data, as it was typed, wherever rates are written
+        in metres.
     """
 
     value: float
@@ -53,6 +56,7 @@ class Figure:
     given: bool = False
     power: int = 1
     scale: str = ""
+    typed: bool = False
 
     def __post_init__(self) -> None:
         """Make the number one that JSON can hold: Python's own, and never a negative zero.

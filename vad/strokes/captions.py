@@ -140,11 +140,13 @@ class Captions(PolygonCaptions[StepVector]):
     def _known_slide(self, label: str, part: Part[StepVector], slide: Slide) -> Sentence:
         scene = self._scene
         if part.name != "coriolis":
-            given = scene.figure(length_of(slide.name), abs(part.vector), self.unit)
-            line, way = scene.line(slide), self._direction(part.vector)
-            return self.quantity(
-                f"sliding {self.panel}", label=label, value=given, line=line, way=way
+            value, unit = (
+                Figure(abs(part.vector), self.unit, typed=True),
+                Unit(self.unit, typed=True),
             )
+            line, way = scene.line(slide), self._direction(part.vector)
+            phrase = f"sliding {self.panel}"
+            return self.say(phrase, label=label, value=value, unit=unit, line=line, way=way)
         sliding = abs(scene.speed(slide.name, 1))
         return self.quantity(
             "coriolis",
@@ -263,8 +265,8 @@ class Captions(PolygonCaptions[StepVector]):
             bar=bar.ends,
             base=base.ends,
             known=known,
-            size=scene.length(bar, self.unit),
-            length=scene.length(base, self.unit, power=-1),
+            size=scene.length(bar),
+            length=scene.length(base, power=-1),
             own=own,
             unit=Unit(self.unit),
             also=Listed(tuple(also), ""),
@@ -274,7 +276,7 @@ class Captions(PolygonCaptions[StepVector]):
         """Return the symbol of what a step's unknown part measures: ω₃, α₃, v or a."""
         step = part.of.step
         if isinstance(step, Slide):
-            return "va"[self.order - 1]
+            return self._scene.members.rate_symbol(step.name, ORDERS[self.order])
         return self._scene.members.symbol("ωα"[self.order - 1], step.link)
 
     def _whose(self, bar: Step) -> Sentence:

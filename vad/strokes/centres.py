@@ -22,7 +22,7 @@ from vad.kinematics.numbers import ray
 from vad.strokes.arithmetic import Calculation, Figure, product
 from vad.strokes.body_names import BodyNames
 from vad.strokes.centrodes import Centrodes, pair_of
-from vad.strokes.diagram import POSITION, Drawing, Spot
+from vad.strokes.diagram import POSITION, VELOCITY, Drawing, Spot
 from vad.strokes.figure import FigurePencil
 from vad.strokes.sentences import Listed, Sentence, SentencePart, Unit
 from vad.strokes.sheet import Arrow, Cell, Curve, Dot, KennedyCircle, Line, Stroke, StrokePart
@@ -386,9 +386,10 @@ class _Drawn:
         turns = scene.driver.kind == "angle"
         given = scene.motion.inputs["omega" if turns else "velocity"]
         found: dict[tuple[str, bool], _Rate] = {}
-        symbol = members.symbol("ω", scene.driver.name) if turns else "v"
+        name = scene.driver.name
+        symbol = members.symbol("ω", name) if turns else members.rate_symbol(name, VELOCITY)
         unit = "rad/s" if turns else scene.rate_unit(1)
-        found[scene.driver.name, not turns] = _Rate(self.driver, symbol, given, unit, True)
+        found[name, not turns] = _Rate(self.driver, symbol, given, unit, True)
         for link in members.links:
             if link in self.kennedy.names and self._knows(link):
                 value = scene.motion.link(link).omega
@@ -399,7 +400,8 @@ class _Drawn:
             body = self.kennedy.bodies.rods.get(slide.name, slide.name)
             if body in self.kennedy.names and self._knows(body):
                 value = scene.motion.slide(slide.name).velocity
-                found.setdefault((slide.name, True), _Rate(body, "v", value, scene.rate_unit(1)))
+                symbol = members.rate_symbol(slide.name, VELOCITY)
+                found.setdefault((slide.name, True), _Rate(body, symbol, value, scene.rate_unit(1)))
         return found
 
     def _knows(self, body: str) -> bool:

@@ -5,28 +5,50 @@ It is plain text for the metadata of PNG, and for ``<title>`` and ``<desc>`` of 
 
 from __future__ import annotations
 
+import re
+
 from vad.strokes.sheet import TWIST, Row, Sheet
-from vad.words import Language
+from vad.words import Language, TextPiece, text_of
+from vad.written import LOW, with_unit
+
+_POINT = re.compile(r"[A-Z]\d*")
+#: Points, one or more, or a coordinate of one, as a whole word.
+_POINTS = re.compile(r"(?:[A-Z]\d*)+[xy]?(?= |$)")
 
 
 def title(sheet: Sheet) -> str:
     """Return the sheet's title and its subtitle with its parameters."""
-    listed = ", ".join(parameters(sheet))
+    listed = ", ".join(map(text_of, parameters(sheet)))
     colon = Language(sheet.language).say("colon")
     titles = " · ".join(filter(None, (sheet.title, sheet.subtitle)))
     return f"{titles}{colon}{listed}" if listed else titles
 
 
-def parameters(sheet: Sheet) -> list[str]:
-    """Return the parameters as the title has them: "crank 60 mm"; a twist with its length."""
-    found: list[str] = []
+def parameters(sheet: Sheet) -> list[tuple[TextPiece, ...]]:
+    """Return the parameters as the title has them: "crank 60 mm"; a twist with its length.
+
+    Points are symbols, as everywhere: ``AB``, ``O₄y``; the angle of a corner has its sign, ∠BAC.
+    """
+    found: list[tuple[TextPiece, ...]] = []
     for name, value, unit in sheet.parameters:
-        item = f"{name} {sheet.notation.quantity(value, unit if value else '', given=True)}"
+        number = sheet.notation.quantity(value, unit if value else "", given=True)
+        item = (*_name(name, unit), TextPiece(f" {number}"))
         if name == TWIST and found:
-            found[-1] += f" {item}"
+            found[-1] += (TextPiece(" "), *item)
         else:
             found.append(item)
     return found
+
+
+def _name(name: str, unit: str) -> tuple[TextPiece, ...]:
+    """Return the name of a parameter, in which letters of points are symbols."""
+    points = _POINTS.match(name)
+    if not points:
+        return (TextPiece(name),)
+    letters, rest = points[0], name[points.end() :]
+    corner = unit == "°" and not rest and len(_POINT.findall(letters)) == 3
+    symbol = TextPiece(letters.translate(LOW), "symbol")
+    return (*([TextPiece("∠")] if corner else []), symbol, *([TextPiece(rest)] if rest else []))
 
 
 def describe(sheet: Sheet) -> str:
@@ -47,7 +69,7 @@ def _row(row: Row, sheet: Sheet) -> str:
     note = Language(sheet.language).say("given")
     cells = [cell for panel in sheet.panels for cell in row.cells.get(panel.name, ())]
     values = [
-        f"{cell.symbol} = {sheet.notation.quantity(cell.value, cell.unit, cell.given)}"
+        f"{cell.symbol} = {with_unit(*sheet.notation.cell(cell.value, cell.unit, cell.given))}"
         + (f" ({note})" if cell.given else "")
         for cell in cells
     ]

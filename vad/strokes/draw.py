@@ -299,7 +299,7 @@ def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, 
                 (
                     named(called, language),
                     value,
-                    unit if metadata["quantity"] == "length" else "",
+                    unit if metadata.get("measures", metadata["quantity"]) == "length" else "",
                 )
             )
             if name + _TWIST in values:

@@ -12,7 +12,8 @@ from functools import lru_cache
 from typing import Any, cast
 
 from vad.kinematics.linkage import Bar, Loop, Scalar, Slide, Step, scalar_of
-from vad.strokes.scene import Members, Scene, image_letter
+from vad.strokes.members import Members
+from vad.strokes.scene import Scene, image_letter
 from vad.strokes.sentences import Sentence, Text, Voice
 from vad.strokes.sheet import Component, Equation, Plate, Stroke, Term
 from vad.strokes.vector_equations import Chain, Part, Side, Vector, VectorEquation

@@ -232,8 +232,8 @@ class Images:
         side = base.tail + bar.head
         unit = scene.rate_unit(self._order)
         spans = [abs(scene.at(head) - scene.at(base.tail)) for head in (bar.head, base.head)]
-        size = scene.measured(spans[0], scene.unit, scale=unit)
-        length = scene.measured(spans[1], scene.unit, power=-1, scale=unit)
+        size = scene.measured(spans[0], scene.unit)
+        length = scene.measured(spans[1], scene.unit, power=-1)
         tail = pencil.image(base.tail)
         own, known = (Figure(abs(pencil.image(p) - tail), unit) for p in (bar.head, base.head))
 

@@ -19,14 +19,15 @@ from vad.errors import InputError
 from vad.strokes.arithmetic import Calculation, Figure
 from vad.strokes.notation import Notation
 from vad.words import Gap, Language, TextPiece, gaps, text_of
-from vad.written import MINUS, squared
+from vad.written import MINUS, plain, squared, typeset
 
 
 @dataclass(slots=True)
 class Unit:
-    """A unit, as data have it: mm/s where the sheet writes m/s."""
+    """A unit, as data have it: mm/s where the sheet writes m/s, but not if it was ``typed``."""
 
     name: str
+    typed: bool = False
 
 
 @dataclass(slots=True)
@@ -201,15 +202,19 @@ def _add(
     if isinstance(part, str):
         found.append(TextPiece(part, "symbol"))
     elif isinstance(part, Figure):
-        text = voice.notation.number(part.value, part.scale or part.unit, part.given)
+        text = _number(part, voice.notation)
         found.append(TextPiece(squared(text) if part.power == 2 else text, "figure"))
     elif isinstance(part, Unit):
-        found.append(TextPiece(voice.notation.unit(part.name), "unit"))
+        unit = part.name if part.typed else voice.notation.unit(part.name)
+        found.append(TextPiece(unit, "unit"))
     elif isinstance(part, Sentence):
         speaker = language.speaker(part.phrase)
+        factors = _factors(part, voice.notation)
         for each in speaker.template(part.phrase):
             if not isinstance(each, Gap):
                 found.append(each)
+            elif each.name in factors:
+                found += factors[each.name]
             elif each.name in part.parts:
                 _add(found, part.parts[each.name], voice, speaker, each.article)
             else:
@@ -231,6 +236,41 @@ def _add(
             if number:
                 found.append(TextPiece(part.between))
             _add(found, item, voice, language)
+
+
+def _number(figure: Figure, notation: Notation) -> str:
+    """Return a number as a sentence has it."""
+    if figure.typed:
+        return typeset(plain(figure.value, figure.unit, given=True), notation.point)
+    return notation.number(figure.value, figure.scale or figure.unit, figure.given)
+
+
+def _factors(sentence: Sentence, notation: Notation) -> dict[str, list[TextPiece]]:
+    """Return the factors of a product with their units, where one is written in another unit.
+
+    A length that is 60 mm in the title is 0.06 m here.
+    """
+    names = [name for each in sentence.calculations for name in each.operands]
+    figures = {name: sentence.parts[name] for name in names if isinstance(name, str)}
+    factors = {name: part for name, part in figures.items() if isinstance(part, Figure)}
+    if not any(part.scale and notation.changes(part.scale) for part in factors.values()):
+        return {}
+    divided = any(part.power < 0 for part in factors.values())
+    return {name: _factor(part, divided, notation) for name, part in factors.items()}
+
+
+def _factor(figure: Figure, divided: bool, notation: Notation) -> list[TextPiece]:
+    """Return a factor with its unit: 0.06 m, (10 rad/s)²."""
+    unit = notation.unit(figure.scale or figure.unit)
+    unit = unit.partition("/")[0] if figure.scale else unit
+    pieces = [
+        TextPiece(_number(figure, notation), "figure"),
+        TextPiece(" "),
+        TextPiece(unit, "unit"),
+    ]
+    if divided or figure.power != 1:
+        pieces = [TextPiece("("), *pieces, TextPiece(")²" if figure.power == 2 else ")")]
+    return pieces
 
 
 @dataclass(frozen=True)

@@ -122,6 +122,7 @@ FIGURE = record(
     given=optional(FLAG, False),
     power=optional(one_of((-1, 1, 2)), 1),
     scale=optional(UNIT, ""),
+    typed=optional(FLAG, False),
 )
 CALCULATION = record(
     Calculation,
@@ -144,7 +145,7 @@ _PARTS: dict[str, Form] = {
     ),
     "list": record(Listed, items=Key(many(PART), "list"), between=TEXT),
     "terms": record(Terms, addends=Key(many(FIGURE), "terms")),
-    "unit": record(Unit, name=Key(UNIT, "unit")),
+    "unit": record(Unit, name=Key(UNIT, "unit"), typed=optional(FLAG, False)),
 }
 _KEYS: dict[Any, str] = {form.cls: key for key, form in _PARTS.items()}
 

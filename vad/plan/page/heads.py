@@ -12,7 +12,7 @@ from vad.errors import UsageError
 from vad.plan.items import Item, Level, foot_of
 from vad.plan.layout import Page, PanelPlace
 from vad.plan.lettering.glyphs import fitted, width
-from vad.plan.lettering.runs import Runs, bold, roman, symbols
+from vad.plan.lettering.runs import Runs, bold, roman, said, symbols
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Lettering, Mark, line
 from vad.plan.scale import SCALE_GAP, SCALE_SIZE, Scale, bar_marks, stated
@@ -21,6 +21,7 @@ from vad.strokes.description import parameters
 from vad.strokes.notation import Notation
 from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Arrow, Equation, Panel, Sheet, Term
+from vad.words import TextPiece
 from vad.written import typeset
 
 TITLE = 0.037
@@ -127,13 +128,17 @@ def _named(
     return Lettering(runs, at, found)
 
 
-def _widest(rows: Sequence[list[str]]) -> float:
+def _widest(rows: Sequence[Sequence[tuple[TextPiece, ...]]]) -> float:
     """Return the width of the longest row of parameters in type of size 1."""
     return max(width(_listed(row), 1.0) for row in rows)
 
 
-def _listed(items: list[str]) -> Runs:
-    return roman(",   ".join(items))
+def _listed(items: Sequence[tuple[TextPiece, ...]]) -> Runs:
+    pieces: list[TextPiece] = []
+    for item in items:
+        pieces += [TextPiece(",   ")] if pieces else []
+        pieces += item
+    return said(tuple(pieces))
 
 
 @dataclass(frozen=True, slots=True)

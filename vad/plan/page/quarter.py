@@ -5,8 +5,9 @@ The rows of a sheet become entries in columns, whose heads have the units.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from vad.plan.geometry import Rect
@@ -15,7 +16,7 @@ from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
 from vad.strokes.sheet import Cell, Row, Sheet
 from vad.words import Language
-from vad.written import with_unit
+from vad.written import MINUS, THIN_SPACE, with_unit
 
 TITLE_SIZE = 0.037
 HEAD_SIZE = 0.031
@@ -34,6 +35,8 @@ NAME_GAP = 0.0125
 KEY_RISE = 0.0068
 GIVEN_SIZE = 0.028
 DROP = 0.006  # of a line to write on, below the baseline
+
+_WHOLE = re.compile(rf"[{MINUS}\d{THIN_SPACE}]*")
 
 #: Sets a cell's number in type.
 Figures = Callable[[Cell], Runs]
@@ -136,8 +139,13 @@ class Quarter:
         for depth, cell in enumerate(row.cells.get(panel, ())):
             baseline = self._baselines[index] - depth * ROW_PITCH * self._squeeze
             dressed, role = self._entries.dressed, self._entries.role(cell)
-            value = dressed(cell, new, self._written(cell, row.cells[panel]))
-            number = _right(value, complex(right, baseline), size, role)
+            value = dressed(cell, new, self._written(cell, row, panel))
+            end = right
+            if not depth:  # numbers stand with their decimal points one below the other
+                end -= self._tail(panel, self._group(row)) * self._fit.type - after_point(
+                    value, size
+                )
+            number = _right(value, complex(end, baseline), size, role)
             left, symbol = self._left(panel), []
             if depth:
                 left = right - width(value, size)
@@ -184,20 +192,41 @@ class Quarter:
 
     def _widest(self, name: str) -> float:
         """Return the width of a column's heads and numbers, bold or not, at type 1."""
-        rows = [row for row in self._rows if row.cells.get(name)]
-        numbers = [self._entries.figures(row.cells[name][0]) for row in rows]
         heads = [self._quantities(group, name) for group in self._groups]
-        further = self._beside(name)
+        further = (face for runs in self._beside(name) for face in (runs, bold(runs)))
         return max(
-            [width(face, SIZE) for runs in (*numbers, *further) for face in (runs, bold(runs))]
-            + [width(runs, HEAD_SIZE) for runs in heads],
-            default=0.0,
+            *(self._whole(name, group) + self._tail(name, group) for group in self._groups),
+            *(width(runs, SIZE) for runs in further),
+            *(width(runs, HEAD_SIZE) for runs in heads),
         )
+
+    def _whole(self, name: str, group: list[Row]) -> float:
+        """Return the width before the decimal points of a column of a group, at type 1."""
+        numbers = self._numbers(name, group)
+        return max((width(runs, SIZE) - after_point(runs, SIZE) for runs in numbers), default=0.0)
+
+    def _tail(self, name: str, group: list[Row]) -> float:
+        """Return the width behind the decimal points of a column of a group, at type 1."""
+        return max((after_point(runs, SIZE) for runs in self._numbers(name, group)), default=0.0)
+
+    def _numbers(self, name: str, group: list[Row]) -> list[Runs]:
+        """Return the first numbers of the rows of a group in a column, bold or not."""
+        rows = [row for row in group if row.cells.get(name)]
+        numbers = [self._written(row.cells[name][0], row, name) for row in rows]
+        return [face for runs in numbers for face in (runs, bold(runs))]
+
+    def _group(self, row: Row) -> list[Row]:
+        """Return the rows that share a head with a row."""
+        return next(group for group in self._groups if row in group)
 
     def _under_names(self) -> float:
         """Return the width of the further cells of the first column, which begin below names."""
-        cells = [row.cells.get(self._names[0], ()) for row in self._rows]
-        further = [_sign(cell) + self._written(cell, each) for each in cells for cell in each[1:]]
+        name = self._names[0]
+        further = [
+            _sign(cell) + self._written(cell, row, name)
+            for row in self._rows
+            for cell in row.cells.get(name, ())[1:]
+        ]
         return max((width(runs, SIZE) for runs in further), default=0.0)
 
     def _beside(self, name: str) -> list[Runs]:
@@ -208,14 +237,23 @@ class Quarter:
             cells = row.cells.get(name, ())
             before = row.cells.get(self._names[place - 1], ()) if place else ()
             pairs = list(zip(cells, before, strict=False))[1:]
-            found += [_sign(cell) + self._written(cell, cells) for cell, _ in pairs]
+            found += [_sign(cell) + self._written(cell, row, name) for cell, _ in pairs]
         return found
 
-    def _written(self, cell: Cell, cells: Sequence[Cell]) -> Runs:
-        """Return the number of a cell, with its unit where the head has that of another one."""
-        runs = self._entries.figures(cell)
-        unit = self._entries.unit(cell)
-        return runs if cell.unit == cells[0].unit else runs + roman(with_unit("", unit))
+    def _written(self, cell: Cell, row: Row, name: str) -> Runs:
+        """Return the number of a cell, with its unit where the head has another one."""
+        runs, unit = self._entries.figures(cell), self._entries.unit(cell)
+        return (
+            runs
+            if unit == self._unit(self._group(row), name)
+            else runs + roman(with_unit("", unit))
+        )
+
+    def _unit(self, group: list[Row], name: str) -> str:
+        """Return the unit in the head of a column: that of what is found, if anything is."""
+        cells = [row.cells[name][0] for row in group if row.cells.get(name)]
+        found = next((cell for cell in cells if not cell.given), cells[0] if cells else None)
+        return self._entries.unit(found) if found else ""
 
     def _quantities(self, group: list[Row], name: str) -> Runs:
         """Return the head of a column: its quantities and their unit, nothing where it is empty."""
@@ -223,7 +261,7 @@ class Quarter:
         if not cells:
             return ()
         quantities = list(dict.fromkeys(cell.quantity for cell in cells))
-        return symbols(" / ".join(quantities)) + roman(", " + self._entries.unit(cells[0]))
+        return symbols(" / ".join(quantities)) + roman(", " + self._unit(group, name))
 
 
 def _sign(cell: Cell) -> Runs:
@@ -273,7 +311,13 @@ def _extras(row: Row, names: list[str]) -> int:
 
 def figures(sheet: Sheet) -> Figures:
     """Return what sets the numbers of a sheet in type."""
-    return lambda cell: roman(sheet.notation.number(cell.value, cell.unit, cell.given))
+    return lambda cell: roman(sheet.notation.cell(cell.value, cell.unit, cell.given)[0])
+
+
+def after_point(runs: Runs, size: float) -> float:
+    """Return the width of what stands behind the whole part of a number, its decimal point too."""
+    whole = replace(runs[0], text=_WHOLE.match(runs[0].text)[0])  # type: ignore[index]
+    return width(runs, size) - width((whole,), size)
 
 
 @dataclass(frozen=True, slots=True)
@@ -350,7 +394,7 @@ class Entries:
 
     def unit(self, cell: Cell) -> str:
         """Return the unit in which a cell's number is written."""
-        return self.sheet.notation.unit(cell.unit)
+        return self.sheet.notation.cell_unit(cell.value, cell.unit, cell.given)[1]
 
     def dressed(self, cell: Cell, new: bool, runs: Runs) -> Runs:
         """Return the runs of a cell, bold where it is new."""

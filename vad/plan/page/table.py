@@ -12,9 +12,19 @@ from typing import Protocol
 from vad.plan.geometry import Rect
 from vad.plan.layout import Page
 from vad.plan.lettering.glyphs import fitted, width
-from vad.plan.lettering.runs import Runs, roman, symbols
+from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
-from vad.plan.page.quarter import NAME_GAP, SIZE, Entries, Entry, Figures, Quarter, figures, need
+from vad.plan.page.quarter import (
+    NAME_GAP,
+    SIZE,
+    Entries,
+    Entry,
+    Figures,
+    Quarter,
+    after_point,
+    figures,
+    need,
+)
 from vad.strokes.sheet import Cell, Row, Sheet
 from vad.written import with_unit
 
@@ -63,18 +73,14 @@ class Columns:
         drawings = {name: place.drawing for name, place in page.panels.items()}
         self._spans = [(drawing.left, drawing.right) for drawing in drawings.values()]
         if len({round(drawing.width, 9) for drawing in drawings.values()}) == 1:
-            # A long number reaches into the gutter before it shrinks.
             edges = [right for _, right in self._spans]
             edges[-1] -= self._legend_room(next(reversed(drawings)))
-            rights = [*(right + CLEAR for right in edges[:-1]), edges[-1]]
-            first = self._first_left(next(iter(drawings)), rights[0])
+            first = self._first_left(next(iter(drawings)), edges[0])
             lefts = [first, *(left for left, _ in self._spans[1:])]
-            self._places = dict(zip(drawings, zip(lefts, rights, strict=True), strict=True))
-            self._usual = dict(zip(drawings, edges, strict=True))
+            self._places = dict(zip(drawings, zip(lefts, edges, strict=True), strict=True))
         else:
             self._spans = [(page.left, page.right)]
             self._places = self._packed()
-            self._usual = {name: right for name, (_, right) in self._places.items()}
 
     def _legend_room(self, panel: str) -> float:
         """Return what the legend takes of the first row, where the last cell ends at its right."""
@@ -99,7 +105,7 @@ class Columns:
     def _widest(self, panel: str) -> float:
         """Return the width that the cells of a panel need at most."""
         rows = self._entries.sheet.rows
-        return max((self._need(row.cells.get(panel, ())) for row in rows), default=0.0)
+        return max((self._need(row.cells.get(panel, ()), panel) for row in rows), default=0.0)
 
     @property
     def values(self) -> float:
@@ -127,21 +133,20 @@ class Columns:
         """Return the first cell at the column's left and a second one at its right."""
         left, right = self._places[panel]
         baseline, dressed = self._page.rows[index], self._entries.dressed
-        cells = row.cells.get(panel, ())
-        tight = len(cells) > 1 and self._need(cells, new) > right - left
-        bare = tight and alike(cells, panel, self._entries.sheet.rows)
+        cells, shrink = row.cells.get(panel, ()), self._shrink(panel)
+        bare = self._bare(cells, panel)
         values = [dressed(cell, new, self._reading(cell, bare)) for cell in cells]
         signs = [dressed(cell, new, _sign(cell)) for cell in cells]
-        need = self._need(cells, new, bare)
-        shrink = min(1.0, (right - left) / need)
         size, symbol = SIZE * shrink, self._symbol(panel) * shrink
-        last = min(right, max(self._usual[panel], left + need))
-        ends = self._ends(values, signs, left + symbol + (NUMBERS - EQUALS) * shrink, last, size)
+        # Decimal points stand one below the other.
+        whole = (self._whole(panel) - self._ahead(values[0])) * shrink if cells else 0.0
+        first = left + symbol + (NUMBERS - EQUALS) * shrink + whole
+        ends = self._ends(values, signs, first, right, size)
         found: list[Entry] = []
         for count, (cell, value, sign) in enumerate(zip(cells, values, signs, strict=True)):
             name, equals = dressed(cell, new, symbols(cell.symbol)), dressed(cell, new, roman("="))
             places = [(name, left), (equals, left + symbol)]
-            start = left + symbol + (NUMBERS - EQUALS) * shrink
+            start = first
             end = min(start + WRITTEN * shrink, right)
             if len(cells) > 1:  # up to the symbol behind it
                 ahead = width(values[1], size) + width(signs[1], size) + CLEAR * shrink
@@ -157,6 +162,30 @@ class Columns:
             )
             found.append(Entry(tuple(before), number, start, end))
         return found
+
+    def _bare(self, cells: Sequence[Cell], panel: str) -> bool:
+        """Tell whether cells leave out their units, because there is no room for them."""
+        left, right = self._places[panel]
+        tight = len(cells) > 1 and self._need(cells, panel) > right - left
+        return tight and alike(cells, panel, self._entries.sheet.rows)
+
+    def _shrink(self, panel: str) -> float:
+        """Return by how much all cells of a column shrink, so that the longest stays within it."""
+        left, right = self._places[panel]
+        rows = (row.cells.get(panel, ()) for row in self._entries.sheet.rows)
+        need = (self._need(cells, panel, bare=self._bare(cells, panel)) for cells in rows if cells)
+        return min(1.0, (right - left) / max(need, default=right - left))
+
+    def _whole(self, panel: str) -> float:
+        """Return the greatest width of the whole parts of the first numbers of a column."""
+        entries, rows = self._entries, self._entries.sheet.rows
+        firsts = [entries.figures(row.cells[panel][0]) for row in rows if row.cells.get(panel)]
+        return max((self._ahead(face) for r in firsts for face in (r, bold(r))), default=0.0)
+
+    @staticmethod
+    def _ahead(value: Runs) -> float:
+        """Return the width of the whole part of a number, at full size."""
+        return width(value, SIZE) - after_point(value, SIZE)
 
     def _symbol(self, panel: str) -> float:
         """Return the distance from the symbols of a column to its equals signs."""
@@ -186,7 +215,7 @@ class Columns:
         # What grey means stands at the end of the first line.
         legend = [m.shape for m in self._entries.legend(0j) if isinstance(m.shape, Lettering)]
         last, first = next(reversed(wide)), rows[0].cells if rows else {}
-        end = self._need(first.get(last, ())) + 2 * CLEAR
+        end = self._need(first.get(last, ()), last) + 2 * CLEAR
         wide[last] = max(wide[last], end + sum(width(text.runs, text.size) for text in legend))
         stretch = (page.right + CLEAR - left) / sum(wide.values())
         places: dict[str, tuple[float, float]] = {}
@@ -195,14 +224,15 @@ class Columns:
             left += wanted * stretch
         return places
 
-    def _need(self, cells: Sequence[Cell], new: bool = True, bare: bool = False) -> float:
-        """Return the width of cells at full size; ``bare`` ones are without their units."""
-        signs = [self._entries.dressed(cell, new, _sign(cell)) for cell in cells[1:]]
-        values = [self._entries.dressed(cell, new, self._reading(cell, bare)) for cell in cells]
+    def _need(self, cells: Sequence[Cell], panel: str, bare: bool = False) -> float:
+        """Return the width of cells at full size, in bold; ``bare`` ones have no units."""
+        if not cells:
+            return 0.0
+        signs = [self._entries.dressed(cell, True, _sign(cell)) for cell in cells[1:]]
+        values = [self._entries.dressed(cell, True, self._reading(cell, bare)) for cell in cells]
         runs = sum(width(runs, SIZE) for runs in (*values, *signs))
-        symbol = width(symbols(cells[0].symbol), SIZE) if cells else 0.0
-        more = symbol + SIGN_GAP - EQUALS if symbol > EQUALS else 0.0
-        return NUMBERS + more + runs + CLEAR * len(signs)
+        start = self._symbol(panel) + NUMBERS - EQUALS + self._whole(panel) - self._ahead(values[0])
+        return start + runs + CLEAR * len(signs)
 
     def _reading(self, cell: Cell, bare: bool) -> Runs:
         unit = with_unit("", self._entries.unit(cell))
